@@ -1,0 +1,19 @@
+# One object library per source folder; a folder sees only what stands above it in the line of work.
+add_library(vibroimpact_warnings INTERFACE)
+target_compile_options(vibroimpact_warnings INTERFACE -Wall -Wextra)
+if(VIBROIMPACT_SANITIZE)
+  target_compile_options(vibroimpact_warnings INTERFACE
+    -fsanitize=${VIBROIMPACT_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(vibroimpact_warnings INTERFACE -fsanitize=${VIBROIMPACT_SANITIZE})
+endif()
+
+# vibroimpact_folder(NAME SOURCES a.cc ... LIBRARIES target ...)
+function(vibroimpact_folder name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_library(vibroimpact_${name} OBJECT ${ARG_SOURCES})
+  target_include_directories(vibroimpact_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(vibroimpact_${name}
+    PUBLIC Eigen3::Eigen Boost::boost MPI::MPI_CXX ${ARG_LIBRARIES}
+    PRIVATE vibroimpact_warnings)
+  target_link_libraries(vibroimpact PRIVATE vibroimpact_${name})
+endfunction()

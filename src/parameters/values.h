@@ -1,0 +1,104 @@
+// The values of a parameter file: read once, checked whole, then asked for by key in SI units.
+#pragma once
+
+#include "common/error.h"
+#include "parameters/section.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vibroimpact::parameters {
+
+class ParameterSet;
+
+/// One section as the file (with overrides and defaults) has it. Cheap to copy; the ParameterSet
+/// behind it is shared. Asking for an undeclared key or with the wrong kind is a std::logic_error.
+class Values {
+public:
+  double quantity(const std::string &key) const;
+  std::vector<double> quantities(const std::string &key) const;
+  long integer(const std::string &key) const;
+  bool boolean(const std::string &key) const;
+  std::string choice(const std::string &key) const;
+  std::string text(const std::string &key) const;
+  std::vector<std::string> names(const std::string &key) const;
+
+  /// Is the value non-empty (given, or a non-empty default)?
+  bool has(const std::string &key) const;
+  /// Was it given, in the file or by an override?
+  bool given(const std::string &key) const;
+  /// InputError "must be given" when the value is empty.
+  void require(const std::string &key) const;
+
+  Values subsection(const std::string &name) const;
+  bool subsection_given(const std::string &name) const;
+  /// Names under which `kind` stands here, in file order.
+  std::vector<std::string> instances(const std::string &kind) const;
+  Values instance(const std::string &kind, const std::string &name) const;
+
+  /// Throws an InputError that names file and line, key, value and `allowed` (a sentence).
+  [[noreturn]] void reject(const std::string &key, const std::string &allowed) const;
+  /// The same for the section as a whole.
+  [[noreturn]] void reject_section(const std::string &problem) const;
+  /// reject() unless `name` is among `known`; suggests the nearest one.
+  void require_known(const std::string &key, const std::string &name,
+                     const std::vector<std::string> &known) const;
+
+  /// "Body left/Material"
+  std::string path() const;
+  /// Every key of the section and below as "path = value in SI" lines, defaults included, in
+  /// declared order: equal text means equal physics. Used for caching.
+  std::string fingerprint() const;
+
+private:
+  friend class ParameterSet;
+  Values(std::shared_ptr<const ParameterSet> set, const Section &declared, std::string path);
+
+  std::shared_ptr<const ParameterSet> set_;
+  const Section *declared_;
+  std::string path_;
+};
+
+/// An override from the command line or a parameter grid: "Contact/heads/Clearance" = "7 mm".
+/// A named subsection is written with a slash or a blank between kind and name.
+struct Override {
+  std::string path;
+  std::string value;
+  std::string origin; ///< for messages: "--set", "Analysis grid"
+};
+
+/// A parameter file with everything it needs to be read. Immutable after construction.
+class ParameterSet : public std::enable_shared_from_this<ParameterSet> {
+public:
+  /// Reads `.prm` or `.json` (by suffix), applies the overrides and checks every value.
+  /// Throws InputError.
+  static std::shared_ptr<const ParameterSet> read(std::shared_ptr<const Section> declarations,
+                                                  const std::string &file,
+                                                  const std::vector<Override> &overrides = {});
+  /// The same from text; `name` stands for the file in messages, `json` chooses the syntax.
+  static std::shared_ptr<const ParameterSet> parse(std::shared_ptr<const Section> declarations,
+                                                   const std::string &text, const std::string &name,
+                                                   bool json,
+                                                   const std::vector<Override> &overrides = {});
+
+  /// The same file with more overrides (for grids). Throws InputError.
+  std::shared_ptr<const ParameterSet> with(const std::vector<Override> &more) const;
+
+  Values root() const;
+  /// The folder relative file names in the file refer to.
+  std::string folder() const;
+  /// Complete echo in .prm syntax, defaults included; reading it gives the same set.
+  std::string echo() const;
+
+private:
+  friend class Values;
+  struct Data;
+  std::shared_ptr<const Data> data_;
+};
+
+/// The reference of all keys: "markdown", "prm" (all defaults, with comments) or "json".
+std::string print_declarations(const Section &declarations, const std::string &format);
+
+} // namespace vibroimpact::parameters

@@ -1,0 +1,60 @@
+// A body after the Galerkin reduction: plain dense data, no finite element left.
+//
+//   diag(mass) q'' + damping q' + diag(stiffness) q = f(t) + sum over points row(point, axis)^T force
+//
+// Displacement of a point along an axis, relative to the base the body stands on: row . q. A base
+// acceleration a (3 components) acts as the generalised force -base_participation a.
+// Modal bodies have mass = 1 and stiffness = omega^2; lumped bodies have one coordinate per mass.
+#pragma once
+
+#include "common/linear_algebra.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+/// A named place of a body where something can connect, touch, push or be looked at.
+struct BodyPoint {
+  std::string name;
+  Vector3 position = Vector3::Zero(); ///< undeformed [m]
+  Matrix rows; ///< 6 x n: three displacements [m], three rotations [rad] per unit coordinate
+};
+
+/// Nodes, cells and mode shapes, to expand coordinates to the mesh.
+struct Recovery {
+  Matrix nodes;                              ///< 3 x N, undeformed positions [m]
+  std::vector<std::array<int, 2>> lines;     ///< node pairs of beam elements
+  Matrix shapes;                             ///< 6N x n: rows 6 i + component of node i
+};
+
+struct ReducedBody {
+  std::string name;
+  std::string type; ///< "beam" or "lumped"
+
+  Vector mass;                 ///< n
+  Vector stiffness;            ///< n
+  Matrix damping;              ///< n x n, symmetric
+  Matrix base_participation;   ///< n x 3: Phi^T M r for a unit base displacement along each axis [kg / unit]
+
+  std::vector<BodyPoint> points;
+  Recovery recovery; ///< empty for lumped bodies
+
+  Vector3 total_mass = Vector3::Zero(); ///< mass that a base motion along each axis moves [kg]
+  Vector eigen_residual;                ///< n: |K phi - omega^2 M phi| / |K phi|, for modal bodies
+  double orthogonality_residual = 0;    ///< max |Phi^T M Phi - I|, for modal bodies
+
+  Index size() const { return mass.size(); }
+  bool modal() const { return type != "lumped"; }
+  /// Undamped natural angular frequency of each coordinate by itself [rad/s]; 0 for rigid modes.
+  Vector omega() const { return (stiffness.array() / mass.array()).max(0.0).sqrt(); }
+  /// Fraction of critical damping of each coordinate by itself; 0 where omega is 0.
+  Vector damping_ratio() const;
+  /// base_participation^2 / mass: n x 3 [kg].
+  Matrix effective_mass() const;
+  /// Throws std::logic_error when there is no such point.
+  const BodyPoint &point(const std::string &point_name) const;
+};
+
+} // namespace vibroimpact
