@@ -18,6 +18,9 @@ class ParameterSet;
 class Values {
 public:
   double quantity(const std::string &key) const;
+  /// For keys of dimension::unchecked, whose unit depends on other keys: refuses another dimension
+  /// than `expected` (a bare number is taken as SI).
+  double quantity_of(const std::string &key, const Dimension &expected) const;
   std::vector<double> quantities(const std::string &key) const;
   long integer(const std::string &key) const;
   bool boolean(const std::string &key) const;
