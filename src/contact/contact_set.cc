@@ -59,7 +59,8 @@ ContactPair read_contact(const parameters::Values &contact, const std::string &n
           .gap = std::move(gap),
           .law = create_contact_law(contact),
           .accept_initial_penetration = contact.choice("Initial penetration") == "accept" ||
-                                        contact.boolean("Prestressed")};
+                                        contact.boolean("Prestressed"),
+          .origin = contact.locate("Clearance")};
 }
 
 } // namespace

@@ -49,6 +49,9 @@ public:
   void require_known(const std::string &key, const std::string &name,
                      const std::vector<std::string> &known) const;
 
+  /// "file.prm:12: Contact heads / Clearance = 5 mm", for messages of later stages.
+  std::string locate(const std::string &key) const;
+
   /// "Body left/Material"
   std::string path() const;
   /// Every key of the section and below as "path = value in SI" lines, defaults included, in
