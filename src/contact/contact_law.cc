@@ -27,10 +27,6 @@ std::vector<Mode> open_and_contact(std::optional<AffineLaw> affine_contact) {
            .affine = std::move(affine_contact)}};
 }
 
-int open_or_contact(const LocalState &state) {
-  if (state.gap != 0)
-    return state.gap < 0 ? 1 : 0;
-  return state.gap_rate < 0 ? 1 : 0;
-}
+int open_or_contact(const LocalState &state) { return state.gap < 0 ? 1 : 0; }
 
 } // namespace vibroimpact

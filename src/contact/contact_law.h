@@ -79,7 +79,7 @@ public:
   /// Internal states before the first contact.
   const std::vector<double> &initial_internal() const { return initial_internal_; }
 
-  /// The mode in which a motion starts: the sign of the gap decides, at touch its rate.
+  /// The mode in which a motion starts. A guard that is zero there and falling ends it at once.
   virtual int initial_mode(const LocalState &state) const = 0;
 
   /// Force, internal rates, derivatives and energies. `response` keeps its storage between calls.
@@ -97,7 +97,7 @@ private:
 /// penetration returns to zero. `affine_contact` as in Mode::affine.
 std::vector<Mode> open_and_contact(std::optional<AffineLaw> affine_contact = std::nullopt);
 
-/// initial_mode for such laws.
+/// initial_mode for such laws: open at touch, so that a contact that begins there is an event.
 int open_or_contact(const LocalState &state);
 
 } // namespace vibroimpact

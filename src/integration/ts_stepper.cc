@@ -11,13 +11,16 @@ namespace vibroimpact {
 
 namespace {
 
-// PETSc's own handler would print a stack trace; the code it returns says enough.
-void check(PetscErrorCode code, const char *call) {
-  if (code == PETSC_SUCCESS)
-    return;
+std::string error_text(PetscErrorCode code) {
   const char *text = nullptr;
   PetscErrorMessage(code, &text, nullptr);
-  throw NumericalError(std::string(call) + " failed: " + (text ? text : "unknown error"));
+  return text ? text : "unknown error";
+}
+
+// PETSc's own handler would print a stack trace; the code it returns says enough.
+void check(PetscErrorCode code, const char *call) {
+  if (code != 0)
+    throw NumericalError(std::string(call) + " failed: " + error_text(code));
 }
 
 // Silences PETSc's error output for the life of the object.
@@ -39,7 +42,7 @@ PetscErrorCode evaluate_rates(TS /*ts*/, PetscReal time, Vec x, Vec dxdt, void *
   equations.rates(time, ConstVectorView(in, size), VectorView(out, size));
   VecRestoreArray(dxdt, &out);
   VecRestoreArrayRead(x, &in);
-  return PETSC_SUCCESS;
+  return 0;
 }
 
 PetscErrorCode evaluate_jacobian(TS /*ts*/, PetscReal time, Vec x, Mat jacobian, Mat /*preconditioner*/,
@@ -56,7 +59,7 @@ PetscErrorCode evaluate_jacobian(TS /*ts*/, PetscReal time, Vec x, Mat jacobian,
   MatDenseRestoreArrayWrite(jacobian, &out);
   MatAssemblyBegin(jacobian, MAT_FINAL_ASSEMBLY);
   MatAssemblyEnd(jacobian, MAT_FINAL_ASSEMBLY);
-  return PETSC_SUCCESS;
+  return 0;
 }
 
 // The largest component decides about a step; the ledger, which never counts, must not dilute it.
@@ -110,6 +113,7 @@ void TsStepper::set_method(const std::string &method) {
   check(TSSetMaxSteps(ts_, std::numeric_limits<PetscInt>::max() - 1), "TSSetMaxSteps");
   check(TSSetMaxTime(ts_, std::numeric_limits<double>::max() / 4), "TSSetMaxTime");
   check(TSSetMaxStepRejections(ts_, 100), "TSSetMaxStepRejections");
+  check(TSSetMaxSNESFailures(ts_, -1), "TSSetMaxSNESFailures");
   check(TSSetErrorIfStepFails(ts_, PETSC_FALSE), "TSSetErrorIfStepFails");
   SNES snes = nullptr;
   KSP ksp = nullptr;
@@ -128,7 +132,8 @@ void TsStepper::set_tolerances(const IntegrationSettings &settings) {
   const Model &model = equations_.model();
   const double huge = std::numeric_limits<double>::max() / 16;
   Vector absolute = Vector::Constant(layout.size(), huge);
-  const double highest = std::max(model.highest_frequency(), 1e-300);
+  // Where nothing oscillates, a second is as good as any scale.
+  const double highest = model.highest_frequency() > 0 ? model.highest_frequency() : 1;
   for (std::size_t b = 0; b < model.bodies().size(); ++b) {
     const ReducedBody &body = *model.bodies()[b];
     const Vector omega = body.omega();
@@ -178,17 +183,31 @@ void TsStepper::restart(double time, const Vector &x, double first_step) {
   natural_step_ = first_step;
 }
 
-void TsStepper::take(double end) {
-  const QuietErrors quiet;
+void TsStepper::attempt(double end) {
   check(TSSetTimeStep(ts_, end - previous_time_), "TSSetTimeStep");
   const PetscErrorCode code = TSStep(ts_);
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
   TSGetConvergedReason(ts_, &reason);
-  if (code != PETSC_SUCCESS || reason < 0)
+  if (code != 0 || reason < 0)
     throw NumericalError("the time integrator gave up at t = " + std::to_string(previous_time_) +
                          " s: " +
-                         (reason < 0 ? TSConvergedReasons[reason] : "an error inside a step"));
+                         (reason < 0 ? TSConvergedReasons[reason] : error_text(code)));
   check(TSGetTime(ts_, &time_), "TSGetTime");
+}
+
+// The Runge-Kutta methods undo a rejected attempt by subtraction, which spoils the state when the
+// attempt was far too long. A step that had rejections is therefore taken again from the exact
+// start with the length that was accepted.
+void TsStepper::take(double end) {
+  const QuietErrors quiet;
+  long rejected = rejected_steps();
+  attempt(end);
+  while (rejected_steps() > rejected) {
+    rejected = rejected_steps();
+    const double accepted = time_;
+    undo();
+    attempt(accepted);
+  }
   unload();
   if (!state_.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time_) + " s");

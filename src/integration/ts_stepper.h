@@ -45,6 +45,7 @@ public:
 private:
   void set_tolerances(const IntegrationSettings &settings);
   void set_method(const std::string &method);
+  void attempt(double end);
   void take(double end);
   void load(const Vector &x);
   void unload();

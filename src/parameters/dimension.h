@@ -12,6 +12,7 @@ struct Dimension {
   int mass = 0;
   int time = 0;
   int angle = 0;
+  bool unchecked = false;
   bool operator==(const Dimension &) const = default;
 };
 
@@ -37,6 +38,8 @@ inline constexpr Dimension rotational_stiffness{.length = 2, .mass = 1, .time = 
 inline constexpr Dimension damping{.mass = 1, .time = -1};
 inline constexpr Dimension rotational_damping{.length = 2, .mass = 1, .time = -1};
 inline constexpr Dimension inverse_velocity{.length = -1, .time = 1};
+/// The dimension depends on another key: read with Values::quantity_of.
+inline constexpr Dimension unchecked{.unchecked = true};
 } // namespace dimension
 
 /// The coherent SI unit, for messages and the manual: "N/m", "kg/m^3", "1", "rad/s".
