@@ -6,7 +6,7 @@ using petsc::check;
 
 namespace {
 
-constexpr PetscInt workspace_control = 14;    // per cent of extra workspace for pivoting
+constexpr PetscInt workspace_control = 14;     // per cent of extra workspace for pivoting
 constexpr PetscInt parallel_root_control = 13; // 1: the root front too reports its signs
 
 Mat factor_of(KSP solver) {

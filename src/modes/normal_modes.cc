@@ -44,8 +44,8 @@ double largest_eigenvalue(const EigenProblem &problem) {
 class Search {
 public:
   explicit Search(const EigenProblem &problem)
-      : problem_(problem), largest_(largest_eigenvalue(problem)), shift_(-shift_fraction * largest_),
-        shifted_(problem.stiffness, problem.mass, shift_) {}
+      : problem_(problem), largest_(largest_eigenvalue(problem)),
+        shift_(-shift_fraction * largest_), shifted_(problem.stiffness, problem.mass, shift_) {}
 
   int count_below(double eigenvalue) const {
     return Factorisation(problem_.stiffness, problem_.mass, eigenvalue).eigenvalues_below();
@@ -55,8 +55,8 @@ public:
   Eigenpairs lowest(int count) const {
     for (int asked = std::min(count + guard_modes, problem_.mass_rank);;
          asked = std::min(2 * asked, problem_.mass_rank)) {
-      Eigenpairs pairs = refined(
-          lowest_eigenvectors(problem_.stiffness, problem_.mass, shift_, asked));
+      Eigenpairs pairs =
+          refined(lowest_eigenvectors(problem_.stiffness, problem_.mass, shift_, asked));
       if (const Index end = group_end(pairs.values, count); end > 0)
         return complete(std::move(pairs), end);
     }

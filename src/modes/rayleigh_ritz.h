@@ -26,7 +26,8 @@ Eigenpairs rayleigh_ritz(const EigenProblem &problem, Block x);
 
 /// One step x -= (K - shift M)^-1 (K x - M x Lambda) for all columns and a Rayleigh-Ritz step. The
 /// shift lies below the spectrum, and the columns approximate the lowest eigenvectors.
-Eigenpairs refine(const EigenProblem &problem, const Factorisation &shifted, const Eigenpairs &pairs);
+Eigenpairs refine(const EigenProblem &problem, const Factorisation &shifted,
+                  const Eigenpairs &pairs);
 
 /// Upper bounds of |lambda - exact| / (exact - shift), one for each pair: with r = K x - lambda M x
 /// and A = K - shift M they are sqrt(r^T A^-1 r / x^T A x).

@@ -19,8 +19,7 @@ Layout::Layout(Mat matrix)
   own = static_cast<int>(end - begin);
 }
 
-Block map_columns(const Layout &layout, const Block &x,
-                  const std::function<void(Vec, Vec)> &map) {
+Block map_columns(const Layout &layout, const Block &x, const std::function<void(Vec, Vec)> &map) {
   Block y = Block::Zero(x.rows(), x.cols());
   for (Index j = 0; j < x.cols(); ++j) {
     petsc::Vector in;

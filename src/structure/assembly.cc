@@ -65,8 +65,7 @@ void finish(const petsc::Matrix &matrix) {
   check(MatAssemblyBegin(matrix.get(), MAT_FINAL_ASSEMBLY), "Assembling a matrix");
   check(MatAssemblyEnd(matrix.get(), MAT_FINAL_ASSEMBLY), "Assembling a matrix");
   check(MatSetOption(matrix.get(), MAT_SYMMETRIC, PETSC_TRUE), "Marking a matrix symmetric");
-  check(MatSetOption(matrix.get(), MAT_SYMMETRY_ETERNAL, PETSC_TRUE),
-        "Marking a matrix symmetric");
+  check(MatSetOption(matrix.get(), MAT_SYMMETRY_ETERNAL, PETSC_TRUE), "Marking a matrix symmetric");
 }
 
 std::array<PetscInt, 12> cell_dofs(const FrameModel &model, const FreeDofs &free,
@@ -147,8 +146,8 @@ AssembledBody assemble(FrameModel model, MPI_Comm communicator) {
   add_diagonal(body.free, body.model.lumped_mass, body.mass.get());
   for (const petsc::Matrix *matrix : {&body.stiffness, &body.mass, &body.distributed_mass})
     finish(*matrix);
-  body.accurate_stiffness = std::make_unique<StiffnessOperator>(body.model, body.free,
-                                                                space.own_cells, communicator);
+  body.accurate_stiffness =
+      std::make_unique<StiffnessOperator>(body.model, body.free, space.own_cells, communicator);
   body.base_inertia = base_inertia(body.model, body.free);
   body.massive_dofs = count_massive(body.model, body.free);
   return body;

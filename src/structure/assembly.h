@@ -1,5 +1,6 @@
-// The matrices of a beam body, distributed over the ranks of a communicator. Held degrees of freedom
-// are eliminated: a unit diagonal in their place would put modes into the spectrum that do not exist.
+// The matrices of a beam body, distributed over the ranks of a communicator. Held degrees of
+// freedom are eliminated: a unit diagonal in their place would put modes into the spectrum that do
+// not exist.
 #pragma once
 
 #include "structure/stiffness_operator.h"

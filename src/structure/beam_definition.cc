@@ -16,7 +16,7 @@ std::string message(const std::string &kind, const std::string &name, const std:
 
 DefinitionError::DefinitionError(std::string kind, std::string name, std::string key,
                                  std::string problem)
-    : InputError(message(kind, name, key, problem)), kind_(std::move(kind)),
-      name_(std::move(name)), key_(std::move(key)), problem_(std::move(problem)) {}
+    : InputError(message(kind, name, key, problem)), kind_(std::move(kind)), name_(std::move(name)),
+      key_(std::move(key)), problem_(std::move(problem)) {}
 
 } // namespace vibroimpact::structure

@@ -83,9 +83,9 @@ struct Point {
 };
 
 struct BeamDefinition {
-  std::string mesh_content;        ///< text of a Gmsh mesh file; empty: the generated line
-  Line line;                       ///< used without a mesh
-  std::optional<Vector3> local_y;  ///< direction of the section's local y axis; need not be normal
+  std::string mesh_content;       ///< text of a Gmsh mesh file; empty: the generated line
+  Line line;                      ///< used without a mesh
+  std::optional<Vector3> local_y; ///< direction of the section's local y axis; need not be normal
   SectionShape section;
   Material material;
   std::vector<Support> supports;

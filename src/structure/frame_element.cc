@@ -37,9 +37,9 @@ void add_plane_mass(ElementMatrix &mass, const Plane &plane, double mass_per_len
                     double length) {
   const double l = length;
   Eigen::Matrix4d m;
-  m << 156, 22 * l, 54, -13 * l,           //
+  m << 156, 22 * l, 54, -13 * l,             //
       22 * l, 4 * l * l, 13 * l, -3 * l * l, //
-      54, 13 * l, 156, -22 * l,            //
+      54, 13 * l, 156, -22 * l,              //
       -13 * l, -3 * l * l, -22 * l, 4 * l * l;
   const Eigen::Vector4d sign(1, plane.sense, 1, plane.sense);
   m = mass_per_length * l / 420 * (sign.asDiagonal() * m * sign.asDiagonal());
@@ -81,10 +81,10 @@ ElementVector stiffness_product(const BeamProperties &properties, const ElementF
   const double chord_y = -stretch[2] / length; // rotation of the chord about local y
   const double chord_z = stretch[1] / length;
 
-  const EndMoments y = end_moments(properties.bending_stiffness_y, length, first[1] - chord_y,
-                                   second[1] - chord_y);
-  const EndMoments z = end_moments(properties.bending_stiffness_z, length, first[2] - chord_z,
-                                   second[2] - chord_z);
+  const EndMoments y =
+      end_moments(properties.bending_stiffness_y, length, first[1] - chord_y, second[1] - chord_y);
+  const EndMoments z =
+      end_moments(properties.bending_stiffness_z, length, first[2] - chord_z, second[2] - chord_z);
   const double twist = properties.torsional_stiffness / length * (second[0] - first[0]);
   const Vector3 end_force(properties.axial_stiffness / length * stretch[0],
                           -(z.first + z.second) / length, (y.first + y.second) / length);

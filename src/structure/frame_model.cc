@@ -51,8 +51,8 @@ FrameModel build_frame(const BeamDefinition &definition) {
   check_mesh(model.mesh);
   model.properties = beam_properties(cross_section(definition.section), definition.material);
   for (const auto &cell : model.mesh.cells)
-    model.frames.push_back(element_frame(model.mesh.nodes[cell[0]], model.mesh.nodes[cell[1]],
-                                         definition.local_y));
+    model.frames.push_back(
+        element_frame(model.mesh.nodes[cell[0]], model.mesh.nodes[cell[1]], definition.local_y));
   const std::size_t nodes = model.mesh.nodes.size();
   model.fixed.assign(nodes, {});
   model.spring.assign(nodes, {});

@@ -16,10 +16,10 @@ struct NamedNode {
 struct FrameModel {
   LineMesh mesh;
   BeamProperties properties;
-  std::vector<ElementFrame> frames;                 ///< per cell
-  std::vector<std::array<bool, 6>> fixed;           ///< per node and component
-  std::vector<std::array<double, 6>> spring;        ///< per node and component [N/m], [N m/rad]
-  std::vector<std::array<double, 6>> lumped_mass;   ///< per node and component [kg], [kg m^2]
+  std::vector<ElementFrame> frames;               ///< per cell
+  std::vector<std::array<bool, 6>> fixed;         ///< per node and component
+  std::vector<std::array<double, 6>> spring;      ///< per node and component [N/m], [N m/rad]
+  std::vector<std::array<double, 6>> lumped_mass; ///< per node and component [kg], [kg m^2]
   std::vector<NamedNode> points;
 
   /// Mass of the beam itself, without lumped masses [kg].

@@ -52,7 +52,8 @@ public:
     return {x, y, real()};
   }
   [[noreturn]] void broken() const {
-    fail("must be a complete Gmsh file, but its section $" + section_ + " breaks off or is damaged");
+    fail("must be a complete Gmsh file, but its section $" + section_ +
+         " breaks off or is damaged");
   }
 
 private:

@@ -1,6 +1,6 @@
 // The stiffness of a frame as a PETSc shell matrix that works element by element, from deformations
-// (see stiffness_product). It is the same operator as the assembled matrix, with far less round-off:
-// residuals and Rayleigh quotients of low modes of fine meshes need that.
+// (see stiffness_product). It is the same operator as the assembled matrix, with far less
+// round-off: residuals and Rayleigh quotients of low modes of fine meshes need that.
 #pragma once
 
 #include "structure/discretisation.h"
