@@ -66,7 +66,7 @@ void declare_excitations(parameters::Section &root) {
       .text("At", "", "Point the force acts on, as BODY.POINT.")
       .names("Bodies", "", "Bodies that stand on the moving base; empty means all.")
       .text("Direction", "x", "Direction of the force or the motion: x, -y or three numbers.")
-      .quantity("Amplitude", "", dimension::unchecked, range::any, "A",
+      .quantity("Amplitude", "", dimension::any, range::any, "A",
                 "Amplitude, in the unit of the type: N, m, m/s or m/s^2.")
       .quantity("Frequency", "", dimension::frequency, range::positive, "f",
                 "Frequency in Hz or rad/s; a sweep replaces it.")

@@ -163,6 +163,24 @@ std::shared_ptr<const ParameterSet> ParameterSet::with(const std::vector<Overrid
   return std::make_shared<const ParameterSet>(std::move(data));
 }
 
+std::optional<SiNumber> ParameterSet::number_at(const std::string &path) const {
+  const Override probe{.path = path, .value = "0", .origin = "parameter grid"};
+  if (is_variable_override(probe)) {
+    const auto found = data_->variables.find(path.substr(path.find('/') + 1));
+    if (found == data_->variables.end())
+      return std::nullopt;
+    return SiNumber{.value = found->second.value, .unit = si_unit(found->second.dimension)};
+  }
+  Node tree = data_->root; // the walk to a value is that of an override, on a copy
+  const Value &value = override_value(tree, probe);
+  const bool number = value.key->kind == KeyKind::quantity || value.key->kind == KeyKind::integer;
+  if (!number || value.numbers.size() != 1)
+    return std::nullopt;
+  const Dimension dimension =
+      value.key->dimension.any ? value.numbers.front().dimension : value.key->dimension;
+  return SiNumber{.value = value.numbers.front().value, .unit = si_unit(dimension)};
+}
+
 Values ParameterSet::root() const { return {shared_from_this(), data_->root}; }
 
 std::string ParameterSet::folder() const {

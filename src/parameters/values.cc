@@ -53,6 +53,12 @@ double Values::quantity(const std::string &key) const {
   return found.numbers.front().value;
 }
 
+double Values::quantity_of(const std::string &key, const Dimension &expected) const {
+  require(key);
+  require_dimension(key, expected);
+  return quantity(key);
+}
+
 std::vector<double> Values::quantities(const std::string &key) const {
   std::vector<double> numbers;
   for (const Number &number : value(key, {KeyKind::quantities}).numbers)
@@ -170,6 +176,11 @@ void Values::require_known(const std::string &key, const std::string &name,
       known.empty() ? "; there is none" : "; possible are: " + join(known, ", ");
   const std::string near = suggestion(name, known);
   reject(key, "there is no '" + name + "'" + (near.empty() ? all : near));
+}
+
+std::string Values::locate(const std::string &key) const {
+  const Value &found = value(key);
+  return place(found.origin, path_of(*node_, key)) + " = " + shown_value(found);
 }
 
 std::string Values::path() const { return join(node_->path, "/"); }

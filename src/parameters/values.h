@@ -22,7 +22,7 @@ struct Value;
 class Values {
 public:
   double quantity(const std::string &key) const;
-  /// For keys of dimension::unchecked, whose unit depends on other keys: refuses another dimension
+  /// For keys of dimension::any, whose unit depends on other keys: refuses another dimension
   /// than `expected` (a bare number is taken as SI).
   double quantity_of(const std::string &key, const Dimension &expected) const;
   std::vector<double> quantities(const std::string &key) const;
@@ -95,6 +95,12 @@ struct Override {
 /// "PATH=VALUE", split at the first '='. Throws InputError without one.
 Override split_override(const std::string &text, const std::string &origin);
 
+/// A number of the file in SI.
+struct SiNumber {
+  double value = 0;
+  std::string unit; ///< "N/m", "1", "rad/s"
+};
+
 /// A parameter file with everything it needs to be read. Immutable after construction.
 class ParameterSet : public std::enable_shared_from_this<ParameterSet> {
 public:
@@ -113,6 +119,9 @@ public:
   std::shared_ptr<const ParameterSet> with(const std::vector<Override> &more) const;
 
   Values root() const;
+  /// The number an override path names; nothing when the key holds no single number. Throws
+  /// InputError for an unknown path.
+  std::optional<SiNumber> number_at(const std::string &path) const;
   /// The folder relative file names in the file refer to.
   std::string folder() const;
   /// Complete echo in .prm syntax, defaults included; reading it gives the same set. What was not

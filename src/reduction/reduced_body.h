@@ -1,6 +1,7 @@
 // A body after the Galerkin reduction: plain dense data, no finite element left.
 //
-//   diag(mass) q'' + damping q' + diag(stiffness) q = f(t) + sum over points row(point, axis)^T force
+//   diag(mass) q'' + damping q' + diag(stiffness) q = f(t) + sum over points row(point, axis)^T
+//   force
 //
 // Displacement of a point along an axis, relative to the base the body stands on: row . q. A base
 // acceleration a (3 components) acts as the generalised force -base_participation a.
@@ -24,26 +25,30 @@ struct BodyPoint {
 
 /// Nodes, cells and mode shapes, to expand coordinates to the mesh.
 struct Recovery {
-  Matrix nodes;                              ///< 3 x N, undeformed positions [m]
-  std::vector<std::array<int, 2>> lines;     ///< node pairs of beam elements
-  Matrix shapes;                             ///< 6N x n: rows 6 i + component of node i
+  Matrix nodes;                          ///< 3 x N, undeformed positions [m]
+  std::vector<std::array<int, 2>> lines; ///< node pairs of beam elements
+  Matrix shapes;                         ///< 6N x n: rows 6 i + component of node i
 };
 
 struct ReducedBody {
   std::string name;
   std::string type; ///< "beam" or "lumped"
 
-  Vector mass;                 ///< n
-  Vector stiffness;            ///< n
-  Matrix damping;              ///< n x n, symmetric
-  Matrix base_participation;   ///< n x 3: Phi^T M r for a unit base displacement along each axis [kg / unit]
+  Vector mass;               ///< n
+  Vector stiffness;          ///< n
+  Matrix damping;            ///< n x n, symmetric
+  Matrix base_participation; ///< n x 3: Phi^T M r for a unit base displacement along each axis [kg
+                             ///< / unit]
 
   std::vector<BodyPoint> points;
   Recovery recovery; ///< empty for lumped bodies
 
   Vector3 total_mass = Vector3::Zero(); ///< mass that a base motion along each axis moves [kg]
-  Vector eigen_residual;                ///< n: |K phi - omega^2 M phi| / |K phi|, for modal bodies
-  double orthogonality_residual = 0;    ///< max |Phi^T M Phi - I|, for modal bodies
+  /// n, for modal bodies: sqrt(r^T A^-1 r / phi^T A phi) with r = K phi - omega^2 M phi and A the
+  /// (slightly shifted) stiffness. It bounds the relative error of omega^2, which |r| / |K phi|
+  /// does not: on a fine mesh round-off alone makes that large.
+  Vector eigen_residual;
+  double orthogonality_residual = 0; ///< max |Phi^T M Phi - I|, for modal bodies
 
   Index size() const { return mass.size(); }
   bool modal() const { return type != "lumped"; }

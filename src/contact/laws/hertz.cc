@@ -44,7 +44,7 @@ double hertz_stiffness(const HertzSide &a, const HertzSide &b) {
 
 void declare_hertz_constants(parameters::Section &law) {
   using namespace parameters;
-  law.quantity("Stiffness", "", dimension::unchecked, range::positive, "k",
+  law.quantity("Stiffness", "", dimension::any, range::positive, "k",
                "Constant of F = k u^n in N/m^n. Leave empty to compute it from radii and materials.")
       .quantity("Exponent", "1.5", dimension::none, Range{.lower = 1, .upper = 5}, "n",
                 "Exponent of the penetration.");

@@ -93,7 +93,7 @@ void HuntCrossley::declare(parameters::Section &contact_section) {
                     "F = k u^n (1 + (mu/k) u'). Give the damping factor or a restitution "
                     "coefficient.");
   declare_hertz_constants(law);
-  law.quantity("Damping factor", "", dimension::unchecked, range::non_negative, "mu",
+  law.quantity("Damping factor", "", dimension::any, range::non_negative, "mu",
                "Damping factor in N s/m^(n+1).")
       .quantity("Restitution coefficient", "", dimension::none,
                 Range{.lower = 0, .upper = 1, .lower_open = true}, "e",

@@ -1,0 +1,73 @@
+#include "modes/rayleigh_ritz.h"
+
+#include "modes/relative_jacobi.h"
+
+#include <Eigen/Cholesky>
+
+namespace vibroimpact::modes {
+
+namespace {
+
+// x <- x L^-T with x^T M x = L L^T, twice because the first pass leaves the round-off of an
+// ill-conditioned x.
+Block orthonormalise(const EigenProblem &problem, Block x) {
+  const Layout layout(problem.mass);
+  for (int pass = 0; pass < 2; ++pass) {
+    const Matrix gram = inner_products(layout, x, multiply(problem.mass, x));
+    const Eigen::LLT<Matrix> cholesky(gram);
+    if (cholesky.info() != Eigen::Success)
+      throw NumericalError("The approximate modes are linearly dependent");
+    cholesky.matrixU().solveInPlace<Eigen::OnTheRight>(x);
+  }
+  return x;
+}
+
+Block residuals(const EigenProblem &problem, const Eigenpairs &pairs) {
+  return multiply(problem.accurate_stiffness, pairs.vectors) -
+         multiply(problem.mass, pairs.vectors) * pairs.values.asDiagonal();
+}
+
+Block solve(const Factorisation &shifted, const Layout &layout, const Block &x) {
+  return map_columns(layout, x, [&](Vec in, Vec out) { shifted.solve(in, out); });
+}
+
+Vector column_products(const Layout &layout, const Block &x, const Block &y) {
+  Vector products = x.cwiseProduct(y).colwise().sum().transpose();
+  MPI_Allreduce(MPI_IN_PLACE, products.data(), static_cast<int>(products.size()), MPI_DOUBLE,
+                MPI_SUM, layout.communicator);
+  return products;
+}
+
+} // namespace
+
+Eigenpairs rayleigh_ritz(const EigenProblem &problem, Block x) {
+  x = orthonormalise(problem, std::move(x));
+  const Layout layout(problem.mass);
+  const Matrix projected = inner_products(layout, x, multiply(problem.accurate_stiffness, x));
+  const double largest = projected.diagonal().cwiseAbs().maxCoeff();
+  const DenseEigenpairs dense =
+      relative_jacobi((projected + projected.transpose()) / 2, 1e-20 * largest);
+  return {dense.values, x * dense.vectors};
+}
+
+Eigenpairs refine(const EigenProblem &problem, const Factorisation &shifted,
+                  const Eigenpairs &pairs) {
+  const Layout layout(problem.mass);
+  return rayleigh_ritz(problem, pairs.vectors - solve(shifted, layout, residuals(problem, pairs)));
+}
+
+Vector error_bounds(const EigenProblem &problem, const Factorisation &shifted, double shift,
+                    const Eigenpairs &pairs) {
+  const Layout layout(problem.mass);
+  const Block r = residuals(problem, pairs);
+  const Vector squares = column_products(layout, r, solve(shifted, layout, r));
+  return (squares.array().max(0.0) / (pairs.values.array() - shift)).sqrt();
+}
+
+double orthogonality_residual(const EigenProblem &problem, const Block &x) {
+  const Layout layout(problem.mass);
+  const Matrix gram = inner_products(layout, x, multiply(problem.mass, x));
+  return (gram - Matrix::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff();
+}
+
+} // namespace vibroimpact::modes

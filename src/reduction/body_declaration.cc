@@ -1,0 +1,141 @@
+// What a `subsection Body NAME` may hold.
+#include "reduction/body_parameters.h"
+
+namespace vibroimpact {
+
+namespace {
+
+using parameters::Range;
+using parameters::Section;
+namespace dimension = parameters::dimension;
+namespace range = parameters::range;
+
+void declare_geometry(Section &body) {
+  body.subsection("Geometry", "The line or mesh along which a beam runs.")
+      .text("Mesh", "",
+            "Gmsh file (ASCII, version 2.2 or 4.1) with line cells, relative to the folder of the "
+            "parameter file. Either this or Line.")
+      .quantities("Line", "", dimension::length, range::any, "",
+                  "Ends of a straight beam, x, y, z -> x, y, z. Either this or Mesh.", 6, 6)
+      .integer("Elements", "40", Range{.lower = 1}, "", "Number of equal elements along Line.")
+      .quantities("Orientation", "", dimension::none, range::any, "",
+                  "Direction of the local y axis, the first dimension of the cross-section; only "
+                  "its part normal to the beam counts. Without it: global y, or global z for "
+                  "elements along y.",
+                  3, 3);
+}
+
+void declare_section(Section &body) {
+  const auto length = [](Section &section, const char *name, const char *symbol,
+                         const char *sentence) {
+    section.quantity(name, "", dimension::length, range::positive, symbol, sentence);
+  };
+  Section &section = body.subsection("Section", "The cross-section of a beam.");
+  section.choice("Shape", "rectangle", {"rectangle", "circle", "tube", "given"},
+                 "rectangle: Width, Thickness; circle: Diameter; tube: Diameter, Wall thickness; "
+                 "given: area, second moments and torsion constant.");
+  length(section, "Width", "b", "Along the local y axis.");
+  length(section, "Thickness", "h", "Along the local z axis.");
+  length(section, "Diameter", "d", "Outer diameter.");
+  length(section, "Wall thickness", "t", "Of a tube.");
+  section.quantity("Area", "", dimension::area, range::positive, "A", "Of a given section.")
+      .quantity("Second moment y", "", dimension::second_moment, range::positive, "I_y",
+                "Integral of z^2: bending in the local x-z plane.")
+      .quantity("Second moment z", "", dimension::second_moment, range::positive, "I_z",
+                "Integral of y^2: bending in the local x-y plane.")
+      .quantity("Torsion constant", "", dimension::second_moment, range::positive, "J",
+                "St Venant torsion.");
+}
+
+void declare_material(Section &body) {
+  body.subsection("Material", "The linear elastic material of a beam.")
+      .quantity("Young modulus", "", dimension::stress, range::positive, "E", "Must be given.")
+      .quantity("Poisson ratio", "0.3", dimension::none,
+                Range{.lower = -1, .upper = 0.5, .lower_open = true}, "\\nu",
+                "Counts for torsion only.")
+      .quantity("Density", "", dimension::density, range::non_negative, "\\rho",
+                "Must be given; 0 for a massless beam between lumped masses.");
+}
+
+void declare_place(Section &section) {
+  section
+      .text("At", "",
+            "start or end of a generated line, the name of a physical group of the mesh, or all "
+            "nodes. Either this or Position.")
+      .quantities("Position", "", dimension::length, range::any, "",
+                  "Coordinates of a node. Either this or At.", 3, 3);
+}
+
+void declare_support(Section &body) {
+  Section &support =
+      body.named_subsection("Support", "Degrees of freedom that are held, or tied to the base.");
+  declare_place(support);
+  support
+      .names("Fix", "",
+             "Any of x, y, z (displacements), rx, ry, rz (rotations), pinned (x, y, z), all.")
+      .quantities("Stiffness", "", dimension::stiffness, range::non_negative, "k",
+                  "Springs to the base along x, y, z.", 3, 3)
+      .quantities("Rotational stiffness", "", dimension::rotational_stiffness, range::non_negative,
+                  "k_\\theta", "Springs to the base about x, y, z.", 3, 3);
+}
+
+void declare_point(Section &body) {
+  Section &point = body.named_subsection(
+      "Point", "A named node: it can be touched, pushed and watched, and carry a lumped mass.");
+  declare_place(point);
+  point.quantity("Mass", "0 kg", dimension::mass, range::non_negative, "m", "Lumped mass.")
+      .quantities("Rotary inertia", "", dimension::rotary_inertia, range::non_negative, "J",
+                  "Of the lumped mass about x, y, z.", 3, 3);
+}
+
+void declare_modes(Section &body) {
+  body.subsection("Modes", "Which normal modes of a beam are kept, and their damping.")
+      .integer("Number", "5", Range{.lower = 1}, "n", "The lowest modes. Either this or Band.")
+      .quantities("Band", "", dimension::frequency, range::non_negative, "",
+                  "Lower and upper frequency: all modes between them.", 2, 2)
+      .choice("Damping model", "ratio", {"ratio", "rayleigh", "viscous"},
+              "ratio: a fraction of critical damping for each mode; rayleigh: alpha M + beta K; "
+              "viscous: external damping spread evenly along the beam.")
+      .quantities("Damping ratio", "0", dimension::none, range::non_negative, "\\zeta",
+                  "One for each kept mode; the last one repeats.", 1,
+                  std::numeric_limits<int>::max())
+      .quantity("Rayleigh alpha", "", dimension::inverse_time, range::non_negative, "\\alpha",
+                "Factor of the mass matrix.")
+      .quantity("Rayleigh beta", "", dimension::time, range::non_negative, "\\beta",
+                "Factor of the stiffness matrix.")
+      .quantity("Viscous constant", "", dimension::damping, range::non_negative, "c",
+                "External damping of the whole beam, without lumped masses.")
+      .text("Store", "",
+            "File that keeps the reduced body for later runs, relative to the folder of the "
+            "parameter file; computed anew when the definition of the body has changed.");
+}
+
+void declare_mass(Section &body) {
+  Section &mass =
+      body.named_subsection("Mass", "A mass of a lumped body; it is also a point of that name.");
+  mass.quantity("Mass", "", dimension::mass, range::positive, "m", "Must be given.")
+      .choice("Axis", "x", {"x", "y", "z"}, "Direction of motion.")
+      .quantity("Stiffness", "0 N/m", dimension::stiffness, range::non_negative, "k",
+                "Spring to the base.")
+      .quantity("Damping", "0 N s/m", dimension::damping, range::non_negative, "c",
+                "Dashpot to the base.")
+      .quantities("Position", "0 m, 0 m, 0 m", dimension::length, range::any, "",
+                  "Where it stands in figures.", 3, 3);
+}
+
+} // namespace
+
+void declare_body(Section &root) {
+  Section &body = root.named_subsection("Body", "A deformable or lumped body with named points.");
+  body.choice("Type", "beam", {"beam", "lumped"},
+              "beam: normal modes of an Euler-Bernoulli frame; lumped: masses, springs, dashpots.");
+  declare_geometry(body);
+  declare_section(body);
+  declare_material(body);
+  declare_support(body);
+  declare_point(body);
+  declare_modes(body);
+  declare_mass(body);
+}
+
+} // namespace vibroimpact

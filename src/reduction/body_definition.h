@@ -1,0 +1,45 @@
+// Everything a parameter file says about one body, as plain data in SI units.
+#pragma once
+
+#include "modes/normal_modes.h"
+#include "structure/beam_definition.h"
+
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+struct Damping {
+  enum class Model {
+    ratio,    ///< a fraction of critical damping for each mode
+    rayleigh, ///< C = alpha M + beta K
+    viscous   ///< external, spread like the mass of the beam: C = (constant / mass) M
+  };
+  Model model = Model::ratio;
+  std::vector<double> ratios{0.0}; ///< for the kept modes in order; the last one repeats
+  double alpha = 0;                ///< [1/s]
+  double beta = 0;                 ///< [s]
+  double viscous_constant = 0;     ///< of the whole body [N s/m]
+};
+
+/// One mass of a lumped body: moves along one axis, held to the base by a spring and a dashpot.
+struct LumpedMass {
+  std::string name;
+  double mass = 0; ///< [kg]
+  int axis = 0;
+  double stiffness = 0;               ///< [N/m]
+  double damping = 0;                 ///< [N s/m]
+  Vector3 position = Vector3::Zero(); ///< [m]
+};
+
+struct BodyDefinition {
+  enum class Type { beam, lumped };
+  std::string name;
+  Type type = Type::beam;
+  structure::BeamDefinition beam;
+  modes::Selection selection;
+  Damping damping;
+  std::vector<LumpedMass> masses;
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,28 @@
+// The matrices of a beam body, distributed over the ranks of a communicator. Held degrees of
+// freedom are eliminated: a unit diagonal in their place would put modes into the spectrum that do
+// not exist.
+#pragma once
+
+#include "structure/stiffness_operator.h"
+
+namespace vibroimpact::structure {
+
+/// Everything that the eigen-solution and the reduction need; the mesh and the points stay in the
+/// model. Rows are the free degrees of freedom.
+struct AssembledBody {
+  FrameModel model;
+  FreeDofs free;
+  petsc::Matrix stiffness;        ///< elements and springs
+  petsc::Matrix mass;             ///< elements and lumped masses
+  petsc::Matrix distributed_mass; ///< elements only
+  std::unique_ptr<StiffnessOperator> accurate_stiffness;
+  /// (M r) at the free rows, for a unit displacement r of the whole body, supports included, along
+  /// x, y and z: size x 3 [kg], the same on every rank.
+  vibroimpact::Matrix base_inertia;
+  int massive_dofs = 0; ///< rank of the mass matrix
+};
+
+/// Collective. Throws DefinitionError when every degree of freedom is held.
+AssembledBody assemble(FrameModel model, MPI_Comm communicator);
+
+} // namespace vibroimpact::structure

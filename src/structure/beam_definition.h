@@ -1,0 +1,95 @@
+// What a beam body is made of, as plain data in SI units: a line or a mesh file, one cross-section,
+// one material, supports and named points.
+#pragma once
+
+#include "common/error.h"
+#include "common/linear_algebra.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vibroimpact::structure {
+
+/// The user's definition cannot be built. It says which key is wrong, so that whoever read the
+/// definition from a file can add where the key stands.
+class DefinitionError : public InputError {
+public:
+  /// `kind` and `name` tell the subsection ("Support", "root"); a fixed subsection has no name.
+  /// `problem` is a sentence part that follows the key: "must ...".
+  DefinitionError(std::string kind, std::string name, std::string key, std::string problem);
+
+  const std::string &kind() const { return kind_; }
+  const std::string &name() const { return name_; }
+  const std::string &key() const { return key_; }
+  const std::string &problem() const { return problem_; }
+
+private:
+  std::string kind_;
+  std::string name_;
+  std::string key_;
+  std::string problem_;
+};
+
+/// A straight line of equal elements from `start` to `end` [m].
+struct Line {
+  Vector3 start = Vector3::Zero();
+  Vector3 end = Vector3::Zero();
+  int elements = 40;
+};
+
+/// Dimensions of the cross-section [m]; those that its shape does not use stay 0.
+struct SectionShape {
+  enum class Kind { rectangle, circle, tube, given };
+  Kind kind = Kind::rectangle;
+  double width = 0;     ///< along the local y axis
+  double thickness = 0; ///< along the local z axis
+  double diameter = 0;  ///< outer
+  double wall_thickness = 0;
+  double area = 0;             ///< [m^2], given shape
+  double second_moment_y = 0;  ///< integral of z^2 [m^4], given shape
+  double second_moment_z = 0;  ///< integral of y^2 [m^4], given shape
+  double torsion_constant = 0; ///< [m^4], given shape
+};
+
+struct Material {
+  double young_modulus = 0; ///< [Pa]
+  double poisson_ratio = 0;
+  double density = 0; ///< [kg/m^3]
+};
+
+/// Where a support or a point is: at the nodes of a group ("start" and "end" of a generated line,
+/// the physical groups of a mesh file, "all") or at the node with these coordinates.
+struct Location {
+  std::string group;
+  std::optional<Vector3> position; ///< [m]
+};
+
+/// Degrees of freedom held, and springs to the base. Components: x, y, z, rx, ry, rz.
+struct Support {
+  std::string name;
+  Location at;
+  std::array<bool, 6> fixed{};
+  std::array<double, 6> stiffness{}; ///< [N/m] and [N m/rad]
+};
+
+/// A named node, with or without a lumped mass.
+struct Point {
+  std::string name;
+  Location at;
+  double mass = 0;                          ///< [kg]
+  Vector3 rotary_inertia = Vector3::Zero(); ///< about the global axes [kg m^2]
+};
+
+struct BeamDefinition {
+  std::string mesh_content;       ///< text of a Gmsh mesh file; empty: the generated line
+  Line line;                      ///< used without a mesh
+  std::optional<Vector3> local_y; ///< direction of the section's local y axis; need not be normal
+  SectionShape section;
+  Material material;
+  std::vector<Support> supports;
+  std::vector<Point> points;
+};
+
+} // namespace vibroimpact::structure

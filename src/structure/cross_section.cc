@@ -1,0 +1,92 @@
+#include "structure/cross_section.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vibroimpact::structure {
+
+namespace {
+
+using std::numbers::pi;
+
+double positive(const std::string &key, double value) {
+  if (!(value > 0))
+    throw DefinitionError("Section", "", key, "must be given and greater than 0 for this shape");
+  return value;
+}
+
+// Prandtl's stress function of a rectangle a >= b as a Fourier series (Timoshenko and Goodier,
+// Theory of Elasticity, section 109):
+//   J = a b^3 / 3 (1 - 192 b / (pi^5 a) sum over odd n of tanh(n pi a / 2b) / n^5)
+double rectangle_torsion_constant(double width, double thickness) {
+  const double a = std::max(width, thickness);
+  const double b = std::min(width, thickness);
+  double sum = 0;
+  for (int n = 1001; n >= 1; n -= 2)
+    sum += std::tanh(n * pi * a / (2 * b)) / std::pow(n, 5);
+  return a * b * b * b / 3 * (1 - 192 * b / (std::pow(pi, 5) * a) * sum);
+}
+
+CrossSection rectangle(const SectionShape &shape) {
+  const double width = positive("Width", shape.width);
+  const double thickness = positive("Thickness", shape.thickness);
+  return {width * thickness, width * std::pow(thickness, 3) / 12,
+          thickness * std::pow(width, 3) / 12, rectangle_torsion_constant(width, thickness)};
+}
+
+CrossSection ring(double outer_radius, double inner_radius) {
+  const double moment = pi / 4 * (std::pow(outer_radius, 4) - std::pow(inner_radius, 4));
+  const double area = pi * (outer_radius * outer_radius - inner_radius * inner_radius);
+  return {area, moment, moment, 2 * moment};
+}
+
+CrossSection tube(const SectionShape &shape) {
+  const double radius = positive("Diameter", shape.diameter) / 2;
+  const double wall = positive("Wall thickness", shape.wall_thickness);
+  if (wall > radius)
+    throw DefinitionError("Section", "", "Wall thickness",
+                          "must not exceed the radius of the tube, half its Diameter");
+  return ring(radius, radius - wall);
+}
+
+CrossSection given(const SectionShape &shape) {
+  return {positive("Area", shape.area), positive("Second moment y", shape.second_moment_y),
+          positive("Second moment z", shape.second_moment_z),
+          positive("Torsion constant", shape.torsion_constant)};
+}
+
+} // namespace
+
+CrossSection cross_section(const SectionShape &shape) {
+  switch (shape.kind) {
+  case SectionShape::Kind::rectangle:
+    return rectangle(shape);
+  case SectionShape::Kind::circle:
+    return ring(positive("Diameter", shape.diameter) / 2, 0);
+  case SectionShape::Kind::tube:
+    return tube(shape);
+  case SectionShape::Kind::given:
+    return given(shape);
+  }
+  throw std::logic_error("unknown cross-section shape");
+}
+
+BeamProperties beam_properties(const CrossSection &section, const Material &material) {
+  if (!(material.young_modulus > 0))
+    throw DefinitionError("Material", "", "Young modulus", "must be greater than 0");
+  if (!(material.poisson_ratio > -1 && material.poisson_ratio <= 0.5))
+    throw DefinitionError("Material", "", "Poisson ratio", "must be greater than -1, at most 0.5");
+  if (!(material.density >= 0))
+    throw DefinitionError("Material", "", "Density", "must not be negative");
+  const double shear_modulus = material.young_modulus / (2 * (1 + material.poisson_ratio));
+  const double polar = section.second_moment_y + section.second_moment_z;
+  return {.axial_stiffness = material.young_modulus * section.area,
+          .torsional_stiffness = shear_modulus * section.torsion_constant,
+          .bending_stiffness_y = material.young_modulus * section.second_moment_y,
+          .bending_stiffness_z = material.young_modulus * section.second_moment_z,
+          .mass_per_length = material.density * section.area,
+          .polar_inertia = material.density * polar};
+}
+
+} // namespace vibroimpact::structure

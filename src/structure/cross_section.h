@@ -1,0 +1,31 @@
+// Area, second moments and torsion constant of a cross-section, and what they make of a material.
+#pragma once
+
+#include "structure/beam_definition.h"
+
+namespace vibroimpact::structure {
+
+struct CrossSection {
+  double area = 0;             ///< [m^2]
+  double second_moment_y = 0;  ///< integral of z^2, bending in the local x-z plane [m^4]
+  double second_moment_z = 0;  ///< integral of y^2, bending in the local x-y plane [m^4]
+  double torsion_constant = 0; ///< St Venant [m^4]
+};
+
+/// Throws DefinitionError for dimensions that are missing, not positive or impossible.
+CrossSection cross_section(const SectionShape &shape);
+
+/// Stiffness and inertia of a beam per unit length.
+struct BeamProperties {
+  double axial_stiffness = 0;     ///< E A [N]
+  double torsional_stiffness = 0; ///< G J [N m^2]
+  double bending_stiffness_y = 0; ///< E I_y [N m^2]
+  double bending_stiffness_z = 0; ///< E I_z [N m^2]
+  double mass_per_length = 0;     ///< [kg/m]
+  double polar_inertia = 0;       ///< rho (I_y + I_z) [kg m]
+};
+
+/// Throws DefinitionError for a Young modulus or density out of range.
+BeamProperties beam_properties(const CrossSection &section, const Material &material);
+
+} // namespace vibroimpact::structure
