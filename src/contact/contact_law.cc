@@ -16,11 +16,10 @@ ContactLaw::ContactLaw(std::vector<Mode> modes, std::vector<double> initial_inte
     : modes_(std::move(modes)), initial_internal_(std::move(initial_internal)) {}
 
 std::vector<Mode> open_and_contact(std::optional<AffineLaw> affine_contact) {
-  const AffineLaw no_force;
   return {{.name = "open",
            .in_contact = false,
            .guards = {{.indicator = {.gap = 1}, .target = 1}},
-           .affine = no_force},
+           .affine = AffineLaw{}},
           {.name = "contact",
            .in_contact = true,
            .guards = {{.indicator = {.gap = -1}, .target = 0}},

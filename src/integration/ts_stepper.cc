@@ -2,6 +2,8 @@
 
 #include "common/error.h"
 
+#include <petscts.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -8,9 +8,10 @@
 #include "integration/equations.h"
 #include "integration/settings.h"
 
-#include <petscts.h>
-
-#include <memory>
+// PETSc's objects; its headers stay in ts_stepper.cc.
+struct _p_TS;
+struct _p_Vec;
+struct _p_Mat;
 
 namespace vibroimpact {
 
@@ -52,15 +53,14 @@ private:
 
   Equations &equations_;
   double maximum_step_;
-  TS ts_ = nullptr;
-  Vec solution_ = nullptr;
-  Mat jacobian_ = nullptr;
+  _p_TS *ts_ = nullptr;
+  _p_Vec *solution_ = nullptr;
+  _p_Mat *jacobian_ = nullptr;
   double time_ = 0;
   double previous_time_ = 0;
   double natural_step_ = 0;
   Vector state_;
   Vector previous_state_;
-  Matrix dense_jacobian_;
 };
 
 } // namespace vibroimpact
