@@ -88,7 +88,9 @@ bool begins_with_letter(std::string_view name) {
 
 std::string nearest(const std::string &word, const std::vector<std::string> &candidates) {
   std::string best;
-  std::size_t smallest = std::max<std::size_t>(1, word.size() / 3) + 1;
+  // One wrong letter in three; in words of one or two letters only the case may be wrong.
+  const std::size_t allowed = word.size() < 3 ? 0 : word.size() / 3;
+  std::size_t smallest = allowed + 1;
   for (const std::string &candidate : candidates) {
     const std::size_t distance = edit_distance(lower_case(word), lower_case(candidate));
     if (distance < smallest) {
