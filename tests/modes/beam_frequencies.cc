@@ -186,12 +186,13 @@ TEST(BeamFrequencies, ARotatedBodyHasTheSameFrequencies) {
 }
 
 // NAFEMS FV2. All arms turn together with the joint (pinned-pinned arms), or five times without it
-// (clamped-pinned arms); in two more modes the joint moves, a little lower as the arms also stretch.
+// (clamped-pinned arms); in two more modes the joint moves, a little lower as the arms also
+// stretch.
 TEST(BeamFrequencies, PinEndedDoubleCross) {
   const BeamDefinition beam = double_cross();
   const modes::NormalModes modes = solve_beam(beam, {16, {}});
-  const double scale = std::sqrt(bending_stiffness(beam) / mass_per_length(beam)) /
-                       (arm_length * arm_length);
+  const double scale =
+      std::sqrt(bending_stiffness(beam) / mass_per_length(beam)) / (arm_length * arm_length);
   const std::vector<double> published = {11.336, 17.709, 45.345, 57.390};
   for (int round = 0; round < 2; ++round) {
     const double held = clamped_pinned(2)[round];

@@ -22,7 +22,8 @@ inline BeamDefinition thin_beam(int elements) {
 }
 
 inline double bending_stiffness(const BeamDefinition &beam) {
-  return beam.material.young_modulus * beam.section.width * std::pow(beam.section.thickness, 3) / 12;
+  return beam.material.young_modulus * beam.section.width * std::pow(beam.section.thickness, 3) /
+         12;
 }
 
 inline double mass_per_length(const BeamDefinition &beam) {
@@ -39,7 +40,8 @@ inline double beam_mass(const BeamDefinition &beam) {
 
 /// sqrt(EI / (rho A L^4)): omega = (beta L)^2 of it [rad/s].
 inline double frequency_scale(const BeamDefinition &beam) {
-  return std::sqrt(bending_stiffness(beam) / mass_per_length(beam)) / std::pow(beam_length(beam), 2);
+  return std::sqrt(bending_stiffness(beam) / mass_per_length(beam)) /
+         std::pow(beam_length(beam), 2);
 }
 
 /// Leaves bending along x alone: x and ry.

@@ -19,7 +19,8 @@ ElementFrame skew_frame() { return element_frame(first, second, Vector3(0.2, 1, 
 // Nodal displacements of a small rigid motion about the origin.
 ElementVector rigid_motion(const Vector3 &translation, const Vector3 &rotation) {
   ElementVector u;
-  u << translation + rotation.cross(first), rotation, translation + rotation.cross(second), rotation;
+  u << translation + rotation.cross(first), rotation, translation + rotation.cross(second),
+      rotation;
   return u;
 }
 
