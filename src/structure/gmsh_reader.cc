@@ -1,6 +1,7 @@
 #include "structure/gmsh_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <set>
 #include <sstream>
@@ -32,7 +33,14 @@ public:
   Words(std::string section, const std::string &text) : section_(std::move(section)), in_(text) {}
 
   long integer() { return read<long>(); }
-  double real() { return std::strtod(read<std::string>().c_str(), nullptr); }
+  double real() {
+    const auto word = read<std::string>();
+    char *end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    if (*end != '\0' || !std::isfinite(value))
+      broken();
+    return value;
+  }
   std::string quoted() {
     std::string skipped;
     std::string text;

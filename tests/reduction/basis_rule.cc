@@ -1,0 +1,88 @@
+#include "reduction/basis_rule.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+
+using namespace vibroimpact;
+
+namespace {
+
+// Six components of four nodes.
+Matrix shapes(Index columns) {
+  Matrix shape(24, columns);
+  for (Index j = 0; j < columns; ++j)
+    for (Index i = 0; i < 24; ++i)
+      shape(i, j) = std::sin(1.0 + 0.7 * static_cast<double>(i) + 1.3 * static_cast<double>(i * j));
+  return shape;
+}
+
+Matrix rotation(Index size) {
+  return Eigen::HouseholderQR<Matrix>(shapes(size).topRows(size)).householderQ();
+}
+
+} // namespace
+
+TEST(BasisRule, SingleModesArePositiveAtTheFirstPoint) {
+  Matrix shape = shapes(3);
+  shape.row(12) << -1, 2, -3;
+  fix_basis(Vector::LinSpaced(3, 1, 3), {2, 0}, shape);
+  EXPECT_EQ(shape.row(12), RowVector(Vector3(1, 2, 3).transpose()));
+}
+
+TEST(BasisRule, InsignificantRowsDoNotDecide) {
+  Matrix shape = shapes(1);
+  shape(12, 0) = -1e-9;
+  shape(13, 0) = 0.5;
+  fix_basis(Vector::Ones(1), {2}, shape);
+  EXPECT_EQ(shape(13, 0), 0.5);
+  EXPECT_EQ(shape(12, 0), -1e-9);
+}
+
+TEST(BasisRule, DisplacementsAndRotationsHaveTheirOwnScale) {
+  Matrix shape = Matrix::Constant(24, 1, -1e-6);
+  for (Index node = 0; node < 4; ++node)
+    shape.block(6 * node + 3, 0, 3, 1).setConstant(1);
+  fix_basis(Vector::Ones(1), {0}, shape);
+  EXPECT_GT(shape(0, 0), 0);
+}
+
+TEST(BasisRule, PointRowsOfAGroupBecomeLowerTriangular) {
+  Matrix shape = shapes(3);
+  const Matrix before = shape;
+  fix_basis(Vector::Constant(3, 7.0), {1}, shape);
+  const Matrix rows = shape.middleRows(6, 3);
+  for (Index i = 0; i < 3; ++i) {
+    EXPECT_GT(rows(i, i), 0);
+    for (Index j = i + 1; j < 3; ++j)
+      EXPECT_NEAR(rows(i, j), 0, 1e-14);
+  }
+  EXPECT_LT((shape * shape.transpose() - before * before.transpose()).norm(), 1e-13);
+}
+
+TEST(BasisRule, AnyBasisOfAGroupGivesTheSameResult) {
+  const Vector eigenvalues = (Vector(5) << 1, 4, 4, 4 + 1e-12, 9).finished();
+  Matrix one = shapes(5);
+  Matrix other = one;
+  other.middleCols(1, 3) = (other.middleCols(1, 3) * rotation(3)).eval();
+  other.col(0) *= -1;
+  fix_basis(eigenvalues, {3}, one);
+  fix_basis(eigenvalues, {3}, other);
+  EXPECT_LT((one - other).norm(), 1e-13);
+}
+
+TEST(BasisRule, NodesDecideWhereThereAreNoPoints) {
+  Matrix one = shapes(2);
+  Matrix other = one * rotation(2);
+  fix_basis(Vector::Zero(2), {}, one);
+  fix_basis(Vector::Zero(2), {}, other);
+  EXPECT_LT((one - other).norm(), 1e-13);
+}
+
+TEST(BasisRule, OnlyEqualEigenvaluesAreMerged) {
+  const Vector merged = merge_multiple((Vector(4) << 0, 0, 4, 4 + 4e-12).finished());
+  EXPECT_EQ(merged[0], 0);
+  EXPECT_EQ(merged[2], merged[3]);
+  const Vector apart = (Vector(2) << 4, 4 + 1e-7).finished();
+  EXPECT_EQ(merge_multiple(apart), apart);
+}

@@ -1,0 +1,78 @@
+// One body on any number of ranks: the distributed solution against the one of each rank alone.
+#include "reduction/beam_bodies.h"
+#include "reduction/body_file.h"
+
+#include <gtest/gtest.h>
+
+using namespace vibroimpact;
+using namespace vibroimpact::examples;
+
+namespace {
+
+void expect_same(const BodyDefinition &definition) {
+  const ReducedBody together = reduce(definition, MPI_COMM_WORLD);
+  const ReducedBody alone = reduce(definition, MPI_COMM_SELF);
+  ASSERT_EQ(together.size(), alone.size());
+  for (Index j = 0; j < alone.size(); ++j)
+    EXPECT_NEAR(together.omega()[j], alone.omega()[j], 1e-10 * alone.omega()[j]);
+  for (std::size_t i = 0; i < alone.points.size(); ++i)
+    for (Index kind = 0; kind < 2; ++kind) {
+      const Matrix rows = alone.points[i].rows.middleRows(3 * kind, 3);
+      EXPECT_LT((together.points[i].rows.middleRows(3 * kind, 3) - rows).cwiseAbs().maxCoeff(),
+                1e-8 * rows.cwiseAbs().maxCoeff());
+    }
+  EXPECT_LT((together.damping - alone.damping).norm(), 1e-8 * alone.damping.norm());
+}
+
+void expect_same_bytes(const BodyDefinition &definition) {
+  const std::string own = to_bytes(reduce(definition, MPI_COMM_WORLD), "");
+  EXPECT_EQ(own, broadcast(own, MPI_COMM_WORLD));
+}
+
+BodyDefinition free_beam() {
+  BeamDefinition beam = square_beam(30);
+  beam.supports.clear();
+  return body_of(beam, 14);
+}
+
+} // namespace
+
+TEST(RankIndependence, TunedCantilever) {
+  BodyDefinition definition = body_of(tuned_cantilever(100), 20);
+  definition.damping = {.model = Damping::Model::viscous, .viscous_constant = 0.2};
+  expect_same(definition);
+  expect_same_bytes(definition);
+}
+
+TEST(RankIndependence, FineMesh) {
+  BodyDefinition definition = body_of(tuned_cantilever(400), 20);
+  definition.damping.ratios = {0.01};
+  expect_same(definition);
+}
+
+TEST(RankIndependence, DoubleFrequencies) {
+  BodyDefinition definition = body_of(square_beam(40), 9);
+  definition.damping.ratios = {0.01};
+  expect_same(definition);
+  expect_same_bytes(definition);
+}
+
+TEST(RankIndependence, FreeBody) {
+  BodyDefinition definition = free_beam();
+  definition.damping.ratios = {0.01};
+  expect_same(definition);
+}
+
+TEST(RankIndependence, FewerElementsThanRanks) {
+  BodyDefinition definition = body_of(tuned_cantilever(1), 2);
+  definition.damping.ratios = {0.01};
+  expect_same(definition);
+}
+
+TEST(RankIndependence, TheSameRunGivesTheSameBody) {
+  const BodyDefinition definition = body_of(square_beam(30), 9);
+  const ReducedBody first = reduce(definition, MPI_COMM_WORLD);
+  const ReducedBody second = reduce(definition, MPI_COMM_WORLD);
+  const double scale = first.recovery.shapes.cwiseAbs().maxCoeff();
+  EXPECT_LT((first.recovery.shapes - second.recovery.shapes).cwiseAbs().maxCoeff(), 1e-9 * scale);
+}

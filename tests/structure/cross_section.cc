@@ -1,0 +1,84 @@
+#include "structure/cross_section.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+using namespace vibroimpact;
+using namespace vibroimpact::structure;
+using std::numbers::pi;
+using Kind = SectionShape::Kind;
+
+namespace {
+
+std::string key_of(const SectionShape &shape) {
+  try {
+    cross_section(shape);
+  } catch (const DefinitionError &error) {
+    return error.key();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST(CrossSection, RectangleMomentsFollowTheLocalAxes) {
+  const CrossSection s = cross_section({.width = 0.03, .thickness = 0.01});
+  EXPECT_NEAR(s.area, 3e-4, 1e-18);
+  EXPECT_NEAR(s.second_moment_y, 0.03 * 1e-6 / 12, 1e-22);
+  EXPECT_NEAR(s.second_moment_z, 0.01 * 2.7e-5 / 12, 1e-22);
+}
+
+// Torsion constants J = k a b^3 of rectangles, from the tables of Timoshenko and Goodier.
+TEST(CrossSection, RectangleTorsionMatchesTheTables) {
+  const auto factor = [](double ratio) {
+    return cross_section({.width = ratio, .thickness = 1}).torsion_constant / ratio;
+  };
+  EXPECT_NEAR(factor(1), 0.1406, 5e-5);
+  EXPECT_NEAR(factor(2), 0.2287, 5e-5);
+  EXPECT_NEAR(factor(5), 0.2913, 5e-5);
+  EXPECT_NEAR(factor(1e6), 1.0 / 3, 1e-6);
+}
+
+TEST(CrossSection, RectangleTorsionDoesNotDependOnTheOrder) {
+  EXPECT_DOUBLE_EQ(cross_section({.width = 2, .thickness = 3}).torsion_constant,
+                   cross_section({.width = 3, .thickness = 2}).torsion_constant);
+}
+
+TEST(CrossSection, CircleAndTube) {
+  const CrossSection circle = cross_section({.kind = Kind::circle, .diameter = 0.2});
+  EXPECT_NEAR(circle.area, pi * 0.01, 1e-16);
+  EXPECT_NEAR(circle.second_moment_y, pi * 1e-4 / 4, 1e-18);
+  EXPECT_NEAR(circle.torsion_constant, pi * 1e-4 / 2, 1e-18);
+  const CrossSection tube =
+      cross_section({.kind = Kind::tube, .diameter = 0.2, .wall_thickness = 0.05});
+  EXPECT_NEAR(tube.area, pi * (0.01 - 0.0025), 1e-16);
+  EXPECT_NEAR(tube.second_moment_z, pi / 4 * (1e-4 - 6.25e-6), 1e-18);
+  const CrossSection full =
+      cross_section({.kind = Kind::tube, .diameter = 0.2, .wall_thickness = 0.1});
+  EXPECT_DOUBLE_EQ(full.second_moment_y, circle.second_moment_y);
+}
+
+TEST(CrossSection, ImpossibleShapesNameTheKey) {
+  EXPECT_EQ(key_of({.width = 1}), "Thickness");
+  EXPECT_EQ(key_of({.width = -1, .thickness = 1}), "Width");
+  EXPECT_EQ(key_of({.kind = Kind::circle}), "Diameter");
+  EXPECT_EQ(key_of({.kind = Kind::tube, .diameter = 1, .wall_thickness = 0.6}), "Wall thickness");
+  EXPECT_EQ(key_of({.kind = Kind::given, .area = 1, .second_moment_y = 1}), "Second moment z");
+}
+
+TEST(CrossSection, PropertiesCombineShapeAndMaterial) {
+  const BeamProperties p = beam_properties({2, 3, 5, 7}, {100, 0.25, 10});
+  EXPECT_DOUBLE_EQ(p.axial_stiffness, 200);
+  EXPECT_DOUBLE_EQ(p.torsional_stiffness, 40 * 7);
+  EXPECT_DOUBLE_EQ(p.bending_stiffness_y, 300);
+  EXPECT_DOUBLE_EQ(p.bending_stiffness_z, 500);
+  EXPECT_DOUBLE_EQ(p.mass_per_length, 20);
+  EXPECT_DOUBLE_EQ(p.polar_inertia, 80);
+}
+
+TEST(CrossSection, MaterialOutOfRangeIsRefused) {
+  EXPECT_THROW(beam_properties({1, 1, 1, 1}, {0, 0.3, 1}), DefinitionError);
+  EXPECT_THROW(beam_properties({1, 1, 1, 1}, {1, 0.6, 1}), DefinitionError);
+  EXPECT_THROW(beam_properties({1, 1, 1, 1}, {1, 0.3, -1}), DefinitionError);
+}

@@ -1,0 +1,123 @@
+#include "structure/frame_element.h"
+
+#include <gtest/gtest.h>
+
+using namespace vibroimpact;
+using namespace vibroimpact::structure;
+
+namespace {
+
+BeamProperties properties() {
+  return beam_properties({2e-3, 3e-7, 8e-7, 5e-7}, {2e11, 0.25, 8000});
+}
+
+const Vector3 first(0.3, -0.2, 0.1);
+const Vector3 second(1.1, 0.5, 0.9);
+
+ElementFrame skew_frame() { return element_frame(first, second, Vector3(0.2, 1, -0.4)); }
+
+// Nodal displacements of a small rigid motion about the origin.
+ElementVector rigid_motion(const Vector3 &translation, const Vector3 &rotation) {
+  ElementVector u;
+  u << translation + rotation.cross(first), rotation, translation + rotation.cross(second),
+      rotation;
+  return u;
+}
+
+// Tip displacements of the element clamped at its first node under a tip load, in local axes.
+Eigen::Matrix<double, 6, 1> tip_response(const ElementFrame &frame, int component) {
+  const ElementMatrix stiffness = stiffness_matrix(properties(), frame);
+  Eigen::Matrix<double, 6, 1> load = Eigen::Matrix<double, 6, 1>::Zero();
+  load.segment<3>(component / 3 * 3) = frame.axes.row(component % 3).transpose();
+  const Eigen::Matrix<double, 6, 1> tip = stiffness.bottomRightCorner<6, 6>().ldlt().solve(load);
+  Eigen::Matrix<double, 6, 1> local;
+  local << frame.axes * tip.head<3>(), frame.axes * tip.tail<3>();
+  return local;
+}
+
+} // namespace
+
+TEST(FrameElement, MatricesAreSymmetricAndMassIsPositive) {
+  const ElementMatrix k = stiffness_matrix(properties(), skew_frame());
+  const ElementMatrix m = mass_matrix(properties(), skew_frame());
+  EXPECT_EQ((k - k.transpose()).norm(), 0);
+  EXPECT_EQ((m - m.transpose()).norm(), 0);
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<ElementMatrix>(m).eigenvalues().minCoeff(), 0);
+}
+
+TEST(FrameElement, StiffnessHasRankSix) {
+  const ElementMatrix k = stiffness_matrix(properties(), skew_frame());
+  const Eigen::SelfAdjointEigenSolver<ElementMatrix> solver(k);
+  const ElementVector values = solver.eigenvalues();
+  EXPECT_LT(values.head<6>().cwiseAbs().maxCoeff(), 1e-12 * values[11]);
+  EXPECT_GT(values[6], 1e-6 * values[11]);
+}
+
+TEST(FrameElement, RigidMotionCausesNoForce) {
+  const ElementVector u = rigid_motion({0.1, -0.2, 0.3}, {0.02, 0.05, -0.03});
+  const ElementVector force = stiffness_product(properties(), skew_frame(), u);
+  EXPECT_LT(force.norm(), 1e-14 * stiffness_matrix(properties(), skew_frame()).norm());
+}
+
+TEST(FrameElement, RigidTranslationMovesTheWholeMass) {
+  const ElementFrame frame = skew_frame();
+  const ElementMatrix m = mass_matrix(properties(), frame);
+  const double mass = properties().mass_per_length * frame.length;
+  for (int axis = 0; axis < 3; ++axis) {
+    const ElementVector u = rigid_motion(Vector3::Unit(axis), Vector3::Zero());
+    EXPECT_NEAR(u.dot(m * u), mass, 1e-14 * mass);
+  }
+}
+
+// A rod of mass m has the moment of inertia m L^2 / 3 about its end.
+TEST(FrameElement, RigidRotationHasTheInertiaOfARod) {
+  const ElementFrame frame = element_frame(Vector3::Zero(), Vector3(2, 0, 0), {});
+  const ElementMatrix m = mass_matrix(properties(), frame);
+  ElementVector u = ElementVector::Zero();
+  u[5] = u[11] = 1;
+  u[7] = 2;
+  const double expected = properties().mass_per_length * 8 / 3;
+  EXPECT_NEAR(u.dot(m * u), expected, 1e-14 * expected);
+}
+
+TEST(FrameElement, TwistingInertiaIsThePolarOne) {
+  const ElementFrame frame = element_frame(Vector3::Zero(), Vector3(2, 0, 0), {});
+  ElementVector u = ElementVector::Zero();
+  u[3] = u[9] = 1;
+  const double expected = 8000 * (3e-7 + 8e-7) * 2;
+  EXPECT_NEAR(u.dot(mass_matrix(properties(), frame) * u), expected, 1e-14 * expected);
+}
+
+TEST(FrameElement, TipLoadsGiveTheTextbookDeflections) {
+  const ElementFrame frame = skew_frame();
+  const BeamProperties p = properties();
+  const double l = frame.length;
+  EXPECT_NEAR(tip_response(frame, 0)[0] * p.axial_stiffness / l, 1, 1e-12);
+  EXPECT_NEAR(tip_response(frame, 3)[3] * p.torsional_stiffness / l, 1, 1e-12);
+  EXPECT_NEAR(tip_response(frame, 1)[1] * 3 * p.bending_stiffness_z / (l * l * l), 1, 1e-12);
+  EXPECT_NEAR(tip_response(frame, 2)[2] * 3 * p.bending_stiffness_y / (l * l * l), 1, 1e-12);
+  EXPECT_NEAR(tip_response(frame, 1)[5] * 2 * p.bending_stiffness_z / (l * l), 1, 1e-12);
+  EXPECT_NEAR(tip_response(frame, 2)[4] * 2 * p.bending_stiffness_y / (l * l), -1, 1e-12);
+}
+
+TEST(FrameElement, LocalAxesAreRightHandedAndFollowTheOrientation) {
+  const ElementFrame frame = element_frame(Vector3::Zero(), Vector3(0, 0, 2), Vector3(3, 0, 1));
+  EXPECT_DOUBLE_EQ(frame.length, 2);
+  EXPECT_LT((frame.axes.row(0).transpose() - Vector3::UnitZ()).norm(), 1e-15);
+  EXPECT_LT((frame.axes.row(1).transpose() - Vector3::UnitX()).norm(), 1e-15);
+  EXPECT_LT((frame.axes.row(2).transpose() - Vector3::UnitY()).norm(), 1e-15);
+}
+
+TEST(FrameElement, DefaultOrientationIsGlobalYOrZ) {
+  const auto local_y = [](const Vector3 &end) {
+    return Vector3(element_frame(Vector3::Zero(), end, {}).axes.row(1));
+  };
+  EXPECT_LT((local_y({1, 0, 0}) - Vector3::UnitY()).norm(), 1e-15);
+  EXPECT_LT((local_y({0, 0, 1}) - Vector3::UnitY()).norm(), 1e-15);
+  EXPECT_LT((local_y({0, 1, 0}) - Vector3::UnitZ()).norm(), 1e-15);
+}
+
+TEST(FrameElement, ParallelOrZeroOrientationIsRefused) {
+  EXPECT_THROW(element_frame(first, second, second - first), DefinitionError);
+  EXPECT_THROW(element_frame(first, second, Vector3::Zero()), DefinitionError);
+}
