@@ -98,7 +98,8 @@ void write_attribute(hid_t file_identifier, const std::filesystem::path &file,
   const Handle attribute(
       check(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), file, action),
       H5Aclose);
-  check(H5Awrite(attribute, type, data), file, action);
+  if (data != nullptr) // an empty list has no data
+    check(H5Awrite(attribute, type, data), file, action);
 }
 
 Handle open_dataset(hid_t file_identifier, const std::filesystem::path &file,

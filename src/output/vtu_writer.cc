@@ -7,8 +7,8 @@
 #include <array>
 #include <cstdio>
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/grid/reference_cell.h>
 #include <fstream>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -48,6 +48,7 @@ void add_lines(const Recovery &recovery, const Vector &motion, std::size_t body_
     Patch<1, 3> patch;
     patch.vertices[0] = to_point(recovery.nodes.col(a));
     patch.vertices[1] = to_point(recovery.nodes.col(b));
+    patch.reference_cell = dealii::ReferenceCells::Line;
     patch.n_subdivisions = line_subdivisions;
     patch.patch_index = static_cast<unsigned>(patches.size());
     patch.data.reinit(n_components, line_subdivisions + 1);
@@ -85,6 +86,7 @@ void write_patches(const std::filesystem::path &file,
       vectors = {{0, 2, "displacement", component_is_part_of_vector},
                  {3, 5, "rotation", component_is_part_of_vector}};
   dealii::DataOutBase::VtkFlags flags;
+  flags.write_higher_order_cells = false;
   flags.print_date_and_time = false; // the same result, the same file
   std::ofstream stream(file, std::ios::binary);
   dealii::DataOutBase::write_vtu(patches, names, vectors, flags, stream);
