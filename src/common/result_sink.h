@@ -67,6 +67,8 @@ struct AnalysisHeader {
   std::string name; ///< as in the parameter file
   std::string type; ///< e.g. "stepped sweep"
   std::vector<Axis> axes;
+  /// The keys of a parameter grid around the analysis; their axes come first, in this order.
+  std::vector<std::string> grid = {};
 };
 
 /// Takes points in any order, from any rank. A stored point is durable when store() returns.

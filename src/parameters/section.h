@@ -32,28 +32,32 @@ inline constexpr Range non_negative{.lower = 0};
 inline constexpr Range fraction{.lower = 0, .upper = 1};
 } // namespace range
 
-enum class KeyKind { quantity, quantities, integer, boolean, choice, text, names };
+enum class KeyKind { quantity, quantities, integer, boolean, choice, text, names, variables };
 
 struct Key {
   std::string name;
   KeyKind kind = KeyKind::text;
-  std::string default_value; ///< as a user would write it; an empty one may mean "must be given"
-  std::string symbol;        ///< as in the theory manual, may be empty
+  std::string default_value{}; ///< as a user would write it; an empty one may mean "must be given"
+  std::string symbol{};        ///< as in the theory manual, may be empty
   std::string sentence;
   Dimension dimension{};
   Range range{};
-  std::vector<std::string> options; ///< for choice
-  int minimum_count = 0;            ///< for quantities
+  std::vector<std::string> options{}; ///< for choice
+  int minimum_count = 0;              ///< for quantities
   int maximum_count = std::numeric_limits<int>::max();
 };
 
 /// A section of the parameter file, as declared. Sections nest; a `kind` can be declared once and
-/// stand in a file any number of times under different names ("subsection Body left").
+/// stand in a file any number of times under different names ("subsection Body left"). A Section
+/// made by its constructor is a whole file: it has the key "Variables", named values that every
+/// number in the file may use. Names of keys and sections hold no '/', '=' and '#', and a second
+/// declaration of a key throws std::logic_error.
 class Section {
 public:
   Section(std::string name, std::string sentence);
 
-  /// A number with a unit. An empty default makes the key optional: see Values::has().
+  /// A number with a unit. An empty default makes the key optional: see Values::has(). With
+  /// dimension::any the reader must call Values::require_dimension().
   Section &quantity(std::string name, std::string default_value, Dimension dimension, Range range,
                     std::string symbol, std::string sentence);
   /// Numbers separated by commas (or "->", which reads well between two points).
@@ -85,6 +89,7 @@ public:
 
 private:
   Section &add(Key key);
+  static std::unique_ptr<Section> nested(const std::string &name, const std::string &sentence);
 
   std::string name_;
   std::string sentence_;

@@ -1,0 +1,52 @@
+// The list of analyses.
+#include "analyses/analysis.h"
+
+#include "analyses/grid.h"
+#include "analyses/modal.h"
+#include "analyses/stepped_sweep.h"
+#include "analyses/transient.h"
+
+#include <stdexcept>
+
+namespace vibroimpact {
+
+namespace {
+
+struct Entry {
+  const char *type;
+  void (*declare)(parameters::Section &analysis);
+  std::shared_ptr<const Analysis> (*create)(const parameters::Values &analysis);
+};
+
+constexpr Entry entries[] = {
+    {"modal", Modal::declare, Modal::create},
+    {"transient", Transient::declare, Transient::create},
+    {"stepped sweep", SteppedSweep::declare, SteppedSweep::create},
+};
+
+} // namespace
+
+void declare_analyses(parameters::Section &root) {
+  parameters::Section &analysis =
+      root.named_subsection("Analysis", "Something to compute; its keys stand in the section of "
+                                        "its type.");
+  std::vector<std::string> types;
+  for (const Entry &entry : entries)
+    types.emplace_back(entry.type);
+  types.emplace_back(grid_type);
+  analysis.choice("Type", "transient", types, "What is computed.");
+  declare_selection(analysis, "all");
+  for (const Entry &entry : entries)
+    entry.declare(analysis);
+  declare_grid(analysis);
+}
+
+std::shared_ptr<const Analysis> create_analysis(const parameters::Values &analysis) {
+  const std::string type = analysis.choice("Type");
+  for (const Entry &entry : entries)
+    if (type == entry.type)
+      return entry.create(analysis);
+  throw std::logic_error("analysis type without an entry: " + type);
+}
+
+} // namespace vibroimpact

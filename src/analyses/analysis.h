@@ -1,0 +1,58 @@
+// What an analysis is: outer axes, independent lines of work, and for each line a chain of points.
+//
+// An analysis consumes a System and hands PointResults to its line context; it never writes files.
+// Lines can run on different ranks in any order; the points of a line run one after the other and
+// may carry a state on. A new analysis is one file pair and one line in analyses.cc.
+#pragma once
+
+#include "analyses/system.h"
+#include "common/result_sink.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+/// Thrown by LineContext::store when the run was asked to stop: the point is kept, the line ends.
+struct Interrupted {};
+
+/// Where a line finds what is already done and leaves what it has computed.
+class LineContext {
+public:
+  virtual ~LineContext() = default;
+  /// The point of an earlier, resumed run, or nullptr.
+  virtual const PointResult *find(const std::vector<std::size_t> &index) const = 0;
+  /// Makes the point durable. Throws Interrupted after that when the run is to stop.
+  virtual void store(PointResult result) = 0;
+  /// The point was found finished: only the progress counts on.
+  virtual void skip() = 0;
+};
+
+/// Rough size of the work of one line, for the cost estimate.
+struct Workload {
+  double simulated_time = 0; ///< [s]
+  std::size_t points = 1;
+};
+
+class Analysis {
+public:
+  virtual ~Analysis() = default;
+
+  virtual std::string type() const = 0;
+  virtual std::vector<Axis> axes() const = 0;
+  virtual std::size_t lines() const { return 1; }
+  virtual Workload workload(const System &system) const = 0;
+  /// InputError when the system and the analysis do not fit, before anything runs.
+  virtual void check(const System &system) const = 0;
+  /// Computes the points of one line. A NumericalError inside a point belongs into its result.
+  virtual void run_line(std::size_t line, System &system, LineContext &context) const = 0;
+};
+
+/// Declares the kind "Analysis" with the sections of every type.
+void declare_analyses(parameters::Section &root);
+
+/// The analysis a section chooses; `parameter grid` is resolved before (grid.h).
+std::shared_ptr<const Analysis> create_analysis(const parameters::Values &analysis);
+
+} // namespace vibroimpact

@@ -1,0 +1,26 @@
+// The quantities a motion is watched by: displacement, velocity and acceleration of every named
+// point along the axes it can move, gap and force of every contact.
+//
+// Displacements and velocities are relative to the base the body stands on, accelerations are
+// absolute, as is usual for shaken structures.
+#pragma once
+
+#include "model/model.h"
+
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+struct Channel {
+  std::string point;   ///< "body.point"
+  char axis = 'x';
+  Projection relative; ///< displacement relative to the base
+  Projection absolute; ///< displacement in space
+};
+
+/// All points of the model along all axes on which some coordinate moves them by more than 1e-12 of
+/// the point's largest value.
+std::vector<Channel> observed_channels(const Model &model);
+
+} // namespace vibroimpact

@@ -1,0 +1,113 @@
+#include "analyses/fields.h"
+
+#include <algorithm>
+
+namespace vibroimpact {
+
+namespace {
+
+struct Column {
+  const char *name;
+  const char *unit;
+  const char *description;
+  double (*value)(const Impact &impact);
+};
+
+constexpr Column columns[] = {
+    {"time", "s", "instant at which the sides meet", [](const Impact &i) { return i.start_time; }},
+    {"duration", "s", "time in contact", [](const Impact &i) { return i.duration; }},
+    {"approach_speed", "m/s", "closing speed just before contact",
+     [](const Impact &i) { return i.approach_speed; }},
+    {"separation_speed", "m/s", "opening speed just after contact",
+     [](const Impact &i) { return i.separation_speed; }},
+    {"restitution_coefficient", "1", "separation speed over approach speed",
+     [](const Impact &i) { return i.restitution_coefficient(); }},
+    {"peak_force", "N", "largest normal force", [](const Impact &i) { return i.peak_force; }},
+    {"impulse", "N s", "time integral of the normal force",
+     [](const Impact &i) { return i.impulse; }},
+    {"maximum_penetration", "m", "largest overlap",
+     [](const Impact &i) { return i.maximum_penetration; }},
+    {"dissipated_energy", "J", "energy lost in the contact law",
+     [](const Impact &i) { return i.dissipated_energy; }},
+};
+
+} // namespace
+
+Field scalar_field(const std::string &name, double value, const std::string &unit,
+                   const std::string &description) {
+  return {.name = name,
+          .unit = unit,
+          .description = description,
+          .dimensions = {},
+          .shape = {},
+          .values = {value}};
+}
+
+Field series_field(const std::string &name, const std::string &dimension,
+                   std::vector<double> values, const std::string &unit,
+                   const std::string &description) {
+  const std::size_t length = values.size();
+  return {.name = name,
+          .unit = unit,
+          .description = description,
+          .dimensions = {dimension},
+          .shape = {length},
+          .values = std::move(values)};
+}
+
+void add_accuracy(PointResult &result, const Accuracy &accuracy,
+                  const IntegrationSettings &settings) {
+  const std::vector<Field> fields = {
+      scalar_field("energy_residual", accuracy.energy_residual, "1",
+                   "unaccounted energy over initial energy plus absolute input"),
+      scalar_field("event_residual", accuracy.event_residual, "s",
+                   "largest uncertainty of the instant of a contact change"),
+      scalar_field("relative_tolerance", settings.relative_tolerance, "1", "of one time step"),
+      scalar_field("steps", static_cast<double>(accuracy.steps), "1", "accepted time steps"),
+      scalar_field("rejected_steps", static_cast<double>(accuracy.rejected_steps), "1",
+                   "rejected time steps"),
+      scalar_field("events", static_cast<double>(accuracy.events), "1", "contact changes"),
+  };
+  result.fields.insert(result.fields.end(), fields.begin(), fields.end());
+  for (const Field &field : fields)
+    result.summary.push_back({.name = field.name, .value = field.values[0], .unit = field.unit});
+}
+
+void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLog &log,
+                 std::size_t summary_lines) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const std::string &name = contacts.pairs()[c].name;
+    const std::vector<Impact> &impacts = log.impacts(c);
+    for (const Column &column : columns) {
+      std::vector<double> values;
+      std::transform(impacts.begin(), impacts.end(), std::back_inserter(values), column.value);
+      result.fields.push_back(series_field("contact/" + name + "/impact/" + column.name,
+                                           "impact_" + name, std::move(values), column.unit,
+                                           column.description));
+    }
+    result.summary.push_back({.name = "contact." + name + ".impacts",
+                              .value = static_cast<double>(impacts.size()),
+                              .unit = "1"});
+    for (std::size_t i = 0; i < std::min(summary_lines, impacts.size()); ++i)
+      for (const Column &column : columns)
+        result.summary.push_back({.name = "contact." + name + ".impact[" + std::to_string(i + 1) +
+                                          "]." + column.name,
+                                  .value = column.value(impacts[i]),
+                                  .unit = column.unit});
+  }
+}
+
+void add_pulses(PointResult &result, const ContactSet &contacts, const ImpactLog &log) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const std::string base = "contact/" + contacts.pairs()[c].name + "/pulse/";
+    const std::string dimension = "pulse_" + contacts.pairs()[c].name;
+    const Pulses &pulses = log.pulses(c);
+    result.fields.push_back(series_field(base + "time", dimension, pulses.time, "s",
+                                         "time; NaN separates impacts"));
+    result.fields.push_back(
+        series_field(base + "normal_force", dimension, pulses.force, "N", "normal force"));
+    result.fields.push_back(series_field(base + "gap", dimension, pulses.gap, "m", "gap"));
+  }
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,31 @@
+// Short ways to make result fields and summary lines.
+#pragma once
+
+#include "common/result_sink.h"
+#include "contact/contact_set.h"
+#include "integration/impact_log.h"
+#include "integration/trajectory.h"
+
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+Field scalar_field(const std::string &name, double value, const std::string &unit,
+                   const std::string &description);
+/// One-dimensional field along `dimension`.
+Field series_field(const std::string &name, const std::string &dimension,
+                   std::vector<double> values, const std::string &unit,
+                   const std::string &description);
+
+/// Accuracy of a motion as fields and summary lines.
+void add_accuracy(PointResult &result, const Accuracy &accuracy, const IntegrationSettings &settings);
+
+/// Impact tables of all contacts as fields, and as summary lines of the first `summary_lines`.
+void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLog &log,
+                 std::size_t summary_lines);
+
+/// Force samples of the recorded impacts of all contacts, impacts separated by NaN.
+void add_pulses(PointResult &result, const ContactSet &contacts, const ImpactLog &log);
+
+} // namespace vibroimpact

@@ -1,0 +1,40 @@
+// Parameter grids: any analysis repeated at every combination of values of any keys.
+#pragma once
+
+#include "common/result_sink.h"
+#include "parameters/values.h"
+
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+inline constexpr const char *grid_type = "parameter grid";
+
+void declare_grid(parameters::Section &analysis);
+
+/// One swept key.
+struct GridKey {
+  std::string path;                ///< "Contact/heads/Clearance"
+  std::vector<std::string> values; ///< as written in the file
+};
+
+/// Keys of a `parameter grid` section, in the order of the file. InputError when there are none.
+std::vector<GridKey> read_grid(const parameters::Values &analysis);
+/// Name of the analysis that the grid repeats.
+std::string repeated_analysis(const parameters::Values &analysis,
+                              const std::vector<std::string> &known);
+
+/// Number of points of the grid.
+std::size_t grid_size(const std::vector<GridKey> &keys);
+/// Position of grid point `point` along the keys.
+std::vector<std::size_t> grid_index(const std::vector<GridKey> &keys, std::size_t point);
+/// Overrides of grid point `point`, the last key varying fastest.
+std::vector<parameters::Override> grid_overrides(const std::vector<GridKey> &keys,
+                                                 std::size_t point);
+
+/// The outer axes of a grid: numbers in SI where the key is a number, else labels.
+std::vector<Axis> grid_axes(const std::vector<GridKey> &keys,
+                            const parameters::ParameterSet &parameters);
+
+} // namespace vibroimpact

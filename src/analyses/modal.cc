@@ -1,0 +1,76 @@
+#include "analyses/modal.h"
+
+#include "analyses/fields.h"
+
+#include <numbers>
+
+namespace vibroimpact {
+
+namespace {
+
+std::vector<double> entries(const Vector &vector) { return {vector.begin(), vector.end()}; }
+
+void add_body(PointResult &result, const ReducedBody &body) {
+  const std::string base = "body/" + body.name + "/";
+  const std::string dimension = "mode_" + body.name;
+  const auto add = [&](const std::string &name, const Vector &values, const std::string &unit,
+                       const std::string &description) {
+    result.fields.push_back(
+        series_field(base + name, dimension, entries(values), unit, description));
+  };
+  add("frequency", body.omega() / (2 * std::numbers::pi), "Hz", "undamped natural frequency");
+  add("damping_ratio", body.damping_ratio(), "1", "fraction of critical damping");
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string name(1, static_cast<char>('x' + axis));
+    const Vector effective = body.effective_mass().col(axis);
+    add("participation_factor_" + name,
+        body.base_participation.col(axis).cwiseQuotient(body.mass), "1",
+        "participation of a base motion along " + name);
+    add("effective_modal_mass_" + name, effective, "kg", "effective modal mass along " + name);
+    if (body.total_mass[axis] > 0)
+      result.summary.push_back({.name = "body." + body.name + ".effective_modal_mass_share." + name,
+                                .value = effective.sum() / body.total_mass[axis],
+                                .unit = "1"});
+  }
+}
+
+// The share of each coordinate in the contact's compliance to impulses, 1 / effective mass.
+void add_contact(PointResult &result, const System &system, std::size_t c) {
+  const ContactPair &pair = system.contacts.pairs()[c];
+  const Vector compliance =
+      pair.gap.row.transpose().cwiseAbs2().cwiseQuotient(system.model.mass());
+  const std::string base = "contact/" + pair.name + "/";
+  result.fields.push_back(series_field(base + "impulse_compliance", "coordinate",
+                                       entries(compliance), "1/kg",
+                                       "gap speed per impulse, share of each coordinate"));
+  const double mass = system.contacts.effective_mass(c, system.model);
+  result.fields.push_back(scalar_field(base + "effective_mass", mass, "kg",
+                                       "mass that meets at the contact"));
+  result.summary.push_back(
+      {.name = "contact." + pair.name + ".effective_mass", .value = mass, .unit = "kg"});
+}
+
+} // namespace
+
+void Modal::declare(parameters::Section & /*analysis*/) {}
+
+std::shared_ptr<const Analysis> Modal::create(const parameters::Values & /*analysis*/) {
+  return std::make_shared<Modal>();
+}
+
+Workload Modal::workload(const System & /*system*/) const { return {}; }
+
+void Modal::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
+  if (context.find({})) {
+    context.skip();
+    return;
+  }
+  PointResult result;
+  for (const auto &body : system.model.bodies())
+    add_body(result, *body);
+  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+    add_contact(result, system, c);
+  context.store(std::move(result));
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,58 @@
+// Samples a motion at equal intervals, from the dense output: the steps are not disturbed.
+#pragma once
+
+#include "analyses/channels.h"
+#include "analyses/system.h"
+#include "common/result_sink.h"
+#include "integration/trajectory.h"
+
+#include <vector>
+
+namespace vibroimpact {
+
+/// Instants first, first + interval, ... up to last, inclusive (within rounding).
+std::vector<double> equal_instants(double first, double last, double interval);
+
+/// Channels, gaps and forces at given instants (increasing; those at the very start included).
+class MotionRecorder : public Observer {
+public:
+  MotionRecorder(const System &system, std::vector<double> instants);
+
+  void step(const StepView &view) override;
+
+  /// Adds `time` and one field per channel and contact along the dimension `time`.
+  void add_fields(PointResult &result) const;
+
+private:
+  struct Series {
+    std::vector<double> displacement, velocity, acceleration;
+  };
+  struct ContactSeries {
+    std::vector<double> gap, force;
+  };
+  void sample(const StepView &view, std::size_t first, std::size_t last);
+
+  const ContactSet &contacts_;
+  std::vector<Channel> channels_;
+  std::vector<double> instants_;
+  std::size_t next_ = 0;
+  std::vector<Series> series_;
+  std::vector<ContactSeries> contact_series_;
+};
+
+/// Modal coordinates of all bodies at given instants, for the expansion to the mesh.
+class FrameRecorder : public Observer {
+public:
+  FrameRecorder(const Model &model, std::vector<double> instants);
+
+  void step(const StepView &view) override;
+  const Motion &motion() const { return motion_; }
+
+private:
+  const Model &model_;
+  std::vector<double> instants_;
+  std::size_t next_ = 0;
+  Motion motion_;
+};
+
+} // namespace vibroimpact

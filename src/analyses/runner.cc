@@ -1,0 +1,159 @@
+#include "analyses/runner.h"
+
+#include "common/error.h"
+#include "common/progress.h"
+#include "common/signals.h"
+
+#include <numeric>
+
+namespace vibroimpact {
+
+namespace {
+
+// A counter on rank 0 that every rank can read and advance: the number of the next line to do, and
+// of the points done.
+class SharedCounters {
+public:
+  explicit SharedCounters(MPI_Comm communicator) {
+    MPI_Comm_rank(communicator, &rank_);
+    const MPI_Aint size = rank_ == 0 ? 2 * static_cast<MPI_Aint>(sizeof(long)) : 0;
+    MPI_Win_allocate(size, sizeof(long), MPI_INFO_NULL, communicator, &memory_, &window_);
+    if (rank_ == 0)
+      memory_[0] = memory_[1] = 0;
+    MPI_Barrier(communicator);
+    MPI_Win_lock_all(0, window_);
+  }
+  ~SharedCounters() {
+    MPI_Win_unlock_all(window_);
+    MPI_Win_free(&window_);
+  }
+  SharedCounters(const SharedCounters &) = delete;
+  SharedCounters &operator=(const SharedCounters &) = delete;
+
+  /// Adds to a counter and returns its value before.
+  long add(int counter, long amount) {
+    long before = 0;
+    MPI_Fetch_and_op(&amount, &before, MPI_LONG, 0, counter, MPI_SUM, window_);
+    MPI_Win_flush(0, window_);
+    return before;
+  }
+
+private:
+  int rank_ = 0;
+  long *memory_ = nullptr;
+  MPI_Win window_ = MPI_WIN_NULL;
+};
+
+enum : int { next_line = 0, points_done = 1 };
+
+// Puts the grid position before the point's own index and keeps count.
+class GridLine : public LineContext {
+public:
+  GridLine(ResultSink &sink, SharedCounters &counters, Progress &progress, RunSummary &summary)
+      : sink_(sink), counters_(counters), progress_(progress), summary_(summary) {}
+
+  void move_to(std::vector<std::size_t> position) { position_ = std::move(position); }
+
+  const PointResult *find(const std::vector<std::size_t> &index) const override {
+    return sink_.find(full(index));
+  }
+
+  void store(PointResult result) override {
+    result.index = full(result.index);
+    sink_.store(result);
+    ++summary_.finished;
+    count();
+    if (stop_requested())
+      throw Interrupted{};
+  }
+
+  void skip() override { count(); }
+
+private:
+  std::vector<std::size_t> full(const std::vector<std::size_t> &index) const {
+    std::vector<std::size_t> whole = position_;
+    whole.insert(whole.end(), index.begin(), index.end());
+    return whole;
+  }
+  void count() { progress_.update(static_cast<std::size_t>(counters_.add(points_done, 1)) + 1); }
+
+  ResultSink &sink_;
+  SharedCounters &counters_;
+  Progress &progress_;
+  RunSummary &summary_;
+  std::vector<std::size_t> position_;
+};
+
+std::size_t points_of(const std::vector<Axis> &axes) {
+  return std::accumulate(axes.begin(), axes.end(), std::size_t{1},
+                         [](std::size_t size, const Axis &axis) { return size * axis.size(); });
+}
+
+// Every point of the case that could not be built, recorded as failed.
+void record_unusable(const std::vector<Axis> &axes, const std::string &reason, std::size_t line,
+                     LineContext &context) {
+  if (line > 0)
+    return;
+  for (std::size_t point = 0; point < points_of(axes); ++point) {
+    std::vector<std::size_t> index(axes.size());
+    std::size_t rest = point;
+    for (std::size_t k = axes.size(); k-- > 0;) {
+      index[k] = rest % axes[k].size();
+      rest /= axes[k].size();
+    }
+    if (context.find(index))
+      context.skip();
+    else
+      context.store({.index = index, .status = Status::failed, .reason = reason});
+  }
+}
+
+} // namespace
+
+RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &keys,
+                        const std::vector<Axis> &outer_axes, const CaseFactory &factory,
+                        ResultSink &sink, MPI_Comm communicator) {
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  const Case first = factory(grid_overrides(keys, 0));
+  first.analysis->check(first.system);
+  const std::vector<Axis> inner_axes = first.analysis->axes();
+  AnalysisHeader header{.name = name, .type = first.analysis->type(), .axes = outer_axes};
+  header.axes.insert(header.axes.end(), inner_axes.begin(), inner_axes.end());
+  sink.begin(header);
+
+  RunSummary summary;
+  const std::size_t lines = first.analysis->lines();
+  const auto total = static_cast<long>(grid_size(keys) * lines);
+  {
+    SharedCounters counters(communicator);
+    Progress progress(points_of(header.axes), name, rank == 0);
+    GridLine context(sink, counters, progress, summary);
+    try {
+      for (long task = counters.add(next_line, 1); task < total && !stop_requested();
+           task = counters.add(next_line, 1)) {
+        const std::size_t point = static_cast<std::size_t>(task) / lines;
+        const std::size_t line = static_cast<std::size_t>(task) % lines;
+        context.move_to(grid_index(keys, point));
+        try {
+          Case work = factory(grid_overrides(keys, point));
+          if (work.analysis->axes().size() != inner_axes.size() ||
+              points_of(work.analysis->axes()) != points_of(inner_axes))
+            throw InputError("the swept key changes the number of points of the analysis");
+          work.analysis->run_line(line, work.system, context);
+        } catch (const InputError &error) {
+          record_unusable(inner_axes, error.what(), line, context);
+        }
+      }
+    } catch (const Interrupted &) {
+      summary.interrupted = true;
+    }
+  }
+  sink.end();
+  int interrupted = summary.interrupted || stop_requested() ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &interrupted, 1, MPI_INT, MPI_MAX, communicator);
+  summary.interrupted = interrupted != 0;
+  return summary;
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,41 @@
+// Runs an analysis over MPI ranks, alone or at every point of a grid of parameter values.
+//
+// The work is dealt out line by line: each rank, rank 0 included, takes the next line when it has
+// finished one, because lines can differ a hundredfold in cost. Results do not depend on who
+// computed them.
+#pragma once
+
+#include "analyses/analysis.h"
+#include "analyses/grid.h"
+#include "common/result_sink.h"
+
+#include <functional>
+#include <mpi.h>
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+/// An analysis with the system it works on.
+
+struct Case {
+  std::shared_ptr<const Analysis> analysis;
+  System system;
+};
+
+/// Builds the case of one grid point from its overrides. Local, InputError allowed.
+using CaseFactory = std::function<Case(const std::vector<parameters::Override> &)>;
+
+struct RunSummary {
+  std::size_t finished = 0; ///< points computed in this run
+  std::size_t failed = 0;   ///< points recorded as failed, on all ranks
+  bool interrupted = false;
+};
+
+/// Collective. Without keys the analysis runs once. In a grid, a point whose parameters cannot be
+/// used is recorded as failed; without grid the InputError is thrown on every rank.
+RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &keys,
+                        const std::vector<Axis> &outer_axes, const CaseFactory &factory,
+                        ResultSink &sink, MPI_Comm communicator);
+
+} // namespace vibroimpact

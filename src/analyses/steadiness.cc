@@ -1,0 +1,52 @@
+#include "analyses/steadiness.h"
+
+#include <algorithm>
+
+namespace vibroimpact {
+
+Steadiness::Steadiness(Vector scale, long longest, double tolerance)
+    : scale_(std::move(scale)), longest_(static_cast<std::size_t>(longest)),
+      tolerance_(tolerance) {}
+
+double Steadiness::change(std::size_t newer, std::size_t older) const {
+  return (states_[newer] - states_[older]).cwiseAbs().maxCoeff();
+}
+
+void Steadiness::add(const Vector &physical) {
+  states_.push_front(physical.cwiseProduct(scale_));
+  if (states_.size() > 2 * longest_ + 1)
+    states_.pop_back();
+  multiple_ = 0;
+  const double size = states_.front().cwiseAbs().maxCoeff();
+  for (std::size_t k = 1; k <= longest_ && 2 * k < states_.size() && multiple_ == 0; ++k) {
+    const double last = change(0, k);
+    const double before = change(k, 2 * k);
+    // Changes that shrink by the factor r leave last r / (1 - r) to go.
+    const double factor = before > 0 ? last / before : 0;
+    const double remaining = factor < 1 ? last * std::max(1.0, factor / (1 - factor)) : last;
+    const bool small_already = last <= 1e-3 * tolerance_ * size;
+    if ((factor < 1 && remaining <= tolerance_ * size) || small_already)
+      multiple_ = static_cast<long>(k);
+  }
+}
+
+Vector state_scale(const Equations &equations, double forcing_frequency) {
+  const StateLayout &layout = equations.layout();
+  const Model &model = equations.model();
+  Vector scale = Vector::Ones(layout.physical_size());
+  for (std::size_t b = 0; b < model.bodies().size(); ++b) {
+    const ReducedBody &body = *model.bodies()[b];
+    const Vector omega = body.omega();
+    for (Index j = 0; j < body.size(); ++j) {
+      double reach = 0;
+      for (const BodyPoint &point : body.points)
+        reach = std::max(reach, point.rows.col(j).head(3).cwiseAbs().maxCoeff());
+      scale[model.offset(b) + j] = reach;
+      scale[layout.velocity() + model.offset(b) + j] =
+          reach / (omega[j] > 0 ? omega[j] : forcing_frequency);
+    }
+  }
+  return scale;
+}
+
+} // namespace vibroimpact

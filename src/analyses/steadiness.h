@@ -1,0 +1,37 @@
+// Decides from states taken once per forcing period whether a motion has become periodic.
+#pragma once
+
+#include "integration/trajectory.h"
+
+#include <deque>
+
+namespace vibroimpact {
+
+class Steadiness {
+public:
+  /// `scale`: what makes the physical states comparable (1/m, s/m, ...); multiples up to `longest`.
+  Steadiness(Vector scale, long longest, double tolerance);
+
+  /// Takes the state at the end of the next period.
+  void add(const Vector &physical);
+  /// Is the estimated distance to the periodic motion below the tolerance?
+  bool steady() const { return multiple_ > 0; }
+  /// Number of periods after which the motion repeats; 0 when it is not steady.
+  long multiple() const { return multiple_; }
+
+private:
+  double change(std::size_t newer, std::size_t older) const;
+
+  Vector scale_;
+  std::size_t longest_;
+  double tolerance_;
+  std::deque<Vector> states_; ///< scaled, newest first
+  long multiple_ = 0;
+};
+
+/// Scales for the states of a model: displacements by the largest displacement of a point per unit
+/// coordinate, velocities the same divided by the natural (or, for rigid modes, the forcing)
+/// angular frequency.
+Vector state_scale(const Equations &equations, double forcing_frequency);
+
+} // namespace vibroimpact

@@ -1,0 +1,35 @@
+// Everything a motion needs, built from a parameter file and the reduced bodies.
+#pragma once
+
+#include "contact/contact_set.h"
+#include "integration/settings.h"
+#include "model/initial_condition.h"
+#include "model/model.h"
+#include "parameters/values.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+struct System {
+  Model model;
+  ContactSet contacts;
+  IntegrationSettings integration;
+  InitialState initial;
+};
+
+/// The keys with which an analysis picks excitations, contacts and initial conditions.
+void declare_selection(parameters::Section &analysis, const std::string &initial_default);
+
+/// The system an analysis works on. `bodies` are the reduced bodies of the file.
+System build_system(const parameters::Values &root, const parameters::Values &analysis,
+                    std::vector<std::shared_ptr<const ReducedBody>> bodies);
+
+/// Names in a list key at the top of the file, or every instance of `kind` when the key is empty.
+/// InputError for a name that has no section.
+std::vector<std::string> listed_instances(const parameters::Values &root, const std::string &key,
+                                          const std::string &kind);
+
+} // namespace vibroimpact

@@ -1,0 +1,98 @@
+#include "analyses/transient.h"
+
+#include "analyses/fields.h"
+#include "analyses/motion_recorder.h"
+#include "common/error.h"
+
+namespace vibroimpact {
+
+namespace {
+constexpr const char *section_name = "Transient";
+} // namespace
+
+void Transient::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  analysis.subsection(section_name, "Motion from the initial conditions under the excitations.")
+      .quantity("Duration", "", dimension::time, range::positive, "T", "Length of the motion.")
+      .quantity("Sampling interval", "", dimension::time, range::positive, "dt",
+                "Interval of the recorded histories; empty means a thousandth of the duration.")
+      .integer("Recorded pulses", "10", Range{.lower = 0, .upper = 1e6}, "",
+               "Impacts of each contact whose force is recorded at every time step.")
+      .integer("Listed impacts", "10", Range{.lower = 0, .upper = 1e6}, "",
+               "Impacts of each contact that the summary lists; the result file holds all.")
+      .integer("Frames", "0", Range{.lower = 0, .upper = 1e5}, "",
+               "Pictures of the moving meshes for ParaView; 0 means none.")
+      .quantity("First frame", "0 s", dimension::time, range::non_negative, "",
+                "Instant of the first picture.")
+      .quantity("Last frame", "", dimension::time, range::positive, "",
+                "Instant of the last picture; empty means the end.");
+}
+
+std::shared_ptr<const Analysis> Transient::create(const parameters::Values &analysis) {
+  const parameters::Values values = analysis.subsection(section_name);
+  values.require("Duration");
+  Settings settings{.duration = values.quantity("Duration"),
+                    .recorded_pulses = static_cast<std::size_t>(values.integer("Recorded pulses")),
+                    .listed_impacts = static_cast<std::size_t>(values.integer("Listed impacts")),
+                    .frames = static_cast<std::size_t>(values.integer("Frames")),
+                    .first_frame = values.quantity("First frame")};
+  settings.sampling_interval = values.has("Sampling interval")
+                                   ? values.quantity("Sampling interval")
+                                   : settings.duration / 1000;
+  if (settings.duration / settings.sampling_interval > 1e8)
+    values.reject("Sampling interval", "at most 1e8 samples in the duration.");
+  settings.last_frame =
+      values.has("Last frame") ? values.quantity("Last frame") : settings.duration;
+  if (settings.frames > 1 && (settings.last_frame <= settings.first_frame ||
+                              settings.last_frame > settings.duration))
+    values.reject("Last frame", "an instant after the first frame and within the duration.");
+  return std::make_shared<Transient>(settings);
+}
+
+Workload Transient::workload(const System & /*system*/) const {
+  return {.simulated_time = settings_.duration, .points = 1};
+}
+
+void Transient::check(const System &system) const {
+  Trajectory trajectory(system.model, system.contacts, system.integration);
+  trajectory.start(0, system.initial.displacement, system.initial.velocity);
+}
+
+PointResult Transient::compute(const System &system) const {
+  Trajectory trajectory(system.model, system.contacts, system.integration);
+  ImpactLog log(system.contacts, settings_.recorded_pulses);
+  MotionRecorder recorder(system,
+                          equal_instants(0, settings_.duration, settings_.sampling_interval));
+  std::vector<double> frames;
+  for (std::size_t i = 0; i < settings_.frames; ++i)
+    frames.push_back(settings_.first_frame + (settings_.last_frame - settings_.first_frame) *
+                                                 static_cast<double>(i) /
+                                                 static_cast<double>(settings_.frames - 1));
+  FrameRecorder pictures(system.model, frames);
+  Observers observers({&log, &recorder, &pictures});
+  PointResult result;
+  try {
+    trajectory.start(0, system.initial.displacement, system.initial.velocity);
+    trajectory.advance(settings_.duration, observers);
+  } catch (const NumericalError &error) {
+    result.status = Status::failed;
+    result.reason = error.what();
+  }
+  recorder.add_fields(result);
+  add_impacts(result, system.contacts, log, settings_.listed_impacts);
+  add_pulses(result, system.contacts, log);
+  add_accuracy(result, trajectory.accuracy(), system.integration);
+  if (!frames.empty() && result.status == Status::finished)
+    result.motion.push_back(pictures.motion());
+  return result;
+}
+
+void Transient::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
+  if (context.find({})) {
+    context.skip();
+    return;
+  }
+  context.store(compute(system));
+}
+
+} // namespace vibroimpact

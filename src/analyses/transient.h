@@ -1,0 +1,35 @@
+// Transient motion: from initial conditions and under excitation, with the log of its impacts.
+#pragma once
+
+#include "analyses/analysis.h"
+
+namespace vibroimpact {
+
+class Transient : public Analysis {
+public:
+  struct Settings {
+    double duration = 0;            ///< [s]
+    double sampling_interval = 0;   ///< [s]
+    std::size_t recorded_pulses = 0;
+    std::size_t listed_impacts = 0; ///< impacts in the summary
+    std::size_t frames = 0;         ///< pictures of the meshes
+    double first_frame = 0, last_frame = 0; ///< [s]
+  };
+  explicit Transient(Settings settings) : settings_(settings) {}
+
+  static void declare(parameters::Section &analysis);
+  static std::shared_ptr<const Analysis> create(const parameters::Values &analysis);
+
+  std::string type() const override { return "transient"; }
+  std::vector<Axis> axes() const override { return {}; }
+  Workload workload(const System &system) const override;
+  void check(const System &system) const override;
+  void run_line(std::size_t line, System &system, LineContext &context) const override;
+
+private:
+  PointResult compute(const System &system) const;
+
+  Settings settings_;
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,103 @@
+// What the integrators may know of a contact law.
+//
+// A law gives the normal force between two points from
+//   gap       distance along the contact normal, > 0 open, penetration = max(0, -gap)      [m]
+//   gap_rate  its time derivative; penetration_rate = -gap_rate                            [m/s]
+//   internal  first-order states of the law itself (deformation of a stop, memory, ...)
+// and the force is >= 0 where it pushes the two apart (laws without tension cut-off may pull).
+//
+// A law has discrete modes (open, in contact, inside but without force, ...). Within a mode it is
+// smooth. A mode is left through a guard: an expression, affine in (gap, gap_rate, internal), that
+// is positive while the mode holds and falls through zero when it ends. Because guards are affine,
+// an integrator can isolate their zeros safely without knowing which law it serves.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+struct LocalState {
+  double gap = 0;      ///< [m]
+  double gap_rate = 0; ///< [m/s]
+  std::span<const double> internal{};
+};
+
+/// constant + gap g + gap_rate g' + internal . z
+struct AffineForm {
+  double constant = 0;
+  double gap = 0;
+  double gap_rate = 0;
+  std::vector<double> internal{}; ///< empty: all zero
+
+  double operator()(const LocalState &state) const;
+};
+
+struct Guard {
+  AffineForm indicator; ///< > 0 while the mode holds
+  int target = 0;       ///< mode entered when it falls through zero
+  /// New internal states at that instant, as affine forms of the local state; empty: unchanged.
+  std::vector<AffineForm> reset{};
+};
+
+/// Force and internal rates as affine forms, for modes in which the law is linear.
+struct AffineLaw {
+  AffineForm force;
+  std::vector<AffineForm> internal_rate{};
+};
+
+struct Mode {
+  std::string name;
+  bool in_contact = false;            ///< counts as an impact between entering and leaving
+  std::vector<Guard> guards{};        ///< in order of priority
+  std::optional<AffineLaw> affine{};  ///< present where the law is affine in this mode
+};
+
+/// Values and partial derivatives of a law at one local state; arrays have n_internal() entries.
+struct LawResponse {
+  double force = 0;              ///< [N]
+  double force_by_gap = 0;       ///< [N/m]
+  double force_by_gap_rate = 0;  ///< [N s/m]
+  double stored_energy = 0;      ///< [J]
+  double dissipated_power = 0;   ///< [W]
+  std::vector<double> force_by_internal{};
+  std::vector<double> internal_rate{};
+  std::vector<double> internal_rate_by_gap{};
+  std::vector<double> internal_rate_by_gap_rate{};
+  std::vector<double> internal_rate_by_internal{}; ///< row-major n x n
+};
+
+class ContactLaw {
+public:
+  virtual ~ContactLaw() = default;
+
+  virtual std::string name() const = 0;
+  const std::vector<Mode> &modes() const { return modes_; }
+  int n_internal() const { return static_cast<int>(initial_internal_.size()); }
+  /// Internal states before the first contact.
+  const std::vector<double> &initial_internal() const { return initial_internal_; }
+
+  /// The mode in which a motion starts. A guard that is zero there and falling ends it at once.
+  virtual int initial_mode(const LocalState &state) const = 0;
+
+  /// Force, internal rates, derivatives and energies. `response` keeps its storage between calls.
+  virtual void evaluate(int mode, const LocalState &state, LawResponse &response) const = 0;
+
+protected:
+  ContactLaw(std::vector<Mode> modes, std::vector<double> initial_internal);
+
+private:
+  std::vector<Mode> modes_;
+  std::vector<double> initial_internal_;
+};
+
+/// The two modes most laws have: 0 = open, left when the gap closes; 1 = contact, left when the
+/// penetration returns to zero. `affine_contact` as in Mode::affine.
+std::vector<Mode> open_and_contact(std::optional<AffineLaw> affine_contact = std::nullopt);
+
+/// initial_mode for such laws: open at touch, so that a contact that begins there is an event.
+int open_or_contact(const LocalState &state);
+
+} // namespace vibroimpact

@@ -1,0 +1,56 @@
+// All contacts of a model: where they are (projections of the motion), and which law each follows.
+//
+// gap = clearance + (u_b - u_a) . n, n pointing from side a to side b; a positive normal force
+// pushes the two apart, so that it acts on the coordinates as gap_row^T force.
+#pragma once
+
+#include "contact/contact_law.h"
+#include "model/model.h"
+#include "parameters/values.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+struct ContactPair {
+  std::string name;
+  std::string side_a, side_b; ///< "body.point"; side_b is "stop" for a fixed stop
+  double clearance = 0;       ///< gap of the undeformed model [m]; negative is a prestress
+  Projection gap;             ///< gap - clearance as a projection of the motion
+  std::shared_ptr<const ContactLaw> law;
+  bool accept_initial_penetration = false;
+  std::string origin; ///< where the parameter file declares it, for messages
+  Index internal_offset = 0; ///< first internal state among those of all contacts
+
+  int n_internal() const { return law->n_internal(); }
+};
+
+class ContactSet {
+public:
+  ContactSet() = default;
+  explicit ContactSet(std::vector<ContactPair> pairs);
+
+  const std::vector<ContactPair> &pairs() const { return pairs_; }
+  std::size_t size() const { return pairs_.size(); }
+  /// Internal states of all contacts together, and their values before the first contact.
+  Index n_internal() const { return n_internal_; }
+  Vector initial_internal() const;
+
+  /// 1 / (gap_row M^-1 gap_row^T): the mass that meets at the contact [kg].
+  double effective_mass(std::size_t pair, const Model &model) const;
+
+private:
+  std::vector<ContactPair> pairs_;
+  Index n_internal_ = 0;
+};
+
+void declare_contacts(parameters::Section &root);
+
+/// The contacts called `names` (instances of "Contact"). Throws InputError for unknown points, a
+/// negative clearance that is not declared as prestress, and wrong laws.
+ContactSet read_contacts(const parameters::Values &root, const std::vector<std::string> &names,
+                         const Model &model);
+
+} // namespace vibroimpact

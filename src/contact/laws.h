@@ -1,0 +1,17 @@
+// The list of contact laws. A new law is one file pair in laws/ and one line in laws.cc.
+#pragma once
+
+#include "contact/contact_law.h"
+#include "parameters/values.h"
+
+#include <memory>
+
+namespace vibroimpact {
+
+/// Declares the choice `Law` and the section of every law in a contact section.
+void declare_contact_laws(parameters::Section &contact);
+
+/// The law a contact section chooses. Throws InputError.
+std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &contact);
+
+} // namespace vibroimpact

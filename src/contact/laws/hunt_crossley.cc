@@ -1,0 +1,128 @@
+#include "contact/laws/hunt_crossley.h"
+
+#include "contact/restitution_relation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibroimpact {
+
+namespace {
+
+constexpr const char *section_name = "Hunt-Crossley";
+enum : int { open = 0, contact = 1, separating = 2 };
+
+// `compressive` is positive while 1 + d u' is; it is affine also when d = d_c / z, z being the
+// remembered approach speed: z - d_c gap_rate.
+std::vector<Mode> make_modes(const AffineForm &compressive, const AffineForm &tensile,
+                             const std::vector<AffineForm> &on_closing) {
+  const AffineLaw no_force{.force = {}, .internal_rate = std::vector<AffineForm>(on_closing.size())};
+  const AffineForm gap_open{.gap = 1};
+  const AffineForm overlap{.gap = -1};
+  return {{.name = "open",
+           .in_contact = false,
+           .guards = {{.indicator = gap_open, .target = contact, .reset = on_closing}},
+           .affine = no_force},
+          {.name = "contact",
+           .in_contact = true,
+           .guards = {{.indicator = overlap, .target = open},
+                      {.indicator = compressive, .target = separating}}},
+          {.name = "separating",
+           .in_contact = true,
+           .guards = {{.indicator = overlap, .target = open},
+                      {.indicator = tensile, .target = contact}},
+           .affine = no_force}};
+}
+
+} // namespace
+
+HuntCrossley::HuntCrossley(std::vector<Mode> modes, std::vector<double> initial_internal,
+                           HertzConstants constants, double coefficient, double lowest_speed)
+    : ContactLaw(std::move(modes), std::move(initial_internal)), constants_(constants),
+      coefficient_(coefficient), lowest_speed_(lowest_speed) {}
+
+std::shared_ptr<HuntCrossley> HuntCrossley::with_dissipation(HertzConstants constants,
+                                                             double dissipation) {
+  return std::shared_ptr<HuntCrossley>(
+      new HuntCrossley(make_modes({.constant = 1, .gap_rate = -dissipation},
+                                  {.constant = -1, .gap_rate = dissipation}, {}),
+                       {}, constants, dissipation, 0));
+}
+
+std::shared_ptr<HuntCrossley>
+HuntCrossley::with_dimensionless_damping(HertzConstants constants, double dimensionless_damping,
+                                         double lowest_speed) {
+  return std::shared_ptr<HuntCrossley>(
+      new HuntCrossley(make_modes({.gap_rate = -dimensionless_damping, .internal = {1}},
+                                  {.gap_rate = dimensionless_damping, .internal = {-1}},
+                                  {{.gap_rate = -1}}),
+                       {1.0}, constants, dimensionless_damping, lowest_speed));
+}
+
+double HuntCrossley::dissipation(const LocalState &state) const {
+  return lowest_speed_ > 0 ? coefficient_ / std::max(state.internal[0], lowest_speed_)
+                           : coefficient_;
+}
+
+void HuntCrossley::evaluate(int mode, const LocalState &state, LawResponse &response) const {
+  const double penetration = mode == open ? 0 : std::max(0.0, -state.gap);
+  const double slope = constants_.stiffness * std::pow(penetration, constants_.exponent - 1);
+  const double elastic = slope * penetration;
+  const double d = dissipation(state);
+  const double factor = mode == contact ? 1 - d * state.gap_rate : 0;
+  response.force = elastic * factor;
+  response.force_by_gap = -constants_.exponent * slope * factor;
+  response.force_by_gap_rate = mode == contact ? -elastic * d : 0;
+  response.stored_energy = elastic * penetration / (constants_.exponent + 1);
+  response.dissipated_power = (elastic - response.force) * state.gap_rate;
+  if (lowest_speed_ > 0) {
+    // d d / d z = -d / z above the lowest speed
+    const double by_speed = state.internal[0] > lowest_speed_ ? -d / state.internal[0] : 0;
+    response.force_by_internal = {mode == contact ? -elastic * by_speed * state.gap_rate : 0};
+    response.internal_rate = {0};
+    response.internal_rate_by_gap = {0};
+    response.internal_rate_by_gap_rate = {0};
+    response.internal_rate_by_internal = {0};
+  }
+}
+
+void HuntCrossley::declare(parameters::Section &contact_section) {
+  using namespace parameters;
+  Section &law = contact_section.subsection(
+      section_name, "Hertz contact with damping proportional to the elastic force: "
+                    "F = k u^n (1 + (mu/k) u'). Give the damping factor or a restitution "
+                    "coefficient.");
+  declare_hertz_constants(law);
+  law.quantity("Damping factor", "", dimension::any, range::non_negative, "mu",
+               "Damping factor in N s/m^(n+1).")
+      .quantity("Restitution coefficient", "", dimension::none,
+                Range{.lower = 0, .upper = 1, .lower_open = true}, "e",
+                "Restitution that two free bodies with this contact show.")
+      .choice("Relation", "exact", restitution_relations(),
+              "Formula that turns the restitution coefficient into the damping factor.")
+      .quantity("Approach speed", "", dimension::velocity, range::positive, "v_c",
+                "Approach speed the restitution coefficient belongs to; leave empty to take that "
+                "of each impact.")
+      .quantity("Lowest approach speed", "1e-6 m/s", dimension::velocity, range::positive, "v_min",
+                "Where each impact takes its own approach speed: slower impacts are damped as if "
+                "they had this one.");
+}
+
+std::shared_ptr<const ContactLaw> HuntCrossley::create(const parameters::Values &contact_values) {
+  const parameters::Values law = contact_values.subsection(section_name);
+  const HertzConstants constants = read_hertz_constants(law);
+  if (law.has("Damping factor") == law.has("Restitution coefficient"))
+    law.reject("Damping factor", "either Damping factor or Restitution coefficient, one of the two.");
+  if (law.has("Damping factor")) {
+    const parameters::Dimension unit{.length = -constants.exponent, .mass = 1, .time = -1};
+    return with_dissipation(constants,
+                            law.quantity_of("Damping factor", unit) / constants.stiffness);
+  }
+  const double damping =
+      dimensionless_damping(law.choice("Relation"), law.quantity("Restitution coefficient"));
+  if (law.has("Approach speed"))
+    return with_dissipation(constants, damping / law.quantity("Approach speed"));
+  return with_dimensionless_damping(constants, damping, law.quantity("Lowest approach speed"));
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,33 @@
+// Linear penalty: a spring that acts only while the two points overlap.
+//
+//   F = k penetration          k  stiffness [N/m]
+//
+// Stored energy k penetration^2 / 2, nothing dissipated. As k grows the motion approaches the
+// rigid, lossless impact: for a mass m at approach speed v the contact lasts pi sqrt(m/k), its peak
+// is v sqrt(k m) and the mass leaves at v.
+#pragma once
+
+#include "contact/contact_law.h"
+#include "parameters/values.h"
+
+#include <memory>
+
+namespace vibroimpact {
+
+class LinearPenalty : public ContactLaw {
+public:
+  /// stiffness > 0 [N/m]
+  explicit LinearPenalty(double stiffness);
+
+  static void declare(parameters::Section &contact);
+  static std::shared_ptr<const ContactLaw> create(const parameters::Values &contact);
+
+  std::string name() const override { return "linear penalty"; }
+  int initial_mode(const LocalState &state) const override { return open_or_contact(state); }
+  void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
+
+private:
+  double stiffness_;
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,27 @@
+// Published relations between a restitution coefficient e and the dimensionless damping
+// d_c = mu v_c / k of the Hunt–Crossley force F = k u^n (1 + (mu/k) u'), for an impact of two free
+// bodies at approach speed v_c.
+//
+//   exact                 (1 + e) d_c = ln[(1 + d_c) / (1 - e d_c)]   (first integral of the motion)
+//   hunt-crossley         d_c = 3/2 (1 - e)                            (Hunt & Crossley 1975)
+//   lankarani-nikravesh   d_c = 3/4 (1 - e^2)                          (Lankarani & Nikravesh 1994)
+//
+// The exact relation holds for every exponent n; the others are its small-damping approximations.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+/// d_c >= 0 for e in (0, 1]. Throws std::invalid_argument for another e or an unknown relation.
+double dimensionless_damping(const std::string &relation, double restitution_coefficient);
+
+/// e in (0, 1] that a Hunt–Crossley contact of two free bodies shows: the exact relation solved for
+/// e. d_c >= 0.
+double exact_restitution(double dimensionless_damping);
+
+/// Names for the parameter file.
+std::vector<std::string> restitution_relations();
+
+} // namespace vibroimpact

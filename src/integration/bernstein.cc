@@ -1,0 +1,189 @@
+#include "integration/bernstein.h"
+
+#include <algorithm>
+
+namespace vibroimpact {
+
+namespace {
+// Beyond this depth an interval is shorter than the spacing of doubles next to 1.
+constexpr int maximum_depth = 52;
+} // namespace
+
+Bernstein Bernstein::quintic(double h, const std::array<double, 3> &start,
+                             const std::array<double, 3> &end) {
+  Bernstein p;
+  p.degree_ = 5;
+  p.coefficients_ = {start[0],
+                     start[0] + h * start[1] / 5,
+                     start[0] + 2 * h * start[1] / 5 + h * h * start[2] / 20,
+                     end[0] - 2 * h * end[1] / 5 + h * h * end[2] / 20,
+                     end[0] - h * end[1] / 5,
+                     end[0]};
+  return p;
+}
+
+Bernstein Bernstein::cubic(double h, const std::array<double, 2> &start,
+                           const std::array<double, 2> &end) {
+  Bernstein p;
+  p.degree_ = 3;
+  p.coefficients_ = {start[0], start[0] + h * start[1] / 3, end[0] - h * end[1] / 3, end[0]};
+  return p;
+}
+
+double Bernstein::operator()(double tau) const {
+  std::array<double, maximum_degree + 1> c = coefficients_;
+  for (int level = degree_; level > 0; --level)
+    for (int i = 0; i < level; ++i)
+      c[i] += tau * (c[i + 1] - c[i]);
+  return c[0];
+}
+
+Bernstein Bernstein::derivative() const {
+  Bernstein d;
+  d.degree_ = std::max(0, degree_ - 1);
+  for (int i = 0; i < degree_; ++i)
+    d.coefficients_[i] = degree_ * (coefficients_[i + 1] - coefficients_[i]);
+  return d;
+}
+
+Bernstein &Bernstein::operator*=(double factor) {
+  for (double &c : coefficients_)
+    c *= factor;
+  return *this;
+}
+
+Bernstein Bernstein::raised() const {
+  Bernstein p;
+  p.degree_ = degree_ + 1;
+  p.coefficients_[0] = coefficients_[0];
+  for (int i = 1; i <= degree_; ++i) {
+    const double weight = static_cast<double>(i) / (degree_ + 1);
+    p.coefficients_[i] = weight * coefficients_[i - 1] + (1 - weight) * coefficients_[i];
+  }
+  p.coefficients_[degree_ + 1] = coefficients_[degree_];
+  return p;
+}
+
+Bernstein &Bernstein::operator+=(const Bernstein &other) {
+  Bernstein addend = other;
+  while (addend.degree_ < degree_)
+    addend = addend.raised();
+  while (degree_ < addend.degree_)
+    *this = raised();
+  for (int i = 0; i <= degree_; ++i)
+    coefficients_[i] += addend.coefficients_[i];
+  return *this;
+}
+
+void Bernstein::split(Bernstein &left, Bernstein &right) const {
+  std::array<double, maximum_degree + 1> c = coefficients_;
+  left.degree_ = right.degree_ = degree_;
+  for (int level = degree_; level >= 0; --level) {
+    left.coefficients_[degree_ - level] = c[0];
+    right.coefficients_[level] = c[level];
+    for (int i = 0; i < level; ++i)
+      c[i] = 0.5 * (c[i] + c[i + 1]);
+  }
+}
+
+int Bernstein::sign_after_start() const {
+  for (int i = 0; i <= degree_; ++i)
+    if (coefficients_[i] != 0)
+      return coefficients_[i] > 0 ? 1 : -1;
+  return 0;
+}
+
+int Bernstein::sign_changes() const {
+  int changes = 0;
+  double last = 0;
+  for (int i = 0; i <= degree_; ++i) {
+    if (coefficients_[i] * last < 0)
+      ++changes;
+    if (coefficients_[i] != 0)
+      last = coefficients_[i];
+  }
+  return changes;
+}
+
+// The only zero of a polynomial that starts positive and has one sign change: bisection with
+// Newton steps where these stay inside the bracket.
+double Bernstein::falling_zero() const {
+  const Bernstein slope = derivative();
+  double lower = 0;
+  double upper = 1;
+  double tau = coefficients_[0] / (coefficients_[0] - coefficients_[degree_]);
+  for (int i = 0; i < 200; ++i) {
+    const double value = (*this)(tau);
+    (value > 0 ? lower : upper) = tau;
+    const double newton = tau - value / slope(tau);
+    const double next = newton > lower && newton < upper ? newton : 0.5 * (lower + upper);
+    if (next == tau || next <= lower || next >= upper)
+      break;
+    tau = next;
+  }
+  return tau;
+}
+
+std::optional<double> Bernstein::first_fall() const {
+  struct Piece {
+    Bernstein p;
+    double start;
+    double length;
+    int depth;
+  };
+  std::array<Piece, maximum_depth + 2> stack;
+  std::size_t count = 0;
+  stack[count++] = {*this, 0, 1, 0};
+  while (count > 0) {
+    const Piece piece = stack[--count];
+    const int sign = piece.p.sign_after_start();
+    if (sign < 0)
+      return piece.start;
+    const int changes = piece.p.sign_changes();
+    if (changes == 0)
+      continue;
+    if (changes == 1)
+      return piece.start + piece.length * piece.p.falling_zero();
+    if (piece.depth == maximum_depth)
+      continue; // a double zero to the last bit: it touches without passing through
+    Piece left{.p = {}, .start = piece.start, .length = piece.length / 2, .depth = piece.depth + 1};
+    Piece right{.p = {},
+                .start = piece.start + piece.length / 2,
+                .length = piece.length / 2,
+                .depth = piece.depth + 1};
+    piece.p.split(left.p, right.p);
+    stack[count++] = right;
+    stack[count++] = left;
+  }
+  return std::nullopt;
+}
+
+void Bernstein::collect_maximum(double &best) const {
+  best = std::max({best, start(), end()});
+  // A flat enough interval is bounded by its coefficients to the last digits.
+  const double bound =
+      *std::max_element(coefficients_.begin(), coefficients_.begin() + degree_ + 1);
+  const double span =
+      bound - *std::min_element(coefficients_.begin(), coefficients_.begin() + degree_ + 1);
+  if (bound <= best || span <= 1e-15 * std::abs(bound))
+    return;
+  Bernstein left;
+  Bernstein right;
+  split(left, right);
+  left.collect_maximum(best);
+  right.collect_maximum(best);
+}
+
+double Bernstein::maximum() const {
+  double best = std::max(start(), end());
+  collect_maximum(best);
+  return best;
+}
+
+double Bernstein::minimum() const {
+  Bernstein negative = *this;
+  negative *= -1;
+  return -negative.maximum();
+}
+
+} // namespace vibroimpact

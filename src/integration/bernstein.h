@@ -1,0 +1,61 @@
+// Polynomials up to degree 5 on [0, 1] in the Bernstein basis: the dense output of a time step.
+//
+// The coefficients bound the polynomial, and their sign changes bound the number of its zeros, so
+// that zeros are isolated safely by subdivision: none is skipped, whatever their distance.
+#pragma once
+
+#include <array>
+#include <optional>
+
+namespace vibroimpact {
+
+class Bernstein {
+public:
+  static constexpr int maximum_degree = 5;
+
+  Bernstein() = default;
+  /// A constant.
+  explicit Bernstein(double value) { coefficients_[0] = value; }
+
+  /// Quintic with value, rate and acceleration of a motion at both ends of a step of length h.
+  static Bernstein quintic(double h, const std::array<double, 3> &start,
+                           const std::array<double, 3> &end);
+  /// Cubic with value and rate at both ends.
+  static Bernstein cubic(double h, const std::array<double, 2> &start,
+                         const std::array<double, 2> &end);
+
+  int degree() const { return degree_; }
+  double operator()(double tau) const;
+  double start() const { return coefficients_[0]; }
+  double end() const { return coefficients_[degree_]; }
+  /// Derivative by tau (divide by h for a rate).
+  Bernstein derivative() const;
+
+  Bernstein &operator*=(double factor);
+  /// Sum; the lower degree is raised.
+  Bernstein &operator+=(const Bernstein &other);
+
+  /// Takes the value at the start for an exact zero.
+  void clear_start() { coefficients_[0] = 0; }
+
+  /// Smallest tau in [0, 1] at which the polynomial passes from positive to negative; 0 when it is
+  /// negative from the start on (also right after a zero at the start).
+  std::optional<double> first_fall() const;
+
+  /// Largest value on [0, 1].
+  double maximum() const;
+  double minimum() const;
+
+private:
+  Bernstein raised() const;
+  void split(Bernstein &left, Bernstein &right) const;
+  int sign_after_start() const;
+  int sign_changes() const;
+  double falling_zero() const;
+  void collect_maximum(double &best) const;
+
+  int degree_ = 0;
+  std::array<double, maximum_degree + 1> coefficients_{};
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,158 @@
+#include "integration/equations.h"
+
+#include <cmath>
+#include <limits>
+
+namespace vibroimpact {
+
+namespace {
+
+bool is_zero(const AffineForm &form) {
+  bool zero = form.constant == 0 && form.gap == 0 && form.gap_rate == 0;
+  for (const double c : form.internal)
+    zero = zero && c == 0;
+  return zero;
+}
+
+} // namespace
+
+Equations::Equations(const Model &model, const ContactSet &contacts)
+    : model_(model), contacts_(contacts),
+      layout_{.n = model.size(),
+              .n_internal = contacts.n_internal(),
+              .n_contacts = static_cast<Index>(contacts.size())},
+      modes_(contacts.size(), 0) {
+  for (const ContactPair &pair : contacts.pairs()) {
+    std::vector<char> silent;
+    for (const Mode &mode : pair.law->modes())
+      silent.push_back(pair.n_internal() == 0 && !mode.in_contact && mode.affine &&
+                       is_zero(mode.affine->force));
+    silent_.push_back(std::move(silent));
+  }
+}
+
+bool Equations::silent(std::size_t contact) const {
+  return silent_[contact][static_cast<std::size_t>(modes_[contact])] != 0;
+}
+
+LocalState Equations::local_state(std::size_t contact, double time, ConstVectorView x) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  LocalState state{.gap = pair.clearance + pair.gap.row.dot(x.head(layout_.n)),
+                   .gap_rate = pair.gap.row.dot(x.segment(layout_.velocity(), layout_.n)),
+                   .internal = {x.data() + layout_.internal() + pair.internal_offset,
+                                static_cast<std::size_t>(pair.n_internal())}};
+  for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
+    if (pair.gap.carrier[k] != 0) {
+      state.gap += pair.gap.carrier[k] * model_.sources()[k].function->value(time);
+      state.gap_rate += pair.gap.carrier[k] * model_.sources()[k].function->rate(time);
+    }
+  return state;
+}
+
+double Equations::gap_acceleration(std::size_t contact, double time,
+                                   ConstVectorView acceleration) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  double value = pair.gap.row.dot(acceleration);
+  for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
+    if (pair.gap.carrier[k] != 0)
+      value += pair.gap.carrier[k] * model_.sources()[k].function->acceleration(time);
+  return value;
+}
+
+double Equations::rounding(std::size_t contact, const AffineForm &form, const Vector &x) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  const auto magnitude = [&](Index first) {
+    return pair.gap.row.cwiseAbs().dot(x.segment(first, layout_.n).cwiseAbs());
+  };
+  double sum = std::abs(form.constant) +
+               std::abs(form.gap) * (std::abs(pair.clearance) + magnitude(0)) +
+               std::abs(form.gap_rate) * magnitude(layout_.velocity());
+  for (std::size_t i = 0; i < form.internal.size(); ++i)
+    sum += std::abs(form.internal[i] *
+                    x[layout_.internal() + pair.internal_offset + static_cast<Index>(i)]);
+  return 64 * std::numeric_limits<double>::epsilon() * sum;
+}
+
+void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
+  const Index n = layout_.n;
+  const ConstVectorView velocity(x.data() + layout_.velocity(), n);
+  model_.load(time, load_);
+  model_.stiffness().apply(ConstVectorView(x.data(), n), elastic_);
+  model_.damping().apply(velocity, damping_);
+
+  dxdt.head(n) = velocity;
+  auto acceleration = dxdt.segment(layout_.velocity(), n);
+  acceleration = load_ - elastic_ - damping_;
+  double input_power = load_.dot(velocity);
+
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const ContactPair &pair = contacts_.pairs()[c];
+    const auto contact = static_cast<Index>(c);
+    if (silent(c)) {
+      dxdt[layout_.impulse(contact)] = 0;
+      dxdt[layout_.contact_work(contact)] = 0;
+      continue;
+    }
+    pair.law->evaluate(modes_[c], local_state(c, time, x), response_);
+    acceleration += response_.force * pair.gap.row.transpose();
+    for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
+      if (pair.gap.carrier[k] != 0)
+        input_power -= response_.force * pair.gap.carrier[k] *
+                       model_.sources()[k].function->rate(time);
+    for (int i = 0; i < pair.n_internal(); ++i)
+      dxdt[layout_.internal() + pair.internal_offset + i] = response_.internal_rate[i];
+    dxdt[layout_.impulse(contact)] = response_.force;
+    dxdt[layout_.contact_work(contact)] = response_.dissipated_power;
+  }
+  acceleration.array() /= model_.mass().array();
+  dxdt[layout_.input_work()] = input_power;
+  dxdt[layout_.absolute_input_work()] = std::abs(input_power);
+  dxdt[layout_.damping_work()] = damping_.dot(velocity);
+}
+
+void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const {
+  const Index n = layout_.n;
+  jacobian.setZero(layout_.size(), layout_.size());
+  jacobian.block(0, n, n, n).setIdentity();
+  jacobian.block(n, 0, n, n) = -model_.stiffness().dense();
+  jacobian.block(n, n, n, n) = -model_.damping().dense();
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    if (silent(c))
+      continue;
+    const ContactPair &pair = contacts_.pairs()[c];
+    pair.law->evaluate(modes_[c], local_state(c, time, x), response_);
+    const RowVector &row = pair.gap.row;
+    jacobian.block(n, 0, n, n) += response_.force_by_gap * row.transpose() * row;
+    jacobian.block(n, n, n, n) += response_.force_by_gap_rate * row.transpose() * row;
+    const Index first = layout_.internal() + pair.internal_offset;
+    for (int i = 0; i < pair.n_internal(); ++i) {
+      jacobian.col(first + i).segment(n, n) += response_.force_by_internal[i] * row.transpose();
+      jacobian.row(first + i).head(n) = response_.internal_rate_by_gap[i] * row;
+      jacobian.row(first + i).segment(n, n) = response_.internal_rate_by_gap_rate[i] * row;
+      for (int j = 0; j < pair.n_internal(); ++j)
+        jacobian(first + i, first + j) =
+            response_.internal_rate_by_internal[i * pair.n_internal() + j];
+    }
+  }
+  jacobian.middleRows(n, n).array().colwise() /= model_.mass().array();
+}
+
+double Equations::stored_energy(double time, ConstVectorView x) const {
+  const Index n = layout_.n;
+  const auto velocity = x.segment(layout_.velocity(), n);
+  Vector elastic;
+  model_.stiffness().apply(ConstVectorView(x.data(), n), elastic);
+  double energy = 0.5 * velocity.cwiseAbs2().dot(model_.mass()) + 0.5 * elastic.dot(x.head(n));
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    contacts_.pairs()[c].law->evaluate(modes_[c], local_state(c, time, x), response_);
+    energy += response_.stored_energy;
+  }
+  return energy;
+}
+
+double Equations::force(std::size_t contact, int mode, const LocalState &state) const {
+  contacts_.pairs()[contact].law->evaluate(mode, state, response_);
+  return response_.force;
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,78 @@
+// The equations of motion as a first-order system for one combination of contact modes.
+//
+// State x = [q (n), v (n), z (internal states of the contacts), ledger]. The ledger holds time
+// integrals that are carried along for the energy balance and the impulses; they do not act back.
+#pragma once
+
+#include "contact/contact_set.h"
+#include "model/model.h"
+
+#include <vector>
+
+namespace vibroimpact {
+
+/// Where things stand in the state vector.
+struct StateLayout {
+  Index n = 0;          ///< coordinates
+  Index n_internal = 0; ///< internal states of all contacts
+  Index n_contacts = 0;
+
+  Index velocity() const { return n; }
+  Index internal() const { return 2 * n; }
+  Index ledger() const { return 2 * n + n_internal; }
+  Index input_work() const { return ledger(); }              ///< by loads and moving bases [J]
+  Index absolute_input_work() const { return ledger() + 1; } ///< integral of |power| [J]
+  Index damping_work() const { return ledger() + 2; }        ///< dissipated by C [J]
+  Index impulse(Index contact) const { return ledger() + 3 + contact; } ///< [N s]
+  Index contact_work(Index contact) const { return impulse(contact) + n_contacts; } ///< dissipated
+  Index physical_size() const { return ledger(); }
+  Index size() const { return ledger() + 3 + 2 * n_contacts; }
+};
+
+class Equations {
+public:
+  /// Keeps references: both must outlive it. The model's excitation may change between uses.
+  Equations(const Model &model, const ContactSet &contacts);
+
+  const Model &model() const { return model_; }
+  const ContactSet &contacts() const { return contacts_; }
+  const StateLayout &layout() const { return layout_; }
+
+  /// Mode of each contact, used by all evaluations below.
+  const std::vector<int> &modes() const { return modes_; }
+  void set_mode(std::size_t contact, int mode) { modes_[contact] = mode; }
+
+  /// Gap and its rate; the internal states refer into `x`.
+  LocalState local_state(std::size_t contact, double time, ConstVectorView x) const;
+
+  /// dx/dt
+  void rates(double time, ConstVectorView x, VectorView dxdt) const;
+  /// d(dx/dt)/dx, row by row: size x size.
+  void jacobian(double time, ConstVectorView x, Matrix &jacobian) const;
+
+  /// Second derivative of a contact's gap from given accelerations.
+  double gap_acceleration(std::size_t contact, double time, ConstVectorView acceleration) const;
+
+  /// Bound of the rounding error with which an affine form of the local state is evaluated:
+  /// 64 eps times the sum of the absolute values of its terms.
+  double rounding(std::size_t contact, const AffineForm &form, const Vector &x) const;
+
+  /// Kinetic + elastic energy of the bodies + stored energy of the contacts [J].
+  double stored_energy(double time, ConstVectorView x) const;
+
+  /// Normal force of a contact at a local state in a mode.
+  double force(std::size_t contact, int mode, const LocalState &state) const;
+
+private:
+  bool silent(std::size_t contact) const;
+
+  const Model &model_;
+  const ContactSet &contacts_;
+  StateLayout layout_;
+  std::vector<int> modes_;
+  std::vector<std::vector<char>> silent_; ///< per contact and mode: no force, no internal states
+  mutable LawResponse response_;
+  mutable Vector load_, elastic_, damping_;
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,115 @@
+#include "integration/impact_log.h"
+
+#include <boost/math/tools/minima.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace vibroimpact {
+
+namespace {
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr int samples = 4; // intervals per step
+} // namespace
+
+double Impact::restitution_coefficient() const {
+  return approach_speed > 0 ? separation_speed / approach_speed : nan;
+}
+
+double peak_force(const StepView &view, std::size_t contact) {
+  std::array<double, samples + 1> values{};
+  for (int i = 0; i <= samples; ++i)
+    values[i] = view.force(contact, static_cast<double>(i) / samples);
+  const auto best = static_cast<int>(std::max_element(values.begin(), values.end()) - values.begin());
+  if (values[best] <= 0)
+    return values[best];
+  const double lower = std::max(0, best - 1) / static_cast<double>(samples);
+  const double upper = std::min(samples, best + 1) / static_cast<double>(samples);
+  const auto minimum = boost::math::tools::brent_find_minima(
+      [&](double tau) { return -view.force(contact, tau); }, lower, upper, 26);
+  return std::max(values[best], -minimum.second);
+}
+
+ImpactLog::ImpactLog(const ContactSet &contacts, std::size_t pulses)
+    : contacts_(contacts), pulse_limit_(pulses),
+      layout_{.n = 0, .n_internal = contacts.n_internal(),
+              .n_contacts = static_cast<Index>(contacts.size())},
+      tracks_(contacts.size()) {}
+
+bool ImpactLog::in_contact(std::size_t contact, int mode) const {
+  return contacts_.pairs()[contact].law->modes()[static_cast<std::size_t>(mode)].in_contact;
+}
+
+void ImpactLog::record_pulse(Track &track, const StepView &view, std::size_t contact) const {
+  const Bernstein gap = view.gap(contact);
+  for (int i = 0; i <= samples; ++i) {
+    const double tau = static_cast<double>(i) / samples;
+    if (i == 0 && !track.pulses.time.empty() && track.pulses.time.back() == view.start())
+      continue;
+    track.pulses.time.push_back(view.start() + tau * view.length());
+    track.pulses.force.push_back(view.force(contact, tau));
+    track.pulses.gap.push_back(gap(tau));
+  }
+}
+
+void ImpactLog::step(const StepView &view) {
+  for (std::size_t c = 0; c < tracks_.size(); ++c) {
+    Track &track = tracks_[c];
+    track.touching = in_contact(c, view.equations().modes()[c]);
+    if (!track.touching)
+      continue;
+    track.current.peak_force = std::max(track.current.peak_force, peak_force(view, c));
+    track.current.maximum_penetration =
+        std::max(track.current.maximum_penetration, -view.gap(c).minimum());
+    if (track.pulses_begun > 0 && track.pulses_begun <= pulse_limit_)
+      record_pulse(track, view, c);
+  }
+}
+
+void ImpactLog::begin(Track &track, const ContactEvent &event, const StateLayout &layout) const {
+  track.current = {.start_time = event.time,
+                   .approach_speed = -event.gap_rate,
+                   .impulse = -(*event.state)[layout.impulse(static_cast<Index>(event.contact))],
+                   .dissipated_energy =
+                       -(*event.state)[layout.contact_work(static_cast<Index>(event.contact))]};
+  track.complete = true;
+  ++track.begun;
+  ++track.pulses_begun;
+}
+
+void ImpactLog::event(const ContactEvent &event) {
+  Track &track = tracks_[event.contact];
+  const bool before = in_contact(event.contact, event.from);
+  const bool after = in_contact(event.contact, event.to);
+  StateLayout layout = layout_;
+  layout.n = (event.state->size() - layout.size()) / 2;
+  if (after && !before)
+    begin(track, event, layout);
+  if (before && !after) {
+    if (!track.pulses.time.empty() && std::isfinite(track.pulses.time.back())) {
+      track.pulses.time.push_back(nan);
+      track.pulses.force.push_back(nan);
+      track.pulses.gap.push_back(nan);
+    }
+    if (!track.complete)
+      return;
+    Impact &impact = track.current;
+    impact.duration = event.time - impact.start_time;
+    impact.separation_speed = event.gap_rate;
+    impact.impulse += (*event.state)[layout.impulse(static_cast<Index>(event.contact))];
+    impact.dissipated_energy +=
+        (*event.state)[layout.contact_work(static_cast<Index>(event.contact))];
+    track.done.push_back(impact);
+    track.complete = false;
+  }
+}
+
+void ImpactLog::clear() {
+  for (Track &track : tracks_) {
+    track.done.clear();
+    track.begun = 0;
+  }
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,71 @@
+// Event log: every impact of every contact with the figures an engineer asks for.
+#pragma once
+
+#include "integration/observer.h"
+
+#include <vector>
+
+namespace vibroimpact {
+
+/// From the instant the two sides meet to the one at which they part.
+struct Impact {
+  double start_time = 0;          ///< [s]
+  double duration = 0;            ///< [s]
+  double approach_speed = 0;      ///< -gap_rate at the start [m/s]
+  double separation_speed = 0;    ///< gap_rate at the end [m/s]
+  double peak_force = 0;          ///< [N]
+  double impulse = 0;             ///< integral of the force [N s]
+  double maximum_penetration = 0; ///< [m]
+  double dissipated_energy = 0;   ///< by the contact law [J]
+
+  /// separation_speed / approach_speed
+  double restitution_coefficient() const;
+};
+
+/// Samples of the force while a contact lasts, as dense as the time steps. NaN separates impacts.
+struct Pulses {
+  std::vector<double> time;  ///< [s]
+  std::vector<double> force; ///< [N]
+  std::vector<double> gap;   ///< [m]
+};
+
+class ImpactLog : public Observer {
+public:
+  /// Keeps the force samples of the first `pulses` impacts of each contact.
+  ImpactLog(const ContactSet &contacts, std::size_t pulses);
+
+  void step(const StepView &view) override;
+  void event(const ContactEvent &event) override;
+  /// Forgets finished impacts; one that lasts goes on.
+  void clear();
+
+  /// Finished impacts of a contact in the order of time.
+  const std::vector<Impact> &impacts(std::size_t contact) const { return tracks_[contact].done; }
+  const Pulses &pulses(std::size_t contact) const { return tracks_[contact].pulses; }
+  /// Impacts begun since the start or the last clear(), finished or not.
+  std::size_t begun(std::size_t contact) const { return tracks_[contact].begun; }
+
+private:
+  struct Track {
+    std::vector<Impact> done;
+    Pulses pulses;
+    std::size_t begun = 0;
+    std::size_t pulses_begun = 0;
+    bool touching = false;
+    bool complete = false; ///< its beginning was seen
+    Impact current;
+  };
+  bool in_contact(std::size_t contact, int mode) const;
+  void begin(Track &track, const ContactEvent &event, const StateLayout &layout) const;
+  void record_pulse(Track &track, const StepView &view, std::size_t contact) const;
+
+  const ContactSet &contacts_;
+  std::size_t pulse_limit_;
+  StateLayout layout_;
+  std::vector<Track> tracks_;
+};
+
+/// Largest normal force of a contact within a step.
+double peak_force(const StepView &view, std::size_t contact);
+
+} // namespace vibroimpact

@@ -1,0 +1,103 @@
+#include "integration/observer.h"
+
+namespace vibroimpact {
+
+namespace {
+
+// Value, rate and acceleration at one end of a step.
+std::array<double, 3> end_values(const Projection &projection, const Model &model,
+                                 const StateLayout &layout, double time, const Vector &state,
+                                 const Vector &rates) {
+  const Index n = layout.n;
+  std::array<double, 3> values = {projection.row.dot(state.head(n)),
+                                  projection.row.dot(state.segment(layout.velocity(), n)),
+                                  projection.row.dot(rates.segment(layout.velocity(), n))};
+  for (std::size_t k = 0; k < projection.carrier.size(); ++k)
+    if (projection.carrier[k] != 0) {
+      const TimeFunction &function = *model.sources()[k].function;
+      values[0] += projection.carrier[k] * function.value(time);
+      values[1] += projection.carrier[k] * function.rate(time);
+      values[2] += projection.carrier[k] * function.acceleration(time);
+    }
+  return values;
+}
+
+} // namespace
+
+StepView::StepView(const Equations &equations, double start, double end, const Vector &start_state,
+                   const Vector &end_state, const Vector &start_rates, const Vector &end_rates)
+    : equations_(&equations), start_(start), end_(end), start_state_(&start_state),
+      end_state_(&end_state), start_rates_(&start_rates), end_rates_(&end_rates) {}
+
+Bernstein StepView::displacement(const Projection &projection) const {
+  const Model &model = equations_->model();
+  const StateLayout &layout = equations_->layout();
+  return Bernstein::quintic(
+      length(), end_values(projection, model, layout, start_, *start_state_, *start_rates_),
+      end_values(projection, model, layout, end_, *end_state_, *end_rates_));
+}
+
+Bernstein StepView::acceleration(const Projection &projection) const {
+  Bernstein second = displacement(projection).derivative().derivative();
+  second *= 1 / (length() * length());
+  return second;
+}
+
+Bernstein StepView::coordinate(Index j) const {
+  const Index v = equations_->layout().velocity() + j;
+  return Bernstein::quintic(length(), {(*start_state_)[j], (*start_state_)[v], (*start_rates_)[v]},
+                            {(*end_state_)[j], (*end_state_)[v], (*end_rates_)[v]});
+}
+
+Bernstein StepView::gap(std::size_t contact) const {
+  const ContactPair &pair = equations_->contacts().pairs()[contact];
+  Bernstein gap = displacement(pair.gap);
+  gap += Bernstein(pair.clearance);
+  return gap;
+}
+
+Bernstein StepView::gap_rate(std::size_t contact) const {
+  Bernstein rate = gap(contact).derivative();
+  rate *= 1 / length();
+  return rate;
+}
+
+Bernstein StepView::internal(Index i) const {
+  const Index z = equations_->layout().internal() + i;
+  return Bernstein::cubic(length(), {(*start_state_)[z], (*start_rates_)[z]},
+                          {(*end_state_)[z], (*end_rates_)[z]});
+}
+
+Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const {
+  Bernstein sum(form.constant);
+  if (form.gap != 0) {
+    Bernstein term = gap(contact);
+    term *= form.gap;
+    sum += term;
+  }
+  if (form.gap_rate != 0) {
+    Bernstein term = gap_rate(contact);
+    term *= form.gap_rate;
+    sum += term;
+  }
+  const Index first = equations_->contacts().pairs()[contact].internal_offset;
+  for (std::size_t i = 0; i < form.internal.size(); ++i)
+    if (form.internal[i] != 0) {
+      Bernstein term = internal(first + static_cast<Index>(i));
+      term *= form.internal[i];
+      sum += term;
+    }
+  return sum;
+}
+
+double StepView::force(std::size_t contact, double tau) const {
+  const ContactPair &pair = equations_->contacts().pairs()[contact];
+  std::vector<double> internal_values;
+  for (int i = 0; i < pair.n_internal(); ++i)
+    internal_values.push_back(internal(pair.internal_offset + i)(tau));
+  return equations_->force(
+      contact, equations_->modes()[contact],
+      {.gap = gap(contact)(tau), .gap_rate = gap_rate(contact)(tau), .internal = internal_values});
+}
+
+} // namespace vibroimpact

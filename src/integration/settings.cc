@@ -1,0 +1,37 @@
+#include "integration/settings.h"
+
+namespace vibroimpact {
+
+void declare_integration(parameters::Section &root) {
+  using namespace parameters;
+  root.subsection("Integration", "How motions are integrated in time.")
+      .choice("Method", "rk", {"rk", "bdf", "theta", "arkimex"},
+              "Time integrator: adaptive Runge-Kutta of order 5 (Dormand-Prince), backward "
+              "differentiation, trapezoidal-type theta, or diagonally implicit Runge-Kutta.")
+      .quantity("Relative tolerance", "1e-9", dimension::none,
+                Range{.lower = 1e-14, .upper = 0.1}, "", "Relative error allowed in one step.")
+      .quantity("Absolute tolerance", "1e-12 m", dimension::length, range::positive, "",
+                "Displacement at the points below which relative accuracy is not asked for; "
+                "velocities follow by the natural frequencies.")
+      .quantity("Event tolerance", "1e-12 s", dimension::time, range::positive, "",
+                "Uncertainty allowed in the instant at which a contact begins or ends.")
+      .quantity("Maximum step", "", dimension::time, range::positive, "",
+                "Longest time step; empty means no limit.")
+      .integer("Maximum steps", "0", Range{.lower = 0}, "",
+               "Steps after which a case is given up as failed; 0 means no limit.")
+      .integer("Maximum events", "10000000", Range{.lower = 0}, "",
+               "Contact changes after which a case is given up as failed; 0 means no limit.");
+}
+
+IntegrationSettings read_integration(const parameters::Values &root) {
+  const parameters::Values values = root.subsection("Integration");
+  return {.method = values.choice("Method"),
+          .relative_tolerance = values.quantity("Relative tolerance"),
+          .absolute_tolerance = values.quantity("Absolute tolerance"),
+          .event_tolerance = values.quantity("Event tolerance"),
+          .maximum_step = values.has("Maximum step") ? values.quantity("Maximum step") : 0,
+          .maximum_steps = values.integer("Maximum steps"),
+          .maximum_events = values.integer("Maximum events")};
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,23 @@
+// The Integration section of the parameter file.
+#pragma once
+
+#include "parameters/values.h"
+
+#include <string>
+
+namespace vibroimpact {
+
+struct IntegrationSettings {
+  std::string method = "rk";       ///< "rk", "bdf", "theta" or "arkimex"
+  double relative_tolerance = 1e-9;
+  double absolute_tolerance = 1e-12; ///< of displacements at the points [m]
+  double event_tolerance = 1e-12;    ///< of the instant of a contact change [s]
+  double maximum_step = 0;           ///< [s]; 0: none
+  long maximum_steps = 0;            ///< per case; 0: none
+  long maximum_events = 0;           ///< per case; 0: none
+};
+
+void declare_integration(parameters::Section &root);
+IntegrationSettings read_integration(const parameters::Values &root);
+
+} // namespace vibroimpact

@@ -1,0 +1,285 @@
+#include "integration/trajectory.h"
+
+#include "common/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace vibroimpact {
+
+namespace {
+
+// Contact changes in a row without any progress in time; more than the contacts' modes together
+// could need means that none of them holds.
+constexpr long maximum_events_at_once = 100;
+
+const Guard &guard_of(const Equations &equations, std::size_t contact, std::size_t guard) {
+  const ContactPair &pair = equations.contacts().pairs()[contact];
+  return pair.law->modes()[static_cast<std::size_t>(equations.modes()[contact])].guards[guard];
+}
+
+std::size_t guard_count(const Equations &equations, std::size_t contact) {
+  const ContactPair &pair = equations.contacts().pairs()[contact];
+  return pair.law->modes()[static_cast<std::size_t>(equations.modes()[contact])].guards.size();
+}
+
+} // namespace
+
+Trajectory::Trajectory(const Model &model, const ContactSet &contacts,
+                       const IntegrationSettings &settings)
+    : settings_(settings), equations_(model, contacts), stepper_(equations_, settings) {}
+
+double Trajectory::first_step() const {
+  const auto known = step_of_modes_.find(equations_.modes());
+  if (known != step_of_modes_.end())
+    return known->second;
+  const double highest = equations_.model().highest_frequency();
+  return highest > 0 ? 0.01 / highest : 1e-6;
+}
+
+double Trajectory::time_tolerance() const {
+  return std::max(settings_.event_tolerance,
+                  8 * std::numeric_limits<double>::epsilon() * std::abs(stepper_.time()));
+}
+
+void Trajectory::begin_phase(double time, const Vector &state) {
+  stepper_.restart(time, state, first_step());
+  start_rates_.resize(state.size());
+  equations_.rates(time, ConstVectorView(state.data(), state.size()),
+                   VectorView(start_rates_.data(), start_rates_.size()));
+  phase_start_ = true;
+}
+
+void Trajectory::refuse_penetration(double time, const Vector &state) const {
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
+    const ContactPair &pair = equations_.contacts().pairs()[c];
+    const LocalState local =
+        equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
+    if (local.gap < -settings_.absolute_tolerance && !pair.accept_initial_penetration)
+      throw InputError(pair.origin + "\n  the motion starts with the two sides overlapping by " +
+                       std::to_string(-local.gap * 1e3) +
+                       " mm; change the initial condition or the clearance, or allow it with "
+                       "Initial penetration = accept.");
+  }
+}
+
+void Trajectory::choose_initial_modes(double time, const Vector &state) {
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
+    const ConstVectorView x(state.data(), state.size());
+    equations_.set_mode(
+        c, equations_.contacts().pairs()[c].law->initial_mode(equations_.local_state(c, time, x)));
+  }
+}
+
+void Trajectory::start(double time, const Vector &displacement, const Vector &velocity) {
+  MotionState from{.time = time, .physical = Vector::Zero(layout().physical_size())};
+  from.physical.head(layout().n) = displacement;
+  from.physical.segment(layout().velocity(), layout().n) = velocity;
+  from.physical.tail(layout().n_internal) = equations_.contacts().initial_internal();
+  Vector state = Vector::Zero(layout().size());
+  state.head(layout().physical_size()) = from.physical;
+  refuse_penetration(time, state);
+  start(from);
+}
+
+void Trajectory::start(const MotionState &from) {
+  Vector state = Vector::Zero(layout().size());
+  state.head(layout().physical_size()) = from.physical;
+  choose_initial_modes(from.time, state);
+  steps_ = events_ = events_at_once_ = 0;
+  rejected_before_ = stepper_.rejected_steps();
+  event_residual_ = 0;
+  last_event_time_ = -std::numeric_limits<double>::infinity();
+  zero_at_start_.clear();
+  step_of_modes_.clear(); // so that a case does not depend on what was integrated before it
+  initial_energy_ =
+      equations_.stored_energy(from.time, ConstVectorView(state.data(), state.size()));
+  begin_phase(from.time, state);
+}
+
+MotionState Trajectory::motion_state() const {
+  return {.time = time(), .physical = state().head(layout().physical_size())};
+}
+
+StepView Trajectory::view() const {
+  return {equations_,        stepper_.previous_time(), stepper_.time(), stepper_.previous_state(),
+          stepper_.state(), start_rates_,             end_rates_};
+}
+
+void Trajectory::evaluate_end() {
+  const Vector &state = stepper_.state();
+  end_rates_.resize(state.size());
+  equations_.rates(stepper_.time(), ConstVectorView(state.data(), state.size()),
+                   VectorView(end_rates_.data(), end_rates_.size()));
+}
+
+bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {
+  bool found = false;
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
+    for (std::size_t g = 0; g < guard_count(equations_, c); ++g) {
+      Bernstein indicator = view.indicator(c, guard_of(equations_, c, g).indicator);
+      const bool zero =
+          phase_start_ && std::find(zero_at_start_.begin(), zero_at_start_.end(),
+                                    std::pair(c, g)) != zero_at_start_.end();
+      if (zero)
+        indicator.clear_start();
+      const std::optional<double> tau = indicator.first_fall();
+      if (tau && (!found || *tau < crossing.tau)) {
+        crossing = {.tau = *tau, .contact = c, .guard = g};
+        found = true;
+      }
+    }
+  return found;
+}
+
+// How far the end of the step may be from the true instant: |indicator / its rate| there. Zero where
+// the indicator is below the rounding of its own evaluation: near grazing no instant is closer.
+double Trajectory::event_uncertainty(const StepView &view, const Crossing &crossing) const {
+  const AffineForm &form = guard_of(equations_, crossing.contact, crossing.guard).indicator;
+  const Bernstein indicator = view.indicator(crossing.contact, form);
+  if (std::abs(indicator.end()) <= equations_.rounding(crossing.contact, form, view.end_state()))
+    return 0;
+  return std::abs(indicator.end() / (indicator.derivative().end() / view.length()));
+}
+
+// Shortens the step until it ends at the first crossing. False: the crossing was an artefact of the
+// longer step's polynomial, and the step as it now stands is free of changes.
+bool Trajectory::locate(Crossing &crossing) {
+  constexpr int maximum_corrections = 60;
+  for (int i = 0; i < maximum_corrections; ++i) {
+    const double start = stepper_.previous_time();
+    const double instant = start + crossing.tau * (stepper_.time() - start);
+    if (instant - start <= time_tolerance()) {
+      stepper_.undo();
+      return true;
+    }
+    if (stepper_.time() - instant > 0) {
+      stepper_.shorten(instant);
+      evaluate_end();
+    }
+    const StepView shorter = view();
+    Crossing earlier = crossing;
+    const bool inside = find_crossing(shorter, earlier);
+    const Crossing &candidate = inside ? earlier : crossing;
+    const double uncertainty = event_uncertainty(shorter, candidate);
+    const bool at_end = !inside || (1 - earlier.tau) * shorter.length() <= time_tolerance();
+    if (at_end && uncertainty <= time_tolerance()) {
+      event_residual_ = std::max(event_residual_, uncertainty);
+      crossing = candidate;
+      return true;
+    }
+    if (!inside)
+      return false; // not there yet: the next step will meet it
+    crossing = earlier;
+  }
+  throw NumericalError("a contact change near t = " + std::to_string(stepper_.time()) +
+                       " s could not be located to the event tolerance");
+}
+
+void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &state,
+                             Observer &observer) {
+  const Guard &passed = guard_of(equations_, contact, guard);
+  const ContactPair &pair = equations_.contacts().pairs()[contact];
+  const LocalState local =
+      equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
+  ContactEvent event{.time = time(),
+                     .contact = contact,
+                     .from = equations_.modes()[contact],
+                     .to = passed.target,
+                     .gap = local.gap,
+                     .gap_rate = local.gap_rate,
+                     .state = &state};
+  std::vector<double> fresh;
+  for (const AffineForm &form : passed.reset)
+    fresh.push_back(form(local));
+  for (std::size_t i = 0; i < fresh.size(); ++i)
+    state[layout().internal() + pair.internal_offset + static_cast<Index>(i)] = fresh[i];
+  equations_.set_mode(contact, passed.target);
+  observer.event(event);
+  ++events_;
+}
+
+// Several contacts may change at the same instant; each guard that is zero there starts the new
+// phase from an exact zero, so that rounding cannot fire it again.
+void Trajectory::change_modes(const Crossing &first, Observer &observer) {
+  const bool stuck = time() - last_event_time_ <= time_tolerance();
+  events_at_once_ = stuck ? events_at_once_ + 1 : 0;
+  if (events_at_once_ > maximum_events_at_once)
+    throw NumericalError("contact changes follow each other without progress at t = " +
+                         std::to_string(time()) + " s");
+  if (settings_.maximum_events > 0 && events_ >= settings_.maximum_events)
+    throw NumericalError("more than " + std::to_string(settings_.maximum_events) +
+                         " contact changes (Maximum events)");
+  last_event_time_ = time();
+  Vector state = stepper_.state();
+  step_of_modes_[equations_.modes()] = stepper_.natural_step();
+  change_mode(first.contact, first.guard, state, observer);
+  begin_phase(time(), state);
+  if (stuck)
+    std::erase_if(zero_at_start_,
+                  [&](const auto &entry) { return entry.first == first.contact; });
+  else
+    zero_at_start_.clear();
+  note_zero_guards(first.contact, state);
+}
+
+void Trajectory::note_zero_guards(std::size_t contact, const Vector &state) {
+  const LocalState local =
+      equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
+  // The rate of an affine form is the form of the rates.
+  const LocalState rates{
+      .gap = local.gap_rate,
+      .gap_rate = equations_.gap_acceleration(
+          contact, time(), ConstVectorView(start_rates_.data() + layout().velocity(), layout().n)),
+      .internal = {start_rates_.data() + layout().internal() +
+                       equations_.contacts().pairs()[contact].internal_offset,
+                   local.internal.size()}};
+  for (std::size_t g = 0; g < guard_count(equations_, contact); ++g) {
+    const AffineForm &form = guard_of(equations_, contact, g).indicator;
+    const double rate = form(rates) - form.constant;
+    const double noise = std::max(2 * time_tolerance() * std::abs(rate),
+                                  equations_.rounding(contact, form, state));
+    if (std::abs(form(local)) <= noise)
+      zero_at_start_.emplace_back(contact, g);
+  }
+}
+
+void Trajectory::advance(double end, Observer &observer) {
+  while (stepper_.time() < end) {
+    if (settings_.maximum_steps > 0 && steps_ >= settings_.maximum_steps)
+      throw NumericalError("more than " + std::to_string(settings_.maximum_steps) +
+                           " steps (Maximum steps)");
+    stepper_.step(end);
+    evaluate_end();
+    ++steps_;
+    Crossing crossing;
+    const bool changes = find_crossing(view(), crossing) && locate(crossing);
+    if (stepper_.time() > stepper_.previous_time())
+      observer.step(view());
+    phase_start_ = false;
+    if (changes) {
+      change_modes(crossing, observer);
+      continue;
+    }
+    std::swap(start_rates_, end_rates_);
+  }
+}
+
+Accuracy Trajectory::accuracy() const {
+  const Vector &x = stepper_.state();
+  const double energy =
+      equations_.stored_energy(time(), ConstVectorView(x.data(), x.size()));
+  double unaccounted = energy - initial_energy_ - x[layout().input_work()] + x[layout().damping_work()];
+  for (Index c = 0; c < layout().n_contacts; ++c)
+    unaccounted += x[layout().contact_work(c)];
+  const double turnover = initial_energy_ + x[layout().absolute_input_work()];
+  return {.steps = steps_,
+          .rejected_steps = stepper_.rejected_steps() - rejected_before_,
+          .events = events_,
+          .energy_residual = turnover > 0 ? std::abs(unaccounted) / turnover : 0,
+          .event_residual = event_residual_};
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,92 @@
+// A motion: the phases between contact changes strung together, each change located in time.
+//
+// Every accepted step is a polynomial for each guard of the contacts' present modes (quintic in the
+// gap), so that the first fall of a guard through zero inside the step is found without sampling.
+// The step is then taken again up to that instant, and again after Newton corrections, until the
+// instant is within the event tolerance; there the mode changes and the method restarts.
+#pragma once
+
+#include "integration/observer.h"
+#include "integration/settings.h"
+#include "integration/ts_stepper.h"
+
+#include <map>
+#include <vector>
+
+namespace vibroimpact {
+
+/// How well a motion was integrated, since start().
+struct Accuracy {
+  long steps = 0;
+  long rejected_steps = 0;
+  long events = 0;
+  double energy_residual = 0; ///< |unaccounted energy| / (initial + |input|), see energy_residual()
+  double event_residual = 0;  ///< largest uncertainty of an event's instant [s]
+};
+
+/// Where a motion stands, to start another one from.
+struct MotionState {
+  double time = 0;
+  Vector physical; ///< q, v, internal states of the contacts
+};
+
+class Trajectory {
+public:
+  /// Keeps references to the model and the contacts.
+  Trajectory(const Model &model, const ContactSet &contacts, const IntegrationSettings &settings);
+
+  /// q, v given, contacts' internal states at rest. InputError when a contact that does not accept
+  /// it starts penetrated.
+  void start(double time, const Vector &displacement, const Vector &velocity);
+  /// Goes on from an earlier state, whatever the contacts do there.
+  void start(const MotionState &from);
+
+  /// Integrates up to `end` exactly. NumericalError when that fails.
+  void advance(double end, Observer &observer);
+
+  double time() const { return stepper_.time(); }
+  const Vector &state() const { return stepper_.state(); }
+  MotionState motion_state() const;
+  const Equations &equations() const { return equations_; }
+  const StateLayout &layout() const { return equations_.layout(); }
+  Accuracy accuracy() const;
+
+private:
+  struct Crossing {
+    double tau = 0; ///< in the step
+    std::size_t contact = 0;
+    std::size_t guard = 0;
+  };
+
+  void begin_phase(double time, const Vector &state);
+  void choose_initial_modes(double time, const Vector &state);
+  void refuse_penetration(double time, const Vector &state) const;
+  bool find_crossing(const StepView &view, Crossing &crossing) const;
+  bool locate(Crossing &crossing);
+  double event_uncertainty(const StepView &view, const Crossing &crossing) const;
+  void change_modes(const Crossing &first, Observer &observer);
+  void note_zero_guards(std::size_t contact, const Vector &state);
+  void change_mode(std::size_t contact, std::size_t guard, Vector &state, Observer &observer);
+  StepView view() const;
+  void evaluate_end();
+  double time_tolerance() const;
+  double first_step() const;
+
+  IntegrationSettings settings_;
+  Equations equations_;
+  TsStepper stepper_;
+  Vector start_rates_, end_rates_;
+  double initial_energy_ = 0;
+  long steps_ = 0;
+  long rejected_before_ = 0;
+  long events_ = 0;
+  long events_at_once_ = 0; ///< events without progress in time
+  double last_event_time_ = 0;
+  double event_residual_ = 0;
+  /// Guards that are zero at the start of the phase, as contact and guard.
+  std::vector<std::pair<std::size_t, std::size_t>> zero_at_start_;
+  bool phase_start_ = false;
+  std::map<std::vector<int>, double> step_of_modes_; ///< trial step that suited last time
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,96 @@
+#include "model/initial_condition.h"
+
+#include "common/error.h"
+#include "model/direction.h"
+
+namespace vibroimpact {
+
+namespace {
+
+RowVector point_row(const BodyPoint &point, const Vector3 &direction) {
+  return direction.transpose() * point.rows.topRows(3);
+}
+
+// The multiple of mode `mode` (from 1) that moves the point by one unit along the direction.
+Vector unit_mode(const parameters::Values &condition, const ReducedBody &body,
+                 const RowVector &row) {
+  const long mode = condition.integer("Mode");
+  if (mode > body.size())
+    condition.reject("Mode", "body " + body.name + " has " + std::to_string(body.size()) +
+                                 " coordinates; a number from 1 to that.");
+  if (std::abs(row[mode - 1]) < 1e-9 * row.cwiseAbs().maxCoeff() || row[mode - 1] == 0)
+    condition.reject("At", "a point that mode " + std::to_string(mode) +
+                               " moves along the direction.");
+  Vector shape = Vector::Zero(body.size());
+  shape[mode - 1] = 1 / row[mode - 1];
+  return shape;
+}
+
+Vector unit_shape(const parameters::Values &condition, const ReducedBody &body,
+                  const BodyPoint &point, const Vector3 &direction) {
+  const std::string shape = condition.choice("Shape");
+  if (shape == "mode")
+    return unit_mode(condition, body, point_row(point, direction));
+  try {
+    return static_deflection(body, point, direction, 1);
+  } catch (const NumericalError &error) {
+    condition.reject("Shape", std::string(error.what()) + " Use Shape = mode.");
+  }
+}
+
+} // namespace
+
+Vector static_deflection(const ReducedBody &body, const BodyPoint &point, const Vector3 &direction,
+                         double displacement) {
+  const RowVector row = point_row(point, direction);
+  if (!((body.stiffness.array() > 0) || (row.transpose().array() == 0)).all())
+    throw NumericalError("Body " + body.name +
+                         " is free to move, so it has no static shape under a force.");
+  Vector shape = Vector::Zero(body.size());
+  for (Index j = 0; j < body.size(); ++j)
+    if (body.stiffness[j] > 0)
+      shape[j] = row[j] / body.stiffness[j];
+  const double flexibility = row * shape;
+  if (!(flexibility > 0))
+    throw NumericalError("Point " + point.name + " of body " + body.name +
+                         " does not move along that direction.");
+  return shape * (displacement / flexibility);
+}
+
+void declare_initial_conditions(parameters::Section &root) {
+  using namespace parameters;
+  root.named_subsection("Initial condition", "Displacement and velocity of a body at the start, "
+                                             "relative to its base. Several ones add up.")
+      .text("At", "", "Point whose displacement and velocity are given, as BODY.POINT.")
+      .text("Direction", "x", "Direction they are counted along: x, -y or three numbers.")
+      .choice("Shape", "static", {"static", "mode"},
+              "Shape of the body: under a static point force there, or one of its modes. The mass "
+              "of a lumped body is a mode by itself.")
+      .integer("Mode", "1", Range{.lower = 1}, "j", "Number of the mode, for Shape = mode.")
+      .quantity("Displacement", "0 m", dimension::length, range::any, "u_0",
+                "Displacement of the point along the direction.")
+      .quantity("Velocity", "0 m/s", dimension::velocity, range::any, "v_0",
+                "Velocity of the point along the direction.");
+}
+
+InitialState read_initial_state(const parameters::Values &root,
+                                const std::vector<std::string> &names, const Model &model) {
+  InitialState state{.displacement = Vector::Zero(model.size()),
+                     .velocity = Vector::Zero(model.size())};
+  for (const std::string &name : names) {
+    const parameters::Values condition = root.instance("Initial condition", name);
+    condition.require("At");
+    condition.require_known("At", condition.text("At"), model.point_names());
+    PointReference at;
+    model.find_point(condition.text("At"), at);
+    const ReducedBody &body = *model.bodies()[at.body];
+    const Vector shape = unit_shape(condition, body, body.points[at.point],
+                                    read_direction(condition, "Direction"));
+    const Index first = model.offset(at.body);
+    state.displacement.segment(first, body.size()) += condition.quantity("Displacement") * shape;
+    state.velocity.segment(first, body.size()) += condition.quantity("Velocity") * shape;
+  }
+  return state;
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,29 @@
+// Initial conditions of the parameter file: displacements and velocities of the coordinates.
+#pragma once
+
+#include "model/model.h"
+#include "parameters/values.h"
+
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+struct InitialState {
+  Vector displacement; ///< n
+  Vector velocity;     ///< n
+};
+
+void declare_initial_conditions(parameters::Section &root);
+
+/// The sum of the initial conditions called `names` (instances of "Initial condition").
+InitialState read_initial_state(const parameters::Values &root,
+                                const std::vector<std::string> &names, const Model &model);
+
+/// Coordinates of a body in the static shape of a point force that moves the point by
+/// `displacement` along `direction`: q_j proportional to phi_j / k_j. NumericalError when the body
+/// is free to move as a rigid body or the force does not move the point.
+Vector static_deflection(const ReducedBody &body, const BodyPoint &point, const Vector3 &direction,
+                         double displacement);
+
+} // namespace vibroimpact

@@ -1,0 +1,154 @@
+#include "model/model.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace vibroimpact {
+
+void LinearForm::apply(ConstVectorView x, Vector &y) const {
+  y.noalias() = diagonal.cwiseProduct(x);
+  if (coupling.size() > 0)
+    y.noalias() += coupling * x;
+}
+
+Matrix LinearForm::dense() const {
+  Matrix matrix = diagonal.asDiagonal();
+  if (coupling.size() > 0)
+    matrix += coupling;
+  return matrix;
+}
+
+namespace {
+
+LinearForm split_diagonal(const Matrix &matrix) {
+  LinearForm form{.diagonal = matrix.diagonal(), .coupling = matrix};
+  form.coupling.diagonal().setZero();
+  if (form.coupling.size() == 0 || form.coupling.cwiseAbs().maxCoeff() == 0)
+    form.coupling.resize(0, 0);
+  return form;
+}
+
+} // namespace
+
+Model::Model(std::vector<std::shared_ptr<const ReducedBody>> bodies) : bodies_(std::move(bodies)) {
+  Index n = 0;
+  for (const auto &body : bodies_) {
+    offsets_.push_back(n);
+    n += body->size();
+  }
+  mass_.resize(n);
+  stiffness_.diagonal.resize(n);
+  Matrix damping = Matrix::Zero(n, n);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const ReducedBody &body = *bodies_[b];
+    mass_.segment(offsets_[b], body.size()) = body.mass;
+    stiffness_.diagonal.segment(offsets_[b], body.size()) = body.stiffness;
+    damping.block(offsets_[b], offsets_[b], body.size(), body.size()) = body.damping;
+  }
+  damping_ = split_diagonal(damping);
+}
+
+void Model::add_base_motion(const std::string &name, std::shared_ptr<const TimeFunction> function,
+                            const std::vector<std::size_t> &bodies, const Vector3 &direction) {
+  Source source{.name = name,
+                .function = std::move(function),
+                .load = Vector::Zero(size()),
+                .inertial_load = Vector::Zero(size())};
+  std::vector<Vector3> carried(bodies_.size(), Vector3::Zero());
+  for (const std::size_t b : bodies) {
+    source.inertial_load.segment(offsets_[b], bodies_[b]->size()) =
+        -bodies_[b]->base_participation * direction;
+    carried[b] = direction;
+  }
+  sources_.push_back(std::move(source));
+  carried_.push_back(std::move(carried));
+}
+
+void Model::add_force(const std::string &name, std::shared_ptr<const TimeFunction> function,
+                      const PointReference &at, const Vector3 &direction) {
+  sources_.push_back({.name = name,
+                      .function = std::move(function),
+                      .load = displacement(at, direction, false).row.transpose(),
+                      .inertial_load = Vector::Zero(size())});
+  carried_.emplace_back(bodies_.size(), Vector3::Zero());
+}
+
+void Model::set_frequency(std::size_t source, double angular_frequency) {
+  auto function = sources_.at(source).function->with_frequency(angular_frequency);
+  if (!function)
+    throw std::logic_error("source " + sources_[source].name + " has no frequency");
+  sources_[source].function = std::move(function);
+}
+
+void Model::load(double time, Vector &f) const {
+  f.setZero(size());
+  for (const Source &source : sources_) {
+    f.noalias() += source.function->value(time) * source.load;
+    f.noalias() += source.function->acceleration(time) * source.inertial_load;
+  }
+}
+
+std::size_t Model::find_body(const std::string &name) const {
+  const auto found = std::find_if(bodies_.begin(), bodies_.end(),
+                                  [&](const auto &body) { return body->name == name; });
+  return static_cast<std::size_t>(found - bodies_.begin());
+}
+
+std::size_t Model::find_source(const std::string &name) const {
+  const auto found = std::find_if(sources_.begin(), sources_.end(),
+                                  [&](const Source &source) { return source.name == name; });
+  return static_cast<std::size_t>(found - sources_.begin());
+}
+
+bool Model::find_point(const std::string &name, PointReference &reference) const {
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (std::size_t p = 0; p < bodies_[b]->points.size(); ++p)
+      if (name == bodies_[b]->name + "." + bodies_[b]->points[p].name) {
+        reference = {.body = b, .point = p};
+        return true;
+      }
+  return false;
+}
+
+std::string Model::point_name(const PointReference &reference) const {
+  const ReducedBody &body = *bodies_.at(reference.body);
+  return body.name + "." + body.points.at(reference.point).name;
+}
+
+std::vector<std::string> Model::point_names() const {
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (std::size_t p = 0; p < bodies_[b]->points.size(); ++p)
+      names.push_back(point_name({.body = b, .point = p}));
+  return names;
+}
+
+Projection Model::displacement(const PointReference &point, const Vector3 &direction,
+                               bool absolute) const {
+  const ReducedBody &body = *bodies_.at(point.body);
+  Projection projection{.row = RowVector::Zero(size()),
+                        .carrier = std::vector<double>(sources_.size(), 0)};
+  projection.row.segment(offsets_[point.body], body.size()) =
+      direction.transpose() * body.points.at(point.point).rows.topRows(3);
+  if (absolute)
+    for (std::size_t k = 0; k < sources_.size(); ++k)
+      projection.carrier[k] = carried_[k][point.body].dot(direction);
+  return projection;
+}
+
+Vector3 Model::base_displacement(std::size_t body, double time) const {
+  Vector3 displacement = Vector3::Zero();
+  for (std::size_t k = 0; k < sources_.size(); ++k)
+    if (!carried_[k][body].isZero(0))
+      displacement += sources_[k].function->value(time) * carried_[k][body];
+  return displacement;
+}
+
+double Model::highest_frequency() const {
+  double highest = (stiffness_.diagonal.array() / mass_.array()).max(0.0).sqrt().maxCoeff();
+  for (const Source &source : sources_)
+    highest = std::max(highest, source.function->highest_frequency());
+  return highest;
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,46 @@
+// The points of an analysis put together to labelled arrays over its outer axes. Depends only on
+// the header and the points, not on ranks or the order in which they came.
+#pragma once
+
+#include "common/hdf5_file.h"
+#include "common/result_sink.h"
+#include "output/record.h"
+
+namespace vibroimpact {
+
+/// One field over all points: outer axes first, then its own dimensions.
+struct AssembledField {
+  std::string name;
+  std::string unit;
+  std::string description;
+  std::vector<std::string> inner_dimensions; ///< names; their scales are in AnalysisArrays
+  bool over_axes = true; ///< false for a coordinate: the same in all points, stored once
+  Shape shape;
+  std::vector<double> values; ///< row-major; NaN where a point is missing, failed or shorter
+};
+
+/// One inner dimension of the fields.
+struct InnerDimension {
+  std::string name;
+  std::size_t length = 0; ///< of the longest point
+  /// Field that holds its coordinate; empty when it is counted by an index from 1.
+  std::string coordinate;
+};
+
+struct AnalysisArrays {
+  std::vector<InnerDimension> dimensions; ///< in order of appearance
+  std::vector<AssembledField> fields;     ///< in order of appearance
+  std::vector<std::int64_t> status;       ///< over the outer axes
+  std::vector<std::string> reason;        ///< over the outer axes
+};
+
+/// Lengths of the outer axes.
+Shape outer_shape(const AnalysisHeader &header);
+
+/// Throws std::logic_error when a point lies outside the axes, when a field's values do not fill
+/// its shape, or when two points give a field different dimensions.
+void check_point(const AnalysisHeader &header, const PointResult &result);
+
+AnalysisArrays assemble(const AnalysisHeader &header, const PointMap &points);
+
+} // namespace vibroimpact

@@ -1,0 +1,245 @@
+#include "output/hdf5_results.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace vibroimpact {
+
+namespace {
+
+/// A slash would open a group.
+std::string link_name(std::string name) {
+  std::replace(name.begin(), name.end(), '/', '.');
+  return name;
+}
+
+void describe(Hdf5File &file, const std::string &path, const std::string &unit,
+              const std::string &description) {
+  file.set_attribute(path, "unit", unit);
+  file.set_attribute(path, "description", description);
+}
+
+void write_index_scale(Hdf5File &file, const std::string &path, std::size_t length) {
+  std::vector<std::int64_t> index(length);
+  std::iota(index.begin(), index.end(), 1);
+  file.write(path, {length}, index);
+  describe(file, path, "1", "index from 1");
+  file.make_scale(path);
+}
+
+void write_label_scale(Hdf5File &file, const std::string &path,
+                       const std::vector<std::string> &labels, const std::string &description) {
+  file.write(path, {labels.size()}, labels);
+  describe(file, path, "1", description);
+  file.make_scale(path);
+}
+
+void attach_scales(Hdf5File &file, const std::string &path,
+                   const std::vector<std::string> &scales) {
+  for (std::size_t dimension = 0; dimension < scales.size(); ++dimension)
+    file.attach_scale(path, dimension, scales[dimension]);
+}
+
+void write_axis(Hdf5File &file, const std::string &path, const Axis &axis) {
+  if (axis.labels.empty())
+    file.write(path, {axis.size()}, axis.values);
+  else
+    file.write(path, {axis.size()}, axis.labels);
+  describe(file, path, axis.labels.empty() ? axis.unit : "1", axis.description);
+  file.make_scale(path);
+}
+
+/// Paths of the scales of the inner dimensions; those without a coordinate are written here.
+std::map<std::string, std::string> inner_scales(Hdf5File &file, const std::string &group,
+                                                const AnalysisArrays &arrays) {
+  std::map<std::string, std::string> scales;
+  for (const InnerDimension &dimension : arrays.dimensions) {
+    const bool counted = dimension.coordinate.empty();
+    // The index must not take the name of a field that is no coordinate.
+    const auto taken = [&](const AssembledField &field) { return field.name == dimension.name; };
+    std::string name = counted ? link_name(dimension.name) : dimension.coordinate;
+    if (counted && std::any_of(arrays.fields.begin(), arrays.fields.end(), taken))
+      name += "_index";
+    scales[dimension.name] = group + "/" + name;
+    if (counted)
+      write_index_scale(file, scales[dimension.name], dimension.length);
+  }
+  return scales;
+}
+
+void write_field(Hdf5File &file, const std::string &path, const AssembledField &field,
+                 const std::vector<std::string> &outer_scales,
+                 const std::map<std::string, std::string> &inner_scales) {
+  file.write(path, field.shape, field.values);
+  describe(file, path, field.unit, field.description);
+  if (!field.over_axes) {
+    file.make_scale(path);
+    return;
+  }
+  std::vector<std::string> scales = outer_scales;
+  for (const std::string &dimension : field.inner_dimensions)
+    scales.push_back(inner_scales.at(dimension));
+  attach_scales(file, path, scales);
+}
+
+void write_status(Hdf5File &file, const std::string &group, const Shape &shape,
+                  const AnalysisArrays &arrays, const std::vector<std::string> &scales) {
+  file.write(group + "/status", shape, arrays.status);
+  describe(file, group + "/status", "1", "-1 missing, 0 finished, 1 failed");
+  attach_scales(file, group + "/status", scales);
+  file.write(group + "/reason", shape, arrays.reason);
+  describe(file, group + "/reason", "1", "why a point failed");
+  attach_scales(file, group + "/reason", scales);
+}
+
+/// Eigen keeps columns together, the file rows.
+std::vector<double> row_major(const Matrix &matrix) {
+  const Matrix transposed = matrix.transpose();
+  return {transposed.data(), transposed.data() + transposed.size()};
+}
+
+/// One group of a body with its scales.
+class BodyGroup {
+public:
+  BodyGroup(Hdf5File &file, const ReducedBody &body) : file_(file), path_("/body/" + body.name) {
+    file_.create_group(path_);
+    file_.set_attribute(path_, "name", body.name);
+    file_.set_attribute(path_, "type", body.type);
+    lengths_["mode"] = static_cast<std::size_t>(body.size());
+    write_index_scale(file_, path_ + "/mode", lengths_["mode"]);
+    labels("axis", {"x", "y", "z"}, "direction in space");
+    labels("component", {"x", "y", "z", "rotation_x", "rotation_y", "rotation_z"},
+           "displacement or rotation of a node or point");
+  }
+
+  void labels(const std::string &name, const std::vector<std::string> &values,
+              const std::string &description) {
+    lengths_[name] = values.size();
+    write_label_scale(file_, path_ + "/" + name, values, description);
+  }
+
+  void index(const std::string &name, std::size_t length) {
+    lengths_[name] = length;
+    write_index_scale(file_, path_ + "/" + name, length);
+  }
+
+  template <class Value>
+  void array(const std::string &name, const std::vector<std::string> &dimensions,
+             const std::vector<Value> &values, const std::string &unit,
+             const std::string &description) {
+    Shape shape;
+    std::vector<std::string> scales;
+    for (const std::string &dimension : dimensions) {
+      shape.push_back(lengths_.at(dimension));
+      scales.push_back(path_ + "/" + dimension);
+    }
+    const std::string path = path_ + "/" + name;
+    file_.write(path, shape, values);
+    describe(file_, path, unit, description);
+    attach_scales(file_, path, scales);
+  }
+
+private:
+  Hdf5File &file_;
+  std::string path_;
+  std::map<std::string, std::size_t> lengths_;
+};
+
+void write_modal_data(BodyGroup &group, const ReducedBody &body) {
+  const std::vector<std::string> mode = {"mode"};
+  const std::vector<std::string> mode_axis = {"mode", "axis"};
+  constexpr double two_pi = 6.283185307179586476925;
+  group.array("frequency", mode, row_major(body.omega() / two_pi), "Hz",
+              "undamped natural frequency of each coordinate by itself");
+  group.array("damping_ratio", mode, row_major(body.damping_ratio()), "1",
+              "fraction of critical damping");
+  group.array("mass", mode, row_major(body.mass), "kg", "generalised mass");
+  group.array("stiffness", mode, row_major(body.stiffness), "N/m", "generalised stiffness");
+  group.array("effective_mass", mode_axis, row_major(body.effective_mass()), "kg",
+              "effective modal mass for a base motion along an axis");
+  group.array("base_participation", mode_axis, row_major(body.base_participation), "kg",
+              "generalised inertia force of a unit base acceleration, sign reversed");
+  group.array("total_mass", {"axis"}, row_major(body.total_mass), "kg",
+              "mass that a base motion along an axis moves");
+  if (!body.modal())
+    return;
+  group.array("eigen_residual", mode, row_major(body.eigen_residual), "1",
+              "|K phi - omega^2 M phi| / |K phi|");
+  group.array("orthogonality_residual", {}, std::vector<double>{body.orthogonality_residual}, "1",
+              "largest entry of |Phi^T M Phi - I|");
+}
+
+void write_points(BodyGroup &group, const ReducedBody &body) {
+  std::vector<std::string> names;
+  std::vector<double> positions;
+  std::vector<double> rows;
+  for (const BodyPoint &point : body.points) {
+    names.push_back(point.name);
+    positions.insert(positions.end(), point.position.begin(), point.position.end());
+    const std::vector<double> values = row_major(point.rows);
+    rows.insert(rows.end(), values.begin(), values.end());
+  }
+  group.labels("point", names, "named place of the body");
+  group.array("point_position", {"point", "axis"}, positions, "m", "undeformed position");
+  group.array("point_rows", {"point", "component", "mode"}, rows, "1",
+              "displacement [m] or rotation [rad] of a point per unit coordinate");
+}
+
+void write_recovery(BodyGroup &group, const Recovery &recovery) {
+  if (recovery.nodes.size() == 0)
+    return;
+  group.index("node", static_cast<std::size_t>(recovery.nodes.cols()));
+  group.index("line", recovery.lines.size());
+  group.labels("end", {"first", "second"}, "end of a line");
+  std::vector<std::int64_t> ends;
+  for (const auto &line : recovery.lines)
+    ends.insert(ends.end(), {line[0], line[1]});
+  group.array("nodes", {"node", "axis"}, row_major(recovery.nodes.transpose()), "m",
+              "undeformed position");
+  group.array("lines", {"line", "end"}, ends, "1", "nodes of a beam element, counted from 0");
+  group.array("shapes", {"node", "component", "mode"}, row_major(recovery.shapes), "1",
+              "displacement [m] or rotation [rad] of a node per unit coordinate");
+}
+
+} // namespace
+
+void write_information(Hdf5File &file, const RunInformation &information) {
+  file.set_attribute("/", "version", information.version);
+  file.set_attribute("/", "commit", information.commit);
+  file.set_attribute("/", "parameters", information.parameters);
+  file.set_attribute("/", "command_line", information.command_line);
+  file.set_attribute("/", "libraries", information.libraries);
+  file.set_attribute("/", "ranks", std::int64_t{information.ranks});
+  file.set_attribute("/", "processor", information.processor);
+}
+
+void write_body(Hdf5File &file, const ReducedBody &body) {
+  BodyGroup group(file, body);
+  write_modal_data(group, body);
+  write_points(group, body);
+  write_recovery(group, body.recovery);
+}
+
+void write_analysis(Hdf5File &file, const AnalysisHeader &header, const AnalysisArrays &arrays) {
+  const std::string group = "/analysis/" + header.name;
+  file.create_group(group);
+  file.set_attribute(group, "name", header.name);
+  file.set_attribute(group, "type", header.type);
+  if (!header.grid.empty())
+    file.set_attribute(group, "grid", header.grid);
+  std::vector<std::string> outer_scales;
+  for (const Axis &axis : header.axes) {
+    outer_scales.push_back(group + "/" + link_name(axis.name));
+    write_axis(file, outer_scales.back(), axis);
+  }
+  write_status(file, group, outer_shape(header), arrays, outer_scales);
+  const std::map<std::string, std::string> scales = inner_scales(file, group, arrays);
+  // Coordinates first: a scale must exist before it can be attached.
+  for (const bool over_axes : {false, true})
+    for (const AssembledField &field : arrays.fields)
+      if (field.over_axes == over_axes)
+        write_field(file, group + "/" + field.name, field, outer_scales, scales);
+}
+
+} // namespace vibroimpact

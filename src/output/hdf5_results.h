@@ -1,0 +1,39 @@
+// The schema of results.h5.
+//
+//   /                       attributes: version, commit, parameters, command_line, libraries,
+//   ranks,
+//                           processor
+//   /body/NAME/             mode [-], axis, component, point, node, end (scales); frequency [Hz],
+//                           damping_ratio, mass, stiffness, effective_mass, base_participation, ...
+//   /analysis/NAME/         attributes: name, type, grid; the outer axes (scales), status, reason,
+//                           and the fields, nested by the slashes of their names
+//
+// Every dataset but a scale has a scale on each dimension; the scale is in the group of the dataset
+// or above. Every dataset carries the attributes unit and description.
+#pragma once
+
+#include "common/hdf5_file.h"
+#include "output/analysis_arrays.h"
+#include "reduction/reduced_body.h"
+
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+/// How the results came about; goes into the attributes of the file and nowhere else.
+struct RunInformation {
+  std::string version;
+  std::string commit;
+  std::string parameters; ///< the complete echo
+  std::string command_line;
+  std::vector<std::string> libraries; ///< "deal.II 9.4.1"
+  int ranks = 1;
+  std::string processor; ///< of the machine of rank 0
+};
+
+void write_information(Hdf5File &file, const RunInformation &information);
+void write_body(Hdf5File &file, const ReducedBody &body);
+void write_analysis(Hdf5File &file, const AnalysisHeader &header, const AnalysisArrays &arrays);
+
+} // namespace vibroimpact

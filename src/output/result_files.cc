@@ -1,0 +1,119 @@
+#include "output/result_files.h"
+
+#include "common/error.h"
+#include "output/analysis_arrays.h"
+#include "output/collective.h"
+#include "output/durable_file.h"
+#include "output/summary.h"
+#include "output/vtu_writer.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace vibroimpact {
+
+namespace {
+
+bool same_axes(const AnalysisHeader &one, const AnalysisHeader &other) {
+  const auto same = [](const Axis &a, const Axis &b) {
+    return a.name == b.name && a.values == b.values && a.labels == b.labels && a.unit == b.unit;
+  };
+  return one.type == other.type && one.grid == other.grid &&
+         std::equal(one.axes.begin(), one.axes.end(), other.axes.begin(), other.axes.end(), same);
+}
+
+} // namespace
+
+FileSink::FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation information,
+                   std::vector<ReducedBody> bodies, std::chrono::duration<double> rebuild_interval)
+    : communicator_(communicator), folder_(folder), information_(std::move(information)),
+      bodies_(std::move(bodies)), rebuild_interval_(rebuild_interval),
+      next_rebuild_(Clock::now() + std::chrono::duration_cast<Clock::duration>(rebuild_interval)) {
+  run_on_all_ranks(communicator_, [this] {
+    journal_ = std::make_unique<JournalWriter>(folder_.journal_file(rank_in(communicator_)));
+  });
+}
+
+void FileSink::begin(const AnalysisHeader &header) {
+  if (!begun_.insert(header.name).second)
+    throw std::logic_error("analysis " + header.name + " was begun twice");
+  header_ = header;
+  run_on_first_rank(communicator_, [&] { register_header(header); });
+  stored_.clear();
+  if (folder_.resumed())
+    run_on_all_ranks(communicator_,
+                     [&] { stored_ = read_points(folder_.journal_files(), header.name); });
+}
+
+void FileSink::register_header(const AnalysisHeader &header) {
+  const std::vector<AnalysisHeader> headers = read_headers(folder_.journal_files());
+  const auto known = std::find_if(headers.begin(), headers.end(), [&](const AnalysisHeader &other) {
+    return other.name == header.name;
+  });
+  if (known == headers.end())
+    journal_->append(header_record(header));
+  else if (!same_axes(*known, header))
+    throw InputError("cannot resume " + folder_.path().string() + ": analysis " + header.name +
+                     " has other axes there; it was written by another version of the program");
+}
+
+const PointResult *FileSink::find(const std::vector<std::size_t> &index) const {
+  const auto found = stored_.find(index);
+  return found == stored_.end() ? nullptr : &found->second;
+}
+
+void FileSink::store(const PointResult &result) {
+  check_point(header_, result);
+  journal_->append(point_record(header_.name, result));
+  if (rank_in(communicator_) == 0 && Clock::now() >= next_rebuild_)
+    rebuild();
+}
+
+void FileSink::end() {
+  // The first call is also the barrier behind which all journals are complete.
+  run_on_all_ranks(communicator_, [] {});
+  run_on_first_rank(communicator_, [this] {
+    rebuild();
+    write_motion();
+  });
+}
+
+void FileSink::rebuild() {
+  const Clock::time_point start = Clock::now();
+  replace_file(folder_.results_file(), [this](const auto &file) { write_results(file); });
+  replace_file(folder_.summary_file(), summary());
+  // A large file must not keep rank 0 from computing: at most a twentieth of its time goes here.
+  const std::chrono::duration<double> took = Clock::now() - start;
+  next_rebuild_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                     std::max(rebuild_interval_, 20 * took));
+}
+
+void FileSink::write_results(const std::filesystem::path &file) const {
+  const std::vector<std::filesystem::path> journals = folder_.journal_files();
+  Hdf5File results = Hdf5File::create(file);
+  write_information(results, information_);
+  for (const ReducedBody &body : bodies_)
+    write_body(results, body);
+  for (const AnalysisHeader &header : read_headers(journals))
+    write_analysis(results, header, assemble(header, read_points(journals, header.name)));
+  results.close();
+}
+
+std::string FileSink::summary() const {
+  const std::vector<std::filesystem::path> journals = folder_.journal_files();
+  std::string text;
+  for (const ReducedBody &body : bodies_)
+    text += body_summary(body);
+  for (const AnalysisHeader &header : read_headers(journals))
+    text += analysis_summary(header, read_points(journals, header.name));
+  return text;
+}
+
+void FileSink::write_motion() {
+  for (const auto &[index, point] : read_points(folder_.journal_files(), header_.name))
+    for (const Motion &motion : point.motion)
+      write_motion_files(folder_, header_.name + index_suffix(index), bodies_, motion);
+}
+
+} // namespace vibroimpact

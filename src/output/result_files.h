@@ -1,0 +1,60 @@
+// The sink that keeps every finished point in a journal and builds the result files from it.
+#pragma once
+
+#include "common/result_sink.h"
+#include "output/hdf5_results.h"
+#include "output/journal.h"
+#include "output/record.h"
+#include "output/run_folder.h"
+#include "reduction/reduced_body.h"
+
+#include <chrono>
+#include <memory>
+#include <mpi.h>
+#include <vector>
+
+namespace vibroimpact {
+
+class FileSink : public ResultSink {
+public:
+  /// Collective. `folder` must live as long as the sink. While an analysis runs, rank 0 rebuilds
+  /// the files when this much time has passed since the last time. Throws std::runtime_error when
+  /// a journal cannot be opened.
+  FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation information,
+           std::vector<ReducedBody> bodies,
+           std::chrono::duration<double> rebuild_interval = std::chrono::seconds(60));
+
+  /// Throws std::logic_error when the analysis was begun before in this run, and InputError when a
+  /// resumed folder holds the analysis with other axes.
+  void begin(const AnalysisHeader &header) override;
+  const PointResult *find(const std::vector<std::size_t> &index) const override;
+  /// Throws std::runtime_error, on this rank alone, when the journal or the files cannot be
+  /// written.
+  void store(const PointResult &result) override;
+  /// Also writes the fields of points that recorded the motion (see vtu_writer.h).
+  void end() override;
+
+  /// Rank 0: replaces results.h5 and summary.txt by what all journals hold now.
+  void rebuild();
+
+private:
+  void register_header(const AnalysisHeader &header);
+  void write_results(const std::filesystem::path &file) const;
+  std::string summary() const;
+  void write_motion();
+
+  MPI_Comm communicator_;
+  RunFolder &folder_;
+  RunInformation information_;
+  std::vector<ReducedBody> bodies_;
+  std::unique_ptr<JournalWriter> journal_;
+  std::set<std::string> begun_;
+  AnalysisHeader header_;
+  PointMap stored_; ///< points of the analysis from an earlier run
+
+  using Clock = std::chrono::steady_clock;
+  std::chrono::duration<double> rebuild_interval_;
+  Clock::time_point next_rebuild_;
+};
+
+} // namespace vibroimpact

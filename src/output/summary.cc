@@ -1,0 +1,72 @@
+#include "output/summary.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace vibroimpact {
+
+namespace {
+
+std::string along_axes(const std::string &name, const RowVector &values, const std::string &unit) {
+  constexpr std::array axes = {".x", ".y", ".z"};
+  std::string text;
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+    text += summary_line(name + axes[axis], values[static_cast<Index>(axis)], unit);
+  return text;
+}
+
+std::string index_in_brackets(const std::vector<std::size_t> &index) {
+  std::string text;
+  for (const std::size_t position : index)
+    text.append(text.empty() ? "[" : ",").append(std::to_string(position + 1));
+  return text.empty() ? text : text + "]";
+}
+
+} // namespace
+
+std::string summary_line(const std::string &name, double value, const std::string &unit) {
+  std::array<char, 40> number;
+  // The sign of a NaN depends on how it came about.
+  std::snprintf(number.data(), number.size(), "%.12g", std::isnan(value) ? std::abs(value) : value);
+  return name + " = " + number.data() + " [" + unit + "]\n";
+}
+
+std::string body_summary(const ReducedBody &body) {
+  constexpr double two_pi = 6.283185307179586476925;
+  const std::string prefix = "body." + body.name + ".";
+  const auto numbered = [&](const std::string &name, Index j) {
+    return prefix + name + "[" + std::to_string(j + 1) + "]";
+  };
+  std::string text;
+  for (Index j = 0; j < body.size(); ++j)
+    text += summary_line(numbered("frequency", j), body.omega()[j] / two_pi, "Hz");
+  for (Index j = 0; j < body.size(); ++j)
+    text += summary_line(numbered("damping_ratio", j), body.damping_ratio()[j], "1");
+  for (Index j = 0; j < body.size(); ++j)
+    text += along_axes(numbered("effective_mass", j), body.effective_mass().row(j), "kg");
+  text += along_axes(prefix + "total_mass", body.total_mass.transpose(), "kg");
+  if (body.modal())
+    text += summary_line(prefix + "orthogonality_residual", body.orthogonality_residual, "1");
+  return text;
+}
+
+std::string analysis_summary(const AnalysisHeader &header, const PointMap &points) {
+  const std::string prefix = "analysis." + header.name;
+  std::string text;
+  std::size_t failed = 0;
+  for (const auto &[index, point] : points) {
+    const std::string point_prefix = prefix + index_in_brackets(index) + ".";
+    for (const SummaryLine &line : point.summary) {
+      const bool absolute = line.name.rfind('/', 0) == 0;
+      text += summary_line(absolute ? line.name.substr(1) : point_prefix + line.name, line.value,
+                           line.unit);
+    }
+    failed += point.status == Status::failed ? 1 : 0;
+  }
+  if (failed > 0)
+    text += summary_line(prefix + ".failed_points", static_cast<double>(failed), "1");
+  return text;
+}
+
+} // namespace vibroimpact

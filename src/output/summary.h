@@ -1,0 +1,23 @@
+// The few figures of a run that a person or a test compares: `name = value [unit]` lines.
+#pragma once
+
+#include "output/record.h"
+#include "reduction/reduced_body.h"
+
+#include <string>
+
+namespace vibroimpact {
+
+/// `body.NAME.frequency[1] = 2.95 [Hz]`, counted from 1; then damping ratio, effective and total
+/// mass along x, y, z, and for modal bodies the orthogonality residual.
+std::string body_summary(const ReducedBody &body);
+
+/// The lines of all points in the order of their index: `analysis.NAME.name = value [unit]`, with
+/// outer axes `analysis.NAME[2,1,17].name`, counted from 1. Failed points are counted in a last
+/// line `analysis.NAME.failed_points` when there are any.
+std::string analysis_summary(const AnalysisHeader &header, const PointMap &points);
+
+/// One line; numbers with 12 significant digits.
+std::string summary_line(const std::string &name, double value, const std::string &unit);
+
+} // namespace vibroimpact

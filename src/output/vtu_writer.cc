@@ -1,0 +1,223 @@
+#include "output/vtu_writer.h"
+
+#include "output/beam_curve.h"
+#include "output/durable_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/grid/reference_cell.h>
+#include <fstream>
+#include <tuple>
+#include <utility>
+
+namespace vibroimpact {
+
+namespace {
+
+using dealii::DataOutBase::Patch;
+
+constexpr unsigned line_subdivisions = 4;
+constexpr double mode_amplitude = 0.1; // of the body's size, or in rad
+
+/// Three displacements, three rotations, the number of the body.
+constexpr unsigned n_components = 7;
+
+std::string numbered(const std::string &format, std::size_t number) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), format.c_str(), number);
+  return text.data();
+}
+
+dealii::Point<3> to_point(const Vector3 &position) {
+  return {position.x(), position.y(), position.z()};
+}
+
+void set_column(dealii::Table<2, float> &data, unsigned column, const Vector6 &motion,
+                std::size_t body_number) {
+  for (unsigned component = 0; component < 6; ++component)
+    data(component, column) = static_cast<float>(motion[component]);
+  data(6, column) = static_cast<float>(body_number);
+}
+
+/// One patch for each beam element; `motion` holds six values for each node.
+void add_lines(const Recovery &recovery, const Vector &motion, std::size_t body_number,
+               std::vector<Patch<1, 3>> &patches) {
+  for (const auto &[a, b] : recovery.lines) {
+    Patch<1, 3> patch;
+    patch.vertices[0] = to_point(recovery.nodes.col(a));
+    patch.vertices[1] = to_point(recovery.nodes.col(b));
+    patch.reference_cell = dealii::ReferenceCells::Line;
+    patch.n_subdivisions = line_subdivisions;
+    patch.patch_index = static_cast<unsigned>(patches.size());
+    patch.data.reinit(n_components, line_subdivisions + 1);
+    for (unsigned i = 0; i <= line_subdivisions; ++i)
+      set_column(patch.data, i,
+                 beam_curve(recovery.nodes.col(a), recovery.nodes.col(b),
+                            motion.segment<6>(Index{6} * a), motion.segment<6>(Index{6} * b),
+                            static_cast<double>(i) / line_subdivisions),
+                 body_number);
+    patches.push_back(std::move(patch));
+  }
+}
+
+void add_points(const ReducedBody &body, const Vector &coordinates, const Vector3 &base,
+                std::size_t body_number, std::vector<Patch<0, 3>> &patches) {
+  for (const BodyPoint &point : body.points) {
+    Patch<0, 3> patch;
+    patch.vertices[0] = to_point(point.position);
+    patch.patch_index = static_cast<unsigned>(patches.size());
+    patch.data.reinit(n_components, 1);
+    Vector6 motion = point.rows * coordinates;
+    motion.head<3>() += base;
+    set_column(patch.data, 0, motion, body_number);
+    patches.push_back(std::move(patch));
+  }
+}
+
+template <int dimension>
+void write_patches(const std::filesystem::path &file,
+                   const std::vector<Patch<dimension, 3>> &patches) {
+  using namespace dealii::DataComponentInterpretation;
+  const std::vector<std::string> names = {
+      "displacement", "displacement", "displacement", "rotation", "rotation", "rotation", "body"};
+  const std::vector<std::tuple<unsigned, unsigned, std::string, DataComponentInterpretation>>
+      vectors = {{0, 2, "displacement", component_is_part_of_vector},
+                 {3, 5, "rotation", component_is_part_of_vector}};
+  dealii::DataOutBase::VtkFlags flags;
+  flags.write_higher_order_cells = false;
+  flags.print_date_and_time = false; // the same result, the same file
+  std::ofstream stream(file, std::ios::binary);
+  dealii::DataOutBase::write_vtu(patches, names, vectors, flags, stream);
+  stream.close();
+  if (!stream)
+    fail_with_reason(file, "write");
+}
+
+struct Frame {
+  double time;
+  std::vector<std::string> files; ///< relative to the PVD file, one for each part
+};
+
+void write_pvd(const std::filesystem::path &file, const std::vector<Frame> &frames) {
+  std::string text = "<?xml version=\"1.0\"?>\n"
+                     "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+                     "  <Collection>\n";
+  for (const Frame &frame : frames)
+    for (std::size_t part = 0; part < frame.files.size(); ++part) {
+      std::array<char, 32> time;
+      std::snprintf(time.data(), time.size(), "%.12g", frame.time);
+      text += std::string("    <DataSet timestep=\"") + time.data() + "\" part=\"" +
+              std::to_string(part) + "\" file=\"" + frame.files[part] + "\"/>\n";
+    }
+  replace_file(file, text + "  </Collection>\n</VTKFile>\n");
+}
+
+double size_of(const Matrix &nodes) {
+  return (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).norm();
+}
+
+/// The largest length of a displacement (offset 0) or rotation (offset 3) over the nodes.
+double largest(const Vector &motion, Index offset) {
+  const Eigen::Map<const Matrix> nodes(motion.data(), 6, motion.size() / 6);
+  return nodes.middleRows(offset, 3).colwise().norm().maxCoeff();
+}
+
+double mode_scale(const Vector &mode, double body_size) {
+  const double displacement = largest(mode, 0);
+  const double rotation = largest(mode, 3);
+  // A twist of a straight body leaves its axis in place but for round-off.
+  const bool only_twists = displacement < 1e-6 * body_size * rotation;
+  return only_twists ? mode_amplitude / rotation : mode_amplitude * body_size / displacement;
+}
+
+void write_modes_of(RunFolder &folder, const ReducedBody &body, std::size_t body_number,
+                    std::vector<Frame> &frames) {
+  constexpr double two_pi = 6.283185307179586476925;
+  const double size = size_of(body.recovery.nodes);
+  for (Index j = 0; j < body.size(); ++j) {
+    const std::string name =
+        "modes/" + body.name + numbered("-mode-%03zu.vtu", static_cast<std::size_t>(j) + 1);
+    const Vector mode = body.recovery.shapes.col(j);
+    std::vector<Patch<1, 3>> patches;
+    add_lines(body.recovery, mode_scale(mode, size) * mode, body_number, patches);
+    write_patches(folder.claim(name), patches);
+    frames.push_back({body.omega()[j] / two_pi, {name}});
+  }
+}
+
+/// Two bodies with the same frequency are two parts of one instant.
+std::vector<Frame> merged_by_time(std::vector<Frame> frames) {
+  std::stable_sort(frames.begin(), frames.end(),
+                   [](const Frame &a, const Frame &b) { return a.time < b.time; });
+  std::vector<Frame> merged;
+  for (Frame &frame : frames)
+    if (!merged.empty() && merged.back().time == frame.time)
+      merged.back().files.push_back(frame.files.front());
+    else
+      merged.push_back(std::move(frame));
+  return merged;
+}
+
+Vector node_motion(const Recovery &recovery, const Vector &coordinates, const Vector3 &base) {
+  Vector motion = recovery.shapes * coordinates;
+  for (Index node = 0; node < recovery.nodes.cols(); ++node)
+    motion.segment<3>(6 * node) += base;
+  return motion;
+}
+
+Frame write_frame(RunFolder &folder, const std::string &name,
+                  const std::vector<ReducedBody> &bodies, const Motion &motion,
+                  std::size_t instant) {
+  std::vector<Patch<1, 3>> lines;
+  std::vector<Patch<0, 3>> points;
+  const auto row = static_cast<Index>(instant);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Vector coordinates = motion.coordinates[b].row(row);
+    const Vector3 base = motion.base_displacement[b].row(row);
+    if (bodies[b].recovery.lines.empty())
+      add_points(bodies[b], coordinates, base, b + 1, points);
+    else
+      add_lines(bodies[b].recovery, node_motion(bodies[b].recovery, coordinates, base), b + 1,
+                lines);
+  }
+  Frame frame{motion.time[instant], {}};
+  if (!lines.empty()) {
+    frame.files.push_back(name + numbered("/frame-%05zu.vtu", instant + 1));
+    write_patches(folder.claim(frame.files.back()), lines);
+  }
+  if (!points.empty()) {
+    frame.files.push_back(name + numbered("/lumped-%05zu.vtu", instant + 1));
+    write_patches(folder.claim(frame.files.back()), points);
+  }
+  return frame;
+}
+
+} // namespace
+
+void write_mode_files(RunFolder &folder, const std::vector<ReducedBody> &bodies) {
+  std::vector<Frame> frames;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (!bodies[b].recovery.lines.empty())
+      write_modes_of(folder, bodies[b], b + 1, frames);
+  if (!frames.empty())
+    write_pvd(folder.claim("modes.pvd"), merged_by_time(std::move(frames)));
+}
+
+void write_motion_files(RunFolder &folder, const std::string &name,
+                        const std::vector<ReducedBody> &bodies, const Motion &motion) {
+  std::vector<Frame> frames;
+  for (std::size_t instant = 0; instant < motion.time.size(); ++instant)
+    frames.push_back(write_frame(folder, name, bodies, motion, instant));
+  write_pvd(folder.claim(name + ".pvd"), frames);
+}
+
+std::string index_suffix(const std::vector<std::size_t> &index) {
+  std::string suffix;
+  for (const std::size_t position : index)
+    suffix.append("-").append(std::to_string(position + 1));
+  return suffix;
+}
+
+} // namespace vibroimpact

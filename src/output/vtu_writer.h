@@ -1,0 +1,31 @@
+// Mode shapes and recorded motion as VTU files for ParaView, with a PVD file that lists them.
+// Beam elements are drawn with their cubic bending shape.
+#pragma once
+
+#include "common/result_sink.h"
+#include "output/run_folder.h"
+#include "reduction/reduced_body.h"
+
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+/// Rank 0. modes/BODY-mode-001.vtu ... of all modal bodies, and modes.pvd, in which the time of a
+/// mode is its frequency [Hz]. Point data "displacement" and "rotation"; each mode is scaled so
+/// that its largest displacement is a tenth of the body's size (the diagonal of its bounding box),
+/// ready for Warp By Vector with factor 1. A mode that only twists is scaled to a rotation of 0.1
+/// rad. Nothing is written when there is no modal body. Throws std::runtime_error.
+void write_mode_files(RunFolder &folder, const std::vector<ReducedBody> &bodies);
+
+/// Rank 0. NAME/frame-00001.vtu ... and NAME.pvd with the instants of `motion`: displacement [m]
+/// and rotation [rad] of all bodies with a mesh, base motion included, and the number of the body
+/// ("body", from 1). Lumped bodies are points in NAME/lumped-00001.vtu ...; each point of such a
+/// body is one.
+void write_motion_files(RunFolder &folder, const std::string &name,
+                        const std::vector<ReducedBody> &bodies, const Motion &motion);
+
+/// "-2-1-17" for the position of a point along the outer axes, counted from 1.
+std::string index_suffix(const std::vector<std::size_t> &index);
+
+} // namespace vibroimpact

@@ -1,0 +1,47 @@
+// Numbers with units, and expressions of them: "30 mm", "lambda * 1 kN/m", "sqrt(2) * 0.3 m".
+#pragma once
+
+#include "parameters/dimension.h"
+
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace vibroimpact::parameters {
+
+/// What is wrong with a value, as a clause to be put after its place: "'1/0' is not finite".
+class Refused : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Number {
+  double value = 0; ///< in SI
+  Dimension dimension{};
+  bool bare = true;       ///< no unit anywhere in it, not even in its variables: taken as SI
+  bool determined = true; ///< false for an expression that is zero: its dimension cannot be seen
+  bool literal = true;    ///< one number with at most one unit
+};
+
+using VariableTable = std::map<std::string, Number>;
+
+/// The value of one number or expression. Throws Refused.
+Number evaluate(const std::string &text, const VariableTable &variables);
+
+/// The variables that `text` uses. Text that is no expression gives those whose names stand in it.
+std::vector<std::string> used_variables(const std::string &text, const VariableTable &variables);
+
+/// Throws Refused unless a variable may be called so: letters, digits and underscores, beginning
+/// with a letter, and not the name of a unit, function or constant.
+void check_variable_name(const std::string &name);
+
+/// May a number of this dimension stand where `expected` is asked for? A bare number may, except
+/// for frequencies; the radian counts as 1 where length or mass is involved.
+bool fits(const Number &number, const Dimension &expected);
+
+/// Functions an expression may call, for messages and the manual.
+const std::vector<std::string> &function_names();
+
+} // namespace vibroimpact::parameters

@@ -1,0 +1,23 @@
+// Finds what an override means in a tree.
+#pragma once
+
+#include "parameters/tree.h"
+#include "parameters/values.h"
+#include "parameters/variables.h"
+
+namespace vibroimpact::parameters {
+
+/// Where messages say an override comes from: "--set Contact/heads/Clearance".
+Origin override_origin(const Override &replacement);
+
+/// Is it "Variables/NAME"?
+bool is_variable_override(const Override &replacement);
+
+/// Replaces one definition. Throws InputError for a variable the file does not define.
+void override_variable(std::vector<VariableDefinition> &definitions, const Override &replacement);
+
+/// Replaces the text of the value the path names, and marks it and the sections around it as given.
+/// The new text is not checked. Throws InputError for an unknown path.
+Value &override_value(Node &root, const Override &replacement);
+
+} // namespace vibroimpact::parameters

@@ -1,0 +1,97 @@
+#include "parameters/print_formats.h"
+#include "parameters/text.h"
+
+#include <array>
+#include <cstdio>
+#include <functional>
+
+namespace vibroimpact::parameters {
+
+namespace {
+
+std::string quoted(const std::string &text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) < 0x20) {
+      std::array<char, 8> code{};
+      std::snprintf(code.data(), code.size(), "\\u%04x", static_cast<unsigned>(c));
+      result += code.data();
+      continue;
+    }
+    if (c == '"' || c == '\\')
+      result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+const char *kind_name(KeyKind kind) {
+  switch (kind) {
+  case KeyKind::quantity:
+    return "quantity";
+  case KeyKind::quantities:
+    return "quantities";
+  case KeyKind::integer:
+    return "integer";
+  case KeyKind::boolean:
+    return "boolean";
+  case KeyKind::choice:
+    return "choice";
+  case KeyKind::names:
+    return "names";
+  case KeyKind::variables:
+    return "variables";
+  case KeyKind::text:
+    break;
+  }
+  return "text";
+}
+
+std::string list(const std::vector<std::string> &items, int depth) {
+  if (items.empty())
+    return "[]";
+  const std::string indent(2 * static_cast<std::size_t>(depth), ' ');
+  return "[\n" + indent + "  " + join(items, ",\n" + indent + "  ") + "\n" + indent + "]";
+}
+
+std::string quoted_list(const std::vector<std::string> &words) {
+  std::vector<std::string> items;
+  for (const std::string &word : words)
+    items.push_back(quoted(word));
+  return "[" + join(items, ", ") + "]";
+}
+
+std::string key_object(const Key &key) {
+  const bool has_unit = key.kind == KeyKind::quantity || key.kind == KeyKind::quantities;
+  return "{\"name\": " + quoted(key.name) + ", \"kind\": " + quoted(kind_name(key.kind)) +
+         ", \"default\": " + quoted(key.default_value) +
+         ", \"unit\": " + quoted(has_unit ? si_unit(key.dimension) : "") +
+         ", \"range\": " + quoted(limits(key)) + ", \"options\": " + quoted_list(key.options) +
+         ", \"symbol\": " + quoted(key.symbol) + ", \"sentence\": " + quoted(key.sentence) + "}";
+}
+
+std::string section_object(const Section &section, int depth) {
+  std::vector<std::string> keys;
+  for (const Key &key : section.keys())
+    keys.push_back(key_object(key));
+  const auto objects = [&](const std::vector<std::unique_ptr<Section>> &sections) {
+    std::vector<std::string> items;
+    for (const auto &item : sections)
+      items.push_back(section_object(*item, depth + 2));
+    return list(items, depth + 1);
+  };
+  const std::string indent(2 * static_cast<std::size_t>(depth), ' ');
+  return "{\n" + indent + "  \"name\": " + quoted(section.name()) + ",\n" + indent +
+         "  \"sentence\": " + quoted(section.sentence()) + ",\n" + indent +
+         "  \"keys\": " + list(keys, depth + 1) + ",\n" + indent +
+         "  \"subsections\": " + objects(section.subsections()) + ",\n" + indent +
+         "  \"named subsections\": " + objects(section.named_subsections()) + "\n" + indent + "}";
+}
+
+} // namespace
+
+std::string print_json(const Section &declarations) {
+  return section_object(declarations, 0) + "\n";
+}
+
+} // namespace vibroimpact::parameters

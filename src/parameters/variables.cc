@@ -1,0 +1,48 @@
+#include "parameters/variables.h"
+
+#include "parameters/text.h"
+
+namespace vibroimpact::parameters {
+
+std::vector<VariableDefinition> variable_definitions(const std::string &text,
+                                                     const Origin &origin) {
+  std::vector<VariableDefinition> definitions;
+  for (const std::string &part : split_list(text)) {
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos)
+      throw Refused("'" + part +
+                    "' defines nothing; NAME = VALUE is expected, separated by commas");
+    VariableDefinition definition{normalised(part.substr(0, equals)),
+                                  normalised(part.substr(equals + 1)), origin};
+    check_variable_name(definition.name);
+    for (const VariableDefinition &earlier : definitions)
+      if (earlier.name == definition.name)
+        throw Refused("the variable '" + definition.name + "' is defined twice");
+    definitions.push_back(std::move(definition));
+  }
+  return definitions;
+}
+
+std::string definitions_text(const std::vector<VariableDefinition> &definitions) {
+  std::vector<std::string> parts;
+  for (const VariableDefinition &definition : definitions)
+    parts.push_back(definition.name + " = " + definition.text);
+  return join(parts, ", ");
+}
+
+VariableTable evaluate_variables(const std::vector<VariableDefinition> &definitions) {
+  VariableTable table;
+  for (const VariableDefinition &definition : definitions) {
+    try {
+      table[definition.name] = evaluate(definition.text, table);
+    } catch (const Refused &refused) {
+      const bool overridden = definition.origin.kind == Origin::Kind::override;
+      const std::string value =
+          overridden ? definition.text : definition.name + " = " + definition.text;
+      refuse_value(definition.origin, {"Variables"}, value, refused.what());
+    }
+  }
+  return table;
+}
+
+} // namespace vibroimpact::parameters

@@ -1,0 +1,15 @@
+// What a result file says about how it was made.
+#pragma once
+
+#include "output/hdf5_results.h"
+
+#include <mpi.h>
+#include <string>
+
+namespace vibroimpact {
+
+/// Version, libraries, ranks and processor of this run.
+RunInformation run_information(const std::string &parameters, const std::string &command_line,
+                               MPI_Comm communicator);
+
+} // namespace vibroimpact

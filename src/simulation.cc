@@ -1,0 +1,167 @@
+#include "simulation.h"
+
+#include "analyses/cost.h"
+#include "common/error.h"
+#include "common/log.h"
+#include "contact/contact_set.h"
+#include "integration/settings.h"
+#include "model/excitation.h"
+#include "model/initial_condition.h"
+#include "output/result_files.h"
+#include "output/vtu_writer.h"
+#include "reduction/body_parameters.h"
+#include "reduction/reduce_body.h"
+#include "run_information.h"
+
+#include <algorithm>
+
+namespace vibroimpact {
+
+using parameters::Override;
+using parameters::ParameterSet;
+using parameters::Values;
+
+std::shared_ptr<const parameters::Section> declare_parameters() {
+  auto root = std::make_shared<parameters::Section>("", "");
+  root->text("Title", "", "What the file is about; shown in the results.")
+      .names("Bodies", "", "Bodies of the model; empty means all that have a section.")
+      .names("Contacts", "", "Contacts of the model; empty means all that have a section.")
+      .names("Analyses", "", "What is computed, in this order; empty means all that have a section.")
+      .text("File folder", "", "Folder that file names in this file refer to; empty means the folder "
+                               "of the parameter file.");
+  declare_body(*root);
+  declare_contacts(*root);
+  declare_excitations(*root);
+  declare_initial_conditions(*root);
+  declare_integration(*root);
+  declare_analyses(*root);
+  return root;
+}
+
+Simulation::Simulation(std::shared_ptr<const ParameterSet> parameters, MPI_Comm communicator)
+    : parameters_(std::move(parameters)), communicator_(communicator) {
+  // The echo in the result folder must still find the files this one refers to.
+  if (!parameters_->root().has("File folder"))
+    parameters_ = parameters_->with({{.path = "File folder",
+                                      .value = parameters_->folder(),
+                                      .origin = "folder of the parameter file"}});
+}
+
+std::string Simulation::file_folder() const { return parameters_->root().text("File folder"); }
+
+std::vector<Simulation::Job> Simulation::jobs() const {
+  const Values root = parameters_->root();
+  const std::vector<std::string> known = root.instances("Analysis");
+  std::vector<Job> jobs;
+  for (const std::string &name : listed_instances(root, "Analyses", "Analysis")) {
+    Job job{.name = name, .repeated = name, .keys = {}};
+    const Values analysis = root.instance("Analysis", name);
+    if (analysis.choice("Type") == grid_type) {
+      job.repeated = repeated_analysis(analysis, known);
+      if (root.instance("Analysis", job.repeated).choice("Type") == grid_type)
+        analysis.subsection("Parameter grid").reject("Repeat", "an analysis that is no grid itself; "
+                                                               "one grid takes any number of keys.");
+      job.keys = read_grid(analysis);
+    }
+    jobs.push_back(std::move(job));
+  }
+  if (jobs.empty())
+    throw InputError("The parameter file has no analysis: a subsection Analysis NAME is needed.");
+  return jobs;
+}
+
+void Simulation::reduce_bodies(const Values &root) {
+  const std::vector<std::string> names = listed_instances(root, "Bodies", "Body");
+  if (names.empty())
+    throw InputError("The parameter file has no body: a subsection Body NAME is needed.");
+  for (const std::string &name : names) {
+    const Values body = root.instance("Body", name);
+    const std::string fingerprint = body.fingerprint();
+    if (reduced_.find(fingerprint) == reduced_.end())
+      reduced_.emplace(fingerprint, reduce_body(body, name, file_folder(), communicator_));
+  }
+}
+
+// Every distinct body of the run, those of grid points included, is reduced by all ranks together
+// before the work is dealt out.
+void Simulation::reduce_all(const std::vector<Job> &jobs) {
+  reduce_bodies(parameters_->root());
+  for (const Job &job : jobs) {
+    const bool reaches_bodies =
+        std::any_of(job.keys.begin(), job.keys.end(), [](const GridKey &key) {
+          return key.path.starts_with("Body") || key.path.starts_with("Variables/");
+        });
+    for (std::size_t point = 0; reaches_bodies && point < grid_size(job.keys); ++point)
+      reduce_bodies(parameters_->with(grid_overrides(job.keys, point))->root());
+  }
+}
+
+std::vector<std::shared_ptr<const ReducedBody>> Simulation::bodies(const Values &root) const {
+  std::vector<std::shared_ptr<const ReducedBody>> list;
+  for (const std::string &name : listed_instances(root, "Bodies", "Body")) {
+    auto body =
+        std::make_shared<ReducedBody>(reduced_.at(root.instance("Body", name).fingerprint()));
+    body->name = name;
+    list.push_back(std::move(body));
+  }
+  return list;
+}
+
+Case Simulation::build_case(const Job &job, const std::vector<Override> &overrides) const {
+  const auto parameters = overrides.empty() ? parameters_ : parameters_->with(overrides);
+  const Values root = parameters->root();
+  const Values analysis = root.instance("Analysis", job.repeated);
+  return {.analysis = create_analysis(analysis),
+          .system = build_system(root, analysis, bodies(root))};
+}
+
+void Simulation::log_cost(const Job &job) const {
+  const Case first = build_case(job, grid_overrides(job.keys, 0));
+  first.analysis->check(first.system);
+  log::info("analysis " + job.name + ": " +
+            cost_sentence(*first.analysis, first.system, grid_size(job.keys)));
+}
+
+void Simulation::check() {
+  const std::vector<Job> all = jobs();
+  reduce_all(all);
+  for (const auto &body : bodies(parameters_->root()))
+    log::info("body " + body->name + ": " + body_sentence(*body));
+  for (const Job &job : all)
+    log_cost(job);
+}
+
+RunSummary Simulation::run(const RunOptions &options) {
+  const std::vector<Job> all = jobs();
+  reduce_all(all);
+  for (const Job &job : all) {
+    const Case first = build_case(job, grid_overrides(job.keys, 0));
+    first.analysis->check(first.system);
+  }
+  RunFolder folder(communicator_, options.folder, options.existing, parameters_->echo());
+  log::open_file(folder.log_file().string());
+  std::vector<ReducedBody> reduced;
+  for (const auto &body : bodies(parameters_->root()))
+    reduced.push_back(*body);
+  FileSink sink(communicator_, folder,
+                run_information(parameters_->echo(), options.command_line, communicator_), reduced);
+  int rank = 0;
+  MPI_Comm_rank(communicator_, &rank);
+  if (rank == 0)
+    write_mode_files(folder, reduced);
+  RunSummary total;
+  for (const Job &job : all) {
+    const RunSummary summary = run_analysis(
+        job.name, job.keys, grid_axes(job.keys, *parameters_),
+        [&](const std::vector<Override> &overrides) { return build_case(job, overrides); }, sink,
+        communicator_);
+    total.finished += summary.finished;
+    total.failed += summary.failed;
+    total.interrupted = summary.interrupted;
+    if (total.interrupted)
+      break;
+  }
+  return total;
+}
+
+} // namespace vibroimpact

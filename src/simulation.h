@@ -1,0 +1,60 @@
+// Owns the stages of a run in the order data flows; alone sees every folder.
+#pragma once
+
+#include "analyses/runner.h"
+#include "output/run_folder.h"
+#include "parameters/values.h"
+#include "reduction/reduced_body.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mpi.h>
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+/// Every section a parameter file can hold.
+std::shared_ptr<const parameters::Section> declare_parameters();
+
+struct RunOptions {
+  std::filesystem::path folder; ///< of the results
+  ExistingFolder existing = ExistingFolder::refuse;
+  std::string command_line;
+};
+
+class Simulation {
+public:
+  /// Collective. `parameters` is a complete, checked file.
+  Simulation(std::shared_ptr<const parameters::ParameterSet> parameters, MPI_Comm communicator);
+
+  /// Collective. Reduces the bodies, builds every analysis without running it and logs what it
+  /// would cost. Throws InputError.
+  void check();
+
+  /// Collective. Runs all analyses and writes the results. Throws InputError before anything runs,
+  /// std::runtime_error when results cannot be written.
+  RunSummary run(const RunOptions &options);
+
+private:
+  struct Job {
+    std::string name;     ///< of the analysis section that is run
+    std::string repeated; ///< section that says what is computed: `name`, or what a grid repeats
+    std::vector<GridKey> keys;
+  };
+
+  std::vector<Job> jobs() const;
+  void reduce_all(const std::vector<Job> &jobs);
+  void reduce_bodies(const parameters::Values &root);
+  std::vector<std::shared_ptr<const ReducedBody>> bodies(const parameters::Values &root) const;
+  Case build_case(const Job &job, const std::vector<parameters::Override> &overrides) const;
+  void log_cost(const Job &job) const;
+  std::string file_folder() const;
+
+  std::shared_ptr<const parameters::ParameterSet> parameters_;
+  MPI_Comm communicator_;
+  std::map<std::string, ReducedBody> reduced_; ///< by the fingerprint of the body's section
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,65 @@
+#include "output/summary.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace vibroimpact {
+namespace {
+
+TEST(Summary, LineHasTwelveDigitsAndTheUnit) {
+  EXPECT_EQ(summary_line("a.b[1]", 2.0 / 3, "m/s"), "a.b[1] = 0.666666666667 [m/s]\n");
+  EXPECT_EQ(summary_line("n", 17, "1"), "n = 17 [1]\n");
+  EXPECT_EQ(summary_line("n", std::copysign(NAN, -1.0), "1"), "n = nan [1]\n");
+}
+
+TEST(Summary, LumpedBody) {
+  constexpr double two_pi = 6.283185307179586476925;
+  ReducedBody body;
+  body.name = "damper";
+  body.type = "lumped";
+  body.mass = Vector::Constant(1, 0.5);
+  body.stiffness = Vector::Constant(1, 0.5 * std::pow(two_pi * 3, 2));
+  body.damping = Matrix::Constant(1, 1, 2 * 0.25 * 0.5 * two_pi * 3);
+  body.base_participation = Matrix::Zero(1, 3);
+  body.base_participation(0, 0) = 0.5;
+  body.total_mass = Vector3(0.5, 0, 0);
+  EXPECT_EQ(body_summary(body), "body.damper.frequency[1] = 3 [Hz]\n"
+                                "body.damper.damping_ratio[1] = 0.25 [1]\n"
+                                "body.damper.effective_mass[1].x = 0.5 [kg]\n"
+                                "body.damper.effective_mass[1].y = 0 [kg]\n"
+                                "body.damper.effective_mass[1].z = 0 [kg]\n"
+                                "body.damper.total_mass.x = 0.5 [kg]\n"
+                                "body.damper.total_mass.y = 0 [kg]\n"
+                                "body.damper.total_mass.z = 0 [kg]\n");
+}
+
+TEST(Summary, PointsComeInTheOrderOfTheirIndexCountedFromOne) {
+  const AnalysisHeader header{"response", "stepped sweep", {}};
+  PointMap points;
+  for (const std::vector<std::size_t> &index : {std::vector<std::size_t>{1, 16}, {1, 2}, {0, 9}}) {
+    PointResult &point = points[index];
+    point.index = index;
+    point.summary = {{"force", static_cast<double>(index[1]), "N"}};
+  }
+  EXPECT_EQ(analysis_summary(header, points), "analysis.response[1,10].force = 9 [N]\n"
+                                              "analysis.response[2,3].force = 2 [N]\n"
+                                              "analysis.response[2,17].force = 16 [N]\n");
+}
+
+TEST(Summary, WithoutAxesThereIsNoIndex) {
+  PointResult point;
+  point.summary = {{"steps", 3, "1"}, {"/model.mass", 2, "kg"}};
+  EXPECT_EQ(analysis_summary({"release", "transient", {}}, {{{}, point}}),
+            "analysis.release.steps = 3 [1]\nmodel.mass = 2 [kg]\n");
+}
+
+TEST(Summary, FailedPointsAreCounted) {
+  PointResult point;
+  point.index = {4};
+  point.status = Status::failed;
+  EXPECT_EQ(analysis_summary({"a", "transient", {}}, {{{4}, point}}),
+            "analysis.a.failed_points = 1 [1]\n");
+}
+
+} // namespace
+} // namespace vibroimpact

@@ -1,0 +1,105 @@
+#include "output/vtu_writer.h"
+
+#include "output/example_results.h"
+#include "temporary_folder.h"
+#include "text_of.h"
+
+#include <boost/property_tree/xml_parser.hpp>
+#include <gtest/gtest.h>
+#include <map>
+
+namespace vibroimpact {
+namespace {
+
+namespace fs = std::filesystem;
+using boost::property_tree::ptree;
+
+ptree xml(const fs::path &file) {
+  ptree tree;
+  boost::property_tree::read_xml(file.string(), tree);
+  return tree;
+}
+
+/// Numbers of components of the point data, by name.
+std::map<std::string, int> point_arrays(const fs::path &file) {
+  std::map<std::string, int> arrays;
+  const ptree tree = xml(file);
+  for (const auto &[tag, array] : tree.get_child("VTKFile.UnstructuredGrid.Piece.PointData"))
+    if (tag == "DataArray")
+      arrays[array.get<std::string>("<xmlattr>.Name")] =
+          array.get("<xmlattr>.NumberOfComponents", 1);
+  return arrays;
+}
+
+int attribute_of_piece(const fs::path &file, const std::string &name) {
+  return xml(file).get<int>("VTKFile.UnstructuredGrid.Piece.<xmlattr>." + name);
+}
+
+struct Entry {
+  double time;
+  std::string file;
+};
+
+std::vector<Entry> pvd_entries(const fs::path &file) {
+  std::vector<Entry> entries;
+  const ptree tree = xml(file);
+  for (const auto &[tag, entry] : tree.get_child("VTKFile.Collection"))
+    if (tag == "DataSet")
+      entries.push_back(
+          {entry.get<double>("<xmlattr>.timestep"), entry.get<std::string>("<xmlattr>.file")});
+  return entries;
+}
+
+const std::map<std::string, int> expected_arrays = {
+    {"displacement", 3}, {"rotation", 3}, {"body", 1}};
+
+class VtuWriter : public ::testing::Test {
+protected:
+  testing::TemporaryFolder temporary;
+  fs::path path = temporary.path() / "run";
+  RunFolder folder{MPI_COMM_SELF, path, ExistingFolder::refuse, ""};
+};
+
+TEST_F(VtuWriter, ModesHaveTheirFrequencyAsTime) {
+  const std::vector<ReducedBody> bodies = testing::example_bodies();
+  write_mode_files(folder, bodies);
+  const std::vector<Entry> entries = pvd_entries(path / "modes.pvd");
+  ASSERT_EQ(entries.size(), 6U); // the lumped body has no shapes
+  EXPECT_EQ(entries[0].file, "modes/left-mode-001.vtu");
+  EXPECT_NEAR(entries[0].time, 2.95, 1e-10);
+  EXPECT_EQ(entries[1].file, "modes/right-mode-001.vtu");
+  EXPECT_NEAR(entries[1].time, 3.1, 1e-10);
+  for (const Entry &entry : entries) {
+    EXPECT_EQ(point_arrays(path / entry.file), expected_arrays) << entry.file;
+    EXPECT_EQ(attribute_of_piece(path / entry.file, "NumberOfPoints"), 12 * 5);
+    EXPECT_EQ(attribute_of_piece(path / entry.file, "NumberOfCells"), 12 * 4);
+  }
+}
+
+TEST_F(VtuWriter, MotionShowsMeshesAndLumpedPoints) {
+  const PointResult release = testing::transient_example().points[0];
+  write_motion_files(folder, "release", testing::example_bodies(), release.motion[0]);
+  const std::vector<Entry> entries = pvd_entries(path / "release.pvd");
+  ASSERT_EQ(entries.size(), 6U);
+  EXPECT_EQ(entries[2].file, "release/frame-00002.vtu");
+  EXPECT_EQ(entries[3].file, "release/lumped-00002.vtu");
+  EXPECT_EQ(entries[2].time, 0.01);
+  EXPECT_EQ(entries[3].time, 0.01);
+  EXPECT_EQ(attribute_of_piece(path / entries[2].file, "NumberOfCells"), 2 * 12 * 4);
+  EXPECT_EQ(attribute_of_piece(path / entries[3].file, "NumberOfPoints"), 1);
+  for (const Entry &entry : entries)
+    EXPECT_EQ(point_arrays(path / entry.file), expected_arrays) << entry.file;
+}
+
+TEST_F(VtuWriter, LumpedBodiesAloneHaveNoModes) {
+  write_mode_files(folder, {testing::example_bodies()[2]});
+  EXPECT_FALSE(fs::exists(path / "modes.pvd"));
+}
+
+TEST_F(VtuWriter, IndexIsCountedFromOne) {
+  EXPECT_EQ(index_suffix({}), "");
+  EXPECT_EQ(index_suffix({1, 0, 16}), "-2-1-17");
+}
+
+} // namespace
+} // namespace vibroimpact

@@ -1,0 +1,119 @@
+#include "parameters/expression.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace vibroimpact::parameters {
+namespace {
+
+VariableTable variables() {
+  VariableTable table;
+  table["lambda"] = evaluate("2", table);
+  table["L"] = evaluate("0.3 m", table);
+  table["zero"] = evaluate("0", table);
+  table["angle"] = evaluate("30 deg", table);
+  return table;
+}
+
+struct Case {
+  const char *text;
+  double value;
+  const char *unit;
+};
+
+class ExpressionsTable : public testing::TestWithParam<Case> {};
+
+TEST_P(ExpressionsTable, has_value_and_dimension) {
+  const Number number = evaluate(GetParam().text, variables());
+  EXPECT_NEAR(number.value, GetParam().value, 1e-15 * (1 + std::abs(GetParam().value)));
+  EXPECT_TRUE(number.determined);
+  EXPECT_EQ(si_unit(number.dimension), GetParam().unit);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ExpressionsTable,
+    testing::Values(
+        Case{"lambda * 1 kN/m", 2000, "N/m"}, Case{"1 + 2 * 3", 7, "1"},
+        Case{"sqrt(2) * 0.3 m", 0.3 * std::sqrt(2.0), "m"}, Case{"1 m + 5 mm", 1.005, "m"},
+        Case{"L / 2", 0.15, "m"}, Case{"L^2", 0.09, "m^2"},
+        Case{"sqrt(L)", std::sqrt(0.3), "m^0.5"}, Case{"(1 m)^1.5 * 4", 4, "m^1.5"},
+        Case{"pi * (10 mm)^2 / 4", std::numbers::pi * 25e-6, "m^2"}, Case{"10 N / 2 m", 5, "N/m"},
+        Case{"lambda / 2 * mm", 1e-3, "m"}, Case{"6 / N / m", 6, "s^2/(kg m^2)"},
+        Case{"lambda * N s/m", 2, "N s/m"}, Case{"min(1 m, 200 mm)", 0.2, "m"},
+        Case{"max(L, 1 cm)", 0.3, "m"}, Case{"-L", -0.3, "m"}, Case{"2 * -3", -6, "1"},
+        Case{"-(2)^2", -4, "1"}, Case{"1 m - 0.9999999 m", 1 - 0.9999999, "m"},
+        Case{"zero * 1 kN/m", 0, "N/m"}, Case{"sin(30 deg) * 2 N", 1, "N"},
+        Case{"cos(pi / 3)", 0.5, "1"}, Case{"sin(angle)", 0.5, "1"},
+        Case{"tan((30 deg + 15 deg))", 1, "1"},
+        Case{"cos(2 * pi * 1 rad) * 1 Hz", 2 * std::numbers::pi, "rad/s"},
+        Case{"(2 Hz)^2 * 3 kg", 48 * std::numbers::pi *std::numbers::pi, "kg rad^2/s^2"},
+        Case{"ln(exp(2))", 2, "1"}, Case{"log10(1000)", 3, "1"}, Case{"abs(-3 m)", 3, "m"},
+        Case{"atan(1) * 4", std::numbers::pi, "1"}, Case{"5 mm / 1 mm", 5, "1"}));
+
+class ExpressionsRefused : public testing::TestWithParam<std::pair<const char *, const char *>> {};
+
+TEST_P(ExpressionsRefused, says_why) {
+  try {
+    evaluate(GetParam().first, variables());
+    FAIL() << "accepted";
+  } catch (const Refused &refused) {
+    EXPECT_NE(std::string(refused.what()).find(GetParam().second), std::string::npos)
+        << refused.what();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ExpressionsRefused,
+    testing::Values(
+        std::pair{"1 m + 1 s", "different dimensions"},
+        std::pair{"1 + 1 m", "different dimensions"},
+        std::pair{"max(1 m, 200 s)", "different dimensions"},
+        std::pair{"min(1 m, 5 ms)", "different dimensions"},
+        std::pair{"exp(1 m)", "different dimensions"}, std::pair{"2^(1 m)", "different dimensions"},
+        std::pair{"lambda + L", "different dimensions"}, std::pair{"1 / 0", "not a finite number"},
+        std::pair{"1 / zero", "not a finite number"}, std::pair{"0 / 0", "not a finite number"},
+        std::pair{"sqrt(-1)", "not a finite number"}, std::pair{"1e400", "too large"},
+        std::pair{"1e308 km", "not a finite number"},
+        std::pair{"nan", "neither a unit nor a variable"},
+        std::pair{"inf", "neither a unit nor a variable"},
+        std::pair{"5 mmm", "lacks an operator such as '*' before 'mmm'"},
+        std::pair{"lamda * 2", "did you mean 'lambda'?"},
+        std::pair{"sqr(2)", "did you mean 'sqrt'?"}, std::pair{"2 lambda", "lacks an operator"},
+        std::pair{"2 (3)", "lacks an operator"}, std::pair{"(2", "not closed"},
+        std::pair{"2)", "without '('"}, std::pair{"2 *", "cannot be computed"},
+        std::pair{"max()", "cannot be computed"}, std::pair{"2 ; 3", "holds ';'"},
+        std::pair{"", "a number is missing"}));
+
+TEST(Expressions, a_zero_without_variables_has_no_visible_dimension) {
+  EXPECT_FALSE(evaluate("1 m - 1 m", {}).determined);
+  EXPECT_TRUE(evaluate("0 kg", {}).determined);
+}
+
+TEST(Expressions, names_of_units_functions_and_constants_are_reserved) {
+  for (const char *name : {"m", "g0", "min", "sqrt", "pi", "2x", "a b", "", "a-b"})
+    EXPECT_THROW(check_variable_name(name), Refused) << name;
+  for (const char *name : {"lambda", "L", "x2", "my_value"})
+    EXPECT_NO_THROW(check_variable_name(name)) << name;
+}
+
+TEST(Expressions, the_radian_counts_as_one_only_beside_length_or_mass) {
+  EXPECT_TRUE(fits(evaluate("3 N m/rad", {}), dimension::rotational_stiffness));
+  EXPECT_TRUE(fits(evaluate("2 mm * 3 Hz", {}), dimension::velocity));
+  EXPECT_FALSE(fits(evaluate("3 Hz", {}), dimension::inverse_time));
+  EXPECT_FALSE(fits(evaluate("3/s", {}), dimension::frequency));
+  EXPECT_FALSE(fits(evaluate("3 deg", {}), dimension::none));
+  EXPECT_TRUE(fits(evaluate("0.5", {}), dimension::angle));
+}
+
+TEST(Expressions, a_bare_number_fits_all_but_frequencies) {
+  EXPECT_TRUE(fits(evaluate("3", {}), dimension::stiffness));
+  EXPECT_FALSE(fits(evaluate("3", {}), dimension::frequency));
+  EXPECT_FALSE(fits(evaluate("0", {}), dimension::frequency));
+  EXPECT_FALSE(fits(evaluate("5 mm / 1 mm", {}), dimension::length));
+  EXPECT_FALSE(fits(evaluate("0 kg", {}), dimension::length));
+}
+
+} // namespace
+} // namespace vibroimpact::parameters

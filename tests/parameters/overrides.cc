@@ -1,0 +1,127 @@
+#include "sample.h"
+
+#include <gtest/gtest.h>
+
+namespace vibroimpact::parameters {
+namespace {
+
+double clearance(const ParameterSet &set) {
+  return set.root().instance("Contact", "heads").quantity("Clearance");
+}
+
+TEST(Overrides, a_path_is_written_with_slash_or_blank) {
+  for (const char *path : {"Contact/heads/Clearance", "Contact heads/Clearance"}) {
+    const auto set = parse_prm(sample_text, {{path, "7 mm", "--set"}});
+    EXPECT_EQ(clearance(*set), 0.007);
+    EXPECT_TRUE(set->root().instance("Contact", "heads").given("Clearance"));
+  }
+}
+
+TEST(Overrides, top_level_and_nested_keys) {
+  const auto set = parse_prm(sample_text, {{"Title", "new", "--set"},
+                                           {"Body/left/Geometry/Elements", "7", "--set"},
+                                           {"Body left/Point/head/Mass", "1 kg", "--set"},
+                                           {"Body/right/Modes/Damping ratio", "2 %", "--set"}});
+  const Values root = set->root();
+  EXPECT_EQ(root.text("Title"), "new");
+  EXPECT_EQ(root.instance("Body", "left").subsection("Geometry").integer("Elements"), 7);
+  EXPECT_EQ(root.instance("Body", "left").instance("Point", "head").quantity("Mass"), 1);
+  EXPECT_TRUE(root.instance("Body", "right").subsection_given("Modes"));
+}
+
+TEST(Overrides, with_leaves_the_original_as_it_is) {
+  const auto original = parse_prm(sample_text);
+  const auto changed = original->with({{"Contact/heads/Clearance", "7 mm", "Analysis grid"}});
+  EXPECT_EQ(clearance(*original), 0.005);
+  EXPECT_EQ(clearance(*changed), 0.007);
+  EXPECT_EQ(clearance(*changed->with({{"Contact/heads/Clearance", "8 mm", "grid"}})), 0.008);
+}
+
+TEST(Overrides, a_variable_changes_all_that_uses_it) {
+  const auto set = parse_prm(sample_text);
+  for (const auto &changed : {set->with({{"Variables/lambda", "3", "grid"}}),
+                              parse_prm(sample_text, {{"Variables/lambda", "3", "--set"}})}) {
+    EXPECT_EQ(changed->root().instance("Contact", "heads").quantity("Stiffness"), 3000);
+    const Values left = changed->root().instance("Body", "left");
+    EXPECT_EQ(left.subsection("Geometry").integer("Elements"), 30);
+    EXPECT_EQ(changed->root().text("Variables"), "lambda = 3, L = 0.3 m, twice = 2 * L");
+  }
+}
+
+TEST(Overrides, a_variable_changes_later_variables) {
+  const auto set = parse_prm(sample_text)->with({{"Variables/L", "50 cm", "grid"}});
+  const Values geometry = set->root().instance("Body", "left").subsection("Geometry");
+  EXPECT_EQ(geometry.quantities("Start"), (std::vector<double>{0, 0.01, 1}));
+  EXPECT_EQ(geometry.part("Section", "L", dimension::length), 0.5);
+}
+
+TEST(Overrides, all_variables_at_once) {
+  const auto set =
+      parse_prm(sample_text)->with({{"Variables", "lambda = 5, L = 1 m, twice = 3 m", "--set"}});
+  EXPECT_EQ(set->root().instance("Contact", "heads").quantity("Stiffness"), 5000);
+}
+
+std::string message(const std::string &path, const std::string &value) {
+  return error_of([&] { parse_prm(sample_text)->with({{path, value, "--set"}}); });
+}
+
+TEST(Overrides, a_wrong_value_names_the_override) {
+  const std::string expected =
+      "--set Contact/heads/Clearance=5 kg\n  '5 kg' is a mass [kg]; a length [m] is expected "
+      "(greater than or equal to 0), for example 0 m.";
+  EXPECT_EQ(message("Contact/heads/Clearance", "5 kg"), expected);
+  EXPECT_EQ(error_of([] {
+              parse_prm(sample_text, {{"Contact/heads/Clearance", "5 kg", "--set"}});
+            }),
+            expected);
+}
+
+TEST(Overrides, unknown_paths_are_refused_with_a_suggestion) {
+  EXPECT_EQ(message("Contact/heads/Clearence", "1 m"),
+            "--set Contact/heads/Clearence=1 m\n  there is no key 'Clearence' here; did you mean "
+            "'Clearance'?");
+  EXPECT_EQ(message("Contact/head/Clearance", "1 m"),
+            "--set Contact/head/Clearance=1 m\n  there is no 'Contact head'; the file has: Contact "
+            "heads.");
+  EXPECT_EQ(
+      message("Contct/heads/Clearance", "1 m"),
+      "--set Contct/heads/Clearance=1 m\n  there is no subsection 'Contct' here; did you mean "
+      "'Contact NAME'?");
+  EXPECT_EQ(message("Body/right/Point/tip/Mass", "1 kg"),
+            "--set Body/right/Point/tip/Mass=1 kg\n  there is no 'Point tip'; the file has no "
+            "subsection 'Point NAME'.");
+  EXPECT_EQ(message("Excitation", "1"),
+            "--set Excitation=1\n  'Excitation' is a subsection; the name "
+            "of a key is missing after it.");
+  EXPECT_EQ(message("Contact/heads", "1"), "--set Contact/heads=1\n  the name of a key is missing "
+                                           "after 'heads'.");
+  EXPECT_EQ(message("", "1"), "--set =1\n  a path is missing; write SECTION/KEY.");
+  EXPECT_EQ(message("Variables/lamda", "1"),
+            "--set Variables/lamda=1\n  there is no variable 'lamda'; did you mean 'lambda'?");
+}
+
+TEST(Overrides, a_variable_that_breaks_a_key_is_refused_at_the_key) {
+  EXPECT_EQ(message("Variables/lambda", "-1").substr(0, 70),
+            "params/beams.prm:10: Body left / Geometry / Elements = 10 * lambda\n  '");
+  EXPECT_EQ(
+      message("Variables/lambda", "2 *"),
+      "--set Variables/lambda=2 *\n  '2 *' cannot be computed: check its operators and commas.");
+}
+
+TEST(Overrides, a_value_that_the_echo_could_not_hold_is_refused) {
+  EXPECT_EQ(message("Title", "a # b"), "--set Title=a # b\n  a value may not hold '#' or a line "
+                                       "break, nor end in '\\'.");
+}
+
+TEST(Overrides, are_split_at_the_first_equals_sign) {
+  const Override split = split_override("Variables = a = 2", "--set");
+  EXPECT_EQ(split.path, "Variables");
+  EXPECT_EQ(split.value, "a = 2");
+  EXPECT_EQ(split.origin, "--set");
+  EXPECT_EQ(
+      error_of([] { split_override("Title", "--set"); }),
+      "--set Title\n  PATH=VALUE is expected, for example \"Contact/stop/Clearance=0.7 mm\".");
+}
+
+} // namespace
+} // namespace vibroimpact::parameters
