@@ -75,6 +75,8 @@ void add_constants(PointResult &result, const IdentificationInput &input) {
              "1", "lambda in the units of the printed formulas");
   add_scalar(result, "stiffness", contact.stiffness, stiffness_unit(contact.exponent), "k");
   add_scalar(result, "exponent", contact.exponent, "1", "n");
+  add_scalar(result, "speed_unit", input.scales.length / input.scales.time, "m/s",
+             "unit of v_c in the fitted power laws");
   if (input.dissipation)
     add_scalar(result, "damping_factor", contact.stiffness * *input.dissipation,
                damping_factor_unit(contact.exponent), "mu of the contact law");
@@ -116,6 +118,10 @@ void add_set(PointResult &result, const FormulaSet &set, const IdentificationInp
   table.add(name + "damping_factor",
             picked(impacts, [](const Identified &i) { return i.damping_factor; }),
             damping_factor_unit(input.constants.exponent), "mu");
+  add_scalar(result, name + "ill_posed_impacts",
+             static_cast<double>(std::count_if(intervals.begin(), intervals.end(),
+                                               [](const Interval &i) { return i.high >= 1; })),
+             "1", "impacts whose interval reaches e = 1: only its lower end says something");
   add_fits(result, set.name, input, impacts);
 }
 
