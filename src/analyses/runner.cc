@@ -119,6 +119,8 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
   first.analysis->check(first.system);
   const std::vector<Axis> inner_axes = first.analysis->axes();
   AnalysisHeader header{.name = name, .type = first.analysis->type(), .axes = outer_axes};
+  for (const GridKey &key : keys)
+    header.grid.push_back(key.path);
   header.axes.insert(header.axes.end(), inner_axes.begin(), inner_axes.end());
   sink.begin(header);
 
