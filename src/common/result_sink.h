@@ -56,10 +56,10 @@ enum class Status : std::int8_t { missing = -1, finished = 0, failed = 1 };
 struct PointResult {
   std::vector<std::size_t> index; ///< position along the outer axes; empty without axes
   Status status = Status::finished;
-  std::string reason; ///< why it failed; empty otherwise
-  std::vector<Field> fields;
-  std::vector<SummaryLine> summary;
-  std::vector<Motion> motion; ///< none or one
+  std::string reason{}; ///< why it failed; empty otherwise
+  std::vector<Field> fields{};
+  std::vector<SummaryLine> summary{};
+  std::vector<Motion> motion{}; ///< none or one
 };
 
 /// What a sink must know before the first point of an analysis.

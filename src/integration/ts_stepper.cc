@@ -127,8 +127,9 @@ void TsStepper::set_method(const std::string &method) {
   check(PCSetType(pc, PCLU), "PCSetType");
 }
 
-// A tolerance in metres at the points becomes one for each coordinate by the largest displacement
-// its unit value gives at a point, and one for its velocity by its natural frequency.
+// A tolerance in metres at the points becomes one for the coordinates of a body by the largest
+// displacement that a unit coordinate gives at a point, the same for all of them: a mode the points
+// hardly see still holds energy. Velocities follow by the natural frequencies.
 void TsStepper::set_tolerances(const IntegrationSettings &settings) {
   const StateLayout &layout = equations_.layout();
   const Model &model = equations_.model();
@@ -139,11 +140,11 @@ void TsStepper::set_tolerances(const IntegrationSettings &settings) {
   for (std::size_t b = 0; b < model.bodies().size(); ++b) {
     const ReducedBody &body = *model.bodies()[b];
     const Vector omega = body.omega();
+    double reach = 0;
+    for (const BodyPoint &point : body.points)
+      reach = std::max(reach, point.rows.topRows(3).cwiseAbs().maxCoeff());
+    const double tolerance = settings.absolute_tolerance / (reach > 0 ? reach : 1);
     for (Index j = 0; j < body.size(); ++j) {
-      double reach = 0;
-      for (const BodyPoint &point : body.points)
-        reach = std::max(reach, point.rows.col(j).head(3).cwiseAbs().maxCoeff());
-      const double tolerance = settings.absolute_tolerance / (reach > 0 ? reach : 1);
       absolute[model.offset(b) + j] = tolerance;
       absolute[layout.velocity() + model.offset(b) + j] =
           tolerance * (omega[j] > 0 ? omega[j] : highest);

@@ -43,12 +43,21 @@ Factorisation::Factorisation(Mat stiffness, Mat mass, double shift) {
   check(KSPSetUp(solver_.get()), "Factorising the shifted stiffness matrix with MUMPS");
 }
 
-void Factorisation::solve(Vec x, Vec y) const {
-  check(KSPSolve(solver_.get(), x, y), "Solving with MUMPS");
+Block Factorisation::solve(Block x) const {
+  const Layout layout(matrix_.get());
+  Block y = Block::Zero(x.rows(), x.cols());
+  petsc::Matrix in;
+  petsc::Matrix out;
+  for (auto [block, matrix] : {std::pair(&x, &in), std::pair(&y, &out)})
+    check(MatCreateDense(layout.communicator, layout.own, PETSC_DECIDE, layout.size,
+                         static_cast<PetscInt>(x.cols()), block->data(), matrix->address()),
+          "Wrapping vectors");
+  check(KSPMatSolve(solver_.get(), in.get(), out.get()), "Solving with MUMPS");
   KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
   check(KSPGetConvergedReason(solver_.get(), &reason), "Solving with MUMPS");
   if (reason < 0)
     throw NumericalError("MUMPS could not factorise the shifted stiffness matrix");
+  return y;
 }
 
 int Factorisation::eigenvalues_below() const {

@@ -2,8 +2,7 @@
 // shift from the signs of D (Sylvester's law of inertia).
 #pragma once
 
-#include "common/linear_algebra.h"
-#include "structure/petsc_object.h"
+#include "modes/vector_block.h"
 
 namespace vibroimpact::modes {
 
@@ -12,8 +11,8 @@ public:
   /// Collective. Both matrices are symmetric and have the same pattern of entries.
   Factorisation(Mat stiffness, Mat mass, double shift);
 
-  /// y = (K - shift M)^-1 x. Throws NumericalError when MUMPS fails.
-  void solve(Vec x, Vec y) const;
+  /// (K - shift M)^-1 x for all columns of x. Collective. Throws NumericalError when MUMPS fails.
+  Block solve(Block x) const;
   /// Number of eigenvalues below the shift.
   int eigenvalues_below() const;
 

@@ -27,10 +27,6 @@ Block residuals(const EigenProblem &problem, const Eigenpairs &pairs) {
          multiply(problem.mass, pairs.vectors) * pairs.values.asDiagonal();
 }
 
-Block solve(const Factorisation &shifted, const Layout &layout, const Block &x) {
-  return map_columns(layout, x, [&](Vec in, Vec out) { shifted.solve(in, out); });
-}
-
 Vector column_products(const Layout &layout, const Block &x, const Block &y) {
   Vector products = x.cwiseProduct(y).colwise().sum().transpose();
   MPI_Allreduce(MPI_IN_PLACE, products.data(), static_cast<int>(products.size()), MPI_DOUBLE,
@@ -52,15 +48,14 @@ Eigenpairs rayleigh_ritz(const EigenProblem &problem, Block x) {
 
 Eigenpairs refine(const EigenProblem &problem, const Factorisation &shifted,
                   const Eigenpairs &pairs) {
-  const Layout layout(problem.mass);
-  return rayleigh_ritz(problem, pairs.vectors - solve(shifted, layout, residuals(problem, pairs)));
+  return rayleigh_ritz(problem, pairs.vectors - shifted.solve(residuals(problem, pairs)));
 }
 
 Vector error_bounds(const EigenProblem &problem, const Factorisation &shifted, double shift,
                     const Eigenpairs &pairs) {
   const Layout layout(problem.mass);
   const Block r = residuals(problem, pairs);
-  const Vector squares = column_products(layout, r, solve(shifted, layout, r));
+  const Vector squares = column_products(layout, r, shifted.solve(r));
   return (squares.array().max(0.0) / (pairs.values.array() - shift)).sqrt();
 }
 

@@ -27,7 +27,7 @@ std::string with_unit(double value, const Dimension &dimension) {
 std::string example_for(const Dimension &dimension, const Range &range) {
   if (dimension.any)
     return "";
-  const std::string usual = example_value(dimension);
+  std::string usual = example_value(dimension);
   if (range.contains(evaluate(usual, {}).value))
     return usual;
   if (std::isfinite(range.lower) && std::isfinite(range.upper))

@@ -82,7 +82,7 @@ std::string fraction(const std::vector<Factor> &factors) {
     else if (factor.exponent < -1e-9)
       below.push_back(power(factor.unit, -factor.exponent));
   }
-  const std::string numerator = above.empty() ? "1" : joined(above);
+  std::string numerator = above.empty() ? "1" : joined(above);
   if (below.empty())
     return numerator;
   return numerator + "/" + (below.size() == 1 ? below.front() : "(" + joined(below) + ")");

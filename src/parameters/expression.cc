@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <utility>
 
 namespace vibroimpact::parameters {
 
@@ -71,6 +72,9 @@ private:
   }
 
   void translate_symbol(const std::string &symbol) {
+    // muParser would take the last of several values: "5,3 mm" with a decimal comma as 3 mm.
+    if (symbol == "," && (parentheses_.empty() || parentheses_.back().function.empty()))
+      throw Refused("'" + text_ + "' holds a comma, but is one number; decimals follow a point");
     if (symbol == "(")
       open("");
     else if (symbol == ")")
@@ -185,28 +189,38 @@ private:
   bool uses_zero_variable_ = false;
 };
 
-/// One formula, computed for any scales.
+/// One formula, computed for any scales. A muParser is dear to make (70 us): one serves them all,
+/// and only the newest Formula may be computed.
 class Formula {
 public:
-  Formula(const std::string &formula, const std::string &text) : text_(text) {
-    for (std::size_t i = 0; i < scales_.size(); ++i)
-      parser_.DefineVar(scale_names[i], &scales_[i]);
-    parser_.SetExpr(formula);
+  Formula(const std::string &formula, std::string text) : text_(std::move(text)) {
+    shared().parser.SetExpr(formula);
   }
 
   double at(const std::array<double, 4> &scales) {
-    scales_ = scales;
+    shared().scales = scales;
     try {
-      return parser_.Eval();
+      return shared().parser.Eval();
     } catch (const mu::ParserError &) {
       throw Refused("'" + text_ + "' cannot be computed: check its operators and commas");
     }
   }
 
 private:
+  struct Shared {
+    Shared() {
+      for (std::size_t i = 0; i < scales.size(); ++i)
+        parser.DefineVar(scale_names[i], &scales[i]);
+    }
+    std::array<double, 4> scales{1, 1, 1, 1};
+    mu::Parser parser;
+  };
+  static Shared &shared() {
+    static thread_local Shared instance;
+    return instance;
+  }
+
   std::string text_;
-  mu::Parser parser_;
-  std::array<double, 4> scales_{1, 1, 1, 1};
 };
 
 /// The exponent p of one base unit. Powers of two as scales keep the ratio exact, also where terms

@@ -18,6 +18,7 @@ std::string digits17(double value) {
 
 std::string numbers_text(const std::vector<Number> &numbers) {
   std::vector<std::string> texts;
+  texts.reserve(numbers.size());
   for (const Number &number : numbers)
     texts.push_back(digits17(number.value));
   return join(texts, ", ");

@@ -56,6 +56,7 @@ std::string list(const std::vector<std::string> &items, int depth) {
 
 std::string quoted_list(const std::vector<std::string> &words) {
   std::vector<std::string> items;
+  items.reserve(words.size());
   for (const std::string &word : words)
     items.push_back(quoted(word));
   return "[" + join(items, ", ") + "]";
@@ -72,6 +73,7 @@ std::string key_object(const Key &key) {
 
 std::string section_object(const Section &section, int depth) {
   std::vector<std::string> keys;
+  keys.reserve(section.keys().size());
   for (const Key &key : section.keys())
     keys.push_back(key_object(key));
   const auto objects = [&](const std::vector<std::unique_ptr<Section>> &sections) {

@@ -20,6 +20,7 @@ std::string code(const std::string &text) { return text.empty() ? "" : "`" + esc
 
 std::string code_list(const std::vector<std::string> &words) {
   std::vector<std::string> parts;
+  parts.reserve(words.size());
   for (const std::string &word : words)
     parts.push_back(code(word));
   return join(parts, ", ");

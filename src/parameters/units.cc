@@ -70,6 +70,7 @@ const UnitFactor *find_unit(std::string_view name) {
 
 std::vector<std::string> unit_names() {
   std::vector<std::string> names;
+  names.reserve(units.size());
   for (const Unit &unit : units)
     names.emplace_back(unit.name);
   return names;

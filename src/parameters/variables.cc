@@ -25,6 +25,7 @@ std::vector<VariableDefinition> variable_definitions(const std::string &text,
 
 std::string definitions_text(const std::vector<VariableDefinition> &definitions) {
   std::vector<std::string> parts;
+  parts.reserve(definitions.size());
   for (const VariableDefinition &definition : definitions)
     parts.push_back(definition.name + " = " + definition.text);
   return join(parts, ", ");

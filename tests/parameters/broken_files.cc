@@ -180,7 +180,7 @@ const std::vector<Case> values{
      "2: Contact c / Clearance = 1 kg\n  '1 kg' is a mass [kg]; a length [m] is expected (greater "
      "than or equal to 0), for example 0 m."},
 };
-INSTANTIATE_TEST_SUITE_P(Values, BrokenFilesTable, testing::ValuesIn(values),
+INSTANTIATE_TEST_SUITE_P(Content, BrokenFilesTable, testing::ValuesIn(values),
                          [](const auto &info) { return std::string(info.param.name); });
 
 std::string read_error(const std::string &file) {

@@ -29,9 +29,7 @@ template <class Rule> Block own_vector(const AssembledBody &body, Rule rule) {
 
 Matrix solved(const AssembledBody &body, const Block &load) {
   const modes::Factorisation factorised(body.stiffness.get(), body.mass.get(), 0);
-  const Layout layout(body.stiffness.get());
-  return gather(layout,
-                map_columns(layout, load, [&](Vec in, Vec out) { factorised.solve(in, out); }));
+  return gather(Layout(body.stiffness.get()), factorised.solve(load));
 }
 
 BeamDefinition skew_beam() {

@@ -1,0 +1,201 @@
+"""Checks the rules of docs/architecture.md on the source tree: which folder may include which, which
+library may be used where, and how long a file may be.
+
+    check_sources.py TREE          prints every violation as FILE:LINE: what is wrong; exit code 1
+    check_sources.py --self-test   proves on made-up trees that each rule can fail
+"""
+
+import pathlib
+import re
+import sys
+import tempfile
+
+# In the order data flows: a folder may include itself and what stands before it.
+ORDER = ["common", "parameters", "structure", "modes", "reduction", "model", "contact",
+         "integration", "analyses", "output"]
+# These two stand beside the flow; they know nothing of what the others do.
+ALLOWED = {"common": {"common"}, "parameters": {"common", "parameters"}}
+# The files above all folders, each with those of its kind that it may include.
+PROGRAM = {"command_line": set(), "run_information": set(), "simulation": {"run_information"},
+           "main": {"command_line", "run_information", "simulation"}}
+GENERATED = {"version.h"}
+
+# What is known in few places only: a pattern of the include, the files that may have it, the reason.
+FENCES = [
+    (r"deal\.II/base/", r"parameters/|structure/|output/vtu_writer\.|main\.cc|run_information\.cc",
+     "deal.II's base belongs to structure/, parameters/, the VTU writer and the program's start"),
+    (r"deal\.II/(?!base/)", r"structure/|output/vtu_writer\.",
+     "deal.II belongs to structure/ and the VTU writer"),
+    (r"slepcversion\.h", r"modes/|run_information\.cc", "SLEPc belongs to modes/"),
+    (r"slepc(?!version)", r"modes/", "SLEPc belongs to modes/"),
+    (r"petscts\.h", r"integration/", "PETSc TS belongs to integration/"),
+    (r"petscversion\.h", r"structure/|modes/|integration/|main\.cc|run_information\.cc",
+     "PETSc belongs to structure/, modes/ and integration/"),
+    (r"petsc(?!version|ts\.)", r"structure/|modes/|integration/|main\.cc",
+     "PETSc belongs to structure/, modes/ and integration/"),
+    (r"(hdf5(_hl)?|H5\w+)\.h", r"common/hdf5_file\.", "HDF5 is used through common/hdf5_file.h"),
+    (r"(structure|modes)/", r"structure/|modes/|reduction/",
+     "after the reduced body there is no finite element left"),
+    (r"contact/laws/", r"contact/", "nobody but the contacts knows which law it holds"),
+    (r"(fstream|cstdio)$", r"(?!model/|contact/|integration/|analyses/)",
+     "models and analyses write no files"),
+]
+
+INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
+# Spelled so that this file does not find itself.
+UNFINISHED = re.compile(r"\b(T[O]DO|F[I]XME)\b")
+LONGEST = 450
+CHECKED_FOLDERS = ["src", "tests", "postprocess", "benchmarks", "scripts", "cmake"]
+CHECKED_SUFFIXES = {".cc", ".h", ".py", ".sh", ".cmake", ".txt", ".in"}
+
+
+def folder_problem(file, included, known_files):
+    """Why `file` may not include "included" (both relative to src/), or None."""
+    if "/" not in included:
+        stem = pathlib.PurePosixPath(included).stem
+        if "/" in file:
+            return "an include names its folder, and no folder includes the program's own files"
+        own = pathlib.PurePosixPath(file).stem
+        if included in GENERATED or stem == own or stem in PROGRAM.get(own, set()):
+            return None
+        return f"{own} may not include {included}"
+    target = included.split("/")[0]
+    if target not in ORDER:
+        return f"{target}/ is not in the order of the folders"
+    if included not in known_files:
+        return "there is no such file"
+    if "/" not in file:
+        return None
+    source = file.split("/")[0]
+    if source not in ORDER:
+        return f"{source}/ is not in the order of the folders"
+    if target not in ALLOWED.get(source, ORDER[:ORDER.index(source) + 1]):
+        return f"{source}/ may not include {target}/, which comes after it"
+    return None
+
+
+def include_problems(file, included, quoted, known_files):
+    problem = folder_problem(file, included, known_files) if quoted else None
+    if problem:
+        yield problem
+    for pattern, allowed, reason in FENCES:
+        if re.match(pattern, included) and not re.match(allowed, file):
+            yield reason
+
+
+def source_problems(tree):
+    source = tree / "src"
+    files = sorted(path.relative_to(source).as_posix() for path in source.rglob("*")
+                   if path.suffix in {".cc", ".h"})
+    known_files = set(files)
+    for file in files:
+        lines = (source / file).read_text(encoding="utf-8").splitlines()
+        for number, line in enumerate(lines, 1):
+            match = INCLUDE.match(line)
+            if match:
+                for problem in include_problems(file, match[2], match[1] == '"', known_files):
+                    yield f"src/{file}:{number}: {match[2]}: {problem}"
+
+
+def text_problems(tree):
+    for folder in CHECKED_FOLDERS:
+        for path in sorted((tree / folder).rglob("*")):
+            if path.suffix not in CHECKED_SUFFIXES or not path.is_file():
+                continue
+            name = path.relative_to(tree).as_posix()
+            lines = path.read_text(encoding="utf-8").splitlines()
+            if len(lines) > LONGEST:
+                yield f"{name}:{LONGEST + 1}: {len(lines)} lines, more than {LONGEST}"
+            for number, line in enumerate(lines, 1):
+                if UNFINISHED.search(line):
+                    yield f"{name}:{number}: something is left to do"
+
+
+def problems(tree):
+    return [*source_problems(tree), *text_problems(tree)]
+
+
+SOUND_TREE = {
+    "src/common/error.h": "#include <string>\n",
+    "src/common/hdf5_file.cc": "#include <hdf5.h>\n#include <hdf5_hl.h>\n",
+    "src/parameters/values.h": '#include "common/error.h"\n#include <deal.II/base/config.h>\n',
+    "src/structure/mesh.h": "#include <deal.II/grid/tria.h>\n#include <petscmat.h>\n",
+    "src/modes/solver.cc": '#include "structure/mesh.h"\n#include <slepceps.h>\n',
+    "src/reduction/body.h": '#include "structure/mesh.h"\n#include <fstream>\n',
+    "src/contact/laws/penalty.h": '#include "parameters/values.h"\n',
+    "src/contact/laws.cc": '#include "contact/laws/penalty.h"\n',
+    "src/integration/stepper.cc": "#include <petscts.h>\n",
+    "src/output/vtu_writer.cc": "#include <deal.II/base/data_out_base.h>\n",
+    "src/simulation.h": '#include "output/vtu_writer.cc"\n',
+    "src/run_information.cc": "#include <slepcversion.h>\n#include <petscversion.h>\n"
+                              '#include "version.h"\n',
+    "src/main.cc": '#include "simulation.h"\n#include <deal.II/base/mpi.h>\n',
+    "tests/long.cc": "\n" * LONGEST,
+}
+
+# File, what is put into it, and a part of the message that must come of it.
+VIOLATIONS = [
+    ("src/common/a.h", '#include "parameters/values.h"', "common/ may not include parameters/"),
+    ("src/parameters/a.h", '#include "reduction/body.h"', "parameters/ may not include reduction/"),
+    ("src/structure/a.h", '#include "reduction/body.h"', "structure/ may not include reduction/"),
+    ("src/contact/a.h", '#include "integration/stepper.cc"', "contact/ may not include"),
+    ("src/analyses/a.h", '  #  include "output/vtu_writer.cc"', "analyses/ may not include"),
+    ("src/analyses/a.h", '#include "simulation.h"', "an include names its folder"),
+    ("src/analyses/a.h", '#include "a.h"', "an include names its folder"),
+    ("src/command_line.cc", '#include "simulation.h"', "command_line may not include"),
+    ("src/model/a.h", '#include "common/absent.h"', "there is no such file"),
+    ("src/model/a.h", '#include "helpers/a.h"', "helpers/ is not in the order"),
+    ("src/helpers/a.h", '#include "common/error.h"', "helpers/ is not in the order"),
+    ("src/output/a.cc", '#include "structure/mesh.h"', "no finite element left"),
+    ("src/integration/a.cc", '#include "contact/laws/penalty.h"', "which law it holds"),
+    ("src/modes/a.cc", "#include <deal.II/lac/vector.h>", "deal.II belongs"),
+    ("src/output/a.cc", "#include <deal.II/base/point.h>", "deal.II's base belongs"),
+    ("src/main.cc", "#include <deal.II/grid/tria.h>", "deal.II belongs"),
+    ("src/structure/a.cc", "#include <slepceps.h>", "SLEPc belongs"),
+    ("src/run_information.cc", "#include <slepceps.h>", "SLEPc belongs"),
+    ("src/simulation.cc", "#include <slepcversion.h>", "SLEPc belongs"),
+    ("src/modes/a.cc", "#include <petscts.h>", "PETSc TS belongs"),
+    ("src/contact/a.cc", "#include <petscvec.h>", "PETSc belongs"),
+    ("src/run_information.cc", "#include <petscsys.h>", "PETSc belongs"),
+    ("src/output/a.cc", "#include <hdf5.h>", "HDF5 is used through"),
+    ("src/output/a.cc", "#include <H5Ppublic.h>", "HDF5 is used through"),
+    ("src/analyses/a.cc", "#include <fstream>", "write no files"),
+    ("src/model/a.cc", "// T" + "ODO: later", "left to do"),
+    ("tests/a.py", "# F" + "IXME", "left to do"),
+    ("tests/a.cc", "\n" * LONGEST + "one more", "more than 450"),
+]
+
+
+def problems_of(files):
+    with tempfile.TemporaryDirectory() as folder:
+        tree = pathlib.Path(folder)
+        for name, text in files.items():
+            (tree / name).parent.mkdir(parents=True, exist_ok=True)
+            (tree / name).write_text(text + "\n" * (not text.endswith("\n")), encoding="utf-8")
+        return problems(tree)
+
+
+def self_test():
+    failures = [f"sound tree: {problem}" for problem in problems_of(SOUND_TREE)]
+    for name, text, expected in VIOLATIONS:
+        found = problems_of({**SOUND_TREE, name: text})
+        if len(found) != 1 or not found[0].startswith(name + ":") or expected not in found[0]:
+            failures.append(f"{name} with {text.strip()!r}: expected {expected!r}, found {found}")
+    return failures
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    if sys.argv[1] == "--self-test":
+        found = self_test()
+        checked = f"{len(VIOLATIONS)} violations are found"
+    else:
+        found = problems(pathlib.Path(sys.argv[1]))
+        checked = "no violation"
+    print("\n".join(found) or checked)
+    sys.exit(1 if found else 0)
+
+
+if __name__ == "__main__":
+    main()
