@@ -2,6 +2,7 @@
 #include "analyses/analysis.h"
 
 #include "analyses/grid.h"
+#include "analyses/identify.h"
 #include "analyses/modal.h"
 #include "analyses/stepped_sweep.h"
 #include "analyses/transient.h"
@@ -22,6 +23,7 @@ constexpr Entry entries[] = {
     {"modal", Modal::declare, Modal::create},
     {"transient", Transient::declare, Transient::create},
     {"stepped sweep", SteppedSweep::declare, SteppedSweep::create},
+    {"identify", Identify::declare, Identify::create},
 };
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "common/hdf5_file.h"
 
+#include "common/durable_file.h"
+
 #include <functional>
 #include <hdf5.h>
 #include <hdf5_hl.h>
@@ -12,6 +14,9 @@ namespace vibroimpact {
 static_assert(sizeof(hid_t) == sizeof(std::int64_t), "identifiers are kept as 64-bit integers");
 
 namespace {
+
+/// A file in memory grows by this many bytes at a time.
+constexpr std::size_t memory_increment = std::size_t{1} << 22;
 
 /// An open object of the library, closed when it goes out of scope.
 class Handle {
@@ -124,11 +129,12 @@ std::size_t number_of_values(const Shape &shape) {
   return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
 }
 
-Hdf5File::Hdf5File(std::int64_t identifier, std::filesystem::path file)
-    : identifier_(identifier), file_(std::move(file)) {}
+Hdf5File::Hdf5File(std::int64_t identifier, std::filesystem::path file, bool created)
+    : identifier_(identifier), file_(std::move(file)), created_(created) {}
 
 Hdf5File::Hdf5File(Hdf5File &&other) noexcept
-    : identifier_(std::exchange(other.identifier_, -1)), file_(std::move(other.file_)) {}
+    : identifier_(std::exchange(other.identifier_, -1)), file_(std::move(other.file_)),
+      created_(other.created_) {}
 
 Hdf5File::~Hdf5File() {
   if (identifier_ >= 0)
@@ -142,17 +148,32 @@ Hdf5File Hdf5File::create(const std::filesystem::path &file) {
   H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
+  // The library ends in a segmentation fault after a write that fails, on a full disk for one. So
+  // it gets memory, and this program writes the file.
+  H5Pset_fapl_core(access, memory_increment, false);
   return {check(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, access), file, "create the file"),
-          file};
+          file, true};
 }
 
 Hdf5File Hdf5File::open(const std::filesystem::path &file) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  return {check(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), file, "open the file"), file};
+  return {check(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), file, "open the file"), file,
+          false};
 }
 
-void Hdf5File::close() { check(H5Fclose(std::exchange(identifier_, -1)), file_, "close the file"); }
+void Hdf5File::close() {
+  std::string image;
+  if (created_) {
+    check(H5Fflush(identifier_, H5F_SCOPE_LOCAL), file_, "complete the file");
+    const ssize_t size =
+        check(H5Fget_file_image(identifier_, nullptr, 0), file_, "measure the file");
+    image.resize(static_cast<std::size_t>(size));
+    check(H5Fget_file_image(identifier_, image.data(), image.size()), file_, "complete the file");
+  }
+  check(H5Fclose(std::exchange(identifier_, -1)), file_, "close the file");
+  if (created_)
+    write_file(file_, image);
+}
 
 void Hdf5File::create_group(const std::string &path) {
   if (path.empty() || path == "/" || contains(path))

@@ -24,7 +24,7 @@ std::size_t number_of_values(const Shape &shape);
 /// reason; values that do not fill their shape are a std::logic_error.
 class Hdf5File {
 public:
-  /// Replaces a file that is there.
+  /// For writing. The file is built in memory: close() writes it, and without it nothing happens.
   static Hdf5File create(const std::filesystem::path &file);
   /// For reading.
   static Hdf5File open(const std::filesystem::path &file);
@@ -33,7 +33,7 @@ public:
   Hdf5File &operator=(const Hdf5File &) = delete;
   Hdf5File &operator=(Hdf5File &&) = delete;
   ~Hdf5File();
-  /// Writes everything out; only after this the file is known to be complete.
+  /// Writes a created file, replacing one that is there. The object is of no use afterwards.
   void close();
 
   void create_group(const std::string &path);
@@ -63,11 +63,12 @@ public:
   std::string read_attribute(const std::string &path, const std::string &name) const;
 
 private:
-  Hdf5File(std::int64_t identifier, std::filesystem::path file);
+  Hdf5File(std::int64_t identifier, std::filesystem::path file, bool created);
   void create_parent(const std::string &path);
 
   std::int64_t identifier_;
   std::filesystem::path file_;
+  bool created_;
 };
 
 } // namespace vibroimpact

@@ -69,6 +69,14 @@ struct LawResponse {
   std::vector<double> internal_rate_by_internal{}; ///< row-major n x n
 };
 
+/// The constants of a force that grows with a power of the penetration:
+/// F = k u^n (1 + d u'), d = 0 where nothing is dissipated.
+struct PowerLaw {
+  double stiffness = 0;                  ///< k > 0 [N/m^n]
+  double exponent = 1.5;                 ///< n
+  std::optional<double> dissipation = 0; ///< d >= 0 [s/m]; none when it differs between impacts
+};
+
 class ContactLaw {
 public:
   virtual ~ContactLaw() = default;
@@ -84,6 +92,9 @@ public:
 
   /// Force, internal rates, derivatives and energies. `response` keeps its storage between calls.
   virtual void evaluate(int mode, const LocalState &state, LawResponse &response) const = 0;
+
+  /// For laws of that form; nothing for all others.
+  virtual std::optional<PowerLaw> power_law() const { return std::nullopt; }
 
 protected:
   ContactLaw(std::vector<Mode> modes, std::vector<double> initial_internal);

@@ -1,9 +1,11 @@
 #include "contact/restitution_relation.h"
 
+#include <boost/math/special_functions/log1p.hpp>
 #include <boost/math/tools/roots.hpp>
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -11,11 +13,15 @@ namespace vibroimpact {
 
 namespace {
 
-// ln[(1 + d) / (1 - e d)] - (1 + e) d. Negative next to the trivial root d = 0, it grows without
-// bound as d approaches 1/e, so that the wanted root lies between.
+// ln[(1 + d) / (1 - e d)] - (1 + e) d, grouped so that nothing cancels for small d. Negative next to
+// the trivial root d = 0, it grows without bound as d approaches 1/e, so that the wanted root lies
+// between.
 double exact_mismatch(double e, double d) {
-  return std::log1p(d) - std::log1p(-e * d) - (1 + e) * d;
+  return boost::math::log1pmx(d) - boost::math::log1pmx(-e * d);
 }
+
+// Just inside the singularity at e d = 1.
+constexpr double inside = 1 - 4 * std::numeric_limits<double>::epsilon();
 
 template <class Function> double bracketed_root(Function function, double lower, double upper) {
   std::uintmax_t iterations = 200;
@@ -29,7 +35,7 @@ double exact_damping(double e) {
     return 0;
   // Near e = 1 the root is 3/2 (1 - e) + ...; below a tenth of it the mismatch is still negative.
   const double lower = 0.1 * (1 - e);
-  const double upper = (1 - 1e-16) / e;
+  const double upper = inside / e;
   if (!(exact_mismatch(e, upper) > 0))
     return 1 / e; // e so small that the root and 1/e are one number
   return bracketed_root([e](double d) { return exact_mismatch(e, d); }, lower, upper);
@@ -61,7 +67,7 @@ double exact_restitution(double dimensionless_damping) {
   if (d == 0)
     return 1;
   // In e the mismatch rises from ln(1 + d) - d < 0 at 0 to beyond zero at min(1, 1/d).
-  const double upper = d < 1 ? 1 : (1 - 1e-16) / d;
+  const double upper = d < 1 ? 1 : inside / d;
   if (!(exact_mismatch(upper, d) > 0))
     return upper;
   return bracketed_root([d](double e) { return exact_mismatch(e, d); }, 0.0, upper);

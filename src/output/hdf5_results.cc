@@ -197,7 +197,8 @@ void write_recovery(BodyGroup &group, const Recovery &recovery) {
     ends.insert(ends.end(), {line[0], line[1]});
   group.array("nodes", {"node", "axis"}, row_major(recovery.nodes.transpose()), "m",
               "undeformed position");
-  group.array("lines", {"line", "end"}, ends, "1", "nodes of a beam element, counted from 0");
+  group.array("lines", {"line", "end"}, ends, "1",
+              "ends of a beam element, as positions in nodes from 0");
   group.array("shapes", {"node", "component", "mode"}, row_major(recovery.shapes), "1",
               "displacement [m] or rotation [rad] of a node per unit coordinate");
 }

@@ -1,7 +1,7 @@
 #include "output/journal.h"
 
+#include "common/durable_file.h"
 #include "common/log.h"
-#include "output/durable_file.h"
 
 #include <array>
 #include <boost/crc.hpp>

@@ -1,9 +1,9 @@
 #include "output/result_files.h"
 
+#include "common/durable_file.h"
 #include "common/error.h"
 #include "output/analysis_arrays.h"
 #include "output/collective.h"
-#include "output/durable_file.h"
 #include "output/summary.h"
 #include "output/vtu_writer.h"
 

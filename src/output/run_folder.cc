@@ -1,8 +1,8 @@
 #include "output/run_folder.h"
 
+#include "common/durable_file.h"
 #include "common/error.h"
 #include "output/collective.h"
-#include "output/durable_file.h"
 #include "output/written_files.h"
 
 #include <algorithm>

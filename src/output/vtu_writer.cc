@@ -1,7 +1,7 @@
 #include "output/vtu_writer.h"
 
+#include "common/durable_file.h"
 #include "output/beam_curve.h"
-#include "output/durable_file.h"
 
 #include <algorithm>
 #include <array>

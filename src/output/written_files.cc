@@ -1,6 +1,6 @@
 #include "output/written_files.h"
 
-#include "output/durable_file.h"
+#include "common/durable_file.h"
 
 #include <algorithm>
 #include <array>

@@ -72,6 +72,9 @@ private:
   }
 
   void translate_symbol(const std::string &symbol) {
+    // muParser would take the last of several values: "5,3 mm" with a decimal comma as 3 mm.
+    if (symbol == "," && (parentheses_.empty() || parentheses_.back().function.empty()))
+      throw Refused("'" + text_ + "' holds a comma, but is one number; decimals follow a point");
     if (symbol == "(")
       open("");
     else if (symbol == ")")

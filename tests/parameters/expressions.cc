@@ -83,6 +83,9 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair{"sqr(2)", "did you mean 'sqrt'?"}, std::pair{"2 lambda", "lacks an operator"},
         std::pair{"2 (3)", "lacks an operator"}, std::pair{"(2", "not closed"},
         std::pair{"2)", "without '('"}, std::pair{"2 *", "cannot be computed"},
+        std::pair{"5,3 mm", "decimals follow a point"},
+        std::pair{"(5,3) * 1 mm", "decimals follow a point"},
+        std::pair{"max((1, 2), 3)", "decimals follow a point"},
         std::pair{"max()", "cannot be computed"}, std::pair{"2 ; 3", "holds ';'"},
         std::pair{"", "a number is missing"}));
 

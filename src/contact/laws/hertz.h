@@ -45,6 +45,9 @@ public:
   std::string name() const override { return "hertz"; }
   int initial_mode(const LocalState &state) const override { return open_or_contact(state); }
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
+  std::optional<PowerLaw> power_law() const override {
+    return PowerLaw{.stiffness = constants_.stiffness, .exponent = constants_.exponent};
+  }
 
 private:
   HertzConstants constants_;

@@ -86,6 +86,12 @@ void HuntCrossley::evaluate(int mode, const LocalState &state, LawResponse &resp
   }
 }
 
+std::optional<PowerLaw> HuntCrossley::power_law() const {
+  PowerLaw law{.stiffness = constants_.stiffness, .exponent = constants_.exponent};
+  law.dissipation = lowest_speed_ > 0 ? std::nullopt : std::optional<double>(coefficient_);
+  return law;
+}
+
 void HuntCrossley::declare(parameters::Section &contact_section) {
   using namespace parameters;
   Section &law = contact_section.subsection(

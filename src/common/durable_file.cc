@@ -1,4 +1,4 @@
-#include "output/durable_file.h"
+#include "common/durable_file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -39,6 +39,20 @@ void write_completely(int descriptor, std::string_view bytes, const std::filesys
   }
 }
 
+void write_file(const std::filesystem::path &file, std::string_view bytes) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0)
+    fail_with_reason(file, "create the file");
+  try {
+    write_completely(descriptor, bytes, file);
+  } catch (...) {
+    ::close(descriptor);
+    throw;
+  }
+  if (::close(descriptor) != 0)
+    fail_with_reason(file, "close the file");
+}
+
 std::filesystem::path temporary_name(const std::filesystem::path &file) {
   return file.string() + ".unfinished";
 }
@@ -60,20 +74,8 @@ void replace_file(const std::filesystem::path &file,
 }
 
 void replace_file(const std::filesystem::path &file, const std::string &text) {
-  replace_file(file, [&text](const std::filesystem::path &temporary) {
-    const int descriptor =
-        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor < 0)
-      fail_with_reason(temporary, "create the file");
-    try {
-      write_completely(descriptor, text, temporary);
-    } catch (...) {
-      ::close(descriptor);
-      throw;
-    }
-    if (::close(descriptor) != 0)
-      fail_with_reason(temporary, "close the file");
-  });
+  replace_file(file,
+               [&text](const std::filesystem::path &temporary) { write_file(temporary, text); });
 }
 
 } // namespace vibroimpact

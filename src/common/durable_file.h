@@ -14,6 +14,9 @@ namespace vibroimpact {
 /// Writes all bytes to an open descriptor. Throws std::runtime_error.
 void write_completely(int descriptor, std::string_view bytes, const std::filesystem::path &path);
 
+/// Creates or empties the file and writes the bytes. Throws std::runtime_error.
+void write_file(const std::filesystem::path &file, std::string_view bytes);
+
 /// Lets `write` fill a temporary file beside `file`, makes it durable and renames it into place, so
 /// that `file` always is a complete old or a complete new one. On any error the temporary file is
 /// removed and `file` left alone. Throws std::runtime_error.

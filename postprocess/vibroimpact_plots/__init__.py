@@ -1,0 +1,1 @@
+"""Figures of vibroimpact results. One module per analysis type, listed in figure_list.py."""

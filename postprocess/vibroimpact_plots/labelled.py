@@ -1,0 +1,37 @@
+"""An analysis as one xarray.Dataset.
+
+    from vibroimpact_plots.labelled import open_analysis
+    release = open_analysis("output/impacting-beams/results.h5", "release")
+    release["contact/heads/normal_force"].plot()
+
+Without this module, xarray.open_dataset(file, engine="netcdf4", group="analysis/release") opens one
+group of the file at a time.
+"""
+
+from __future__ import annotations
+
+import h5py
+import xarray
+
+from .results import read_array
+
+
+def open_analysis(file, name: str) -> xarray.Dataset:
+    """All fields by their path, in SI, with their axes as coordinates and their unit as attribute."""
+    variables = {}
+
+    def collect(path, item):
+        if isinstance(item, h5py.Dataset):
+            own = [path.replace("/", "_")] if item.is_scale else None
+            dimensions = own or [scale_name(dimension) for dimension in item.dims]
+            array = read_array(item)
+            variables[own[0] if own else path] = (dimensions, array.values, {"unit": array.unit})
+
+    with h5py.File(file, "r") as results:
+        group = results["analysis"][name]
+
+        def scale_name(dimension):
+            return dimension[0].name[len(group.name) + 1 :].replace("/", "_")
+
+        group.visititems(collect)
+        return xarray.Dataset(variables, attrs=dict(group.attrs))

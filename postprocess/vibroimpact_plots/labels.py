@@ -1,0 +1,63 @@
+"""Axis labels: a readable unit with an SI prefix that suits the values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+PREFIXES = [(1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M"), (1e9, "G")]
+UNITS_WITH_PREFIX = {"m", "s", "N", "J", "W", "m/s", "N s", "N/m", "Pa"}
+TYPESET = {"m/s^2": "m/s²", "rad/s^2": "rad/s²", "N s": "N\u2009s"}
+
+
+@dataclass(frozen=True)
+class Scale:
+    """Divide SI values by `factor` to show them in `unit`."""
+
+    factor: float
+    unit: str
+
+    def label(self, quantity: str) -> str:
+        return f"{quantity} ({self.unit})" if self.unit else quantity
+
+
+def scale_for(unit: str, *arrays) -> Scale:
+    """The prefix that brings the largest magnitude of the arrays between 1 and 1000."""
+    if unit == "1":
+        return Scale(1.0, "")
+    if unit not in UNITS_WITH_PREFIX:
+        return Scale(1.0, TYPESET.get(unit, unit))
+    largest = max((np.nanmax(np.abs(a), initial=0.0) for a in map(finite, arrays)), default=0.0)
+    # A picture of 0.9995 m to 1.0005 m should not say 1000 mm at its upper end.
+    fitting = [prefix for prefix in PREFIXES if prefix[0] <= largest * 1.0000001]
+    factor, letter = fitting[-1] if fitting and largest > 0 else (1.0, "")
+    return Scale(factor, letter + TYPESET.get(unit, unit))
+
+
+def finite(array) -> np.ndarray:
+    array = np.asarray(array, dtype=float)
+    return array[np.isfinite(array)]
+
+
+def words(name: str) -> str:
+    """"peak_to_peak_excursion" as "peak-to-peak excursion"."""
+    return name.replace("peak_to_peak", "peak-to-peak").replace("_", " ")
+
+
+def quantity_label(quantity: str) -> str:
+    """"displacement_x" as "Displacement x"; the direction in italics."""
+    stem, _, direction = quantity.rpartition("_")
+    if stem and direction in {"x", "y", "z"}:
+        text = f"{words(stem)} ${direction}$"
+    else:
+        text = words(quantity)
+    return text[0].upper() + text[1:]
+
+
+def value_text(value, unit: str) -> str:
+    """One coordinate in words: "3 mm", "forward"."""
+    if isinstance(value, str):
+        return value
+    scale = scale_for(unit, [value])
+    return f"{float(value) / scale.factor:.4g} {scale.unit}".strip()

@@ -1,0 +1,106 @@
+"""Reads results.h5: analyses, their axes and fields, and bodies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+
+class ResultError(Exception):
+    """The results cannot be read or do not hold what was asked for; the message is complete."""
+
+
+@dataclass
+class Array:
+    """Values with their unit."""
+
+    values: np.ndarray
+    unit: str
+
+
+def read_array(dataset: h5py.Dataset) -> Array:
+    """Numbers or texts of a dataset."""
+    is_text = h5py.check_string_dtype(dataset.dtype) is not None
+    values = dataset.asstr()[()] if is_text else dataset[()]
+    return Array(np.asarray(values), str(dataset.attrs.get("unit", "1")))
+
+
+class Analysis:
+    """One analysis: outer axes (grid axes first), and fields by their path."""
+
+    def __init__(self, group: h5py.Group):
+        self._group = group
+        self.name = group.name.rsplit("/", 1)[-1]
+        self.type = str(group.attrs["type"])
+        self.grid = [str(key) for key in group.attrs.get("grid", [])]
+
+    @property
+    def axes(self) -> list[str]:
+        """Names of the outer axes."""
+        return [dimension.label for dimension in self._group["status"].dims]
+
+    @property
+    def grid_axes(self) -> list[str]:
+        """Names of the axes of the parameter grid around the analysis."""
+        return self.axes[: len(self.grid)]
+
+    def has(self, path: str) -> bool:
+        return isinstance(self._group.get(path), h5py.Dataset)
+
+    def read(self, path: str) -> Array:
+        """A field or axis; its first dimensions are the outer axes, unless it is a coordinate."""
+        return read_array(self._group[path])
+
+    def members(self, path: str) -> list[str]:
+        """Names in a group below the analysis, in the order of the file; empty without it."""
+        group = self._group.get(path)
+        return list(group) if isinstance(group, h5py.Group) else []
+
+
+class Body:
+    """One reduced body."""
+
+    def __init__(self, group: h5py.Group):
+        self._group = group
+        self.name = group.name.rsplit("/", 1)[-1]
+        self.type = str(group.attrs["type"])
+
+    def has(self, name: str) -> bool:
+        return name in self._group
+
+    def read(self, name: str) -> Array:
+        return read_array(self._group[name])
+
+
+class Results:
+    """A result file, open for reading."""
+
+    def __init__(self, place: Path):
+        self.file = place / "results.h5" if place.is_dir() else place
+        if not self.file.is_file():
+            raise ResultError(f"{place}: there is no result file {self.file.name}")
+        try:
+            self._file = h5py.File(self.file, "r")
+        except OSError as error:
+            raise ResultError(f"{self.file}: not a result file of vibroimpact ({error})") from error
+        if "version" not in self._file.attrs:
+            raise ResultError(f"{self.file}: not a result file of vibroimpact")
+
+    def __enter__(self) -> "Results":
+        return self
+
+    def __exit__(self, *error) -> None:
+        self._file.close()
+
+    @property
+    def folder(self) -> Path:
+        return self.file.parent
+
+    def analyses(self) -> list[Analysis]:
+        return [Analysis(group) for group in self._file.get("analysis", {}).values()]
+
+    def bodies(self) -> list[Body]:
+        return [Body(group) for group in self._file.get("body", {}).values()]

@@ -1,0 +1,83 @@
+"""The look of all figures, in one place."""
+
+from __future__ import annotations
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.cm import ScalarMappable  # noqa: E402
+from matplotlib.colors import Normalize  # noqa: E402
+
+WIDTH = 6.3  # inches, a page's text width
+PANEL_HEIGHT = 1.9
+
+# Okabe and Ito's palette: eight colours that the common colour-vision deficiencies keep apart;
+# yellow is left out, it is too light for a line.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
+SEQUENCE = "viridis"
+
+SETTINGS = {
+    "font.family": "STIXGeneral",
+    "mathtext.fontset": "stix",
+    "font.size": 10,
+    "axes.labelsize": 10,
+    "axes.titlesize": 10,
+    "axes.titlelocation": "left",
+    "legend.fontsize": 9,
+    "legend.frameon": False,
+    "xtick.labelsize": 9,
+    "ytick.labelsize": 9,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "xtick.top": True,
+    "ytick.right": True,
+    "axes.linewidth": 0.7,
+    "axes.grid": True,
+    "grid.color": "#DDDDDD",
+    "grid.linewidth": 0.5,
+    "axes.axisbelow": True,
+    "lines.linewidth": 1.1,
+    "lines.markersize": 3.2,
+    "axes.formatter.useoffset": False,
+    "axes.xmargin": 0.02,
+    "figure.constrained_layout.use": True,
+    "savefig.dpi": 300,
+}
+
+
+def panels(rows: int, height: float = PANEL_HEIGHT, share_x: bool = True):
+    """A figure with panels below each other; always a list of axes."""
+    figure, axes = plt.subplots(
+        rows, 1, figsize=(WIDTH, 0.7 + height * rows), sharex=share_x, squeeze=False
+    )
+    figure.align_ylabels()
+    return figure, list(axes[:, 0])
+
+
+def legend_beside(axes, handles=None, title=None) -> None:
+    """Outside, on the right, where it hides nothing."""
+    if handles is None:
+        handles, _ = axes.get_legend_handles_labels()
+    if handles:
+        axes.legend(
+            handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0,
+            title=title, alignment="left",
+        )
+
+
+def colours_along(count: int):
+    """Colours for an ordered family of curves: the palette for few, a sequence for many."""
+    if count <= 3:
+        return COLOURS[:count]
+    sequence = plt.get_cmap(SEQUENCE)
+    return [sequence(0.92 * i / (count - 1)) for i in range(count)]
+
+
+def colour_bar(figure, axes, values, label: str) -> None:
+    """For families too large for a legend; colours as in colours_along()."""
+    sequence = plt.get_cmap(SEQUENCE)
+    shown = matplotlib.colors.ListedColormap([sequence(0.92 * i / 255) for i in range(256)])
+    mappable = ScalarMappable(Normalize(min(values), max(values)), shown)
+    figure.colorbar(mappable, ax=axes, label=label, pad=0.015)

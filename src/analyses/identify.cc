@@ -1,0 +1,185 @@
+#include "analyses/identify.h"
+
+#include "analyses/fields.h"
+#include "analyses/identify_record.h"
+#include "common/error.h"
+
+#include <numbers>
+#include <optional>
+
+namespace vibroimpact {
+
+namespace {
+
+constexpr const char *section_name = "Identify";
+
+void declare_uncertainties(parameters::Section &section) {
+  using namespace parameters;
+  const auto declare = [&section](const char *quantity, const char *value, const char *symbol) {
+    section.quantity("Uncertainty of " + std::string(quantity), value, dimension::none,
+                     Range{.lower = 0, .upper = 1, .upper_open = true}, symbol,
+                     "Relative half-width of the interval that holds the " + std::string(quantity) +
+                         "; the intervals of the restitution coefficient follow from it.");
+  };
+  declare("impulse", "0.01", "\\delta J");
+  declare("peak force", "0.01", "\\delta f_m");
+  declare("compliance", "0.02", "\\delta\\lambda");
+  declare("stiffness", "0.02", "\\delta k");
+}
+
+void declare_scales(parameters::Section &section) {
+  using namespace parameters;
+  const std::string sentence = " in which the printed formulas are evaluated, which depend on the "
+                               "units; the other sets do not.";
+  section
+      .quantity("Length scale", "1 m", dimension::length, range::positive, "L",
+                "Unit of length" + sentence)
+      .quantity("Time scale", "1 s", dimension::time, range::positive, "1/\\omega",
+                "Unit of time" + sentence)
+      .quantity("Force scale", "1 N", dimension::force, range::positive, "EI/L^2",
+                "Unit of force" + sentence);
+}
+
+std::size_t count(const parameters::Values &values, const std::string &key) {
+  return static_cast<std::size_t>(values.integer(key));
+}
+
+double read_sampling_frequency(const parameters::Values &values) {
+  if (!values.has("Sampling frequency"))
+    return 0;
+  const double frequency = values.quantity("Sampling frequency") / (2 * std::numbers::pi);
+  if (frequency * values.quantity("Duration") > 1e8)
+    values.reject("Sampling frequency", "at most 1e8 samples in the duration.");
+  return frequency;
+}
+
+} // namespace
+
+void Identify::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  Section &section = analysis.subsection(
+      section_name, "Restitution, approach speed and damping factor of impacts from the history of "
+                    "the contact force, by three sets of formulas.");
+  section.quantity("Duration", "", dimension::time, range::positive, "T", "Length of the motion.")
+      .text("Contact", "", "Contact whose force is recorded; empty when there is only one.")
+      .quantity("Sampling frequency", "", dimension::frequency, range::positive, "f_s",
+                "Of the force record, from which impulse and peak are taken; empty means a perfect "
+                "record.")
+      .integer("Map points", "41", Range{.lower = 2, .upper = 1000}, "",
+               "Points per axis of the map of the restitution coefficient over impulse and peak "
+               "force.")
+      .integer("Recorded pulses", "10", Range{.lower = 0, .upper = 1e6}, "",
+               "Impacts whose force is recorded at every time step.")
+      .integer("Listed impacts", "5", Range{.lower = 0, .upper = 1e6}, "",
+               "Impacts that the summary lists; the result file holds all.");
+  declare_uncertainties(section);
+  declare_scales(section);
+}
+
+std::shared_ptr<const Analysis> Identify::create(const parameters::Values &analysis) {
+  const parameters::Values values = analysis.subsection(section_name);
+  values.require("Duration");
+  return std::make_shared<Identify>(
+      Settings{.duration = values.quantity("Duration"),
+               .sampling_frequency = read_sampling_frequency(values),
+               .contact = values.text("Contact"),
+               .uncertainties = {.impulse = values.quantity("Uncertainty of impulse"),
+                                 .peak_force = values.quantity("Uncertainty of peak force"),
+                                 .compliance = values.quantity("Uncertainty of compliance"),
+                                 .stiffness = values.quantity("Uncertainty of stiffness")},
+               .scales = {.length = values.quantity("Length scale"),
+                          .time = values.quantity("Time scale"),
+                          .force = values.quantity("Force scale")},
+               .map_points = count(values, "Map points"),
+               .recorded_pulses = count(values, "Recorded pulses"),
+               .listed_impacts = count(values, "Listed impacts")});
+}
+
+Workload Identify::workload(const System & /*system*/) const {
+  return {.simulated_time = settings_.duration, .points = 1};
+}
+
+std::size_t Identify::contact_index(const ContactSet &contacts) const {
+  if (settings_.contact.empty() && contacts.size() == 1)
+    return 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts.pairs()[c].name == settings_.contact)
+      return c;
+  throw InputError(settings_.contact.empty()
+                       ? "Identify / Contact: must be given unless exactly one contact is active."
+                       : "Identify / Contact: no active contact is called '" + settings_.contact +
+                             "'.");
+}
+
+ContactConstants Identify::constants(const System &system) const {
+  const std::size_t contact = contact_index(system.contacts);
+  const ContactPair &pair = system.contacts.pairs()[contact];
+  const std::optional<PowerLaw> law = pair.law->power_law();
+  if (!law)
+    throw InputError("Identify / Contact: contact '" + pair.name + "' follows the law " +
+                     pair.law->name() +
+                     "; the formulas need F = k u^n (1 + d u'), hertz or "
+                     "hunt-crossley.");
+  return {.compliance = 1 / system.contacts.effective_mass(contact, system.model),
+          .stiffness = law->stiffness,
+          .exponent = law->exponent};
+}
+
+void Identify::check(const System &system) const {
+  constants(system);
+  Trajectory trajectory(system.model, system.contacts, system.integration);
+  trajectory.start(0, system.initial.displacement, system.initial.velocity);
+}
+
+IdentificationInput Identify::input(const System &system) const {
+  const ContactPair &pair = system.contacts.pairs()[contact_index(system.contacts)];
+  return {.contact = pair.name,
+          .constants = constants(system),
+          .dissipation = pair.law->power_law()->dissipation,
+          .scales = settings_.scales,
+          .uncertainties = settings_.uncertainties,
+          .pulses = {},
+          .listed_impacts = settings_.listed_impacts};
+}
+
+PointResult Identify::compute(const System &system) const {
+  const std::size_t contact = contact_index(system.contacts);
+  Trajectory trajectory(system.model, system.contacts, system.integration);
+  ImpactLog log(system.contacts, settings_.recorded_pulses);
+  std::vector<Observer *> observing = {&log};
+  std::optional<ForceRecord> record;
+  if (settings_.sampling_frequency > 0)
+    observing.push_back(&record.emplace(contact, 1 / settings_.sampling_frequency));
+  Observers observers(std::move(observing));
+  PointResult result;
+  try {
+    trajectory.start(0, system.initial.displacement, system.initial.velocity);
+    trajectory.advance(settings_.duration, observers);
+  } catch (const NumericalError &error) {
+    result.status = Status::failed;
+    result.reason = error.what();
+  }
+  IdentificationInput found = input(system);
+  for (const Impact &impact : log.impacts(contact))
+    found.pulses.push_back(
+        record ? record->figures(impact)
+               : PulseFigures{.impulse = impact.impulse, .peak_force = impact.peak_force});
+  add_impacts(result, system.contacts, log, settings_.listed_impacts);
+  add_identification(result, found);
+  add_restitution_maps(result, found, settings_.map_points);
+  add_pulses(result, system.contacts, log);
+  if (record)
+    add_force_record(result, *record);
+  add_accuracy(result, trajectory.accuracy(), system.integration);
+  return result;
+}
+
+void Identify::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
+  if (context.find({})) {
+    context.skip();
+    return;
+  }
+  context.store(compute(system));
+}
+
+} // namespace vibroimpact

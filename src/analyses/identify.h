@@ -1,0 +1,43 @@
+// Identification of impact damping: restitution, approach speed and damping factor of every impact
+// of a free or forced motion, found again from the force history of one contact alone
+// (identify_formulas.h), beside the values the motion itself shows.
+#pragma once
+
+#include "analyses/analysis.h"
+#include "analyses/identify_results.h"
+
+namespace vibroimpact {
+
+class Identify : public Analysis {
+public:
+  struct Settings {
+    double duration = 0;           ///< [s]
+    double sampling_frequency = 0; ///< of the force record [Hz]; 0: impulse and peak are exact
+    std::string contact;           ///< empty: the only one
+    Uncertainties uncertainties;
+    Scales scales;
+    std::size_t map_points = 2; ///< per axis, at least 2
+    std::size_t recorded_pulses = 0;
+    std::size_t listed_impacts = 0; ///< impacts in the summary
+  };
+  explicit Identify(Settings settings) : settings_(std::move(settings)) {}
+
+  static void declare(parameters::Section &analysis);
+  static std::shared_ptr<const Analysis> create(const parameters::Values &analysis);
+
+  std::string type() const override { return "identify"; }
+  std::vector<Axis> axes() const override { return {}; }
+  Workload workload(const System &system) const override;
+  void check(const System &system) const override;
+  void run_line(std::size_t line, System &system, LineContext &context) const override;
+
+private:
+  std::size_t contact_index(const ContactSet &contacts) const;
+  ContactConstants constants(const System &system) const;
+  IdentificationInput input(const System &system) const;
+  PointResult compute(const System &system) const;
+
+  Settings settings_;
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,50 @@
+#include "analyses/identify_fits.h"
+
+#include "common/linear_algebra.h"
+
+#include <Eigen/QR>
+#include <cmath>
+#include <limits>
+
+namespace vibroimpact {
+
+double constant_damping_factor(const std::vector<Identified> &impacts) {
+  double numerator = 0;
+  double denominator = 0;
+  for (const Identified &impact : impacts) {
+    if (!std::isfinite(impact.damping_factor))
+      continue;
+    const double square = impact.approach_speed * impact.approach_speed;
+    numerator += impact.damping_factor * square; // mu v_c = k d_c
+    denominator += square;
+  }
+  return numerator / denominator;
+}
+
+PowerFit fit_power(const std::vector<Identified> &impacts, double speed_unit) {
+  std::vector<Identified> usable;
+  for (const Identified &impact : impacts)
+    if (impact.restitution > 0)
+      usable.push_back(impact);
+  const auto rows = static_cast<Index>(usable.size());
+  Matrix factors(rows, 2);
+  Vector logarithms(rows);
+  for (Index i = 0; i < rows; ++i) {
+    const Identified &impact = usable[static_cast<std::size_t>(i)];
+    factors.row(i) << 1, std::log(impact.approach_speed / speed_unit);
+    logarithms[i] = std::log(impact.restitution);
+  }
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  PowerFit fit{.coefficient = nan, .exponent = nan, .impacts = usable.size()};
+  if (rows < 2)
+    return fit;
+  const auto decomposition = factors.colPivHouseholderQr();
+  if (decomposition.rank() < 2)
+    return fit;
+  const Vector solution = decomposition.solve(logarithms);
+  fit.coefficient = std::exp(solution[0]);
+  fit.exponent = solution[1];
+  return fit;
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,27 @@
+#include "analyses/identify_record.h"
+
+#include <algorithm>
+
+namespace vibroimpact {
+
+void ForceRecord::step(const StepView &view) {
+  for (double instant = interval_ * static_cast<double>(time_.size()); instant <= view.end();
+       instant = interval_ * static_cast<double>(time_.size())) {
+    time_.push_back(instant);
+    force_.push_back(view.force(contact_, (instant - view.start()) / view.length()));
+  }
+}
+
+PulseFigures ForceRecord::figures(const Impact &impact) const {
+  const auto first = std::lower_bound(time_.begin(), time_.end(), impact.start_time);
+  const auto last = std::upper_bound(first, time_.end(), impact.start_time + impact.duration);
+  PulseFigures figures;
+  for (auto i = first - time_.begin(); i < last - time_.begin(); ++i) {
+    const double force = force_[static_cast<std::size_t>(i)];
+    figures.impulse += force * interval_;
+    figures.peak_force = std::max(figures.peak_force, force);
+  }
+  return figures;
+}
+
+} // namespace vibroimpact

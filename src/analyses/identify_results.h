@@ -1,0 +1,37 @@
+// The identified impacts of one record as result fields and summary lines.
+#pragma once
+
+#include "analyses/identify_fits.h"
+#include "analyses/identify_record.h"
+#include "common/result_sink.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+/// What an identification starts from.
+struct IdentificationInput {
+  std::string contact; ///< name
+  ContactConstants constants;
+  std::optional<double> dissipation; ///< of the law, where it is the same for all impacts [s/m]
+  Scales scales;
+  Uncertainties uncertainties;
+  std::vector<PulseFigures> pulses; ///< of every impact
+  std::size_t listed_impacts = 0;   ///< in the summary
+};
+
+/// Constants of the contact, the pulses as measured, and for each set of formulas e with its
+/// interval, v_c, mu (dimension impact_NAME) and the fitted laws.
+void add_identification(PointResult &result, const IdentificationInput &input);
+
+/// e of each set over a grid of impulses and peak forces that reaches a fifth beyond the largest
+/// pulse, and over gamma from 1 to 4: `points` per axis.
+void add_restitution_maps(PointResult &result, const IdentificationInput &input,
+                          std::size_t points);
+
+/// The force over the samples of its record.
+void add_force_record(PointResult &result, const ForceRecord &record);
+
+} // namespace vibroimpact
