@@ -9,7 +9,6 @@ from .cases import cases, explain
 from .labels import quantity_label, scale_for
 from .results import Analysis, Array, Results
 
-CLOSE_UP = "close_up/"
 
 
 def figures(results: Results, analysis: Analysis):
@@ -17,10 +16,9 @@ def figures(results: Results, analysis: Analysis):
     for contact in analysis.members("contact"):
         if analysis.has(f"contact/{contact}/normal_force"):
             yield f"{analysis.name}-contact-{contact}", contact_history(analysis, contact)
-            window = first_impact(analysis, contact)
-            if window is not None:
-                yield (f"{analysis.name}-first-impact-{contact}",
-                       close_up(analysis, contact, *window))
+            first = close_up(analysis, contact)
+            if first is not None:
+                yield f"{analysis.name}-first-impact-{contact}", first
     for point in analysis.members("point"):
         quantities = analysis.members(f"point/{point}")
         if quantities:
@@ -46,74 +44,74 @@ def draw(axes, analysis, x: Array, y: Array, x_scale, y_scale, shift=0.0) -> Non
         )
 
 
-def histories(analysis: Analysis, prefix: str, rows: list[tuple[str, str]], title: str):
-    """Fields below each other over the same time; `rows` holds path and label."""
-    time = analysis.read(prefix + "time")
-    time_scale = scale_for(time.unit, time.values)
+def history_panels(analysis: Analysis, rows: list[tuple[str, str]], title: str):
+    """Fields below each other over the same time; `rows` holds path and label. Also returns the
+    scales of the time and of the rows."""
+    time = analysis.read("time")
+    scales = [scale_for(time.unit, time.values)]
     figure, panels = style.panels(len(rows))
     for axes, (path, label) in zip(panels, rows):
-        field = analysis.read(prefix + path)
-        scale = scale_for(field.unit, field.values)
-        draw(axes, analysis, time, field, time_scale, scale)
-        axes.set_ylabel(scale.label(label))
+        field = analysis.read(path)
+        scales.append(scale_for(field.unit, field.values))
+        draw(axes, analysis, time, field, scales[0], scales[-1])
+        axes.set_ylabel(scales[-1].label(label))
     panels[0].set_title(title)
-    panels[-1].set_xlabel(time_scale.label("Time"))
+    panels[-1].set_xlabel(scales[0].label("Time"))
     explain(figure, panels, analysis, cases(analysis))
-    return figure
+    return figure, panels, scales
 
 
 def contact_history(analysis: Analysis, contact: str):
     rows = [(f"contact/{contact}/normal_force", "Contact force")]
     if analysis.has(f"contact/{contact}/gap"):
         rows.append((f"contact/{contact}/gap", "Gap"))
-    return histories(analysis, "", rows, f"Contact {contact}")
+    figure, panels, scales = history_panels(analysis, rows, f"Contact {contact}")
+    # Impacts are shorter than the sampling of the record; their own samples show the true peaks.
+    for case in cases(analysis):
+        time, force, _ = pulses(analysis, contact, case.index)
+        if np.isfinite(time).any():
+            panels[0].plot(time / scales[0].factor, force / scales[1].factor, color=case.colour)
+    return figure
+
+
+def pulses(analysis: Analysis, contact: str, index: tuple):
+    """Time, force and gap of the impacts recorded at every time step; NaN between them."""
+    group = f"contact/{contact}/pulse/"
+    if not analysis.has(group + "time"):
+        return np.array([]), np.array([]), np.array([])
+    return tuple(of_case(analysis.read(group + name), analysis, index)
+                 for name in ("time", "normal_force", "gap"))
 
 
 def motion(analysis: Analysis, point: str, quantities: list[str]):
     rows = [(f"point/{point}/{quantity}", quantity_label(quantity)) for quantity in quantities]
-    return histories(analysis, "", rows, f"Point {point}")
+    return history_panels(analysis, rows, f"Point {point}")[0]
 
 
-def first_impact(analysis: Analysis, contact: str):
-    """Start and duration [s] of the first impact of the first case that has one, or None."""
-    table = f"contact/{contact}/impact/"
-    if not analysis.has(table + "start_time") or not analysis.has(table + "duration"):
+def close_up(analysis: Analysis, contact: str):
+    """Force and gap during the first recorded impact of every case, or None without one."""
+    shown = []
+    for case in cases(analysis):
+        time, force, gap = pulses(analysis, contact, case.index)
+        if time.size and np.isfinite(time[0]):
+            end = np.flatnonzero(~np.isfinite(time))
+            last = end[0] if end.size else time.size
+            shown.append((case, time[:last], force[:last], gap[:last]))
+    if not shown:
         return None
-    start = analysis.read(table + "start_time").values.reshape(-1)
-    duration = analysis.read(table + "duration").values.reshape(-1)
-    real = np.flatnonzero(np.isfinite(start) & (duration > 0))
-    return (start[real[0]], duration[real[0]]) if real.size else None
-
-
-def close_up(analysis: Analysis, contact: str, start: float, duration: float):
-    """Force and gap around one impact; from the finer record where there is one of that time."""
-    prefix = record_for(analysis, contact, start)
-    time = analysis.read(prefix + "time")
-    time_scale = scale_for("s", [2 * duration])
+    time_scale = scale_for("s", np.concatenate([t - t[0] for _, t, _, _ in shown]))
     figure, panels = style.panels(2)
-    for axes, name, label in zip(panels, ["normal_force", "gap"], ["Contact force", "Gap"]):
-        path = f"{prefix}contact/{contact}/{name}"
-        if not analysis.has(path):
-            continue
-        field = analysis.read(path)
-        first_case = of_case(field, analysis, (0,) * len(analysis.grid))
-        times = of_case(time, analysis, (0,) * len(analysis.grid))
-        inside = (times >= start - duration / 2) & (times <= start + 1.5 * duration)
-        scale = scale_for(field.unit, first_case[inside])
-        axes.plot((times[inside] - start) / time_scale.factor, first_case[inside] / scale.factor,
-                  color=style.COLOURS[0])
+    for axes, unit, label, k in zip(panels, ["N", "m"], ["Contact force", "Gap"], [2, 3]):
+        scale = scale_for(unit, np.concatenate([entry[k] for entry in shown]))
+        for entry in shown:
+            axes.plot((entry[1] - entry[1][0]) / time_scale.factor, entry[k] / scale.factor,
+                      color=entry[0].colour)
         axes.set_ylabel(scale.label(label))
-    panels[0].set_title(f"First impact of contact {contact}, {start:.6g} s")
+    start = f", {shown[0][1][0]:.6g} s" if len(shown) == 1 else ""
+    panels[0].set_title(f"First impact of contact {contact}{start}")
     panels[-1].set_xlabel(time_scale.label("Time since first touch"))
+    explain(figure, panels, analysis, [entry[0] for entry in shown])
     return figure
-
-
-def record_for(analysis: Analysis, contact: str, start: float) -> str:
-    if analysis.has(f"{CLOSE_UP}contact/{contact}/normal_force"):
-        time = analysis.read(CLOSE_UP + "time").values
-        if np.nanmin(time) <= start <= np.nanmax(time):
-            return CLOSE_UP
-    return ""
 
 
 def phase_portrait(analysis: Analysis, point: str, displacement: str, velocity: str):
