@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.lines import Line2D
 
 from . import style
 from .cases import cases, explain
@@ -46,19 +47,24 @@ def draw(axes, analysis, x: Array, y: Array, x_scale, y_scale, shift=0.0) -> Non
         )
 
 
-def histories(analysis: Analysis, prefix: str, rows: list[tuple[str, str]], title: str):
-    """Fields below each other over the same time; `rows` holds path and label."""
-    time = analysis.read(prefix + "time")
+def histories(analysis: Analysis, rows: list[tuple[str, str]], title: str, peaks=None):
+    """Fields below each other over the same time; `rows` holds path and label. `peaks` are times
+    and values to be marked in the first."""
+    time = analysis.read("time")
     time_scale = scale_for(time.unit, time.values)
     figure, panels = style.panels(len(rows))
+    handles: list[Line2D] = []
     for axes, (path, label) in zip(panels, rows):
-        field = analysis.read(prefix + path)
-        scale = scale_for(field.unit, field.values)
+        field = analysis.read(path)
+        marked = peaks is not None and axes is panels[0]
+        scale = scale_for(field.unit, field.values, peaks[1].values if marked else [])
+        if marked:
+            handles.append(draw_peaks(axes, analysis, peaks, time_scale, scale))
         draw(axes, analysis, time, field, time_scale, scale)
         axes.set_ylabel(scale.label(label))
     panels[0].set_title(title)
     panels[-1].set_xlabel(time_scale.label("Time"))
-    explain(figure, panels, analysis, cases(analysis))
+    explain(figure, panels, analysis, cases(analysis), handles)
     return figure
 
 
@@ -66,12 +72,32 @@ def contact_history(analysis: Analysis, contact: str):
     rows = [(f"contact/{contact}/normal_force", "Contact force")]
     if analysis.has(f"contact/{contact}/gap"):
         rows.append((f"contact/{contact}/gap", "Gap"))
-    return histories(analysis, "", rows, f"Contact {contact}")
+    peaks = impact_peaks(analysis, contact)
+    return histories(analysis, rows, f"Contact {contact}", peaks)
+
+
+def impact_peaks(analysis: Analysis, contact: str):
+    """Start and peak force of all impacts, or None. A history is sampled and can miss the peaks of
+    short impacts; the table has them as they were."""
+    table = f"contact/{contact}/impact/"
+    if not analysis.has(table + "start_time") or not analysis.has(table + "peak_force"):
+        return None
+    return analysis.read(table + "start_time"), analysis.read(table + "peak_force")
+
+
+def draw_peaks(axes, analysis: Analysis, peaks, time_scale, scale) -> Line2D:
+    times, forces = peaks
+    for case in cases(analysis):
+        axes.plot(of_case(times, analysis, case.index) / time_scale.factor,
+                  of_case(forces, analysis, case.index) / scale.factor,
+                  "o", fillstyle="none", color=case.colour)
+    return Line2D([], [], color="#555555", marker="o", fillstyle="none", linestyle="",
+                  label="peak of an impact")
 
 
 def motion(analysis: Analysis, point: str, quantities: list[str]):
     rows = [(f"point/{point}/{quantity}", quantity_label(quantity)) for quantity in quantities]
-    return histories(analysis, "", rows, f"Point {point}")
+    return histories(analysis, rows, f"Point {point}")
 
 
 def first_impact(analysis: Analysis, contact: str):
