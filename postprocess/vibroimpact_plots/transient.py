@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.lines import Line2D
 
 from . import style
 from .cases import cases, explain
@@ -44,34 +45,57 @@ def draw(axes, analysis, x: Array, y: Array, x_scale, y_scale, shift=0.0) -> Non
         )
 
 
-def history_panels(analysis: Analysis, rows: list[tuple[str, str]], title: str):
-    """Fields below each other over the same time; `rows` holds path and label. Also returns the
-    scales of the time and of the rows."""
+def histories(analysis: Analysis, rows: list[tuple[str, str]], title: str, peaks=None):
+    """Fields below each other over the same time; `rows` holds path and label. `peaks` are times
+    and values to be marked in the first."""
     time = analysis.read("time")
-    scales = [scale_for(time.unit, time.values)]
+    time_scale = scale_for(time.unit, time.values)
     figure, panels = style.panels(len(rows))
+    handles: list[Line2D] = []
     for axes, (path, label) in zip(panels, rows):
         field = analysis.read(path)
-        scales.append(scale_for(field.unit, field.values))
-        draw(axes, analysis, time, field, scales[0], scales[-1])
-        axes.set_ylabel(scales[-1].label(label))
+        marked = peaks is not None and axes is panels[0]
+        scale = scale_for(field.unit, field.values, peaks[1].values if marked else [])
+        if marked:
+            handles.append(draw_peaks(axes, analysis, peaks, time_scale, scale))
+        draw(axes, analysis, time, field, time_scale, scale)
+        axes.set_ylabel(scale.label(label))
     panels[0].set_title(title)
-    panels[-1].set_xlabel(scales[0].label("Time"))
-    explain(figure, panels, analysis, cases(analysis))
-    return figure, panels, scales
+    panels[-1].set_xlabel(time_scale.label("Time"))
+    explain(figure, panels, analysis, cases(analysis), handles)
+    return figure
 
 
 def contact_history(analysis: Analysis, contact: str):
     rows = [(f"contact/{contact}/normal_force", "Contact force")]
     if analysis.has(f"contact/{contact}/gap"):
         rows.append((f"contact/{contact}/gap", "Gap"))
-    figure, panels, scales = history_panels(analysis, rows, f"Contact {contact}")
-    # Impacts are shorter than the sampling of the record; their own samples show the true peaks.
+    peaks = impact_peaks(analysis, contact)
+    return histories(analysis, rows, f"Contact {contact}", peaks)
+
+
+def impact_peaks(analysis: Analysis, contact: str):
+    """Start and peak force of all impacts, or None. A history is sampled and can miss the peaks of
+    short impacts; the table has them as they were."""
+    table = f"contact/{contact}/impact/"
+    if not analysis.has(table + "time") or not analysis.has(table + "peak_force"):
+        return None
+    return analysis.read(table + "time"), analysis.read(table + "peak_force")
+
+
+def draw_peaks(axes, analysis: Analysis, peaks, time_scale, scale) -> Line2D:
+    times, forces = peaks
     for case in cases(analysis):
-        time, force, _ = pulses(analysis, contact, case.index)
-        if np.isfinite(time).any():
-            panels[0].plot(time / scales[0].factor, force / scales[1].factor, color=case.colour)
-    return figure
+        axes.plot(of_case(times, analysis, case.index) / time_scale.factor,
+                  of_case(forces, analysis, case.index) / scale.factor,
+                  "o", fillstyle="none", color=case.colour)
+    return Line2D([], [], color="#555555", marker="o", fillstyle="none", linestyle="",
+                  label="peak of an impact")
+
+
+def motion(analysis: Analysis, point: str, quantities: list[str]):
+    rows = [(f"point/{point}/{quantity}", quantity_label(quantity)) for quantity in quantities]
+    return histories(analysis, rows, f"Point {point}")
 
 
 def pulses(analysis: Analysis, contact: str, index: tuple):
@@ -81,11 +105,6 @@ def pulses(analysis: Analysis, contact: str, index: tuple):
         return np.array([]), np.array([]), np.array([])
     return tuple(of_case(analysis.read(group + name), analysis, index)
                  for name in ("time", "normal_force", "gap"))
-
-
-def motion(analysis: Analysis, point: str, quantities: list[str]):
-    rows = [(f"point/{point}/{quantity}", quantity_label(quantity)) for quantity in quantities]
-    return history_panels(analysis, rows, f"Point {point}")[0]
 
 
 def close_up(analysis: Analysis, contact: str):
