@@ -14,8 +14,8 @@ public:
     double duration = 0;           ///< [s]
     double sampling_frequency = 0; ///< of the force record [Hz]; 0: impulse and peak are exact
     std::string contact;           ///< empty: the only one
-    Uncertainties uncertainties;
-    Scales scales;
+    Uncertainties uncertainties{};
+    Scales scales{};
     std::size_t map_points = 2; ///< per axis, at least 2
     std::size_t recorded_pulses = 0;
     std::size_t listed_impacts = 0; ///< impacts in the summary

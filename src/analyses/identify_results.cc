@@ -170,7 +170,7 @@ void add_identification(PointResult &result, const IdentificationInput &input) {
 void add_restitution_maps(PointResult &result, const IdentificationInput &input,
                           std::size_t points) {
   constexpr double reach = 1.2;
-  constexpr double largest_ratio = 4; // e = 0.18 by the exact set, n = 3/2
+  constexpr double largest_ratio = 4; // e = 0.17 by the exact set, n = 3/2
   PulseFigures largest;
   for (const PulseFigures &pulse : input.pulses) {
     largest.impulse = std::max(largest.impulse, pulse.impulse);
