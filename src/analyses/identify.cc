@@ -169,7 +169,7 @@ PointResult Identify::compute(const System &system) const {
   add_restitution_maps(result, found, settings_.map_points);
   add_pulses(result, system.contacts, log);
   if (record)
-    add_force_record(result, *record);
+    add_force_record(result, found.contact, *record);
   add_accuracy(result, trajectory.accuracy(), system.integration);
   return result;
 }

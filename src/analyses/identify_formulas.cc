@@ -127,6 +127,7 @@ Interval restitution_interval(const FormulaSet &set, const PulseFigures &pulse,
                               const Uncertainties &uncertainties) {
   Interval interval{.low = std::numeric_limits<double>::infinity(),
                     .high = -std::numeric_limits<double>::infinity()};
+  bool solvable = false;
   for (unsigned corner = 0; corner < corners; ++corner) {
     const PulseFigures shown{.impulse = at_corner(pulse.impulse, uncertainties.impulse, corner, 0),
                              .peak_force =
@@ -136,14 +137,15 @@ Interval restitution_interval(const FormulaSet &set, const PulseFigures &pulse,
         .stiffness = at_corner(contact.stiffness, uncertainties.stiffness, corner, 3),
         .exponent = contact.exponent};
     const double ratio = pulse_ratio(shown, known);
-    if (std::isnan(ratio))
-      return {.low = nan, .high = nan};
     const double compliance = scales.dimensionless(known.compliance);
-    const double e = set.restitution(std::max(ratio, set.lowest_ratio(compliance)), compliance,
-                                     contact.exponent);
+    const double lowest_ratio = set.lowest_ratio(compliance);
+    solvable = solvable || ratio >= lowest_ratio;
+    const double e = set.restitution(std::max(ratio, lowest_ratio), compliance, contact.exponent);
     interval.low = std::min(interval.low, e);
     interval.high = std::max(interval.high, e);
   }
+  if (!solvable)
+    return {.low = nan, .high = nan};
   return interval;
 }
 

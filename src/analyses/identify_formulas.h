@@ -92,7 +92,8 @@ Identified identify(const FormulaSet &set, const PulseFigures &pulse,
                     const ContactConstants &contact, const Scales &scales);
 
 /// Extremes of e over all corners of the uncertainties. Where a corner has no solution because
-/// gamma falls below its lowest value, the interval reaches the largest e of the formulas.
+/// gamma falls below its lowest value, the interval reaches the largest e of the formulas. NaN when
+/// no corner has a solution: then this was no impact of two free bodies.
 Interval restitution_interval(const FormulaSet &set, const PulseFigures &pulse,
                               const ContactConstants &contact, const Scales &scales,
                               const Uncertainties &uncertainties);

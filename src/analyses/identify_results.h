@@ -1,4 +1,5 @@
-// The identified impacts of one record as result fields and summary lines.
+// The identified impacts of one record as result fields, below contact/NAME/identification/, and as
+// summary lines.
 #pragma once
 
 #include "analyses/identify_fits.h"
@@ -32,6 +33,6 @@ void add_restitution_maps(PointResult &result, const IdentificationInput &input,
                           std::size_t points);
 
 /// The force over the samples of its record.
-void add_force_record(PointResult &result, const ForceRecord &record);
+void add_force_record(PointResult &result, const std::string &contact, const ForceRecord &record);
 
 } // namespace vibroimpact
