@@ -162,6 +162,13 @@ void add_histories(const Collision &collision, const std::string &prefix,
   add("point/right.head/velocity_x", "m/s", collision.right_velocity);
 }
 
+void add_pulse(const Collision &collision, PointResult &point) {
+  const std::string group = "contact/heads/pulse/";
+  point.fields.push_back(history(group + "time", "s", "pulse_heads", collision.time));
+  point.fields.push_back(history(group + "normal_force", "N", "pulse_heads", collision.force));
+  point.fields.push_back(history(group + "gap", "m", "pulse_heads", collision.gap));
+}
+
 void add_impacts(const std::vector<Impact> &impacts, PointResult &point) {
   const auto add = [&](const std::string &name, const std::string &unit, const auto &value) {
     std::vector<double> values;
@@ -170,7 +177,7 @@ void add_impacts(const std::vector<Impact> &impacts, PointResult &point) {
     point.fields.push_back(
         history("contact/heads/impact/" + name, unit, "impact_heads", std::move(values)));
   };
-  add("start_time", "s", [](const Impact &impact) { return impact.start; });
+  add("time", "s", [](const Impact &impact) { return impact.start; });
   add("duration", "s", [](const Impact &impact) { return impact.duration; });
   add("approach_speed", "m/s", [](const Impact &impact) { return impact.approach_speed; });
   add("peak_force", "N", [](const Impact &impact) { return impact.peak_force; });
@@ -252,6 +259,7 @@ Example transient_example() {
   add_histories(collision, "", "time", point);
   add_histories(collide(first + 2e-3, 2e-6, first - 1e-3, 4e-6), "close_up/", "close_up_time",
                 point);
+  add_pulse(collide(first + 1e-4, 1e-6, first, 1e-6), point);
   add_impacts(collision.impacts, point);
   point.fields.push_back(scalar("energy_residual", "1", 1e-9));
   point.fields.push_back(scalar("steps", "1", 17));
