@@ -3,10 +3,11 @@
 A module offers figures(results, analysis), which yields pairs of a name and a figure.
 """
 
-from . import modal, stepped_sweep, transient
+from . import identify, modal, stepped_sweep, transient
 
 FIGURES = {
     "modal": modal.figures,
     "transient": transient.figures,
+    "identify": identify.figures,
     "stepped sweep": stepped_sweep.figures,
 }

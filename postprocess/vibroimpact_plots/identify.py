@@ -1,185 +1,189 @@
-"""Figures of an analysis of type `identify`: what the force record of impacts says about damping.
+"""Identification of impact damping: what a force record says about restitution and damping.
 
-Every function takes the group /analysis/NAME of results.h5 and returns a matplotlib figure.
-Outer axes of a parameter grid stand before the axes of a field; where impacts are pooled over a
-grid they are flattened, shorter points being padded with NaN by the file.
+Impacts of all cases of a parameter grid are shown together.
 """
+
 from __future__ import annotations
 
-import h5py
+import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.figure import Figure
 
-SETS = {"printed": "tab:red", "corrected": "tab:orange", "exact": "tab:blue"}
-FIELD = "identification/"
+from . import style
+from .cases import cases, name_of_grid
+from .labels import scale_for
+from .results import Analysis, Results
 
-
-def figures(analysis: h5py.Group) -> dict[str, Figure]:
-    """All figures that fit what the analysis holds, by file name without suffix."""
-    drawn = {
-        "impulse_and_peak": impulse_and_peak(analysis),
-        "restitution_over_speed": restitution_over_speed(analysis),
-        "damping_factor_over_speed": damping_factor_over_speed(analysis),
-        "restitution_over_ratio": restitution_over_ratio(analysis),
-        "first_pulse": first_pulse(analysis),
-    }
-    if analysis[FIELD + "exact/restitution_map"].ndim == 2:
-        drawn["restitution_map"] = restitution_map(analysis)
-    if FIELD + "record/force" in analysis and analysis[FIELD + "record/force"].ndim == 1:
-        drawn["force_record"] = force_record(analysis)
-    return drawn
+SETS = dict(zip(["exact", "corrected", "printed"], style.COLOURS))
+RESTITUTION = "Restitution coefficient $e$"
+HARD = 0.1  # m/s; slower impacts are disturbed by the rest of the structure
 
 
-def restitution_map(analysis: h5py.Group) -> Figure:
-    """Restitution coefficient over impulse and peak force, by each set of formulas."""
-    figure = Figure(figsize=(12, 4), layout="constrained")
-    axes = figure.subplots(1, len(SETS), sharey=True)
-    impulse = analysis[FIELD + "impulse_axis"][()]
-    force = analysis[FIELD + "peak_force_axis"][()]
-    levels = np.linspace(-0.6, 1, 17)
-    filled = None
-    for axis, name in zip(axes, SETS):
-        values = analysis[f"{FIELD}{name}/restitution_map"][()]
-        filled = axis.contourf(impulse, force, values.T, levels, cmap="viridis", extend="min")
-        axis.plot(_column(analysis, "impulse"), _column(analysis, "peak_force"), "w.", markeredgecolor="k")
-        axis.set(title=name, xlabel="impulse J [N s]")
-    axes[0].set_ylabel("peak force $f_m$ [N]")
-    figure.colorbar(filled, ax=axes, label="restitution coefficient e")
-    return figure
-
-
-def force_record(analysis: h5py.Group) -> Figure:
-    """Sampled force record over the true peaks of the pulses."""
-    figure = Figure(figsize=(9, 4), layout="constrained")
-    axis = figure.subplots()
-    impacts = _contact(analysis)["impact"]
-    axis.vlines(impacts["time"][()], 0, impacts["peak_force"][()], "0.75", label="pulses, true peak")
-    axis.plot(analysis[FIELD + "record/time"][()], analysis[FIELD + "record/force"][()], ".-",
-              color="tab:blue", markersize=3, linewidth=0.8, label="record")
-    axis.set(xlabel="time [s]", ylabel="contact force [N]")
-    axis.legend()
-    return figure
-
-
-def impulse_and_peak(analysis: h5py.Group) -> Figure:
-    """Impulse against peak force of all impacts."""
-    figure = Figure(figsize=(6, 4.5), layout="constrained")
-    axis = figure.subplots()
-    axis.loglog(_column(analysis, "peak_force"), _column(analysis, "impulse"), ".")
-    axis.set(xlabel="peak force $f_m$ [N]", ylabel="impulse J [N s]")
-    return figure
-
-
-def restitution_over_speed(analysis: h5py.Group) -> Figure:
-    """Identified restitution over identified approach speed, beside what the motion shows."""
-    figure = Figure(figsize=(7, 5), layout="constrained")
-    axis = figure.subplots()
-    impacts = _contact(analysis)["impact"]
-    axis.semilogx(np.ravel(impacts["approach_speed"]), np.ravel(impacts["restitution_coefficient"]),
-                  "k+", markersize=9, label="motion")
-    for name, colour in SETS.items():
-        speed, restitution = (_column(analysis, f"{name}/{key}")
-                              for key in ("approach_speed", "restitution_coefficient"))
-        low, high = (_column(analysis, f"{name}/restitution_{end}") for end in ("low", "high"))
-        known = np.isfinite(restitution)
-        errors = np.clip([restitution - low, high - restitution], 0, None)[:, known]
-        axis.errorbar(speed[known], restitution[known], errors, fmt=".", color=colour,
-                      elinewidth=0.6, label=name)
-        _draw_fit(axis, speed, restitution, colour)
-    axis.axhline(0, color="0.7", linewidth=0.8)
-    axis.set(xlabel="approach speed $v_c$ [m/s]", ylabel="restitution coefficient e")
-    axis.legend()
-    return figure
-
-
-def damping_factor_over_speed(analysis: h5py.Group) -> Figure:
-    """Identified damping factor over identified approach speed."""
-    figure = Figure(figsize=(7, 5), layout="constrained")
-    axis = figure.subplots()
-    for name, colour in SETS.items():
-        axis.loglog(_column(analysis, f"{name}/approach_speed"),
-                    _column(analysis, f"{name}/damping_factor"), ".", color=colour, label=name)
-    unit = analysis[FIELD + "exact/damping_factor"].attrs["unit"]
-    axis.set(xlabel="approach speed $v_c$ [m/s]", ylabel=f"damping factor $\\mu$ [{_text(unit)}]")
-    axis.legend()
-    return figure
-
-
-def restitution_over_ratio(analysis: h5py.Group) -> Figure:
-    """The three formulas e(gamma), with the impacts of the motion."""
-    figure = Figure(figsize=(6, 4.5), layout="constrained")
-    axis = figure.subplots()
-    ratio = analysis[FIELD + "pulse_ratio_axis"][()]
-    for name, colour in SETS.items():
-        curves = analysis[f"{FIELD}{name}/restitution_curve"][()].reshape(-1, ratio.shape[-1])
-        axis.plot(ratio.reshape(-1, ratio.shape[-1])[0], curves[0], color=colour, label=name)
-    axis.plot(_column(analysis, "pulse_ratio"),
-              np.ravel(_contact(analysis)["impact/restitution_coefficient"]), "k+", label="motion")
-    axis.set(xlabel="$\\gamma$", ylabel="restitution coefficient e", xlim=(1, ratio.max()))
-    axis.legend()
-    return figure
-
-
-def first_pulse(analysis: h5py.Group) -> Figure:
-    """Force of the first impact of every grid point, with its samples where there is a record."""
-    figure = Figure(figsize=(7, 4.5), layout="constrained")
-    axis = figure.subplots()
-    pulse = _contact(analysis)["pulse"]
-    times, forces = (_rows(pulse[name]) for name in ("time", "normal_force"))
-    starts = _rows(_contact(analysis)["impact/time"])
-    for point, (time, force) in enumerate(zip(times, forces)):
-        end = int(np.argmax(np.isnan(time))) or len(time)
-        if end == 0 or np.isnan(time[0]):
+def figures(results: Results, analysis: Analysis):
+    """Name and figure, one after the other, for every contact that was identified."""
+    for contact in analysis.members("contact"):
+        sheet = Sheet(analysis, contact)
+        if not analysis.has(sheet.path("compliance")):
             continue
-        origin = starts[point][0]
-        line, = axis.plot(1e6 * (time[:end] - origin), force[:end], label=_label(analysis, point))
-        if FIELD + "record/force" in analysis:
-            sampled = _rows(analysis[FIELD + "record/force"])[point]
-            instants = _rows(analysis[FIELD + "record/time"])
-            instants = instants[min(point, len(instants) - 1)]
-            near = (instants > time[0] - 5e-5) & (instants < time[end - 1] + 5e-5)
-            axis.plot(1e6 * (instants[near] - origin), sampled[near], "o", color=line.get_color())
-    axis.set(xlabel="time since touch [µs]", ylabel="contact force [N]")
-    axis.legend()
+        base = f"{analysis.name}-{contact}"
+        yield f"{base}-impulse-and-peak", impulse_and_peak(sheet)
+        yield f"{base}-restitution", restitution_over_speed(sheet)
+        yield f"{base}-damping-factor", damping_factor_over_speed(sheet)
+        yield f"{base}-pulses", first_pulses(sheet)
+        if not analysis.grid:
+            yield f"{base}-restitution-map", restitution_map(sheet)
+            yield f"{base}-ratio", restitution_over_ratio(sheet)
+            if analysis.has(sheet.path("record/force")):
+                yield f"{base}-record", force_record(sheet)
+
+
+class Sheet:
+    """Results of one identified contact."""
+
+    def __init__(self, analysis: Analysis, contact: str):
+        self.analysis = analysis
+        self.contact = contact
+
+    def path(self, name: str) -> str:
+        return f"contact/{self.contact}/identification/{name}"
+
+    def identified(self, name: str) -> np.ndarray:
+        """Of all impacts of all cases, NaN included."""
+        return self.analysis.read(self.path(name)).values.ravel()
+
+    def of_motion(self, name: str) -> np.ndarray:
+        return self.analysis.read(f"contact/{self.contact}/impact/{name}").values.ravel()
+
+    def rows(self, path: str) -> np.ndarray:
+        """Case, position; a coordinate that all cases share is repeated."""
+        values = self.analysis.read(path).values
+        rows = values.reshape(-1, values.shape[-1])
+        return np.broadcast_to(rows, (len(cases(self.analysis)), rows.shape[1]))
+
+
+def impulse_and_peak(sheet: Sheet):
+    figure, (axes,) = style.panels(1, height=3.2)
+    axes.loglog(sheet.identified("peak_force"), sheet.identified("impulse"), "o")
+    axes.set(xlabel="Peak force $f_m$ (N)", ylabel="Impulse $J$ (N s)",
+             title=f"Contact {sheet.contact}")
     return figure
 
 
-def _draw_fit(axis, speed: np.ndarray, restitution: np.ndarray, colour: str) -> None:
-    """The power law through all shown impacts, least squares in ln e."""
-    usable = restitution > 0
+def restitution_over_speed(sheet: Sheet):
+    """e over v_c by each set with its interval, and what the motion itself shows."""
+    figure, (axes,) = style.panels(1, height=3.6)
+    for name, colour in SETS.items():
+        speed = sheet.identified(f"{name}/approach_speed")
+        middle, low, high = (sheet.identified(f"{name}/restitution_{end}")
+                             for end in ("coefficient", "low", "high"))
+        known = np.isfinite(middle)
+        axes.errorbar(speed[known], middle[known], np.array([middle - low, high - middle])[:, known],
+                      fmt="o", color=colour, elinewidth=0.5, label=name)
+    axes.plot(sheet.of_motion("approach_speed"), sheet.of_motion("restitution_coefficient"), "k+",
+              markersize=6, label="motion")
+    draw_fit(axes, sheet)
+    axes.set_xscale("log")
+    axes.set(xlabel="Approach speed $v_c$ (m/s)", ylabel=RESTITUTION,
+             title=f"Contact {sheet.contact}")
+    style.legend_beside(axes)
+    return figure
+
+
+def draw_fit(axes, sheet: Sheet) -> None:
+    """Power law through the hard impacts of the exact set, least squares in ln e."""
+    speed = sheet.identified("exact/approach_speed")
+    restitution = sheet.identified("exact/restitution_coefficient")
+    usable = (restitution > 0) & (speed > HARD)
     if np.unique(speed[usable]).size < 2:
         return
     exponent, logarithm = np.polyfit(np.log(speed[usable]), np.log(restitution[usable]), 1)
     span = np.geomspace(speed[usable].min(), speed[usable].max(), 50)
-    axis.plot(span, np.exp(logarithm) * span**exponent, color=colour, linewidth=0.8,
-              label=f"{np.exp(logarithm):.4g} $v_c^{{{exponent:.3g}}}$, $v_c$ in m/s")
+    axes.plot(span, np.exp(logarithm) * span**exponent, "--", color=SETS["exact"],
+              label=f"exact: {np.exp(logarithm):.4g} $v_c^{{{exponent:.2g}}}$, above {HARD} m/s")
 
 
-def _column(analysis: h5py.Group, name: str) -> np.ndarray:
-    return np.ravel(analysis[FIELD + name][()])
+def damping_factor_over_speed(sheet: Sheet):
+    figure, (axes,) = style.panels(1, height=3.2)
+    for name, colour in SETS.items():
+        axes.loglog(sheet.identified(f"{name}/approach_speed"),
+                    sheet.identified(f"{name}/damping_factor"), "o", color=colour, label=name)
+    unit = sheet.analysis.read(sheet.path("exact/damping_factor")).unit
+    axes.set(xlabel="Approach speed $v_c$ (m/s)", ylabel=f"Damping factor $\\mu$ ({unit})",
+             title=f"Contact {sheet.contact}")
+    style.legend_beside(axes)
+    return figure
 
 
-def _rows(dataset: h5py.Dataset) -> np.ndarray:
-    return dataset[()].reshape(-1, dataset.shape[-1])
+def first_pulses(sheet: Sheet):
+    """Force of the first impact of every case, with its samples where there is a record."""
+    figure, (axes,) = style.panels(1, height=3.2)
+    time, force = (sheet.rows(f"contact/{sheet.contact}/pulse/{name}")
+                   for name in ("time", "normal_force"))
+    start = sheet.rows(f"contact/{sheet.contact}/impact/time")
+    duration = sheet.rows(f"contact/{sheet.contact}/impact/duration")
+    recorded = sheet.analysis.has(sheet.path("record/force"))
+    for point, case in enumerate(cases(sheet.analysis)):
+        inside = within(time[point], start[point, 0], duration[point, 0])
+        axes.plot(1e6 * (time[point, inside] - start[point, 0]), force[point, inside],
+                  color=case.colour, label=case.text or "force")
+        if recorded:
+            instants = sheet.rows(sheet.path("record/time"))[point]
+            samples = sheet.rows(sheet.path("record/force"))[point]
+            near = within(instants, start[point, 0], duration[point, 0])
+            axes.plot(1e6 * (instants[near] - start[point, 0]), samples[near], "o",
+                      color=case.colour, markersize=5)
+    axes.set(xlabel="Time since first touch (µs)", ylabel="Contact force (N)",
+             title=f"First impact of contact {sheet.contact}"
+                   + (", dots: samples of the record" if recorded else ""))
+    style.legend_beside(axes, title=name_of_grid(sheet.analysis) or None)
+    return figure
 
 
-def _contact(analysis: h5py.Group) -> h5py.Group:
-    """The contact that was identified: its impacts have the length of the identified ones."""
-    dimension = _text(analysis[FIELD + "impulse"].dims[-1].label)
-    return analysis["contact/" + dimension.removeprefix("impact_")]
+def within(time: np.ndarray, start: float, duration: float) -> np.ndarray:
+    return (time >= start) & (time <= start + duration)
 
 
-def _label(analysis: h5py.Group, point: int) -> str:
-    """Values of the outer axes at a grid point."""
-    field = analysis[FIELD + "compliance"]
-    parts = []
-    for axis, index in enumerate(np.unravel_index(point, field.shape) if field.ndim else ()):
-        scale = field.dims[axis][0]
-        value = scale[index]
-        shown = f"{value:.6g}" if np.issubdtype(scale.dtype, np.number) else _text(value)
-        parts.append(f"{field.dims[axis].label.split('.')[-1]} = {shown}")
-    return ", ".join(parts) or "force"
+def restitution_map(sheet: Sheet):
+    """e over impulse and peak force, one panel for each set; dots are the impacts."""
+    figure, panels = plt.subplots(1, len(SETS), figsize=(style.WIDTH * 1.5, 3), sharey=True)
+    impulse = sheet.analysis.read(sheet.path("impulse_axis"))
+    force = sheet.analysis.read(sheet.path("peak_force_axis"))
+    x, y = scale_for(impulse.unit, impulse.values), scale_for(force.unit, force.values)
+    for axes, name in zip(panels, SETS):
+        values = sheet.analysis.read(sheet.path(f"{name}/restitution_map")).values
+        shown = axes.contourf(impulse.values / x.factor, force.values / y.factor, values.T,
+                              np.linspace(-1, 1, 21), cmap=style.SEQUENCE)
+        axes.plot(sheet.identified("impulse") / x.factor, sheet.identified("peak_force") / y.factor,
+                  "wo", markeredgecolor="k", markersize=3)
+        axes.set(title=name, xlabel=x.label("Impulse $J$"))
+    panels[0].set_ylabel(y.label("Peak force $f_m$"))
+    figure.colorbar(shown, ax=panels, label=RESTITUTION, pad=0.015)
+    return figure
 
 
-def _text(value: str | bytes) -> str:
-    return value.decode() if isinstance(value, bytes) else value
+def restitution_over_ratio(sheet: Sheet):
+    """The three formulas e(gamma), and the impacts as the motion shows them."""
+    figure, (axes,) = style.panels(1, height=3.2)
+    ratio = sheet.analysis.read(sheet.path("pulse_ratio_axis")).values
+    for name, colour in SETS.items():
+        axes.plot(ratio, sheet.analysis.read(sheet.path(f"{name}/restitution_curve")).values,
+                  color=colour, label=name)
+    axes.plot(sheet.identified("pulse_ratio"), sheet.of_motion("restitution_coefficient"), "k+",
+              markersize=6, label="motion")
+    axes.set(xlabel=r"$\gamma = 8 k (f_m/k)^{(n+1)/n} / ((n+1) J^2 \lambda)$", ylabel=RESTITUTION,
+             xlim=(1, ratio[-1]))
+    style.legend_beside(axes)
+    return figure
+
+
+def force_record(sheet: Sheet):
+    """The sampled record, and the pulses as they were."""
+    figure, (axes,) = style.panels(1, height=2.8)
+    axes.vlines(sheet.of_motion("time"), 0, sheet.of_motion("peak_force"), color="0.7",
+                label="pulses, true peak")
+    axes.plot(sheet.analysis.read(sheet.path("record/time")).values,
+              sheet.analysis.read(sheet.path("record/force")).values, color=style.COLOURS[0],
+              label="record")
+    axes.set_yscale("symlog", linthresh=0.01)
+    axes.set(xlabel="Time (s)", ylabel="Contact force (N)", title=f"Contact {sheet.contact}")
+    style.legend_beside(axes)
+    return figure

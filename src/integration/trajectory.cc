@@ -215,6 +215,10 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
   last_event_time_ = time();
   Vector state = stepper_.state();
   step_of_modes_[equations_.modes()] = stepper_.natural_step();
+  const double residual = std::abs(guard_of(equations_, first.contact, first.guard)
+                                       .indicator(equations_.local_state(
+                                           first.contact, time(),
+                                           ConstVectorView(state.data(), state.size()))));
   change_mode(first.contact, first.guard, state, observer);
   begin_phase(time(), state);
   if (stuck)
@@ -222,10 +226,12 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
                   [&](const auto &entry) { return entry.first == first.contact; });
   else
     zero_at_start_.clear();
-  note_zero_guards(first.contact, state);
+  note_zero_guards(first.contact, state, residual);
 }
 
-void Trajectory::note_zero_guards(std::size_t contact, const Vector &state) {
+// `residual`: what was left of the guard that was passed. The guard back is often its negative, and
+// must not see the same remainder as a change of its own.
+void Trajectory::note_zero_guards(std::size_t contact, const Vector &state, double residual) {
   const LocalState local =
       equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
   // The rate of an affine form is the form of the rates.
@@ -239,8 +245,8 @@ void Trajectory::note_zero_guards(std::size_t contact, const Vector &state) {
   for (std::size_t g = 0; g < guard_count(equations_, contact); ++g) {
     const AffineForm &form = guard_of(equations_, contact, g).indicator;
     const double rate = form(rates) - form.constant;
-    const double noise = std::max(2 * time_tolerance() * std::abs(rate),
-                                  equations_.rounding(contact, form, state));
+    const double noise = std::max({2 * time_tolerance() * std::abs(rate), residual,
+                                   equations_.rounding(contact, form, state)});
     if (std::abs(form(local)) <= noise)
       zero_at_start_.emplace_back(contact, g);
   }
