@@ -1,6 +1,7 @@
-"""Renders every mode shape of a result folder to a PNG, off screen, with ParaView's Python.
+r"""Renders every mode shape of a result folder to a PNG, off screen, with ParaView's Python.
 
-    xvfb-run -a -s "-screen 0 1280x1024x24" pvpython render_modes.py output/NAME [FOLDER]
+    xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
+        pvpython render_modes.py output/NAME [FOLDER]
 
 FOLDER is output/NAME/figures unless given. The undeformed body is drawn in grey, the mode coloured
 by its displacement; the files are scaled so that a factor of 1 shows the mode well. ParaView (Debian:
@@ -23,6 +24,7 @@ def tube(source, radius):
 def render(mode: Path, picture: Path) -> None:
     reader = simple.XMLUnstructuredGridReader(FileName=[str(mode)])
     warped = simple.WarpByVector(Input=reader, Vectors=["POINTS", "displacement"], ScaleFactor=1)
+    reader.UpdatePipeline()  # until then the bounds are empty
     bounds = reader.GetDataInformation().GetBounds()
     size = max(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4])
 
@@ -33,7 +35,7 @@ def render(mode: Path, picture: Path) -> None:
     view.OrientationAxesLabelColor = [0, 0, 0]
     undeformed = simple.Show(tube(reader, 0.004 * size), view)
     undeformed.AmbientColor = undeformed.DiffuseColor = [0.7, 0.7, 0.7]
-    simple.ColorBy(undeformed, None)
+    undeformed.ColorArrayName = ["POINTS", ""]
     deformed = simple.Show(tube(warped, 0.012 * size), view)
     simple.ColorBy(deformed, ("POINTS", "displacement", "Magnitude"))
     deformed.RescaleTransferFunctionToDataRange(False)

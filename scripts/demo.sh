@@ -16,7 +16,7 @@ build/vibroimpact-plot output/impacting-beams
 cat <<'TEXT'
 
 Open next:
-  output/impacting-beams/*.png        contact force and response curves
-  output/impacting-beams/summary.txt  the figures in numbers
-  output/impacting-beams/modes.pvd    in ParaView: Apply, then Filters / Warp By Vector, then Play
+  output/impacting-beams/figures/     contact force of the release, response curves
+  output/impacting-beams/summary.txt  the results in numbers
+  output/impacting-beams/release.pvd  in ParaView: Apply, Filters / Warp By Vector, Apply, Play
 TEXT

@@ -9,6 +9,7 @@
 #include "model/initial_condition.h"
 #include "output/result_files.h"
 #include "output/vtu_writer.h"
+#include "reduction/body_file.h"
 #include "reduction/body_parameters.h"
 #include "reduction/reduce_body.h"
 #include "run_information.h"
@@ -37,6 +38,14 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
   declare_analyses(*root);
   return root;
 }
+
+namespace {
+
+std::filesystem::path body_file_name(const std::string &fingerprint) {
+  return std::filesystem::path("bodies") / (content_hash(fingerprint) + ".body");
+}
+
+} // namespace
 
 Simulation::Simulation(std::shared_ptr<const ParameterSet> parameters, MPI_Comm communicator)
     : parameters_(std::move(parameters)), communicator_(communicator) {
@@ -77,9 +86,34 @@ void Simulation::reduce_bodies(const Values &root) {
   for (const std::string &name : names) {
     const Values body = root.instance("Body", name);
     const std::string fingerprint = body.fingerprint();
-    if (reduced_.find(fingerprint) == reduced_.end())
-      reduced_.emplace(fingerprint, reduce_body(body, name, file_folder(), communicator_));
+    if (reduced_.find(fingerprint) != reduced_.end())
+      continue;
+    std::optional<ReducedBody> kept = kept_body(fingerprint);
+    reduced_.emplace(fingerprint, kept ? std::move(*kept)
+                                       : reduce_body(body, name, file_folder(), communicator_));
   }
+}
+
+// An eigen-solution on other ranks differs in its last digits; a resumed run therefore goes on with
+// the very bodies it began with.
+std::optional<ReducedBody> Simulation::kept_body(const std::string &fingerprint) const {
+  if (resumed_folder_.empty())
+    return std::nullopt;
+  int rank = 0;
+  MPI_Comm_rank(communicator_, &rank);
+  const std::filesystem::path file = resumed_folder_ / body_file_name(fingerprint);
+  const std::string bytes = broadcast(
+      rank == 0 ? read_file(file.string()).value_or("") : std::string(), communicator_);
+  std::string reason;
+  return from_bytes(bytes, fingerprint, reason);
+}
+
+void Simulation::keep_bodies(RunFolder &folder) const {
+  int rank = 0;
+  MPI_Comm_rank(communicator_, &rank);
+  for (const auto &[fingerprint, body] : reduced_)
+    if (rank == 0)
+      save_body(folder.claim(body_file_name(fingerprint)).string(), body, fingerprint);
 }
 
 // Every distinct body of the run, those of grid points included, is reduced by all ranks together
@@ -132,6 +166,8 @@ void Simulation::check() {
 }
 
 RunSummary Simulation::run(const RunOptions &options) {
+  if (options.existing == ExistingFolder::resume)
+    resumed_folder_ = options.folder;
   const std::vector<Job> all = jobs();
   reduce_all(all);
   for (const Job &job : all) {
@@ -140,6 +176,7 @@ RunSummary Simulation::run(const RunOptions &options) {
   }
   RunFolder folder(communicator_, options.folder, options.existing, parameters_->echo());
   log::open_file(folder.log_file().string());
+  keep_bodies(folder);
   std::vector<ReducedBody> reduced;
   for (const auto &body : bodies(parameters_->root()))
     reduced.push_back(*body);

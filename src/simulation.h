@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <mpi.h>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,11 +50,14 @@ private:
   void reduce_bodies(const parameters::Values &root);
   std::vector<std::shared_ptr<const ReducedBody>> bodies(const parameters::Values &root) const;
   Case build_case(const Job &job, const std::vector<parameters::Override> &overrides) const;
+  std::optional<ReducedBody> kept_body(const std::string &fingerprint) const;
+  void keep_bodies(RunFolder &folder) const;
   void log_cost(const Job &job) const;
   std::string file_folder() const;
 
   std::shared_ptr<const parameters::ParameterSet> parameters_;
   MPI_Comm communicator_;
+  std::filesystem::path resumed_folder_;       ///< empty when nothing is resumed
   std::map<std::string, ReducedBody> reduced_; ///< by the fingerprint of the body's section
 };
 

@@ -22,7 +22,7 @@ def open_analysis(file, name: str) -> xarray.Dataset:
 
     def collect(path, item):
         if isinstance(item, h5py.Dataset):
-            own = [path.replace("/", "_")] if item.is_scale else None
+            own = [path.replace("/", "_")] if h5py.h5ds.is_scale(item.id) else None
             dimensions = own or [scale_name(dimension) for dimension in item.dims]
             array = read_array(item)
             variables[own[0] if own else path] = (dimensions, array.values, {"unit": array.unit})

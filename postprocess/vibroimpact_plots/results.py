@@ -81,7 +81,8 @@ class Results:
     def __init__(self, place: Path):
         self.file = place / "results.h5" if place.is_dir() else place
         if not self.file.is_file():
-            raise ResultError(f"{place}: there is no result file {self.file.name}")
+            what = "no results.h5 in it" if place.is_dir() else "no such result folder or file"
+            raise ResultError(f"{place}: {what}")
         try:
             self._file = h5py.File(self.file, "r")
         except OSError as error:

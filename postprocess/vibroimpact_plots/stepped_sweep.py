@@ -62,15 +62,18 @@ def draw(axes, analysis: Analysis, path: str, case: Case, colour, scale) -> None
     steady = analysis.read("steady").values[case.index] if analysis.has("steady") else None
     for d, direction in enumerate(analysis.read("direction").values):
         y = field[:, d] / scale.factor
-        axes.plot(frequency, y, color=colour, markevery=marked(len(frequency)), **LINES[direction])
+        axes.plot(frequency, y, color=colour, markevery=marked(len(frequency), d),
+                  **LINES[direction])
         if steady is not None:
             unsettled = steady[:, d] == 0
             axes.plot(frequency[unsettled], y[unsettled], "o", color=colour, fillstyle="none")
 
 
-def marked(count: int) -> int:
-    """Every so many points carry a marker: about twenty along a curve."""
-    return max(1, count // 20)
+def marked(count: int, direction: int) -> tuple[int, int]:
+    """First and step of the points with a marker: about ten along a curve, the two directions
+    in turn, so that both are seen where they agree."""
+    step = max(1, count // 10)
+    return direction * (step // 2), step
 
 
 def further_handles(analysis: Analysis) -> list[Line2D]:

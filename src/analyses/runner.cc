@@ -4,7 +4,9 @@
 #include "common/progress.h"
 #include "common/signals.h"
 
+#include <chrono>
 #include <numeric>
+#include <thread>
 
 namespace vibroimpact {
 
@@ -61,7 +63,7 @@ public:
   void store(PointResult result) override {
     result.index = full(result.index);
     sink_.store(result);
-    ++summary_.finished;
+    ++(result.status == Status::failed ? summary_.failed : summary_.finished);
     count();
     if (stop_requested())
       throw Interrupted{};
@@ -108,6 +110,18 @@ void record_unusable(const std::vector<Axis> &axes, const std::string &reason, s
   }
 }
 
+// A rank that is done early waits here without burning its core, rank 0 with the progress in view.
+void wait_for_all(SharedCounters &counters, Progress &progress, MPI_Comm communicator) {
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibarrier(communicator, &request);
+  int done = 0;
+  for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); done == 0;
+       MPI_Test(&request, &done, MPI_STATUS_IGNORE)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    progress.update(static_cast<std::size_t>(counters.add(points_done, 0)));
+  }
+}
+
 } // namespace
 
 RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &keys,
@@ -119,6 +133,8 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
   first.analysis->check(first.system);
   const std::vector<Axis> inner_axes = first.analysis->axes();
   AnalysisHeader header{.name = name, .type = first.analysis->type(), .axes = outer_axes};
+  for (const GridKey &key : keys)
+    header.grid.push_back(key.path);
   header.axes.insert(header.axes.end(), inner_axes.begin(), inner_axes.end());
   sink.begin(header);
 
@@ -148,12 +164,16 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
     } catch (const Interrupted &) {
       summary.interrupted = true;
     }
+    wait_for_all(counters, progress, communicator);
   }
   sink.end();
+  long counts[2] = {static_cast<long>(summary.finished), static_cast<long>(summary.failed)};
   int interrupted = summary.interrupted || stop_requested() ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_LONG, MPI_SUM, communicator);
   MPI_Allreduce(MPI_IN_PLACE, &interrupted, 1, MPI_INT, MPI_MAX, communicator);
-  summary.interrupted = interrupted != 0;
-  return summary;
+  return {.finished = static_cast<std::size_t>(counts[0]),
+          .failed = static_cast<std::size_t>(counts[1]),
+          .interrupted = interrupted != 0};
 }
 
 } // namespace vibroimpact

@@ -27,8 +27,8 @@ struct Case {
 using CaseFactory = std::function<Case(const std::vector<parameters::Override> &)>;
 
 struct RunSummary {
-  std::size_t finished = 0; ///< points computed in this run
-  std::size_t failed = 0;   ///< points recorded as failed, on all ranks
+  std::size_t finished = 0; ///< points computed in this run, on all ranks
+  std::size_t failed = 0;   ///< points recorded as failed in this run, on all ranks
   bool interrupted = false;
 };
 

@@ -51,7 +51,7 @@ struct SteppedSweep::Step {
   std::size_t frequency = 0;
   bool from_rest = false;
 
-  std::vector<std::size_t> index() const { return {direction, frequency}; }
+  std::vector<std::size_t> index() const { return {frequency, direction}; }
 };
 
 void SteppedSweep::declare(parameters::Section &analysis) {
@@ -112,16 +112,16 @@ std::vector<Axis> SteppedSweep::axes() const {
     directions.emplace_back("forward");
   if (settings_.directions != Directions::forward)
     directions.emplace_back("backward");
-  return {{.name = "direction",
-           .values = {},
-           .labels = directions,
-           .unit = "1",
-           .description = "direction of the sweep"},
-          {.name = "frequency",
+  return {{.name = "frequency",
            .values = settings_.frequencies,
            .labels = {},
            .unit = "Hz",
-           .description = "excitation frequency"}};
+           .description = "excitation frequency"},
+          {.name = "direction",
+           .values = {},
+           .labels = directions,
+           .unit = "1",
+           .description = "direction of the sweep"}};
 }
 
 std::size_t SteppedSweep::lines() const {

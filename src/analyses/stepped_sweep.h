@@ -32,7 +32,7 @@ public:
   static std::shared_ptr<const Analysis> create(const parameters::Values &analysis);
 
   std::string type() const override { return "stepped sweep"; }
-  /// direction, frequency
+  /// frequency, direction
   std::vector<Axis> axes() const override;
   std::size_t lines() const override;
   Workload workload(const System &system) const override;

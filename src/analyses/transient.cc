@@ -4,6 +4,8 @@
 #include "analyses/motion_recorder.h"
 #include "common/error.h"
 
+#include <algorithm>
+
 namespace vibroimpact {
 
 namespace {
@@ -67,7 +69,7 @@ PointResult Transient::compute(const System &system) const {
   for (std::size_t i = 0; i < settings_.frames; ++i)
     frames.push_back(settings_.first_frame + (settings_.last_frame - settings_.first_frame) *
                                                  static_cast<double>(i) /
-                                                 static_cast<double>(settings_.frames - 1));
+                                                 static_cast<double>(std::max<std::size_t>(settings_.frames - 1, 1)));
   FrameRecorder pictures(system.model, frames);
   Observers observers({&log, &recorder, &pictures});
   PointResult result;

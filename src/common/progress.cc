@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
 #include <iostream>
 #include <unistd.h>
 #include <utility>
@@ -41,10 +43,25 @@ std::string rate(double cases_per_second) {
   return formatted("%.3g s each", 1 / cases_per_second);
 }
 
+// Under mpirun every process has a pseudo-terminal; what counts is where mpirun itself, the parent,
+// writes to.
+bool on_terminal() {
+  if (isatty(STDOUT_FILENO) != 1)
+    return false;
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
+    return true;
+  const std::string parent = "/proc/" + std::to_string(getppid()) + "/fd/1";
+  const int descriptor = open(parent.c_str(), O_WRONLY | O_NOCTTY);
+  const bool terminal = descriptor >= 0 && isatty(descriptor) == 1;
+  if (descriptor >= 0)
+    close(descriptor);
+  return terminal;
+}
+
 } // namespace
 
 Progress::Progress(std::size_t total, std::string label, bool active)
-    : Progress(total, std::move(label), {&std::cout, isatty(STDOUT_FILENO) == 1, steady_seconds}) {
+    : Progress(total, std::move(label), {&std::cout, on_terminal(), steady_seconds}) {
   active_ = active;
 }
 

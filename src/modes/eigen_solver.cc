@@ -29,7 +29,10 @@ void default_option(const char *name, const char *value) {
 
 // Fractional parts of multiples of the golden ratio: no structure that a mode could be orthogonal
 // to, and the same in every run.
-void fill_start_vector(Vec start) {
+petsc::Vector start_vector(Mat matrix) {
+  petsc::Vector owner;
+  check(MatCreateVecs(matrix, owner.address(), nullptr), "Making a start vector");
+  Vec start = owner.get();
   PetscInt begin = 0;
   PetscInt end = 0;
   double *values = nullptr;
@@ -38,6 +41,7 @@ void fill_start_vector(Vec start) {
   for (PetscInt i = begin; i < end; ++i)
     values[i - begin] = 0.5 + std::fmod(0.6180339887498949 * (i + 1), 1.0);
   check(VecRestoreArray(start, &values), "Making a start vector");
+  return owner;
 }
 
 Eigensolver make_solver(Mat stiffness, Mat mass) {
@@ -55,11 +59,6 @@ Eigensolver make_solver(Mat stiffness, Mat mass) {
   check(STSetMatStructure(transformation, SAME_NONZERO_PATTERN), "Setting up SLEPc");
   check(STGetKSP(transformation, &linear), "Setting up SLEPc");
   use_mumps(linear);
-  petsc::Vector start;
-  check(MatCreateVecs(stiffness, start.address(), nullptr), "Making a start vector");
-  fill_start_vector(start.get());
-  Vec space = start.get();
-  check(EPSSetInitialSpace(solver.get(), 1, &space), "Setting up SLEPc");
   return solver;
 }
 
@@ -88,6 +87,9 @@ Block lowest_eigenvectors(Mat stiffness, Mat mass, double shift, int count) {
   check(EPSSetTarget(solver.get(), shift), "Setting up SLEPc");
   check(EPSSetWhichEigenpairs(solver.get(), EPS_TARGET_MAGNITUDE), "Setting up SLEPc");
   check(EPSSetDimensions(solver.get(), count, subspace, PETSC_DEFAULT), "Setting up SLEPc");
+  const petsc::Vector start = start_vector(stiffness);
+  Vec space = start.get();
+  check(EPSSetInitialSpace(solver.get(), 1, &space), "Setting up SLEPc");
   Block vectors = solve(solver.get(), layout);
   if (vectors.cols() < count)
     throw NumericalError("The eigen-solution found only " + std::to_string(vectors.cols()) +

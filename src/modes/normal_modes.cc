@@ -4,13 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace vibroimpact::modes {
 
 namespace {
 
-constexpr int refinement_steps = 3;
+// Refinement goes on while it helps and the bounds of the relative errors exceed the first figure.
+// A result beyond the second one means that round-off hid the modes from the eigen-solver; a larger
+// subspace then catches them.
+constexpr double wanted_error = 1e-11;
+constexpr double accepted_error = 1e-8;
+constexpr int most_refinements = 10;
+constexpr int most_enlargements = 3;
 // The shift that makes K - shift M positive definite must stand out of the round-off of K, yet stay
 // near the lowest modes: this fraction of the largest eigenvalue is some 1e3 times the former.
 constexpr double shift_fraction = 1e-12;
@@ -41,6 +48,11 @@ double largest_eigenvalue(const EigenProblem &problem) {
   return largest;
 }
 
+struct Solution {
+  Eigenpairs pairs;
+  Vector error_bounds;
+};
+
 class Search {
 public:
   explicit Search(const EigenProblem &problem)
@@ -52,34 +64,52 @@ public:
   }
 
   /// The lowest modes up to a gap in the spectrum at or after number `count`.
-  Eigenpairs lowest(int count) const {
+  Solution lowest(int count) const {
+    int enlargements = 0;
     for (int asked = std::min(count + guard_modes, problem_.mass_rank);;
          asked = std::min(2 * asked, problem_.mass_rank)) {
-      Eigenpairs pairs =
-          refined(lowest_eigenvectors(problem_.stiffness, problem_.mass, shift_, asked));
-      if (const Index end = group_end(pairs.values, count); end > 0)
-        return complete(std::move(pairs), end);
+      Solution found =
+          refined(lowest_eigenvectors(problem_.stiffness, problem_.mass, shift_, asked), count);
+      const Index end = group_end(found.pairs.values, count);
+      if (end == 0)
+        continue;
+      if (found.error_bounds.head(end).maxCoeff() <= accepted_error)
+        return complete(std::move(found), end);
+      if (asked == problem_.mass_rank || ++enlargements > most_enlargements)
+        throw NumericalError("The lowest modes are lost in the round-off of the stiffness matrix: "
+                             "the elements are too short");
     }
   }
 
-  NormalModes result(const Eigenpairs &pairs) const {
+  NormalModes result(const Solution &solution) const {
     NormalModes modes;
-    modes.eigenvalues = pairs.values;
+    modes.eigenvalues = solution.pairs.values;
     for (double &value : modes.eigenvalues)
       if (std::abs(value) <= rigid_fraction * largest_)
         value = 0;
-    modes.shapes = gather(Layout(problem_.mass), pairs.vectors);
-    modes.error_bounds = error_bounds(problem_, shifted_, shift_, pairs);
-    modes.orthogonality_residual = orthogonality_residual(problem_, pairs.vectors);
+    modes.shapes = gather(Layout(problem_.mass), solution.pairs.vectors);
+    modes.error_bounds = solution.error_bounds;
+    for (Index j = 0; j < modes.eigenvalues.size(); ++j)
+      if (const double value = modes.eigenvalues[j]; value > 0)
+        modes.error_bounds[j] *= (value - shift_) / value;
+    modes.orthogonality_residual = orthogonality_residual(problem_, solution.pairs.vectors);
     return modes;
   }
 
 private:
-  Eigenpairs refined(Block vectors) const {
+  /// Only the first `count` pairs, with those equal to the last of them, need be accurate.
+  Solution refined(Block vectors, int count) const {
     Eigenpairs pairs = rayleigh_ritz(problem_, std::move(vectors));
-    for (int step = 0; step < refinement_steps; ++step)
-      pairs = refine(problem_, shifted_, pairs);
-    return pairs;
+    double previous = std::numeric_limits<double>::infinity();
+    for (int step = 0;; ++step) {
+      Correction correction = inverse_iteration(problem_, shifted_, shift_, pairs);
+      const Index end = std::max<Index>(group_end(pairs.values, count), count);
+      const double error = correction.error_bounds.head(end).maxCoeff();
+      if (error <= wanted_error || error > previous / 2 || step == most_refinements)
+        return {std::move(pairs), std::move(correction.error_bounds)};
+      previous = error;
+      pairs = rayleigh_ritz(problem_, pairs.vectors - correction.step);
+    }
   }
 
   bool separate(double lower, double upper) const {
@@ -95,19 +125,24 @@ private:
   }
 
   /// Cuts the modes off at the gap after `end`, having made sure that they are all there.
-  Eigenpairs complete(Eigenpairs pairs, Index end) const {
-    if (end < pairs.values.size()) {
-      const double gap = (pairs.values[end - 1] + pairs.values[end]) / 2;
+  Solution complete(Solution found, Index end) const {
+    if (end < found.pairs.values.size()) {
+      const double gap = (found.pairs.values[end - 1] + found.pairs.values[end]) / 2;
       const int expected = count_below(gap);
-      if (expected != end) {
-        pairs = refined(eigenvectors_between(problem_.stiffness, problem_.mass, shift_, gap));
-        end = pairs.values.size();
-      }
       if (expected != end)
-        throw NumericalError("The eigen-solution found " + std::to_string(end) + " of " +
-                             std::to_string(expected) + " modes");
+        found = refined(all_below(gap, expected), expected);
+      end = expected;
     }
-    return {pairs.values.head(end), pairs.vectors.leftCols(end)};
+    return {{found.pairs.values.head(end), found.pairs.vectors.leftCols(end)},
+            found.error_bounds.head(end)};
+  }
+
+  Block all_below(double eigenvalue, int expected) const {
+    Block vectors = eigenvectors_between(problem_.stiffness, problem_.mass, shift_, eigenvalue);
+    if (vectors.cols() != expected)
+      throw NumericalError("The eigen-solution found " + std::to_string(vectors.cols()) + " of " +
+                           std::to_string(expected) + " modes");
+    return vectors;
   }
 
   EigenProblem problem_;

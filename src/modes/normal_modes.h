@@ -23,7 +23,8 @@ struct NormalModes {
   Matrix shapes;
   Index first = 0; ///< the selected modes are first ... first + number - 1
   Index number = 0;
-  Vector error_bounds; ///< relative, of the eigenvalues (see rayleigh_ritz.h)
+  /// Of the eigenvalues, relative; for rigid-body modes relative to a small shift of the spectrum.
+  Vector error_bounds;
   double orthogonality_residual = 0;
 };
 

@@ -46,17 +46,14 @@ Eigenpairs rayleigh_ritz(const EigenProblem &problem, Block x) {
   return {dense.values, x * dense.vectors};
 }
 
-Eigenpairs refine(const EigenProblem &problem, const Factorisation &shifted,
-                  const Eigenpairs &pairs) {
-  return rayleigh_ritz(problem, pairs.vectors - shifted.solve(residuals(problem, pairs)));
-}
-
-Vector error_bounds(const EigenProblem &problem, const Factorisation &shifted, double shift,
-                    const Eigenpairs &pairs) {
-  const Layout layout(problem.mass);
+Correction inverse_iteration(const EigenProblem &problem, const Factorisation &shifted,
+                             double shift, const Eigenpairs &pairs) {
   const Block r = residuals(problem, pairs);
-  const Vector squares = column_products(layout, r, shifted.solve(r));
-  return (squares.array().max(0.0) / (pairs.values.array() - shift)).sqrt();
+  Correction correction{.step = shifted.solve(r), .error_bounds = {}};
+  const Vector squares = column_products(Layout(problem.mass), r, correction.step);
+  correction.error_bounds =
+      (squares.array().max(0.0) / (pairs.values.array() - shift)).sqrt().matrix();
+  return correction;
 }
 
 double orthogonality_residual(const EigenProblem &problem, const Block &x) {

@@ -24,15 +24,18 @@ struct Eigenpairs {
 /// The best eigenpairs in the span of the columns of x.
 Eigenpairs rayleigh_ritz(const EigenProblem &problem, Block x);
 
-/// One step x -= (K - shift M)^-1 (K x - M x Lambda) for all columns and a Rayleigh-Ritz step. The
-/// shift lies below the spectrum, and the columns approximate the lowest eigenvectors.
-Eigenpairs refine(const EigenProblem &problem, const Factorisation &shifted,
-                  const Eigenpairs &pairs);
+/// What inverse iteration changes, and how much there is to change.
+struct Correction {
+  Block step; ///< A^-1 (K x - M x Lambda) with A = K - shift M
+  /// Upper bounds of |lambda - exact| / (exact - shift), one for each pair: with r = K x - lambda M
+  /// x they are sqrt(r^T A^-1 r / x^T A x).
+  Vector error_bounds;
+};
 
-/// Upper bounds of |lambda - exact| / (exact - shift), one for each pair: with r = K x - lambda M x
-/// and A = K - shift M they are sqrt(r^T A^-1 r / x^T A x).
-Vector error_bounds(const EigenProblem &problem, const Factorisation &shifted, double shift,
-                    const Eigenpairs &pairs);
+/// x - step approximates the lowest eigenvectors better than x when the shift lies below the
+/// spectrum. `shifted` is A.
+Correction inverse_iteration(const EigenProblem &problem, const Factorisation &shifted,
+                             double shift, const Eigenpairs &pairs);
 
 /// max |X^T M X - I|
 double orthogonality_residual(const EigenProblem &problem, const Block &x);

@@ -44,9 +44,9 @@ struct ReducedBody {
   Recovery recovery; ///< empty for lumped bodies
 
   Vector3 total_mass = Vector3::Zero(); ///< mass that a base motion along each axis moves [kg]
-  /// n, for modal bodies: sqrt(r^T A^-1 r / phi^T A phi) with r = K phi - omega^2 M phi and A the
-  /// (slightly shifted) stiffness. It bounds the relative error of omega^2, which |r| / |K phi|
-  /// does not: on a fine mesh round-off alone makes that large.
+  /// n, for modal bodies: bound of the relative error of omega^2, from r = K phi - omega^2 M phi in
+  /// the norm of K^-1: sqrt(r^T K^-1 r / phi^T K phi), K slightly shifted. The plain norm
+  /// |r| / |K phi| says nothing on a fine mesh, where round-off alone makes it large.
   Vector eigen_residual;
   double orthogonality_residual = 0; ///< max |Phi^T M Phi - I|, for modal bodies
 

@@ -2,12 +2,14 @@
 
 #include "common/error.h"
 #include "reduction/beam_bodies.h"
+#include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 using namespace vibroimpact;
+using vibroimpact::testing::TemporaryFolder;
 
 namespace {
 
@@ -22,21 +24,6 @@ std::string refusal(const std::string &bytes, const std::string &fingerprint) {
   EXPECT_FALSE(from_bytes(bytes, fingerprint, reason));
   return reason;
 }
-
-class TemporaryFolder {
-public:
-  TemporaryFolder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("body_file." + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  std::string file(const std::string &name) const { return (path_ / name).string(); }
-  std::size_t size() const { return std::distance(std::filesystem::directory_iterator(path_), {}); }
-
-private:
-  std::filesystem::path path_;
-};
 
 } // namespace
 
@@ -74,16 +61,16 @@ TEST(BodyFile, AnyShorterFileIsRefused) {
 
 TEST(BodyFile, SavedFilesAreCompleteAndAlone) {
   const TemporaryFolder folder;
-  save_body(folder.file("left.body"), example(), "print");
-  save_body(folder.file("left.body"), example(), "print");
-  EXPECT_EQ(read_file(folder.file("left.body")), to_bytes(example(), "print"));
-  EXPECT_EQ(folder.size(), 1U);
+  save_body((folder.path() / "left.body").string(), example(), "print");
+  save_body((folder.path() / "left.body").string(), example(), "print");
+  EXPECT_EQ(read_file((folder.path() / "left.body").string()), to_bytes(example(), "print"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
 TEST(BodyFile, FoldersThatDoNotExistAreRefused) {
   const TemporaryFolder folder;
-  EXPECT_THROW(save_body(folder.file("none/left.body"), example(), ""), InputError);
-  EXPECT_FALSE(read_file(folder.file("none/left.body")));
+  EXPECT_THROW(save_body((folder.path() / "none/left.body").string(), example(), ""), InputError);
+  EXPECT_FALSE(read_file((folder.path() / "none/left.body").string()));
 }
 
 // Published values of the 64-bit FNV-1a hash.

@@ -1,0 +1,214 @@
+#!/usr/bin/python3
+"""Runs the program as a user does: ranks, interruption and resume, overrides, exit codes.
+
+usage: check_runs.py PROGRAM MPIEXEC
+"""
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import h5py
+import numpy as np
+
+PROGRAM, MPIEXEC = sys.argv[1:3]
+
+FILE = """
+subsection Body left
+  set Type = lumped
+  subsection Mass head
+    set Mass = 1 kg
+    set Stiffness = 1 kN/m
+    set Damping = 1 N s/m
+  end
+end
+subsection Body right
+  set Type = lumped
+  subsection Mass head
+    set Mass = 2 kg
+    set Stiffness = 5 kN/m
+    set Damping = 2 N s/m
+  end
+end
+subsection Contact heads
+  set Between = left.head, right.head
+  set Clearance = 2 mm
+  subsection Linear penalty
+    set Stiffness = 1 MN/m
+  end
+end
+subsection Excitation shaker
+  set Type = force
+  set At = left.head
+  set Amplitude = 8 N
+  set Frequency = 5 Hz
+end
+subsection Integration
+  set Relative tolerance = 1e-6
+end
+subsection Analysis response
+  set Type = stepped sweep
+  subsection Stepped sweep
+    set First frequency = 3 Hz
+    set Last frequency = 8 Hz
+    set Points = 3
+    set Settling cycles = POINTS
+    set Recorded cycles = 2
+  end
+end
+subsection Analysis map
+  set Type = parameter grid
+  subsection Parameter grid
+    set Repeat = response
+    subsection Key clearance
+      set Path = Contact/heads/Clearance
+      set First = 1 mm
+      set Last = 6 mm
+      set Points = 3
+    end
+    subsection Key stiffness
+      set Path = Contact/heads/Linear penalty/Stiffness
+      set Values = 0.1 MN/m, 1 MN/m
+    end
+  end
+end
+"""
+
+
+def datasets(folder):
+    """Every dataset of a result file as bytes, by path."""
+    found = {}
+
+    def visit(name, item):
+        if isinstance(item, h5py.Dataset):
+            values = item[()]
+            found[name] = values.tobytes() if isinstance(values, np.ndarray) else repr(values)
+            if values.dtype == object:
+                found[name] = repr(values.tolist())
+
+    with h5py.File(folder / "results.h5") as file:
+        file.visititems(visit)
+    return found
+
+
+class Runs(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.temporary.name)
+        self.file = self.folder / "two-masses.prm"
+        self.file.write_text(FILE.replace("POINTS", "8"))
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def command(self, *arguments, ranks=1):
+        start = [MPIEXEC, "-n", str(ranks)] if ranks > 1 else []
+        return start + [PROGRAM, *map(str, arguments)]
+
+    def run_program(self, *arguments, ranks=1):
+        return subprocess.run(self.command(*arguments, ranks=ranks), cwd=self.folder,
+                              capture_output=True, text=True, check=False)
+
+    def test_ranks_give_the_same_bytes(self):
+        reference = None
+        for ranks in (1, 2, 3):
+            out = self.folder / f"ranks{ranks}"
+            done = self.run_program(self.file, "--output", out, ranks=ranks)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            found = datasets(out)
+            self.assertGreater(len(found), 50)
+            summary = (out / "summary.txt").read_text()
+            reference = reference or (found, summary)
+            self.assertEqual(found, reference[0])
+            self.assertEqual(summary, reference[1])
+
+    def test_a_killed_run_resumes_to_the_same_bytes(self):
+        self.file.write_text(FILE.replace("POINTS", "40"))
+        whole = self.folder / "whole"
+        begin = time.monotonic()
+        self.assertEqual(self.run_program(self.file, "--output", whole).returncode, 0)
+        duration = time.monotonic() - begin
+        for number, (share, how) in enumerate([(0.5, signal.SIGTERM), (0.7, signal.SIGKILL)]):
+            out = self.folder / f"cut{number}"
+            process = subprocess.Popen(self.command(self.file, "--output", out), cwd=self.folder,
+                                       stdout=subprocess.DEVNULL)
+            time.sleep(share * duration)
+            process.send_signal(how)
+            code = process.wait()
+            if how == signal.SIGTERM and code != 0:
+                self.assertEqual(code, 4)
+            done = self.run_program("--resume", out, ranks=2)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertEqual(datasets(out), datasets(whole))
+
+    def test_resume_with_other_parameters_is_refused(self):
+        out = self.folder / "out"
+        self.assertEqual(self.run_program(self.file, "--output", out).returncode, 0)
+        other = self.folder / "other.prm"
+        other.write_text(self.file.read_text().replace("2 mm", "3 mm"))
+        done = self.run_program("--resume", out, other)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("3 mm", done.stderr)
+        self.assertIn("2 mm", done.stderr)
+
+    def test_existing_results_are_kept(self):
+        out = self.folder / "out"
+        self.assertEqual(self.run_program(self.file, "--output", out).returncode, 0)
+        refused = self.run_program(self.file, "--output", out)
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("--overwrite", refused.stderr)
+        self.assertEqual(self.run_program(self.file, "--output", out, "--overwrite").returncode, 0)
+
+    def test_bad_input_ends_all_ranks_with_one_message(self):
+        done = self.run_program(self.file, "--set", "Contact/heads/Clearance=5 kg", ranks=3)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.count("5 kg' is a mass"), 1)
+
+    def test_command_line(self):
+        self.assertEqual(self.run_program("--help").returncode, 0)
+        self.assertEqual(self.run_program("--version").returncode, 0)
+        checked = self.run_program(self.file, "--check")
+        self.assertEqual(checked.returncode, 0)
+        self.assertIn("of computing", checked.stdout)
+        self.assertFalse((self.folder / "output").exists())
+        for wrong in (["--sett", "a=b"], [], ["nowhere.prm"], [self.file, self.file],
+                      [self.file, "--set", "novalue"], ["--print-parameters", "html"]):
+            done = self.run_program(*wrong)
+            self.assertEqual(done.returncode, 1, wrong)
+            self.assertTrue(done.stderr.strip())
+
+    def test_json_gives_the_same_results(self):
+        reference = self.folder / "prm"
+        self.assertEqual(self.run_program(self.file, "--output", reference).returncode, 0)
+        json = self.folder / "two-masses.json"
+        json.write_text(to_json(self.file.read_text()))
+        out = self.folder / "json"
+        done = self.run_program(json, "--output", out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(datasets(out), datasets(reference))
+
+
+def to_json(text):
+    """The .prm text as nested JSON objects."""
+    import json
+    stack = [{}]
+    for line in map(str.strip, text.splitlines()):
+        if line.startswith("subsection "):
+            child = {}
+            stack[-1][line[len("subsection "):]] = child
+            stack.append(child)
+        elif line == "end":
+            stack.pop()
+        elif line.startswith("set "):
+            key, value = line[4:].split("=", 1)
+            stack[-1][key.strip()] = value.strip()
+    return json.dumps(stack[0])
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("OMPI_MCA_rmaps_base_oversubscribe", "1")
+    unittest.main(argv=sys.argv[:1])
