@@ -5,10 +5,10 @@
 namespace vibroimpact {
 
 void ForceRecord::step(const StepView &view) {
-  for (double instant = interval_ * static_cast<double>(time_.size()); instant <= view.end();
-       instant = interval_ * static_cast<double>(time_.size())) {
-    time_.push_back(instant);
-    force_.push_back(view.force(contact_, (instant - view.start()) / view.length()));
+  const auto next = [this] { return interval_ * static_cast<double>(time_.size()); };
+  while (next() <= view.end()) {
+    time_.push_back(next());
+    force_.push_back(view.force(contact_, (time_.back() - view.start()) / view.length()));
   }
 }
 
