@@ -16,18 +16,18 @@ namespace options = boost::program_options;
 
 options::options_description described_options() {
   options::options_description description("Options");
-  description.add_options()                                                            //
-      ("help", "show this text")                                                       //
-      ("version", "show version and libraries")                                        //
-      ("check", "read and check the file, estimate the cost, run nothing")             //
-      ("set", options::value<std::vector<std::string>>()->value_name("PATH=VALUE"),    //
+  description.add_options()                                                             //
+      ("help", "show this text")                                                        //
+      ("version", "show version and libraries")                                         //
+      ("check", "read and check the file, estimate the cost, run nothing")              //
+      ("set", options::value<std::vector<std::string>>()->value_name("PATH=VALUE"),     //
        "override a key, e.g. --set \"Contact/stop/Clearance=0.7 mm\"; may be repeated") //
-      ("output", options::value<std::string>()->value_name("DIR"),                     //
-       "folder of the results; default: output/ and the name of the file")             //
-      ("overwrite", "replace the results an earlier run left in that folder")          //
-      ("resume", options::value<std::string>()->value_name("DIR"),                     //
-       "go on where a run in this folder stopped")                                     //
-      ("print-parameters", options::value<std::string>()->value_name("FORMAT"),        //
+      ("output", options::value<std::string>()->value_name("DIR"),                      //
+       "folder of the results; default: output/ and the name of the file")              //
+      ("overwrite", "replace the results an earlier run left in that folder")           //
+      ("resume", options::value<std::string>()->value_name("DIR"),                      //
+       "go on where a run in this folder stopped")                                      //
+      ("print-parameters", options::value<std::string>()->value_name("FORMAT"),         //
        "print the reference of all keys: markdown, prm or json");
   return description;
 }
@@ -39,8 +39,8 @@ options::variables_map parse(const std::vector<std::string> &arguments) {
   positional.add("file", -1);
   options::variables_map map;
   try {
-    const int style = options::command_line_style::unix_style &
-                      ~options::command_line_style::allow_guessing;
+    const int style =
+        options::command_line_style::unix_style & ~options::command_line_style::allow_guessing;
     options::store(options::command_line_parser(arguments)
                        .options(all)
                        .positional(positional)
@@ -73,7 +73,8 @@ void check_combination(const CommandLine &line) {
       line.print_format != "prm" && line.print_format != "json")
     throw InputError("--print-parameters " + line.print_format +
                      "\n  the format is markdown, prm or json.");
-  const bool needs_file = line.task == CommandLine::Task::run || line.task == CommandLine::Task::check;
+  const bool needs_file =
+      line.task == CommandLine::Task::run || line.task == CommandLine::Task::check;
   if (needs_file && line.parameter_file.empty() && line.resume_folder.empty())
     throw InputError("command line: a parameter file is needed, e.g. vibroimpact "
                      "params/impacting-beams.prm\n  see vibroimpact --help.");
@@ -87,7 +88,8 @@ void check_combination(const CommandLine &line) {
 
 CommandLine parse_command_line(int argc, char **argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
-  CommandLine line{.whole = boost::algorithm::join(std::vector<std::string>(argv, argv + argc), " ")};
+  CommandLine line{.whole =
+                       boost::algorithm::join(std::vector<std::string>(argv, argv + argc), " ")};
   const auto petsc = std::find(arguments.begin(), arguments.end(), "--petsc");
   if (petsc != arguments.end()) {
     line.petsc_options =

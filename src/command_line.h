@@ -12,14 +12,14 @@ struct CommandLine {
   enum class Task { run, check, print_parameters, print_help, print_version };
 
   Task task = Task::run;
-  std::string parameter_file{};             ///< may be empty with resume_folder
-  std::string resume_folder{};              ///< --resume
-  std::string output_folder{};              ///< --output; empty: output/ and the file's name
-  bool overwrite = false;                 ///< --overwrite
-  std::string print_format{};               ///< --print-parameters
+  std::string parameter_file{};                  ///< may be empty with resume_folder
+  std::string resume_folder{};                   ///< --resume
+  std::string output_folder{};                   ///< --output; empty: output/ and the file's name
+  bool overwrite = false;                        ///< --overwrite
+  std::string print_format{};                    ///< --print-parameters
   std::vector<parameters::Override> overrides{}; ///< --set
-  std::string petsc_options{};              ///< everything after --petsc
-  std::string whole{};                      ///< as typed, for the results
+  std::string petsc_options{};                   ///< everything after --petsc
+  std::string whole{};                           ///< as typed, for the results
 };
 
 /// Throws InputError.

@@ -32,10 +32,9 @@ void use_one_blas_thread() {
 }
 
 std::shared_ptr<const parameters::ParameterSet> read_parameters(const CommandLine &line) {
-  const std::string file =
-      line.parameter_file.empty()
-          ? RunFolder::parameters_file(line.resume_folder).string()
-          : line.parameter_file;
+  const std::string file = line.parameter_file.empty()
+                               ? RunFolder::parameters_file(line.resume_folder).string()
+                               : line.parameter_file;
   return parameters::ParameterSet::read(declare_parameters(), file, line.overrides);
 }
 
@@ -78,8 +77,9 @@ int run(const CommandLine &line) {
   if (summary.failed > 0)
     log::warning(std::to_string(summary.failed) +
                  " points failed; status and reason in results.h5 say which and why.");
-  log::info("Results: " + folder + "/results.h5 and summary.txt; modes.pvd for ParaView; figures: "
-                                   "vibroimpact-plot " +
+  log::info("Results: " + folder +
+            "/results.h5 and summary.txt; modes.pvd for ParaView; figures: "
+            "vibroimpact-plot " +
             folder);
   return summary.failed > 0 ? points_failed : all_done;
 }

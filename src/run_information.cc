@@ -38,16 +38,14 @@ RunInformation run_information(const std::string &parameters, const std::string 
           .commit = commit,
           .parameters = parameters,
           .command_line = command_line,
-          .libraries = {"deal.II " + dotted(DEAL_II_VERSION_MAJOR, DEAL_II_VERSION_MINOR,
-                                            DEAL_II_VERSION_SUBMINOR),
-                        "PETSc " + dotted(PETSC_VERSION_MAJOR, PETSC_VERSION_MINOR,
-                                          PETSC_VERSION_SUBMINOR),
-                        "SLEPc " + dotted(SLEPC_VERSION_MAJOR, SLEPC_VERSION_MINOR,
-                                          SLEPC_VERSION_SUBMINOR),
-                        "Eigen " + dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
-                                          EIGEN_MINOR_VERSION),
-                        "Boost " + dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
-                                          BOOST_VERSION % 100)},
+          .libraries =
+              {"deal.II " +
+                   dotted(DEAL_II_VERSION_MAJOR, DEAL_II_VERSION_MINOR, DEAL_II_VERSION_SUBMINOR),
+               "PETSc " + dotted(PETSC_VERSION_MAJOR, PETSC_VERSION_MINOR, PETSC_VERSION_SUBMINOR),
+               "SLEPc " + dotted(SLEPC_VERSION_MAJOR, SLEPC_VERSION_MINOR, SLEPC_VERSION_SUBMINOR),
+               "Eigen " + dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION),
+               "Boost " +
+                   dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
           .ranks = ranks,
           .processor = processor_name()};
 }

@@ -27,9 +27,11 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
   root->text("Title", "", "What the file is about; shown in the results.")
       .names("Bodies", "", "Bodies of the model; empty means all that have a section.")
       .names("Contacts", "", "Contacts of the model; empty means all that have a section.")
-      .names("Analyses", "", "What is computed, in this order; empty means all that have a section.")
-      .text("File folder", "", "Folder that file names in this file refer to; empty means the folder "
-                               "of the parameter file.");
+      .names("Analyses", "",
+             "What is computed, in this order; empty means all that have a section.")
+      .text("File folder", "",
+            "Folder that file names in this file refer to; empty means the folder "
+            "of the parameter file.");
   declare_body(*root);
   declare_contacts(*root);
   declare_excitations(*root);
@@ -68,8 +70,9 @@ std::vector<Simulation::Job> Simulation::jobs() const {
     if (analysis.choice("Type") == grid_type) {
       job.repeated = repeated_analysis(analysis, known);
       if (root.instance("Analysis", job.repeated).choice("Type") == grid_type)
-        analysis.subsection("Parameter grid").reject("Repeat", "an analysis that is no grid itself; "
-                                                               "one grid takes any number of keys.");
+        analysis.subsection("Parameter grid")
+            .reject("Repeat", "an analysis that is no grid itself; "
+                              "one grid takes any number of keys.");
       job.keys = read_grid(analysis);
     }
     jobs.push_back(std::move(job));
@@ -102,8 +105,8 @@ std::optional<ReducedBody> Simulation::kept_body(const std::string &fingerprint)
   int rank = 0;
   MPI_Comm_rank(communicator_, &rank);
   const std::filesystem::path file = resumed_folder_ / body_file_name(fingerprint);
-  const std::string bytes = broadcast(
-      rank == 0 ? read_file(file.string()).value_or("") : std::string(), communicator_);
+  const std::string bytes =
+      broadcast(rank == 0 ? read_file(file.string()).value_or("") : std::string(), communicator_);
   std::string reason;
   return from_bytes(bytes, fingerprint, reason);
 }

@@ -8,7 +8,7 @@ import numpy as np
 
 PREFIXES = [(1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M"), (1e9, "G")]
 UNITS_WITH_PREFIX = {"m", "s", "N", "J", "W", "m/s", "N s", "N/m", "Pa"}
-TYPESET = {"m/s^2": "m/s²", "rad/s^2": "rad/s²", "N s": "N\u2009s"}
+TYPESET = {"m/s^2": "m/s²", "rad/s^2": "rad/s²", "N s": "N s"}
 
 
 @dataclass(frozen=True)

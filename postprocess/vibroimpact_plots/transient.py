@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from . import style
-from .cases import cases, explain
+from .cases import cases, explain, name_of_grid
 from .labels import quantity_label, scale_for
 from .results import Analysis, Array, Results
 
@@ -17,6 +17,9 @@ def figures(results: Results, analysis: Analysis):
     for contact in analysis.members("contact"):
         if analysis.has(f"contact/{contact}/normal_force"):
             yield f"{analysis.name}-contact-{contact}", contact_history(analysis, contact)
+            swept = along_the_grid(analysis, contact)
+            if swept is not None:
+                yield f"{analysis.name}-along-the-grid-{contact}", swept
             first = close_up(analysis, contact)
             if first is not None:
                 yield f"{analysis.name}-first-impact-{contact}", first
@@ -34,6 +37,30 @@ def figures(results: Results, analysis: Analysis):
 def of_case(array: Array, analysis: Analysis, index: tuple) -> np.ndarray:
     """The history of one case; a coordinate that all cases share has no outer axes."""
     return array.values if array.values.ndim == 1 else array.values[index]
+
+
+def along_the_grid(analysis: Analysis, contact: str):
+    """Peak force and duration of the first impact against the swept key, or None unless the grid
+    has one key with numbers."""
+    table = f"contact/{contact}/impact/"
+    if len(analysis.grid_axes) != 1 or not analysis.has(table + "peak_force"):
+        return None
+    key = analysis.read(analysis.grid_axes[0])
+    if key.values.dtype.kind != "f" or len(key.values) < 3:
+        return None
+    x_scale = scale_for(key.unit, key.values)
+    figure, panels = style.panels(2)
+    for axes, name, label in zip(panels, ["peak_force", "duration"], ["Peak force", "Duration"]):
+        field = analysis.read(table + name)
+        first = field.values[:, 0] if field.values.ndim > 1 else field.values
+        scale = scale_for(field.unit, first)
+        axes.plot(key.values / x_scale.factor, first / scale.factor, "o-")
+        axes.set_ylabel(scale.label(label))
+        if np.all(key.values > 0) and key.values.max() > 20 * key.values.min():
+            axes.set_xscale("log")
+    panels[0].set_title(f"First impact of contact {contact}")
+    panels[-1].set_xlabel(x_scale.label(name_of_grid(analysis).capitalize()))
+    return figure
 
 
 def draw(axes, analysis, x: Array, y: Array, x_scale, y_scale, shift=0.0) -> None:
@@ -71,7 +98,22 @@ def contact_history(analysis: Analysis, contact: str):
     if analysis.has(f"contact/{contact}/gap"):
         rows.append((f"contact/{contact}/gap", "Gap"))
     peaks = impact_peaks(analysis, contact)
-    return histories(analysis, rows, f"Contact {contact}", peaks)
+    figure = histories(analysis, rows, f"Contact {contact}", peaks)
+    draw_pulses(figure.axes[0], analysis, contact)
+    return figure
+
+
+def draw_pulses(axes, analysis: Analysis, contact: str) -> None:
+    """Impacts are shorter than the sampling of a history; their own samples show them as they
+    were."""
+    time_scale = scale_for("s", analysis.read("time").values)
+    force = analysis.read(f"contact/{contact}/normal_force")
+    peaks = impact_peaks(analysis, contact)
+    scale = scale_for(force.unit, force.values, peaks[1].values if peaks else [])
+    for case in cases(analysis):
+        time, samples, _ = pulses(analysis, contact, case.index)
+        if np.isfinite(time).any():
+            axes.plot(time / time_scale.factor, samples / scale.factor, color=case.colour)
 
 
 def impact_peaks(analysis: Analysis, contact: str):

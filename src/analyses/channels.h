@@ -13,7 +13,7 @@
 namespace vibroimpact {
 
 struct Channel {
-  std::string point;   ///< "body.point"
+  std::string point; ///< "body.point"
   char axis = 'x';
   Projection relative; ///< displacement relative to the base
   Projection absolute; ///< displacement in space

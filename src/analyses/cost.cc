@@ -37,13 +37,12 @@ std::string cost_sentence(const Analysis &analysis, const System &system, std::s
   const Workload work = analysis.workload(system);
   const auto lines = static_cast<double>(analysis.lines() * repetitions);
   // Eight evaluations in a step and as much again around them.
-  const double seconds = lines * work.simulated_time * steps_per_second(system) * 16 *
-                         evaluation_time(system);
+  const double seconds =
+      lines * work.simulated_time * steps_per_second(system) * 16 * evaluation_time(system);
   std::ostringstream text;
   text.precision(3);
-  text << system.model.size() << " coordinates, "
-       << lines * static_cast<double>(work.points) << " points, at most "
-       << lines * work.simulated_time << " s of motion, about " << seconds
+  text << system.model.size() << " coordinates, " << lines * static_cast<double>(work.points)
+       << " points, at most " << lines * work.simulated_time << " s of motion, about " << seconds
        << " s of computing on one core if nothing settles early";
   return text.str();
 }
@@ -53,8 +52,8 @@ std::string body_sentence(const ReducedBody &body) {
   std::ostringstream text;
   text.precision(6);
   text << body.size() << (body.modal() ? " modes from " : " coordinates from ")
-       << frequency.minCoeff() << " Hz to " << frequency.maxCoeff() << " Hz, "
-       << body.points.size() << " points";
+       << frequency.minCoeff() << " Hz to " << frequency.maxCoeff() << " Hz, " << body.points.size()
+       << " points";
   return text.str();
 }
 

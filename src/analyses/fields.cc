@@ -90,10 +90,10 @@ void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLo
                               .unit = "1"});
     for (std::size_t i = 0; i < std::min(summary_lines, impacts.size()); ++i)
       for (const Column &column : columns)
-        result.summary.push_back({.name = "contact." + name + ".impact[" + std::to_string(i + 1) +
-                                          "]." + column.name,
-                                  .value = column.value(impacts[i]),
-                                  .unit = column.unit});
+        result.summary.push_back(
+            {.name = "contact." + name + ".impact[" + std::to_string(i + 1) + "]." + column.name,
+             .value = column.value(impacts[i]),
+             .unit = column.unit});
   }
 }
 
@@ -102,8 +102,8 @@ void add_pulses(PointResult &result, const ContactSet &contacts, const ImpactLog
     const std::string base = "contact/" + contacts.pairs()[c].name + "/pulse/";
     const std::string dimension = "pulse_" + contacts.pairs()[c].name;
     const Pulses &pulses = log.pulses(c);
-    result.fields.push_back(series_field(base + "time", dimension, pulses.time, "s",
-                                         "time; NaN separates impacts"));
+    result.fields.push_back(
+        series_field(base + "time", dimension, pulses.time, "s", "time; NaN separates impacts"));
     result.fields.push_back(
         series_field(base + "normal_force", dimension, pulses.force, "N", "normal force"));
     result.fields.push_back(series_field(base + "gap", dimension, pulses.gap, "m", "gap"));

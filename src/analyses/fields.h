@@ -19,7 +19,8 @@ Field series_field(const std::string &name, const std::string &dimension,
                    const std::string &description);
 
 /// Accuracy of a motion as fields and summary lines.
-void add_accuracy(PointResult &result, const Accuracy &accuracy, const IntegrationSettings &settings);
+void add_accuracy(PointResult &result, const Accuracy &accuracy,
+                  const IntegrationSettings &settings);
 
 /// Impact tables of all contacts as fields, and as summary lines of the first `summary_lines`.
 void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLog &log,

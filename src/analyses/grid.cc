@@ -21,8 +21,8 @@ std::vector<std::string> split_values(const std::string &text) {
 std::vector<std::string> between(const std::string &first, const std::string &last, long points) {
   std::vector<std::string> values = {first};
   for (long i = 1; i + 1 < points; ++i)
-    values.push_back("(" + first + ") + " + std::to_string(i) + " / " +
-                     std::to_string(points - 1) + " * ((" + last + ") - (" + first + "))");
+    values.push_back("(" + first + ") + " + std::to_string(i) + " / " + std::to_string(points - 1) +
+                     " * ((" + last + ") - (" + first + "))");
   values.push_back(last);
   return values;
 }
@@ -111,7 +111,8 @@ std::vector<Axis> grid_axes(const std::vector<GridKey> &keys,
               .unit = "1",
               .description = "swept key " + key.path};
     for (const std::string &value : key.values) {
-      const auto set = parameters.with({{.path = key.path, .value = value, .origin = "parameter grid"}});
+      const auto set =
+          parameters.with({{.path = key.path, .value = value, .origin = "parameter grid"}});
       if (const auto number = set->number_at(key.path)) {
         axis.values.push_back(number->value);
         axis.unit = number->unit;

@@ -23,9 +23,8 @@ void add_body(PointResult &result, const ReducedBody &body) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::string name(1, static_cast<char>('x' + axis));
     const Vector effective = body.effective_mass().col(axis);
-    add("participation_factor_" + name,
-        body.base_participation.col(axis).cwiseQuotient(body.mass), "1",
-        "participation of a base motion along " + name);
+    add("participation_factor_" + name, body.base_participation.col(axis).cwiseQuotient(body.mass),
+        "1", "participation of a base motion along " + name);
     add("effective_modal_mass_" + name, effective, "kg", "effective modal mass along " + name);
     if (body.total_mass[axis] > 0)
       result.summary.push_back({.name = "body." + body.name + ".effective_modal_mass_share." + name,
@@ -37,15 +36,14 @@ void add_body(PointResult &result, const ReducedBody &body) {
 // The share of each coordinate in the contact's compliance to impulses, 1 / effective mass.
 void add_contact(PointResult &result, const System &system, std::size_t c) {
   const ContactPair &pair = system.contacts.pairs()[c];
-  const Vector compliance =
-      pair.gap.row.transpose().cwiseAbs2().cwiseQuotient(system.model.mass());
+  const Vector compliance = pair.gap.row.transpose().cwiseAbs2().cwiseQuotient(system.model.mass());
   const std::string base = "contact/" + pair.name + "/";
   result.fields.push_back(series_field(base + "impulse_compliance", "coordinate",
                                        entries(compliance), "1/kg",
                                        "gap speed per impulse, share of each coordinate"));
   const double mass = system.contacts.effective_mass(c, system.model);
-  result.fields.push_back(scalar_field(base + "effective_mass", mass, "kg",
-                                       "mass that meets at the contact"));
+  result.fields.push_back(
+      scalar_field(base + "effective_mass", mass, "kg", "mass that meets at the contact"));
   result.summary.push_back(
       {.name = "contact." + pair.name + ".effective_mass", .value = mass, .unit = "kg"});
 }

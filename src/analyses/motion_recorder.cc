@@ -75,9 +75,8 @@ void MotionRecorder::add_fields(PointResult &result) const {
                                          "m", "displacement relative to the base along " + axis));
     result.fields.push_back(series_field(base + "velocity_" + axis, "time", series.velocity, "m/s",
                                          "velocity relative to the base along " + axis));
-    result.fields.push_back(series_field(base + "acceleration_" + axis, "time",
-                                         series.acceleration, "m/s^2",
-                                         "absolute acceleration along " + axis));
+    result.fields.push_back(series_field(base + "acceleration_" + axis, "time", series.acceleration,
+                                         "m/s^2", "absolute acceleration along " + axis));
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const std::string base = "contact/" + contacts_.pairs()[c].name + "/";

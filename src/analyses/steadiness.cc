@@ -5,8 +5,8 @@
 namespace vibroimpact {
 
 Steadiness::Steadiness(Vector scale, long longest, double tolerance)
-    : scale_(std::move(scale)), longest_(static_cast<std::size_t>(longest)),
-      tolerance_(tolerance) {}
+    : scale_(std::move(scale)), longest_(static_cast<std::size_t>(longest)), tolerance_(tolerance) {
+}
 
 double Steadiness::change(std::size_t newer, std::size_t older) const {
   return (states_[newer] - states_[older]).cwiseAbs().maxCoeff();

@@ -146,8 +146,7 @@ std::vector<SteppedSweep::Step> SteppedSweep::steps_of_line(std::size_t line) co
 
 Workload SteppedSweep::workload(const System & /*system*/) const {
   Workload work{.simulated_time = 0, .points = steps_of_line(0).size()};
-  const double cycles =
-      static_cast<double>(settings_.maximum_settling + settings_.recorded);
+  const double cycles = static_cast<double>(settings_.maximum_settling + settings_.recorded);
   for (const Step &step : steps_of_line(0))
     work.simulated_time += cycles / settings_.frequencies[step.frequency];
   return work;
@@ -195,10 +194,10 @@ PointResult SteppedSweep::compute(const Step &step, System &system, Trajectory &
 
   excursions.add_fields(result);
   for (std::size_t c = 0; c < system.contacts.size(); ++c)
-    result.fields.push_back(scalar_field(
-        "contact/" + system.contacts.pairs()[c].name + "/impacts_per_period",
-        static_cast<double>(log.begun(c)) / static_cast<double>(settings_.recorded), "1",
-        "impacts begun per forcing period"));
+    result.fields.push_back(
+        scalar_field("contact/" + system.contacts.pairs()[c].name + "/impacts_per_period",
+                     static_cast<double>(log.begun(c)) / static_cast<double>(settings_.recorded),
+                     "1", "impacts begun per forcing period"));
   result.fields.push_back(scalar_field("steady", steadiness.steady() ? 1 : 0, "1",
                                        "1 when the motion was judged steady before recording"));
   result.fields.push_back(scalar_field("period_multiple",

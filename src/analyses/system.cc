@@ -31,8 +31,7 @@ std::vector<std::string> listed_instances(const parameters::Values &root, const 
 }
 
 void declare_selection(parameters::Section &analysis, const std::string &initial_default) {
-  analysis
-      .names("Excitations", "all", "Excitations that act: all, none, or their names.")
+  analysis.names("Excitations", "all", "Excitations that act: all, none, or their names.")
       .names("Active contacts", "all", "Contacts that can close: all, none, or their names.")
       .names("Initial conditions", initial_default,
              "Initial conditions of the first motion: all, none (rest), or their names.");

@@ -45,8 +45,8 @@ std::shared_ptr<const Analysis> Transient::create(const parameters::Values &anal
     values.reject("Sampling interval", "at most 1e8 samples in the duration.");
   settings.last_frame =
       values.has("Last frame") ? values.quantity("Last frame") : settings.duration;
-  if (settings.frames > 1 && (settings.last_frame <= settings.first_frame ||
-                              settings.last_frame > settings.duration))
+  if (settings.frames > 1 &&
+      (settings.last_frame <= settings.first_frame || settings.last_frame > settings.duration))
     values.reject("Last frame", "an instant after the first frame and within the duration.");
   return std::make_shared<Transient>(settings);
 }
@@ -67,9 +67,9 @@ PointResult Transient::compute(const System &system) const {
                           equal_instants(0, settings_.duration, settings_.sampling_interval));
   std::vector<double> frames;
   for (std::size_t i = 0; i < settings_.frames; ++i)
-    frames.push_back(settings_.first_frame + (settings_.last_frame - settings_.first_frame) *
-                                                 static_cast<double>(i) /
-                                                 static_cast<double>(std::max<std::size_t>(settings_.frames - 1, 1)));
+    frames.push_back(settings_.first_frame +
+                     (settings_.last_frame - settings_.first_frame) * static_cast<double>(i) /
+                         static_cast<double>(std::max<std::size_t>(settings_.frames - 1, 1)));
   FrameRecorder pictures(system.model, frames);
   Observers observers({&log, &recorder, &pictures});
   PointResult result;

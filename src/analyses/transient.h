@@ -8,11 +8,11 @@ namespace vibroimpact {
 class Transient : public Analysis {
 public:
   struct Settings {
-    double duration = 0;            ///< [s]
-    double sampling_interval = 0;   ///< [s]
+    double duration = 0;          ///< [s]
+    double sampling_interval = 0; ///< [s]
     std::size_t recorded_pulses = 0;
-    std::size_t listed_impacts = 0; ///< impacts in the summary
-    std::size_t frames = 0;         ///< pictures of the meshes
+    std::size_t listed_impacts = 0;         ///< impacts in the summary
+    std::size_t frames = 0;                 ///< pictures of the meshes
     double first_frame = 0, last_frame = 0; ///< [s]
   };
   explicit Transient(Settings settings) : settings_(settings) {}

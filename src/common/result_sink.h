@@ -45,9 +45,9 @@ struct SummaryLine {
 
 /// The motion of all bodies at some instants, for the expansion to the mesh.
 struct Motion {
-  std::vector<double> time;                 ///< [s]
-  std::vector<Matrix> coordinates;          ///< per body: time x coordinate
-  std::vector<Matrix> base_displacement;    ///< per body: time x 3 [m]
+  std::vector<double> time;              ///< [s]
+  std::vector<Matrix> coordinates;       ///< per body: time x coordinate
+  std::vector<Matrix> base_displacement; ///< per body: time x 3 [m]
 };
 
 enum class Status : std::int8_t { missing = -1, finished = 0, failed = 1 };

@@ -50,18 +50,18 @@ struct AffineLaw {
 
 struct Mode {
   std::string name;
-  bool in_contact = false;            ///< counts as an impact between entering and leaving
-  std::vector<Guard> guards{};        ///< in order of priority
-  std::optional<AffineLaw> affine{};  ///< present where the law is affine in this mode
+  bool in_contact = false;           ///< counts as an impact between entering and leaving
+  std::vector<Guard> guards{};       ///< in order of priority
+  std::optional<AffineLaw> affine{}; ///< present where the law is affine in this mode
 };
 
 /// Values and partial derivatives of a law at one local state; arrays have n_internal() entries.
 struct LawResponse {
-  double force = 0;              ///< [N]
-  double force_by_gap = 0;       ///< [N/m]
-  double force_by_gap_rate = 0;  ///< [N s/m]
-  double stored_energy = 0;      ///< [J]
-  double dissipated_power = 0;   ///< [W]
+  double force = 0;             ///< [N]
+  double force_by_gap = 0;      ///< [N/m]
+  double force_by_gap_rate = 0; ///< [N s/m]
+  double stored_energy = 0;     ///< [J]
+  double dissipated_power = 0;  ///< [W]
   std::vector<double> force_by_internal{};
   std::vector<double> internal_rate{};
   std::vector<double> internal_rate_by_gap{};

@@ -58,8 +58,8 @@ ContactPair read_contact(const parameters::Values &contact, const std::string &n
           .clearance = read_clearance(contact),
           .gap = std::move(gap),
           .law = create_contact_law(contact),
-          .accept_initial_penetration = contact.choice("Initial penetration") == "accept" ||
-                                        contact.boolean("Prestressed"),
+          .accept_initial_penetration =
+              contact.choice("Initial penetration") == "accept" || contact.boolean("Prestressed"),
           .origin = contact.locate("Clearance")};
 }
 
@@ -93,12 +93,14 @@ void declare_contacts(parameters::Section &root) {
   contact
       .names("Between", "",
              "The two sides a, b as BODY.POINT; the second may be stop, which is the default.")
-      .text("Direction", "x", "Contact normal n, from the first side to the second: x, -y or three "
-                              "numbers.")
+      .text("Direction", "x",
+            "Contact normal n, from the first side to the second: x, -y or three "
+            "numbers.")
       .quantity("Clearance", "", dimension::length, range::any, "g_0",
                 "Gap of the undeformed model.")
-      .boolean("Prestressed", "false",
-               "Says that a negative clearance is meant: the two sides press on each other at rest.")
+      .boolean(
+          "Prestressed", "false",
+          "Says that a negative clearance is meant: the two sides press on each other at rest.")
       .choice("Initial penetration", "refuse", {"refuse", "accept"},
               "What to do when a motion starts with the two sides overlapping.");
   declare_contact_laws(contact);

@@ -21,7 +21,7 @@ struct ContactPair {
   Projection gap;             ///< gap - clearance as a projection of the motion
   std::shared_ptr<const ContactLaw> law;
   bool accept_initial_penetration = false;
-  std::string origin; ///< where the parameter file declares it, for messages
+  std::string origin;        ///< where the parameter file declares it, for messages
   Index internal_offset = 0; ///< first internal state among those of all contacts
 
   int n_internal() const { return law->n_internal(); }

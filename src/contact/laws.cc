@@ -28,7 +28,8 @@ void declare_contact_laws(parameters::Section &contact) {
   std::vector<std::string> names;
   for (const LawEntry &law : laws)
     names.emplace_back(law.name);
-  contact.choice("Law", names.front(), names, "Contact law; its constants stand in its own section.");
+  contact.choice("Law", names.front(), names,
+                 "Contact law; its constants stand in its own section.");
   for (const LawEntry &law : laws)
     law.declare(contact);
 }

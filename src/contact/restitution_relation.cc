@@ -13,9 +13,9 @@ namespace vibroimpact {
 
 namespace {
 
-// ln[(1 + d) / (1 - e d)] - (1 + e) d, grouped so that nothing cancels for small d. Negative next to
-// the trivial root d = 0, it grows without bound as d approaches 1/e, so that the wanted root lies
-// between.
+// ln[(1 + d) / (1 - e d)] - (1 + e) d, grouped so that nothing cancels for small d. Negative next
+// to the trivial root d = 0, it grows without bound as d approaches 1/e, so that the wanted root
+// lies between.
 double exact_mismatch(double e, double d) {
   return boost::math::log1pmx(d) - boost::math::log1pmx(-e * d);
 }

@@ -2,9 +2,10 @@
 // d_c = mu v_c / k of the Hunt–Crossley force F = k u^n (1 + (mu/k) u'), for an impact of two free
 // bodies at approach speed v_c.
 //
-//   exact                 (1 + e) d_c = ln[(1 + d_c) / (1 - e d_c)]   (first integral of the motion)
-//   hunt-crossley         d_c = 3/2 (1 - e)                            (Hunt & Crossley 1975)
-//   lankarani-nikravesh   d_c = 3/4 (1 - e^2)                          (Lankarani & Nikravesh 1994)
+//   exact                 (1 + e) d_c = ln[(1 + d_c) / (1 - e d_c)]   (first integral of the
+//   motion) hunt-crossley         d_c = 3/2 (1 - e)                            (Hunt & Crossley
+//   1975) lankarani-nikravesh   d_c = 3/4 (1 - e^2)                          (Lankarani & Nikravesh
+//   1994)
 //
 // The exact relation holds for every exponent n; the others are its small-damping approximations.
 #pragma once

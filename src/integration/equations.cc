@@ -17,10 +17,10 @@ bool is_zero(const AffineForm &form) {
 } // namespace
 
 Equations::Equations(const Model &model, const ContactSet &contacts)
-    : model_(model), contacts_(contacts),
-      layout_{.n = model.size(),
-              .n_internal = contacts.n_internal(),
-              .n_contacts = static_cast<Index>(contacts.size())},
+    : model_(model),
+      contacts_(contacts), layout_{.n = model.size(),
+                                   .n_internal = contacts.n_internal(),
+                                   .n_contacts = static_cast<Index>(contacts.size())},
       modes_(contacts.size(), 0) {
   for (const ContactPair &pair : contacts.pairs()) {
     std::vector<char> silent;
@@ -97,8 +97,8 @@ void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
     acceleration += response_.force * pair.gap.row.transpose();
     for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
       if (pair.gap.carrier[k] != 0)
-        input_power -= response_.force * pair.gap.carrier[k] *
-                       model_.sources()[k].function->rate(time);
+        input_power -=
+            response_.force * pair.gap.carrier[k] * model_.sources()[k].function->rate(time);
     for (int i = 0; i < pair.n_internal(); ++i)
       dxdt[layout_.internal() + pair.internal_offset + i] = response_.internal_rate[i];
     dxdt[layout_.impulse(contact)] = response_.force;

@@ -23,7 +23,7 @@ struct StateLayout {
   Index input_work() const { return ledger(); }              ///< by loads and moving bases [J]
   Index absolute_input_work() const { return ledger() + 1; } ///< integral of |power| [J]
   Index damping_work() const { return ledger() + 2; }        ///< dissipated by C [J]
-  Index impulse(Index contact) const { return ledger() + 3 + contact; } ///< [N s]
+  Index impulse(Index contact) const { return ledger() + 3 + contact; }             ///< [N s]
   Index contact_work(Index contact) const { return impulse(contact) + n_contacts; } ///< dissipated
   Index physical_size() const { return ledger(); }
   Index size() const { return ledger() + 3 + 2 * n_contacts; }

@@ -21,7 +21,8 @@ double peak_force(const StepView &view, std::size_t contact) {
   std::array<double, samples + 1> values{};
   for (int i = 0; i <= samples; ++i)
     values[i] = view.force(contact, static_cast<double>(i) / samples);
-  const auto best = static_cast<int>(std::max_element(values.begin(), values.end()) - values.begin());
+  const auto best =
+      static_cast<int>(std::max_element(values.begin(), values.end()) - values.begin());
   if (values[best] <= 0)
     return values[best];
   const double lower = std::max(0, best - 1) / static_cast<double>(samples);
@@ -32,9 +33,10 @@ double peak_force(const StepView &view, std::size_t contact) {
 }
 
 ImpactLog::ImpactLog(const ContactSet &contacts, std::size_t pulses)
-    : contacts_(contacts), pulse_limit_(pulses),
-      layout_{.n = 0, .n_internal = contacts.n_internal(),
-              .n_contacts = static_cast<Index>(contacts.size())},
+    : contacts_(contacts),
+      pulse_limit_(pulses), layout_{.n = 0,
+                                    .n_internal = contacts.n_internal(),
+                                    .n_contacts = static_cast<Index>(contacts.size())},
       tracks_(contacts.size()) {}
 
 bool ImpactLog::in_contact(std::size_t contact, int mode) const {

@@ -8,8 +8,8 @@ void declare_integration(parameters::Section &root) {
       .choice("Method", "rk", {"rk", "bdf", "theta", "arkimex"},
               "Time integrator: adaptive Runge-Kutta of order 5 (Dormand-Prince), backward "
               "differentiation, trapezoidal-type theta, or diagonally implicit Runge-Kutta.")
-      .quantity("Relative tolerance", "1e-9", dimension::none,
-                Range{.lower = 1e-14, .upper = 0.1}, "", "Relative error allowed in one step.")
+      .quantity("Relative tolerance", "1e-9", dimension::none, Range{.lower = 1e-14, .upper = 0.1},
+                "", "Relative error allowed in one step.")
       .quantity("Absolute tolerance", "1e-12 m", dimension::length, range::positive, "",
                 "Displacement at the points below which relative accuracy is not asked for; "
                 "velocities follow by the natural frequencies.")

@@ -104,8 +104,10 @@ MotionState Trajectory::motion_state() const {
 }
 
 StepView Trajectory::view() const {
-  return {equations_,        stepper_.previous_time(), stepper_.time(), stepper_.previous_state(),
-          stepper_.state(), start_rates_,             end_rates_};
+  return {equations_,       stepper_.previous_time(),
+          stepper_.time(),  stepper_.previous_state(),
+          stepper_.state(), start_rates_,
+          end_rates_};
 }
 
 void Trajectory::evaluate_end() {
@@ -120,9 +122,8 @@ bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
     for (std::size_t g = 0; g < guard_count(equations_, c); ++g) {
       Bernstein indicator = view.indicator(c, guard_of(equations_, c, g).indicator);
-      const bool zero =
-          phase_start_ && std::find(zero_at_start_.begin(), zero_at_start_.end(),
-                                    std::pair(c, g)) != zero_at_start_.end();
+      const bool zero = phase_start_ && std::find(zero_at_start_.begin(), zero_at_start_.end(),
+                                                  std::pair(c, g)) != zero_at_start_.end();
       if (zero)
         indicator.clear_start();
       const std::optional<double> tau = indicator.first_fall();
@@ -134,8 +135,9 @@ bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {
   return found;
 }
 
-// How far the end of the step may be from the true instant: |indicator / its rate| there. Zero where
-// the indicator is below the rounding of its own evaluation: near grazing no instant is closer.
+// How far the end of the step may be from the true instant: |indicator / its rate| there. Zero
+// where the indicator is below the rounding of its own evaluation: near grazing no instant is
+// closer.
 double Trajectory::event_uncertainty(const StepView &view, const Crossing &crossing) const {
   const AffineForm &form = guard_of(equations_, crossing.contact, crossing.guard).indicator;
   const Bernstein indicator = view.indicator(crossing.contact, form);
@@ -215,15 +217,14 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
   last_event_time_ = time();
   Vector state = stepper_.state();
   step_of_modes_[equations_.modes()] = stepper_.natural_step();
-  const double residual = std::abs(guard_of(equations_, first.contact, first.guard)
-                                       .indicator(equations_.local_state(
-                                           first.contact, time(),
-                                           ConstVectorView(state.data(), state.size()))));
+  const double residual =
+      std::abs(guard_of(equations_, first.contact, first.guard)
+                   .indicator(equations_.local_state(first.contact, time(),
+                                                     ConstVectorView(state.data(), state.size()))));
   change_mode(first.contact, first.guard, state, observer);
   begin_phase(time(), state);
   if (stuck)
-    std::erase_if(zero_at_start_,
-                  [&](const auto &entry) { return entry.first == first.contact; });
+    std::erase_if(zero_at_start_, [&](const auto &entry) { return entry.first == first.contact; });
   else
     zero_at_start_.clear();
   note_zero_guards(first.contact, state, residual);
@@ -275,9 +276,9 @@ void Trajectory::advance(double end, Observer &observer) {
 
 Accuracy Trajectory::accuracy() const {
   const Vector &x = stepper_.state();
-  const double energy =
-      equations_.stored_energy(time(), ConstVectorView(x.data(), x.size()));
-  double unaccounted = energy - initial_energy_ - x[layout().input_work()] + x[layout().damping_work()];
+  const double energy = equations_.stored_energy(time(), ConstVectorView(x.data(), x.size()));
+  double unaccounted =
+      energy - initial_energy_ - x[layout().input_work()] + x[layout().damping_work()];
   for (Index c = 0; c < layout().n_contacts; ++c)
     unaccounted += x[layout().contact_work(c)];
   const double turnover = initial_energy_ + x[layout().absolute_input_work()];

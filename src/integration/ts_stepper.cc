@@ -47,8 +47,8 @@ PetscErrorCode evaluate_rates(TS /*ts*/, PetscReal time, Vec x, Vec dxdt, void *
   return 0;
 }
 
-PetscErrorCode evaluate_jacobian(TS /*ts*/, PetscReal time, Vec x, Mat jacobian, Mat /*preconditioner*/,
-                                 void *context) {
+PetscErrorCode evaluate_jacobian(TS /*ts*/, PetscReal time, Vec x, Mat jacobian,
+                                 Mat /*preconditioner*/, void *context) {
   const auto &equations = *static_cast<Equations *>(context);
   const PetscScalar *in = nullptr;
   PetscScalar *out = nullptr;
@@ -75,9 +75,9 @@ void default_to_maximum_norm() {
 } // namespace
 
 TsStepper::TsStepper(Equations &equations, const IntegrationSettings &settings)
-    : equations_(equations), maximum_step_(settings.maximum_step > 0
-                                               ? settings.maximum_step
-                                               : std::numeric_limits<double>::infinity()) {
+    : equations_(equations),
+      maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
+                                              : std::numeric_limits<double>::infinity()) {
   const PetscInt size = static_cast<PetscInt>(equations.layout().size());
   check(VecCreateSeq(PETSC_COMM_SELF, size, &solution_), "VecCreateSeq");
   check(TSCreate(PETSC_COMM_SELF, &ts_), "TSCreate");
@@ -193,8 +193,7 @@ void TsStepper::attempt(double end) {
   TSGetConvergedReason(ts_, &reason);
   if (code != 0 || reason < 0)
     throw NumericalError("the time integrator gave up at t = " + std::to_string(previous_time_) +
-                         " s: " +
-                         (reason < 0 ? TSConvergedReasons[reason] : error_text(code)));
+                         " s: " + (reason < 0 ? TSConvergedReasons[reason] : error_text(code)));
   check(TSGetTime(ts_, &time_), "TSGetTime");
 }
 

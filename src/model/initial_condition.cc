@@ -19,8 +19,8 @@ Vector unit_mode(const parameters::Values &condition, const ReducedBody &body,
     condition.reject("Mode", "body " + body.name + " has " + std::to_string(body.size()) +
                                  " coordinates; a number from 1 to that.");
   if (std::abs(row[mode - 1]) < 1e-9 * row.cwiseAbs().maxCoeff() || row[mode - 1] == 0)
-    condition.reject("At", "a point that mode " + std::to_string(mode) +
-                               " moves along the direction.");
+    condition.reject("At",
+                     "a point that mode " + std::to_string(mode) + " moves along the direction.");
   Vector shape = Vector::Zero(body.size());
   shape[mode - 1] = 1 / row[mode - 1];
   return shape;
@@ -84,8 +84,8 @@ InitialState read_initial_state(const parameters::Values &root,
     PointReference at;
     model.find_point(condition.text("At"), at);
     const ReducedBody &body = *model.bodies()[at.body];
-    const Vector shape = unit_shape(condition, body, body.points[at.point],
-                                    read_direction(condition, "Direction"));
+    const Vector shape =
+        unit_shape(condition, body, body.points[at.point], read_direction(condition, "Direction"));
     const Index first = model.offset(at.body);
     state.displacement.segment(first, body.size()) += condition.quantity("Displacement") * shape;
     state.velocity.segment(first, body.size()) += condition.quantity("Velocity") * shape;

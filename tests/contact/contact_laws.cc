@@ -98,8 +98,7 @@ TEST(ContactLawsTest, DerivativesAgreeWithDifferences) {
           const double by_internal = (evaluate(*law, mode, gap, rate, up).force -
                                       evaluate(*law, mode, gap, rate, down).force) /
                                      2e-5;
-          EXPECT_NEAR(at.force_by_internal[i], by_internal,
-                      1e-6 * std::abs(by_internal) + 1e-6)
+          EXPECT_NEAR(at.force_by_internal[i], by_internal, 1e-6 * std::abs(by_internal) + 1e-6)
               << law->name();
         }
       }

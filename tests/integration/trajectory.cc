@@ -1,10 +1,11 @@
-// Motions with known answers: impacts of single masses, free bodies, and the limits of stiff contact.
+// Motions with known answers: impacts of single masses, free bodies, and the limits of stiff
+// contact.
+#include "integration/trajectory.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/restitution_relation.h"
 #include "integration/impact_log.h"
-#include "integration/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>
@@ -41,8 +42,7 @@ TEST(TrajectoryTest, SpringMassOnAStop) {
   const Model model({single_mass("block", 100, 1e4, 0)});
   const ContactSet contacts(
       {contact_along_x(model, "block.head", "", 0, std::make_shared<LinearPenalty>(1e6))});
-  const Outcome out =
-      integrate(model, contacts, Vector::Zero(1), Vector::Constant(1, 1.0), 0.05);
+  const Outcome out = integrate(model, contacts, Vector::Zero(1), Vector::Constant(1, 1.0), 0.05);
   ASSERT_EQ(out.impacts.size(), 1u);
   const double omega = std::sqrt(1.01e6 / 100);
   EXPECT_NEAR(out.impacts[0].peak_force, 1e6 / omega, 1e-7 * 1e4);
@@ -96,14 +96,13 @@ TEST(TrajectoryTest, HuntCrossleyGivesTheExactRestitutionOfTwoFreeMasses) {
   const TwoSpheres spheres;
   for (const double e : {0.2, 0.5, 0.7, 0.9, 0.99}) {
     const double damping = dimensionless_damping("exact", e);
-    const Impact fixed = spheres.collide(
-        HuntCrossley::with_dissipation(spheres.constants, damping / spheres.speed));
+    const Impact fixed =
+        spheres.collide(HuntCrossley::with_dissipation(spheres.constants, damping / spheres.speed));
     EXPECT_NEAR(fixed.restitution_coefficient(), e, 1e-6);
-    const Impact own = spheres.collide(
-        HuntCrossley::with_dimensionless_damping(spheres.constants, damping, 1e-9));
+    const Impact own =
+        spheres.collide(HuntCrossley::with_dimensionless_damping(spheres.constants, damping, 1e-9));
     EXPECT_NEAR(own.restitution_coefficient(), e, 1e-6);
-    const double lost =
-        0.5 * spheres.reduced_mass() * spheres.speed * spheres.speed * (1 - e * e);
+    const double lost = 0.5 * spheres.reduced_mass() * spheres.speed * spheres.speed * (1 - e * e);
     EXPECT_NEAR(own.dissipated_energy, lost, 1e-6 * lost + 1e-12);
   }
 }
@@ -114,8 +113,8 @@ TEST(TrajectoryTest, PenaltyApproachesNewtonsImpact) {
   double previous = 1;
   for (const double stiffness : {1e4, 1e6, 1e8, 1e10}) {
     const Model model({single_mass("block", 1, 10, 0)});
-    const ContactSet contacts(
-        {contact_along_x(model, "block.head", "", 0.1, std::make_shared<LinearPenalty>(stiffness))});
+    const ContactSet contacts({contact_along_x(model, "block.head", "", 0.1,
+                                               std::make_shared<LinearPenalty>(stiffness))});
     const double duration = 0.25;
     const Outcome out =
         integrate(model, contacts, Vector::Zero(1), Vector::Constant(1, 1.0), duration);

@@ -1,7 +1,7 @@
 // The dense equations of motion: assembly of bodies, loads, base motions, projections.
+#include "model/model.h"
 #include "model/direction.h"
 #include "model/initial_condition.h"
-#include "model/model.h"
 #include "support/lumped_models.h"
 
 #include "common/error.h"

@@ -44,8 +44,9 @@ double hertz_stiffness(const HertzSide &a, const HertzSide &b) {
 
 void declare_hertz_constants(parameters::Section &law) {
   using namespace parameters;
-  law.quantity("Stiffness", "", dimension::any, range::positive, "k",
-               "Constant of F = k u^n in N/m^n. Leave empty to compute it from radii and materials.")
+  law.quantity(
+         "Stiffness", "", dimension::any, range::positive, "k",
+         "Constant of F = k u^n in N/m^n. Leave empty to compute it from radii and materials.")
       .quantity("Exponent", "1.5", dimension::none, Range{.lower = 1, .upper = 5}, "n",
                 "Exponent of the penetration.");
   declare_side(law, "a", "first");
@@ -55,11 +56,13 @@ void declare_hertz_constants(parameters::Section &law) {
 HertzConstants read_hertz_constants(const parameters::Values &law) {
   HertzConstants constants{.stiffness = 0, .exponent = law.quantity("Exponent")};
   if (law.has("Stiffness")) {
-    constants.stiffness = law.quantity_of("Stiffness", {.length = 1 - constants.exponent, .mass = 1, .time = -2});
+    constants.stiffness =
+        law.quantity_of("Stiffness", {.length = 1 - constants.exponent, .mass = 1, .time = -2});
     return constants;
   }
   if (constants.exponent != 1.5)
-    law.reject("Exponent", "1.5 unless Stiffness is given: radii and materials give k for n = 3/2.");
+    law.reject("Exponent",
+               "1.5 unless Stiffness is given: radii and materials give k for n = 3/2.");
   if (!law.has("Radius a") && !law.has("Radius b"))
     law.reject("Radius a", "a radius for at least one side, or Stiffness: two flat sides are no "
                            "Hertz contact.");
@@ -67,7 +70,8 @@ HertzConstants read_hertz_constants(const parameters::Values &law) {
   return constants;
 }
 
-Hertz::Hertz(HertzConstants constants) : ContactLaw(open_and_contact(), {}), constants_(constants) {}
+Hertz::Hertz(HertzConstants constants)
+    : ContactLaw(open_and_contact(), {}), constants_(constants) {}
 
 void Hertz::declare(parameters::Section &contact) {
   declare_hertz_constants(

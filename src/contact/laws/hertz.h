@@ -5,7 +5,8 @@
 // From geometry and material (Goldsmith 1960, Johnson 1985):
 //   k = 4/3 E* sqrt(R*),  1/E* = (1 - nu_a^2)/E_a + (1 - nu_b^2)/E_b,  1/R* = 1/R_a + 1/R_b,
 // a flat side has 1/R = 0. Stored energy k penetration^(n+1) / (n+1), nothing dissipated.
-// Slightly negative penetrations met inside a step while an end of contact is located give no force.
+// Slightly negative penetrations met inside a step while an end of contact is located give no
+// force.
 #pragma once
 
 #include "contact/contact_law.h"

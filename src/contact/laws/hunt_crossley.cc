@@ -16,7 +16,8 @@ enum : int { open = 0, contact = 1, separating = 2 };
 // remembered approach speed: z - d_c gap_rate.
 std::vector<Mode> make_modes(const AffineForm &compressive, const AffineForm &tensile,
                              const std::vector<AffineForm> &on_closing) {
-  const AffineLaw no_force{.force = {}, .internal_rate = std::vector<AffineForm>(on_closing.size())};
+  const AffineLaw no_force{.force = {},
+                           .internal_rate = std::vector<AffineForm>(on_closing.size())};
   const AffineForm gap_open{.gap = 1};
   const AffineForm overlap{.gap = -1};
   return {{.name = "open",
@@ -49,14 +50,13 @@ std::shared_ptr<HuntCrossley> HuntCrossley::with_dissipation(HertzConstants cons
                        {}, constants, dissipation, 0));
 }
 
-std::shared_ptr<HuntCrossley>
-HuntCrossley::with_dimensionless_damping(HertzConstants constants, double dimensionless_damping,
-                                         double lowest_speed) {
-  return std::shared_ptr<HuntCrossley>(
-      new HuntCrossley(make_modes({.gap_rate = -dimensionless_damping, .internal = {1}},
-                                  {.gap_rate = dimensionless_damping, .internal = {-1}},
-                                  {{.gap_rate = -1}}),
-                       {1.0}, constants, dimensionless_damping, lowest_speed));
+std::shared_ptr<HuntCrossley> HuntCrossley::with_dimensionless_damping(HertzConstants constants,
+                                                                       double dimensionless_damping,
+                                                                       double lowest_speed) {
+  return std::shared_ptr<HuntCrossley>(new HuntCrossley(
+      make_modes({.gap_rate = -dimensionless_damping, .internal = {1}},
+                 {.gap_rate = dimensionless_damping, .internal = {-1}}, {{.gap_rate = -1}}),
+      {1.0}, constants, dimensionless_damping, lowest_speed));
 }
 
 double HuntCrossley::dissipation(const LocalState &state) const {
@@ -118,7 +118,8 @@ std::shared_ptr<const ContactLaw> HuntCrossley::create(const parameters::Values 
   const parameters::Values law = contact_values.subsection(section_name);
   const HertzConstants constants = read_hertz_constants(law);
   if (law.has("Damping factor") == law.has("Restitution coefficient"))
-    law.reject("Damping factor", "either Damping factor or Restitution coefficient, one of the two.");
+    law.reject("Damping factor",
+               "either Damping factor or Restitution coefficient, one of the two.");
   if (law.has("Damping factor")) {
     const parameters::Dimension unit{.length = -constants.exponent, .mass = 1, .time = -1};
     return with_dissipation(constants,
