@@ -46,11 +46,12 @@ void note_field(const Field &field, std::vector<AssembledField> &fields) {
     fields.push_back({field.name, field.unit, field.description, field.dimensions, true, {}, {}});
 }
 
-/// "close_up/time" may be the coordinate of "close_up_time", just as "time" of "time".
+/// "time" of the dimension "time", and so is "identification/impulse_axis" of "impulse_axis".
 bool named_like(const std::string &field, const std::string &dimension) {
-  std::string flattened = field;
-  std::replace(flattened.begin(), flattened.end(), '/', '_');
-  return flattened == dimension;
+  const std::string ending = "/" + dimension;
+  return field == dimension ||
+         (field.size() > ending.size() &&
+          field.compare(field.size() - ending.size(), ending.size(), ending) == 0);
 }
 
 /// A reader finds a dimension in the group of a dataset or above; so must its coordinate be.

@@ -61,9 +61,10 @@ std::map<std::string, std::string> inner_scales(Hdf5File &file, const std::strin
     std::string name = counted ? link_name(dimension.name) : dimension.coordinate;
     if (counted && std::any_of(arrays.fields.begin(), arrays.fields.end(), taken))
       name += "_index";
-    scales[dimension.name] = group + "/" + name;
+    name.insert(0, group + "/");
+    scales[dimension.name] = name;
     if (counted)
-      write_index_scale(file, scales[dimension.name], dimension.length);
+      write_index_scale(file, name, dimension.length);
   }
   return scales;
 }

@@ -58,7 +58,7 @@ std::string lines_missing_from(const std::vector<std::string> &others,
   std::string text;
   for (const std::string &line : lines)
     if (std::find(others.begin(), others.end(), line) == others.end())
-      text += "\n  " + label + line;
+      text.append("\n  ").append(label).append(line);
   return text;
 }
 
@@ -142,7 +142,7 @@ std::vector<fs::path> RunFolder::journal_files() const {
 fs::path RunFolder::claim(const fs::path &relative) {
   if (claimed_.insert(relative.string()).second)
     add_written_file(folder_, relative);
-  const fs::path file = folder_ / relative;
+  fs::path file = folder_ / relative;
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error)

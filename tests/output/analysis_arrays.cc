@@ -83,13 +83,13 @@ TEST(AnalysisArrays, FailedPointDoesNotDecideOnACoordinate) {
 }
 
 TEST(AnalysisArrays, CoordinateOfASubgroupServesOnlyThatGroup) {
-  const Field time = field("close_up/time", {"close_up_time"}, {2}, {0, 1});
-  const Field inside = field("close_up/x", {"close_up_time"}, {2}, {5, 6});
-  const Field outside = field("y", {"close_up_time"}, {2}, {5, 6});
+  const Field ratio = field("fit/ratio", {"ratio"}, {2}, {0, 1});
+  const Field inside = field("fit/x", {"ratio"}, {2}, {5, 6});
+  const Field outside = field("y", {"ratio"}, {2}, {5, 6});
   EXPECT_EQ(
-      assemble(header_with(1), as_map({point(0, {time, inside})})).dimensions.at(0).coordinate,
-      "close_up/time");
-  EXPECT_EQ(assemble(header_with(1), as_map({point(0, {time, inside, outside})}))
+      assemble(header_with(1), as_map({point(0, {ratio, inside})})).dimensions.at(0).coordinate,
+      "fit/ratio");
+  EXPECT_EQ(assemble(header_with(1), as_map({point(0, {ratio, inside, outside})}))
                 .dimensions.at(0)
                 .coordinate,
             "");

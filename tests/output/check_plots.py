@@ -138,7 +138,8 @@ class Labelled(unittest.TestCase):
     def test_analysis_as_one_dataset(self):
         data = open_analysis(FOLDER / "results.h5", "release")
         self.assertEqual(data["contact/heads/normal_force"].dims, ("time",))
-        self.assertEqual(data["close_up/contact/heads/gap"].dims, ("close_up_time",))
+        self.assertEqual(data["contact/heads/pulse/gap"].dims, ("pulse_heads",))
+        self.assertEqual(data["fit/exact/restitution"].dims, ("fit_ratio_axis",))
         self.assertEqual(data["contact/heads/gap"].attrs["unit"], "m")
         self.assertAlmostEqual(float(data["contact/heads/gap"].sel(time=0, method="nearest")),
                                0.025, places=6)

@@ -48,8 +48,8 @@ class Hdf5(unittest.TestCase):
     def test_time_is_the_coordinate_of_histories(self):
         force = self.file["analysis/release/contact/heads/normal_force"]
         self.assertEqual(force.dims[0][0].name, "/analysis/release/time")
-        force = self.file["analysis/release/close_up/contact/heads/normal_force"]
-        self.assertEqual(force.dims[0][0].name, "/analysis/release/close_up/time")
+        fit = self.file["analysis/release/fit/exact/restitution"]
+        self.assertEqual(fit.dims[0][0].name, "/analysis/release/fit/ratio_axis")
 
     def test_attributes(self):
         self.assertEqual(self.file.attrs["version"], "0.1.0")

@@ -147,12 +147,11 @@ Collision collide(double end, double step, double from, double kept_interval) {
   return result;
 }
 
-void add_histories(const Collision &collision, const std::string &prefix,
-                   const std::string &dimension, PointResult &point) {
-  point.fields.push_back(history(prefix + "time", "s", dimension, collision.time));
+void add_histories(const Collision &collision, PointResult &point) {
+  point.fields.push_back(history("time", "s", "time", collision.time));
   const auto add = [&](const std::string &name, const std::string &unit,
                        const std::vector<double> &values) {
-    point.fields.push_back(history(prefix + name, unit, dimension, values));
+    point.fields.push_back(history(name, unit, "time", values));
   };
   add("contact/heads/normal_force", "N", collision.force);
   add("contact/heads/gap", "m", collision.gap);
@@ -160,13 +159,6 @@ void add_histories(const Collision &collision, const std::string &prefix,
   add("point/left.head/velocity_x", "m/s", collision.left_velocity);
   add("point/right.head/displacement_x", "m", collision.right);
   add("point/right.head/velocity_x", "m/s", collision.right_velocity);
-}
-
-void add_pulse(const Collision &collision, PointResult &point) {
-  const std::string group = "contact/heads/pulse/";
-  point.fields.push_back(history(group + "time", "s", "pulse_heads", collision.time));
-  point.fields.push_back(history(group + "normal_force", "N", "pulse_heads", collision.force));
-  point.fields.push_back(history(group + "gap", "m", "pulse_heads", collision.gap));
 }
 
 void add_impacts(const std::vector<Impact> &impacts, PointResult &point) {
@@ -186,6 +178,31 @@ void add_impacts(const std::vector<Impact> &impacts, PointResult &point) {
   add("separation_speed", "m/s", [](const Impact &impact) { return impact.separation_speed; });
   add("restitution_coefficient", "1",
       [](const Impact &impact) { return impact.separation_speed / impact.approach_speed; });
+}
+
+/// Force and gap of every impact at times of its own; NaN separates impacts.
+void add_pulses(const std::vector<Impact> &impacts, PointResult &point) {
+  constexpr int samples = 50;
+  std::vector<double> time, force, gap;
+  for (const Impact &impact : impacts) {
+    for (int i = 0; i <= samples; ++i) {
+      const double part = std::sin(pi * i / samples);
+      time.push_back(impact.start + impact.duration * i / samples);
+      force.push_back(impact.peak_force * std::pow(part, 1.5));
+      gap.push_back(-impact.penetration * part);
+    }
+    for (std::vector<double> *values : {&time, &force, &gap})
+      values->push_back(std::nan(""));
+  }
+  point.fields.push_back(history("contact/heads/pulse/time", "s", "pulse_heads", time));
+  point.fields.push_back(history("contact/heads/pulse/normal_force", "N", "pulse_heads", force));
+  point.fields.push_back(history("contact/heads/pulse/gap", "m", "pulse_heads", gap));
+}
+
+/// A field with a coordinate in its own group.
+void add_fit(PointResult &point) {
+  point.fields.push_back(history("fit/ratio_axis", "1", "ratio_axis", {1, 2, 3}));
+  point.fields.push_back(history("fit/exact/restitution", "1", "ratio_axis", {0.9, 0.8, 0.7}));
 }
 
 Motion example_motion() {
@@ -255,12 +272,10 @@ Example modal_example() { return {{"modes", "modal", {}}, {PointResult{}}}; }
 Example transient_example() {
   PointResult point;
   const Collision collision = collide(0.8, 2e-6, 0, 2e-4);
-  const double first = collision.impacts.at(0).start;
-  add_histories(collision, "", "time", point);
-  add_histories(collide(first + 2e-3, 2e-6, first - 1e-3, 4e-6), "close_up/", "close_up_time",
-                point);
-  add_pulse(collide(first + 1e-4, 1e-6, first, 1e-6), point);
+  add_histories(collision, point);
   add_impacts(collision.impacts, point);
+  add_pulses(collision.impacts, point);
+  add_fit(point);
   point.fields.push_back(scalar("energy_residual", "1", 1e-9));
   point.fields.push_back(scalar("steps", "1", 17));
   point.summary = {{"contact.heads.impacts", static_cast<double>(collision.impacts.size()), "1"},

@@ -21,7 +21,7 @@ struct Example {
 };
 
 Example modal_example();
-/// Two oscillators collide; history, close-up of the first impact, table of impacts, motion.
+/// Two oscillators collide; history, table and shape of the impacts, motion.
 Example transient_example();
 /// A hardening resonance swept up and down; the last point of the way down failed.
 Example sweep_example();
