@@ -13,7 +13,7 @@ public:
   struct Settings {
     double duration = 0;           ///< [s]
     double sampling_frequency = 0; ///< of the force record [Hz]; 0: impulse and peak are exact
-    std::string contact;           ///< empty: the only one
+    std::string contact{};         ///< empty: the only one
     Uncertainties uncertainties{};
     Scales scales{};
     std::size_t map_points = 2; ///< per axis, at least 2

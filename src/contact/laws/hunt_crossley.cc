@@ -16,8 +16,8 @@ enum : int { open = 0, contact = 1, separating = 2 };
 // remembered approach speed: z - d_c gap_rate.
 std::vector<Mode> make_modes(const AffineForm &compressive, const AffineForm &tensile,
                              const std::vector<AffineForm> &on_closing) {
-  const AffineLaw no_force{.force = {},
-                           .internal_rate = std::vector<AffineForm>(on_closing.size())};
+  AffineLaw no_force;
+  no_force.internal_rate.resize(on_closing.size());
   const AffineForm gap_open{.gap = 1};
   const AffineForm overlap{.gap = -1};
   return {{.name = "open",
@@ -88,7 +88,10 @@ void HuntCrossley::evaluate(int mode, const LocalState &state, LawResponse &resp
 
 std::optional<PowerLaw> HuntCrossley::power_law() const {
   PowerLaw law{.stiffness = constants_.stiffness, .exponent = constants_.exponent};
-  law.dissipation = lowest_speed_ > 0 ? std::nullopt : std::optional<double>(coefficient_);
+  if (lowest_speed_ > 0)
+    law.dissipation.reset();
+  else
+    law.dissipation = coefficient_;
   return law;
 }
 
