@@ -3,6 +3,7 @@
 #include "integration/trajectory.h"
 
 #include <memory>
+#include <utility>
 
 namespace vibroimpact::benchmarks {
 
