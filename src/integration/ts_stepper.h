@@ -8,10 +8,12 @@
 #include "integration/equations.h"
 #include "integration/settings.h"
 
-// PETSc's objects; its headers stay in ts_stepper.cc.
+// PETSc's objects under its own names; its headers stay in ts_stepper.cc.
+// NOLINTBEGIN(bugprone-reserved-identifier)
 struct _p_TS;
 struct _p_Vec;
 struct _p_Mat;
+// NOLINTEND(bugprone-reserved-identifier)
 
 namespace vibroimpact {
 

@@ -166,7 +166,8 @@ void write_modal_data(BodyGroup &group, const ReducedBody &body) {
   if (!body.modal())
     return;
   group.array("eigen_residual", mode, row_major(body.eigen_residual), "1",
-              "|K phi - omega^2 M phi| / |K phi|");
+              "bound of the relative error of the squared frequency, from the residual in the norm "
+              "of K^-1");
   group.array("orthogonality_residual", {}, std::vector<double>{body.orthogonality_residual}, "1",
               "largest entry of |Phi^T M Phi - I|");
 }
