@@ -124,6 +124,7 @@ int guarded(int argc, char **argv, int rank) {
 } // namespace
 
 int main(int argc, char **argv) {
+  install_signal_handlers();
   use_one_blas_thread();
   // PETSc must see none of the program's own arguments, nor a .petscrc of the user.
   char skip[] = "-skip_petscrc";
@@ -134,6 +135,6 @@ int main(int argc, char **argv) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   log::set_rank(rank);
-  install_signal_handlers();
+  install_signal_handlers(); // again: the libraries set their own
   return guarded(argc, argv, rank);
 }
