@@ -80,8 +80,7 @@ void Trajectory::enter_contacts(double time, Vector &state) const {
     const ContactPair &pair = equations_.contacts().pairs()[c];
     const LocalState local =
         equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    const std::vector<double> entered =
-        entered_internal(*pair.law, pair.law->initial_mode(local), local);
+    const std::vector<double> entered = settle(*pair.law, local).internal;
     std::copy(entered.begin(), entered.end(),
               state.data() + layout().internal() + pair.internal_offset);
   }
