@@ -1,6 +1,7 @@
 #include "model/model.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace vibroimpact {
@@ -149,6 +150,13 @@ double Model::highest_frequency() const {
   for (const Source &source : sources_)
     highest = std::max(highest, source.function->highest_frequency());
   return highest;
+}
+
+double Model::next_break(double time) const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const Source &source : sources_)
+    next = std::min(next, source.function->next_break(time));
+  return next;
 }
 
 } // namespace vibroimpact

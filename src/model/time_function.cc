@@ -1,6 +1,7 @@
 #include "model/time_function.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace vibroimpact {
@@ -13,6 +14,68 @@ int integrations(Given given) {
 }
 
 } // namespace
+
+double ExponentialForm::value(double time) const {
+  const double t = time - origin;
+  double sum = 0;
+  for (std::size_t j = polynomial.size(); j-- > 0;)
+    sum = sum * t + polynomial[j];
+  for (const Term &term : terms)
+    sum += std::real(term.amplitude * std::exp(term.exponent * t));
+  return sum;
+}
+
+double ExponentialForm::rate(double time) const {
+  const double t = time - origin;
+  double sum = 0;
+  for (std::size_t j = polynomial.size(); j-- > 1;)
+    sum = sum * t + static_cast<double>(j) * polynomial[j];
+  for (const Term &term : terms)
+    sum += std::real(term.amplitude * term.exponent * std::exp(term.exponent * t));
+  return sum;
+}
+
+double ExponentialForm::acceleration(double time) const {
+  const double t = time - origin;
+  double sum = 0;
+  for (std::size_t j = polynomial.size(); j-- > 2;)
+    sum = sum * t + static_cast<double>(j * (j - 1)) * polynomial[j];
+  for (const Term &term : terms)
+    sum += std::real(term.amplitude * term.exponent * term.exponent * std::exp(term.exponent * t));
+  return sum;
+}
+
+ExponentialForm ExponentialForm::about(double new_origin) const {
+  const double shift = new_origin - origin;
+  ExponentialForm form = *this;
+  form.origin = new_origin;
+  for (Term &term : form.terms)
+    term.amplitude *= std::exp(term.exponent * shift);
+  // Repeated synthetic division: the Taylor coefficients at the new origin.
+  for (std::size_t j = 0; j + 1 < polynomial.size(); ++j)
+    for (std::size_t i = polynomial.size() - 1; i-- > j;)
+      form.polynomial[i] += shift * form.polynomial[i + 1];
+  return form;
+}
+
+ExponentialForm ExponentialForm::integral(double constant) const {
+  ExponentialForm form{.origin = origin, .terms = terms, .polynomial = {constant}};
+  for (Term &term : form.terms) {
+    term.amplitude /= term.exponent;
+    form.polynomial[0] -= term.amplitude.real();
+  }
+  for (std::size_t j = 0; j < polynomial.size(); ++j)
+    form.polynomial.push_back(polynomial[j] / static_cast<double>(j + 1));
+  return form;
+}
+
+double TimeFunction::next_break(double /*time*/) const {
+  return std::numeric_limits<double>::infinity();
+}
+
+std::optional<ExponentialForm> TimeFunction::exponential_form(double /*time*/) const {
+  return std::nullopt;
+}
 
 Harmonic::Harmonic(Given given, double amplitude, double angular_frequency, double phase)
     : given_(given), amplitude_(amplitude), angular_frequency_(angular_frequency), phase_(phase),
@@ -43,6 +106,16 @@ double Harmonic::period() const { return 2 * std::numbers::pi / angular_frequenc
 
 std::shared_ptr<const TimeFunction> Harmonic::with_frequency(double angular_frequency) const {
   return std::make_shared<Harmonic>(given_, amplitude_, angular_frequency, phase_);
+}
+
+std::optional<ExponentialForm> Harmonic::exponential_form(double time) const {
+  // A sin(x) = Re(-i A exp(i x))
+  const double angle = angular_frequency_ * time + shift_;
+  const std::complex<double> at_time = displacement_amplitude_ * std::polar(1.0, angle);
+  return ExponentialForm{.origin = time,
+                         .terms = {{.amplitude = {at_time.imag(), -at_time.real()},
+                                    .exponent = {0, angular_frequency_}}},
+                         .polynomial = {}};
 }
 
 } // namespace vibroimpact
