@@ -74,6 +74,19 @@ void Model::add_force(const std::string &name, std::shared_ptr<const TimeFunctio
   carried_.emplace_back(bodies_.size(), Vector3::Zero());
 }
 
+void Model::add_gravity(const std::string &name, std::shared_ptr<const TimeFunction> function,
+                        const std::vector<std::size_t> &bodies, const Vector3 &direction) {
+  Source source{.name = name,
+                .function = std::move(function),
+                .load = Vector::Zero(size()),
+                .inertial_load = Vector::Zero(size())};
+  for (const std::size_t b : bodies)
+    source.load.segment(offsets_[b], bodies_[b]->size()) =
+        bodies_[b]->base_participation * direction;
+  sources_.push_back(std::move(source));
+  carried_.emplace_back(bodies_.size(), Vector3::Zero());
+}
+
 void Model::set_frequency(std::size_t source, double angular_frequency) {
   auto function = sources_.at(source).function->with_frequency(angular_frequency);
   if (!function)
@@ -84,8 +97,11 @@ void Model::set_frequency(std::size_t source, double angular_frequency) {
 void Model::load(double time, Vector &f) const {
   f.setZero(size());
   for (const Source &source : sources_) {
-    f.noalias() += source.function->value(time) * source.load;
-    f.noalias() += source.function->acceleration(time) * source.inertial_load;
+    // The displacement of a moving base is no load, and may be expensive to find.
+    if (!source.load.isZero(0))
+      f.noalias() += source.function->value(time) * source.load;
+    if (!source.inertial_load.isZero(0))
+      f.noalias() += source.function->acceleration(time) * source.inertial_load;
   }
 }
 

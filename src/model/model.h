@@ -58,6 +58,9 @@ public:
   /// The force s(t) [N] acts at a point along `direction` (unit vector).
   void add_force(const std::string &name, std::shared_ptr<const TimeFunction> function,
                  const PointReference &at, const Vector3 &direction);
+  /// The bodies have weight: the acceleration field s(t) [m/s^2] along `direction` (unit vector).
+  void add_gravity(const std::string &name, std::shared_ptr<const TimeFunction> function,
+                   const std::vector<std::size_t> &bodies, const Vector3 &direction);
 
   /// The model at another excitation frequency. std::logic_error when the source has none.
   void set_frequency(std::size_t source, double angular_frequency);
