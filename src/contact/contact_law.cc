@@ -37,6 +37,15 @@ SettledMode settle(const ContactLaw &law, LocalState state) {
   return settled;
 }
 
+std::vector<InternalState> ContactLaw::internal_states() const {
+  std::vector<InternalState> states;
+  for (int i = 0; i < n_internal(); ++i)
+    states.push_back({.name = "internal_" + std::to_string(i),
+                      .unit = "1",
+                      .description = "Internal state of the law, in SI units"});
+  return states;
+}
+
 std::vector<Mode> open_and_contact(std::optional<AffineLaw> affine_contact) {
   return {{.name = "open",
            .in_contact = false,
@@ -46,6 +55,29 @@ std::vector<Mode> open_and_contact(std::optional<AffineLaw> affine_contact) {
            .in_contact = true,
            .guards = {{.indicator = {.gap = -1}, .target = 0}},
            .affine = std::move(affine_contact)}};
+}
+
+std::vector<Mode> open_contact_separating(const AffineForm &push,
+                                          std::optional<AffineLaw> affine_contact,
+                                          const AffineLaw &no_force) {
+  const AffineForm overlap{.gap = -1};
+  AffineForm pull{.constant = -push.constant, .gap = -push.gap, .gap_rate = -push.gap_rate};
+  for (const double coefficient : push.internal)
+    pull.internal.push_back(-coefficient);
+  return {
+      {.name = "open",
+       .in_contact = false,
+       .guards = {{.indicator = {.gap = 1}, .target = 1}},
+       .affine = no_force},
+      {.name = "contact",
+       .in_contact = true,
+       .guards = {{.indicator = overlap, .target = 0}, {.indicator = push, .target = 2}},
+       .affine = std::move(affine_contact)},
+      {.name = "separating",
+       .in_contact = true,
+       .guards = {{.indicator = overlap, .target = 0}, {.indicator = pull, .target = 1}},
+       .affine = no_force},
+  };
 }
 
 int open_or_contact(const LocalState &state) { return state.gap < 0 ? 1 : 0; }
