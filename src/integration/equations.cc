@@ -35,6 +35,13 @@ bool Equations::silent(std::size_t contact) const {
   return silent_[contact][static_cast<std::size_t>(modes_[contact])] != 0;
 }
 
+void Equations::set_source_break(double instant) {
+  source_break_ = instant;
+  last_source_time_ = std::isinf(instant)
+                          ? instant
+                          : std::nextafter(instant, -std::numeric_limits<double>::infinity());
+}
+
 LocalState Equations::local_state(std::size_t contact, double time, ConstVectorView x) const {
   const ContactPair &pair = contacts_.pairs()[contact];
   LocalState state{.gap = pair.clearance + pair.gap.row.dot(x.head(layout_.n)),
@@ -43,8 +50,8 @@ LocalState Equations::local_state(std::size_t contact, double time, ConstVectorV
                                 static_cast<std::size_t>(pair.n_internal())}};
   for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
     if (pair.gap.carrier[k] != 0) {
-      state.gap += pair.gap.carrier[k] * model_.sources()[k].function->value(time);
-      state.gap_rate += pair.gap.carrier[k] * model_.sources()[k].function->rate(time);
+      state.gap += pair.gap.carrier[k] * model_.sources()[k].function->value(source_time(time));
+      state.gap_rate += pair.gap.carrier[k] * model_.sources()[k].function->rate(source_time(time));
     }
   return state;
 }
@@ -55,7 +62,7 @@ double Equations::gap_acceleration(std::size_t contact, double time,
   double value = pair.gap.row.dot(acceleration);
   for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
     if (pair.gap.carrier[k] != 0)
-      value += pair.gap.carrier[k] * model_.sources()[k].function->acceleration(time);
+      value += pair.gap.carrier[k] * model_.sources()[k].function->acceleration(source_time(time));
   return value;
 }
 
@@ -76,7 +83,7 @@ double Equations::rounding(std::size_t contact, const AffineForm &form, const Ve
 void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
   const Index n = layout_.n;
   const ConstVectorView velocity(x.data() + layout_.velocity(), n);
-  model_.load(time, load_);
+  model_.load(source_time(time), load_);
   model_.stiffness().apply(ConstVectorView(x.data(), n), elastic_);
   model_.damping().apply(velocity, damping_);
 
@@ -97,8 +104,8 @@ void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
     acceleration += response_.force * pair.gap.row.transpose();
     for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
       if (pair.gap.carrier[k] != 0)
-        input_power -=
-            response_.force * pair.gap.carrier[k] * model_.sources()[k].function->rate(time);
+        input_power -= response_.force * pair.gap.carrier[k] *
+                       model_.sources()[k].function->rate(source_time(time));
     for (int i = 0; i < pair.n_internal(); ++i)
       dxdt[layout_.internal() + pair.internal_offset + i] = response_.internal_rate[i];
     dxdt[layout_.impulse(contact)] = response_.force;
