@@ -28,7 +28,7 @@ struct Accuracy {
 /// Where a motion stands, to start another one from.
 struct MotionState {
   double time = 0;
-  Vector physical; ///< q, v, internal states of the contacts
+  Vector physical; ///< q, v, internal states of the contacts, torques of motors
 };
 
 class Trajectory {
@@ -36,8 +36,8 @@ public:
   /// Keeps references to the model and the contacts.
   Trajectory(const Model &model, const ContactSet &contacts, const IntegrationSettings &settings);
 
-  /// q, v given, contacts' internal states at rest. InputError when a contact that does not accept
-  /// it starts penetrated.
+  /// q, v given, contacts' internal states at rest, motors at their initial torque. InputError when
+  /// a contact that does not accept it starts penetrated.
   void start(double time, const Vector &displacement, const Vector &velocity);
   /// Goes on from an earlier state, whatever the contacts do there.
   void start(const MotionState &from);
@@ -63,6 +63,7 @@ private:
   bool at_source_break() const;
   void pass_source_break();
   void choose_initial_modes(double time, const Vector &state);
+  void enter_contacts(double time, Vector &state) const;
   void refuse_penetration(double time, const Vector &state) const;
   bool find_crossing(const StepView &view, Crossing &crossing) const;
   bool locate(Crossing &crossing);

@@ -55,7 +55,7 @@ TEST(BrokenInputExcitationTest, SoundOnesAreAccepted) {
        {"set Type = gravity\nset Direction = x\nset Amplitude = 1 g0\n",
         "set Type = base velocity\nset History = constant\nset Amplitude = 1 mm/s\n",
         "set History = ramped harmonic\nset Amplitude = 1\nset Frequency = 2 Hz\n"
-        "subsection Ramp\nset Rate = 3 1/s\nend\n",
+        "subsection Ramp\nset Rate = 3/s\nend\n",
         "set Type = base displacement\nset History = sine sweep\nset Amplitude = 1 mm\n"
         "subsection Sine sweep\nset From = 1 Hz\nset To = 9 Hz\nset Duration = 2 s\n"
         "set Law = logarithmic\nset After = stop\nset Fade-out = 0.1 s\nend\n",
@@ -103,7 +103,7 @@ TEST(BrokenInputExcitationTest, Impulses) {
   };
   expect_message(impulse("", ""), {"Impulse", "exactly one of"});
   expect_message(impulse("set Amplitude = 1\n", "set Impulse = 1 m/s\n"), {"exactly one of"});
-  expect_message(impulse("", "set Impulse = 1 N s\n"), {"Impulse/Impulse", "velocity"});
+  expect_message(impulse("", "set Impulse = 1 N s\n"), {"Impulse / Impulse", "velocity"});
   expect_message(
       impulse("set Type = base velocity\nset Amplitude = 1\n", "set Shape = rectangular\n"),
       {"Shape", "infinite acceleration", "triangular"});
