@@ -76,6 +76,13 @@ public:
   /// The force s(t) [N] acts at a point along `direction` (unit vector).
   void add_force(const std::string &name, std::shared_ptr<const TimeFunction> function,
                  const PointReference &at, const Vector3 &direction);
+
+  /// Sources must be complete before connections and rotors are added.
+  void add_connection(Connection connection);
+  /// Fills the rotor's projections: it turns about `at` in the plane of two unit vectors.
+  void add_rotor(Rotor rotor, const PointReference &at, const Vector3 &first,
+                 const Vector3 &second);
+
   /// The model at another excitation frequency. std::logic_error when the source has none.
   void set_frequency(std::size_t source, double angular_frequency);
 
@@ -135,6 +142,9 @@ public:
 
   /// Highest natural angular frequency of the uncoupled coordinates and the sources [rad/s].
   double highest_frequency() const;
+
+  /// First instant > time [s] at which a source is not smooth; +infinity when there is none.
+  double next_break(double time) const;
 
   /// First instant > time [s] at which a source is not smooth; +infinity when there is none.
   double next_break(double time) const;

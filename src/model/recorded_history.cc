@@ -131,7 +131,7 @@ std::string file_name(const Values &recorded, const std::string &file_folder) {
 
 // The whole file, of either kind.
 std::string file_content(const Values &recorded, const std::string &file) {
-  const std::string content = read_file(file).value_or("");
+  std::string content = read_file(file).value_or("");
   if (content.empty())
     recorded.reject("File",
                     "must name a file that can be read and is not empty; there is none at " + file);
