@@ -170,7 +170,7 @@ void Model::load(double time, Vector &f) const {
       f.noalias() += source.function->value(time) * source.load;
     if (!source.inertial_load.isZero(0))
       f.noalias() += source.function->acceleration(time) * source.inertial_load;
-    if (!connections_.empty())
+    if (!source.rate_load.isZero(0))
       f.noalias() += source.function->rate(time) * source.rate_load;
   }
 }

@@ -146,9 +146,6 @@ public:
   /// First instant > time [s] at which a source is not smooth; +infinity when there is none.
   double next_break(double time) const;
 
-  /// First instant > time [s] at which a source is not smooth; +infinity when there is none.
-  double next_break(double time) const;
-
 private:
   std::vector<std::shared_ptr<const ReducedBody>> bodies_;
   std::vector<Index> offsets_;

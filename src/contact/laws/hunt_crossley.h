@@ -36,6 +36,7 @@ public:
   std::string name() const override { return "hunt-crossley"; }
   int initial_mode(const LocalState &state) const override { return open_or_contact(state); }
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
+  std::vector<InternalState> internal_states() const override;
   std::optional<PowerLaw> power_law() const override;
 
 private:
