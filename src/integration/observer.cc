@@ -9,19 +9,20 @@ namespace vibroimpact {
 namespace {
 
 // Value, rate and acceleration at one end of a step.
-std::array<double, 3> end_values(const Projection &projection, const Model &model,
-                                 const StateLayout &layout, double time, const Vector &state,
-                                 const Vector &rates) {
+std::array<double, 3> end_values(const Projection &projection, const Equations &equations,
+                                 double time, const Vector &state, const Vector &rates) {
+  const StateLayout &layout = equations.layout();
   const Index n = layout.n;
+  const double source_time = equations.source_time(time);
   std::array<double, 3> values = {projection.row.dot(state.head(n)),
                                   projection.row.dot(state.segment(layout.velocity(), n)),
                                   projection.row.dot(rates.segment(layout.velocity(), n))};
   for (std::size_t k = 0; k < projection.carrier.size(); ++k)
     if (projection.carrier[k] != 0) {
-      const TimeFunction &function = *model.sources()[k].function;
-      values[0] += projection.carrier[k] * function.value(time);
-      values[1] += projection.carrier[k] * function.rate(time);
-      values[2] += projection.carrier[k] * function.acceleration(time);
+      const TimeFunction &function = *equations.model().sources()[k].function;
+      values[0] += projection.carrier[k] * function.value(source_time);
+      values[1] += projection.carrier[k] * function.rate(source_time);
+      values[2] += projection.carrier[k] * function.acceleration(source_time);
     }
   return values;
 }
@@ -34,20 +35,16 @@ StepView::StepView(const Equations &equations, double start, double end, const V
       end_state_(&end_state), start_rates_(&start_rates), end_rates_(&end_rates) {}
 
 Bernstein StepView::displacement(const Projection &projection) const {
-  const Model &model = equations_->model();
-  const StateLayout &layout = equations_->layout();
   return Bernstein::quintic(
-      length(), end_values(projection, model, layout, start_, *start_state_, *start_rates_),
-      end_values(projection, model, layout, end_, *end_state_, *end_rates_));
+      length(), end_values(projection, *equations_, start_, *start_state_, *start_rates_),
+      end_values(projection, *equations_, end_, *end_state_, *end_rates_));
 }
 
 // Differences of positions over a short step say nothing of the acceleration any more; then those
 // of the velocities do, and at last the accelerations at the ends alone.
 Bernstein StepView::acceleration(const Projection &projection) const {
-  const Model &model = equations_->model();
-  const StateLayout &layout = equations_->layout();
-  const auto a = end_values(projection, model, layout, start_, *start_state_, *start_rates_);
-  const auto b = end_values(projection, model, layout, end_, *end_state_, *end_rates_);
+  const auto a = end_values(projection, *equations_, start_, *start_state_, *start_rates_);
+  const auto b = end_values(projection, *equations_, end_, *end_state_, *end_rates_);
   const double h = length();
   const double rounding = 64 * std::numeric_limits<double>::epsilon();
   const double allowed = 1e-9 * std::max(std::abs(a[2]), std::abs(b[2]));

@@ -66,6 +66,7 @@ double Trajectory::time_tolerance() const {
 }
 
 void Trajectory::begin_phase(double time, const Vector &state) {
+  equations_.set_source_break(equations_.model().next_break(time));
   stepper_.restart(time, state, first_step());
   start_rates_.resize(state.size());
   equations_.rates(time, ConstVectorView(state.data(), state.size()),
@@ -108,6 +109,7 @@ void Trajectory::enter_contacts(double time, Vector &state) const {
 }
 
 void Trajectory::start(double time, const Vector &displacement, const Vector &velocity) {
+  equations_.set_source_break(equations_.model().next_break(time));
   MotionState from{.time = time, .physical = Vector::Zero(layout().physical_size())};
   from.physical.head(layout().n) = displacement;
   from.physical.segment(layout().velocity(), layout().n) = velocity;
@@ -123,6 +125,7 @@ void Trajectory::start(double time, const Vector &displacement, const Vector &ve
 }
 
 void Trajectory::start(const MotionState &from) {
+  equations_.set_source_break(equations_.model().next_break(from.time));
   Vector state = Vector::Zero(layout().size());
   state.head(layout().physical_size()) = from.physical;
   choose_initial_modes(from.time, state);
@@ -294,12 +297,32 @@ void Trajectory::note_zero_guards(std::size_t contact, const Vector &state,
   }
 }
 
+// Nearer than this no step is possible.
+bool Trajectory::at_source_break() const {
+  const double instant = equations_.source_break();
+  constexpr double nothing = 8 * std::numeric_limits<double>::epsilon();
+  return time() >= instant || instant - time() <= nothing * std::abs(time());
+}
+
+void Trajectory::pass_source_break() {
+  const double instant = equations_.source_break();
+  step_of_modes_[equations_.modes()] = stepper_.natural_step();
+  const Vector state = stepper_.state();
+  begin_phase(instant, state);
+  if (instant - last_event_time_ > time_tolerance())
+    zero_at_start_.clear();
+}
+
 void Trajectory::advance(double end, Observer &observer) {
   while (stepper_.time() < end) {
+    if (at_source_break()) {
+      pass_source_break();
+      continue;
+    }
     if (settings_.maximum_steps > 0 && steps_ >= settings_.maximum_steps)
       throw NumericalError("more than " + std::to_string(settings_.maximum_steps) +
                            " steps (Maximum steps)");
-    stepper_.step(end);
+    stepper_.step(std::min(end, equations_.source_break()));
     evaluate_end();
     ++steps_;
     Crossing crossing;

@@ -3,7 +3,8 @@
 // Every accepted step is a polynomial for each guard of the contacts' present modes (quintic in the
 // gap), so that the first fall of a guard through zero inside the step is found without sampling.
 // The step is then taken again up to that instant, and again after Newton corrections, until the
-// instant is within the event tolerance; there the mode changes and the method restarts.
+// instant is within the event tolerance; there the mode changes and the method restarts. It also
+// restarts where an excitation is not smooth: no step reaches across such a break.
 #pragma once
 
 #include "integration/observer.h"
@@ -59,6 +60,8 @@ private:
   };
 
   void begin_phase(double time, const Vector &state);
+  bool at_source_break() const;
+  void pass_source_break();
   void choose_initial_modes(double time, const Vector &state);
   void enter_contacts(double time, Vector &state) const;
   void refuse_penetration(double time, const Vector &state) const;
