@@ -62,6 +62,8 @@ public:
 
   /// Normal force of a contact at a local state in a mode.
   double force(std::size_t contact, int mode, const LocalState &state) const;
+  /// Energy a contact has stored [J].
+  double contact_energy(std::size_t contact, int mode, const LocalState &state) const;
 
 private:
   bool silent(std::size_t contact) const;
