@@ -235,12 +235,16 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
                      .gap_rate = local.gap_rate,
                      .state = &state,
                      .layout = &layout()};
+  const double held = equations_.contact_energy(contact, event.from, local);
   std::vector<double> fresh;
   for (const AffineForm &form : passed.reset)
     fresh.push_back(form(local));
   for (std::size_t i = 0; i < fresh.size(); ++i)
     state[layout().internal() + pair.internal_offset + static_cast<Index>(i)] = fresh[i];
   equations_.set_mode(contact, passed.target);
+  // What the new mode holds no more is lost at this instant; `local` sees the new internal states.
+  state[layout().contact_work(static_cast<Index>(contact))] +=
+      held - equations_.contact_energy(contact, event.to, local);
   observer.event(event);
   ++events_;
 }
