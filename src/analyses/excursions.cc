@@ -49,6 +49,8 @@ void Excursions::step(const StepView &view) {
   for (std::size_t k = 0; k < channels_.size(); ++k) {
     const Bernstein displacement = view.displacement(channels_[k].relative);
     channel_extents_[k].displacement.include(displacement);
+    if (channels_[k].carried())
+      channel_extents_[k].absolute.include(view.displacement(channels_[k].absolute));
     Bernstein velocity = displacement.derivative();
     velocity *= 1 / view.length();
     channel_extents_[k].velocity.include(velocity);
@@ -67,6 +69,8 @@ void Excursions::add_fields(PointResult &result) const {
     const std::string base = "point/" + channels_[k].point + "/";
     const std::string axis(1, channels_[k].axis);
     add_extent(result, base + "displacement_" + axis, channel_extents_[k].displacement, "m");
+    if (channels_[k].carried())
+      add_extent(result, base + "absolute_displacement_" + axis, channel_extents_[k].absolute, "m");
     add_extent(result, base + "velocity_" + axis, channel_extents_[k].velocity, "m/s");
     add_extent(result, base + "acceleration_" + axis, channel_extents_[k].acceleration, "m/s^2");
   }

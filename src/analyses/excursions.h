@@ -30,13 +30,14 @@ public:
 
   void step(const StepView &view) override;
 
-  /// Adds peak-to-peak and peak excursions of every channel, the largest force and the extreme gaps
+  /// Adds peak-to-peak and peak excursions of every channel (displacements also in space where the
+  /// base moves), the largest force and the extreme gaps
   /// of every contact as scalar fields and summary lines.
   void add_fields(PointResult &result) const;
 
 private:
   struct ChannelExtents {
-    Extent displacement, velocity, acceleration;
+    Extent displacement, absolute, velocity, acceleration;
   };
   struct ContactExtents {
     Extent gap, force;
