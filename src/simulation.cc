@@ -143,10 +143,10 @@ void Simulation::keep_bodies(RunFolder &folder) const {
 void Simulation::reduce_all(const std::vector<Job> &jobs) {
   reduce_bodies(parameters_->root());
   for (const Job &job : jobs) {
-    const bool reaches_bodies =
-        std::any_of(job.keys.begin(), job.keys.end(), [](const GridKey &key) {
-          return key.path.starts_with("Body") || key.path.starts_with("Variables/");
-        });
+    const std::vector<std::string> paths = grid_paths(job.keys);
+    const bool reaches_bodies = std::any_of(paths.begin(), paths.end(), [](const auto &path) {
+      return path.starts_with("Body") || path.starts_with("Variables/");
+    });
     for (std::size_t point = 0; reaches_bodies && point < grid_size(job.keys); ++point)
       reduce_bodies(parameters_->with(grid_overrides(job.keys, point))->root());
   }

@@ -60,7 +60,7 @@ struct LawResponse {
   double force = 0;             ///< [N]
   double force_by_gap = 0;      ///< [N/m]
   double force_by_gap_rate = 0; ///< [N s/m]
-  double stored_energy = 0;     ///< [J]
+  double stored_energy = 0;     ///< [J]; what a change of mode takes away counts as dissipated
   double dissipated_power = 0;  ///< [W]
   std::vector<double> force_by_internal{};
   std::vector<double> internal_rate{};

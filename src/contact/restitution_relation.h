@@ -2,13 +2,13 @@
 // d_c = mu v_c / k of the Hunt–Crossley force F = k u^n (1 + (mu/k) u'), for an impact of two free
 // bodies at approach speed v_c.
 //
-//   exact                 (1 + e) d_c = ln[(1 + d_c) / (1 - e d_c)]     first integral of the
-//   motion hunt-crossley         d_c = 3/2 (1 - e)                              Hunt & Crossley
-//   1975 herbert-mcwhannell    d_c = 6 (1 - e) / [(2 e - 1)^2 + 3]            Herbert & McWhannell
-//   1977 lee-wang              d_c = 3/4 (1 - e)                              Lee & Wang 1983
-//   lankarani-nikravesh   d_c = 3/4 (1 - e^2)                            Lankarani & Nikravesh 1994
-//   gonthier              d_c = (1 - e^2) / e                            Gonthier et al. 2004
-//   flores                d_c = 8/5 (1 - e) / e                          Flores et al. 2011
+//   exact                 (1 + e) d_c = ln[(1 + d_c) / (1 - e d_c)]   see docs/theory.md
+//   hunt-crossley         d_c = 3/2 (1 - e)                            Hunt & Crossley 1975
+//   herbert-mcwhannell    d_c = 6 (1 - e) / [(2 e - 1)^2 + 3]          Herbert & McWhannell 1977
+//   lee-wang              d_c = 3/4 (1 - e)                            Lee & Wang 1983
+//   lankarani-nikravesh   d_c = 3/4 (1 - e^2)                          Lankarani & Nikravesh 1994
+//   gonthier              d_c = (1 - e^2) / e                          Gonthier et al. 2004
+//   flores                d_c = 8/5 (1 - e) / e                        Flores et al. 2011
 //
 // all of them as collected by Machado et al. 2012. The exact relation holds for every exponent n
 // and goes as 3/2 (1 - e) for e -> 1. So do hunt-crossley, herbert-mcwhannell and

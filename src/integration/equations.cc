@@ -240,4 +240,9 @@ double Equations::force(std::size_t contact, int mode, const LocalState &state) 
   return response_.force;
 }
 
+double Equations::contact_energy(std::size_t contact, int mode, const LocalState &state) const {
+  contacts_.pairs()[contact].law->evaluate(mode, state, response_);
+  return response_.stored_energy;
+}
+
 } // namespace vibroimpact

@@ -74,6 +74,8 @@ public:
 
   /// Normal force of a contact at a local state in a mode.
   double force(std::size_t contact, int mode, const LocalState &state) const;
+  /// Energy a contact has stored [J].
+  double contact_energy(std::size_t contact, int mode, const LocalState &state) const;
 
 private:
   double add_nonlinear_forces(double time, ConstVectorView x, VectorView dxdt) const;

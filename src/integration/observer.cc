@@ -69,7 +69,7 @@ Bernstein StepView::coordinate(Index j) const {
 Bernstein StepView::gap(std::size_t contact) const {
   const ContactPair &pair = equations_->contacts().pairs()[contact];
   Bernstein gap = displacement(pair.gap);
-  gap += Bernstein(pair.clearance);
+  gap += pair.clearance;
   return gap;
 }
 
@@ -86,17 +86,17 @@ Bernstein StepView::internal(Index i) const {
 }
 
 Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const {
-  Bernstein sum(form.constant);
-  if (form.gap != 0) {
-    Bernstein term = gap(contact);
-    term *= form.gap;
-    sum += term;
+  Bernstein sum;
+  if (form.gap != 0 || form.gap_rate != 0) {
+    sum = gap(contact);
+    Bernstein rate = sum.derivative();
+    sum *= form.gap;
+    if (form.gap_rate != 0) {
+      rate *= form.gap_rate / length();
+      sum += rate;
+    }
   }
-  if (form.gap_rate != 0) {
-    Bernstein term = gap_rate(contact);
-    term *= form.gap_rate;
-    sum += term;
-  }
+  sum += form.constant;
   const Index first = equations_->contacts().pairs()[contact].internal_offset;
   for (std::size_t i = 0; i < form.internal.size(); ++i)
     if (form.internal[i] != 0) {
@@ -107,14 +107,27 @@ Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const
   return sum;
 }
 
-double StepView::force(std::size_t contact, double tau) const {
+ContactCurves StepView::contact_curves(std::size_t contact) const {
   const ContactPair &pair = equations_->contacts().pairs()[contact];
-  std::vector<double> internal_values;
+  ContactCurves curves{.gap = gap(contact), .gap_rate = {}, .internal = {}};
+  curves.gap_rate = curves.gap.derivative();
+  curves.gap_rate *= 1 / length();
   for (int i = 0; i < pair.n_internal(); ++i)
-    internal_values.push_back(internal(pair.internal_offset + i)(tau));
+    curves.internal.push_back(internal(pair.internal_offset + i));
+  return curves;
+}
+
+double StepView::force(std::size_t contact, const ContactCurves &curves, double tau) const {
+  std::vector<double> internal_values;
+  for (const Bernstein &curve : curves.internal)
+    internal_values.push_back(curve(tau));
   return equations_->force(
       contact, equations_->modes()[contact],
-      {.gap = gap(contact)(tau), .gap_rate = gap_rate(contact)(tau), .internal = internal_values});
+      {.gap = curves.gap(tau), .gap_rate = curves.gap_rate(tau), .internal = internal_values});
+}
+
+double StepView::force(std::size_t contact, double tau) const {
+  return force(contact, contact_curves(contact), tau);
 }
 
 } // namespace vibroimpact

@@ -179,9 +179,11 @@ bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {
 // How far the end of the step may be from the true instant: |indicator / its rate| there. Zero
 // where the indicator is below the rounding of its own evaluation: near grazing no instant is
 // closer.
-double Trajectory::event_uncertainty(const StepView &view, const Crossing &crossing) const {
+double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) const {
   const AffineForm &form = guard_of(equations_, crossing.contact, crossing.guard).indicator;
   const Bernstein indicator = view.indicator(crossing.contact, form);
+  crossing.residual = std::abs(indicator.end());
+  crossing.rate = std::abs(indicator.derivative().end() / view.length());
   if (std::abs(indicator.end()) <= equations_.rounding(crossing.contact, form, view.end_state()))
     return 0;
   return std::abs(indicator.end() / (indicator.derivative().end() / view.length()));
@@ -195,6 +197,10 @@ bool Trajectory::locate(Crossing &crossing) {
     const double start = stepper_.previous_time();
     const double instant = start + crossing.tau * (stepper_.time() - start);
     if (instant - start <= time_tolerance()) {
+      const Bernstein indicator = view().indicator(
+          crossing.contact, guard_of(equations_, crossing.contact, crossing.guard).indicator);
+      crossing.residual = std::abs(indicator.start());
+      crossing.rate = std::abs(indicator.derivative().start() / (stepper_.time() - start));
       stepper_.undo();
       return true;
     }
@@ -205,7 +211,7 @@ bool Trajectory::locate(Crossing &crossing) {
     const StepView shorter = view();
     Crossing earlier = crossing;
     const bool inside = find_crossing(shorter, earlier);
-    const Crossing &candidate = inside ? earlier : crossing;
+    Crossing &candidate = inside ? earlier : crossing;
     const double uncertainty = event_uncertainty(shorter, candidate);
     const bool at_end = !inside || (1 - earlier.tau) * shorter.length() <= time_tolerance();
     if (at_end && uncertainty <= time_tolerance()) {
@@ -235,12 +241,16 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
                      .gap_rate = local.gap_rate,
                      .state = &state,
                      .layout = &layout()};
+  const double held = equations_.contact_energy(contact, event.from, local);
   std::vector<double> fresh;
   for (const AffineForm &form : passed.reset)
     fresh.push_back(form(local));
   for (std::size_t i = 0; i < fresh.size(); ++i)
     state[layout().internal() + pair.internal_offset + static_cast<Index>(i)] = fresh[i];
   equations_.set_mode(contact, passed.target);
+  // What the new mode holds no more is lost at this instant; `local` sees the new internal states.
+  state[layout().contact_work(static_cast<Index>(contact))] +=
+      held - equations_.contact_energy(contact, event.to, local);
   observer.event(event);
   ++events_;
 }
@@ -261,21 +271,22 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
   step_of_modes_[equations_.modes()] = stepper_.natural_step();
   // A copy: the mode it belongs to is about to be left.
   const AffineForm passed = guard_of(equations_, first.contact, first.guard).indicator;
-  const double residual = std::abs(passed(
-      equations_.local_state(first.contact, time(), ConstVectorView(state.data(), state.size()))));
   change_mode(first.contact, first.guard, state, observer);
   begin_phase(time(), state);
   if (stuck)
     std::erase_if(zero_at_start_, [&](const auto &entry) { return entry.first == first.contact; });
   else
     zero_at_start_.clear();
-  note_zero_guards(first.contact, state, passed, residual);
+  note_zero_guards(first, passed, state);
 }
 
-// `residual`: what was left of the guard that was passed. The guard back is often its negative, and
-// must not see the same remainder as a change of its own.
-void Trajectory::note_zero_guards(std::size_t contact, const Vector &state,
-                                  const AffineForm &passed, double residual) {
+// What was left of the guard that was passed is left of the guard back as well, and must not be
+// seen as a change of its own. The guard back often is its negative. Where it is another
+// expression, in other units, the time that the remainder stands for is the same.
+void Trajectory::note_zero_guards(const Crossing &crossing, const AffineForm &passed,
+                                  const Vector &state) {
+  const std::size_t contact = crossing.contact;
+  const double delay = crossing.rate > 0 ? crossing.residual / crossing.rate : 0;
   const LocalState local =
       equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
   // The rate of an affine form is the form of the rates.
@@ -289,9 +300,9 @@ void Trajectory::note_zero_guards(std::size_t contact, const Vector &state,
   for (std::size_t g = 0; g < guard_count(equations_, contact); ++g) {
     const AffineForm &form = guard_of(equations_, contact, g).indicator;
     const double rate = form(rates) - form.constant;
-    const double noise =
-        std::max({2 * time_tolerance() * std::abs(rate), proportion(form, passed) * residual,
-                  equations_.rounding(contact, form, state)});
+    const double noise = std::max({2 * std::max(time_tolerance(), delay) * std::abs(rate),
+                                   proportion(form, passed) * crossing.residual,
+                                   equations_.rounding(contact, form, state)});
     if (std::abs(form(local)) <= noise)
       zero_at_start_.emplace_back(contact, g);
   }

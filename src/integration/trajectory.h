@@ -57,6 +57,8 @@ private:
     double tau = 0; ///< in the step
     std::size_t contact = 0;
     std::size_t guard = 0;
+    double residual = 0; ///< |indicator| left where it was located
+    double rate = 0;     ///< |its rate| there [1/s]
   };
 
   void begin_phase(double time, const Vector &state);
@@ -67,10 +69,9 @@ private:
   void refuse_penetration(double time, const Vector &state) const;
   bool find_crossing(const StepView &view, Crossing &crossing) const;
   bool locate(Crossing &crossing);
-  double event_uncertainty(const StepView &view, const Crossing &crossing) const;
+  double event_uncertainty(const StepView &view, Crossing &crossing) const;
   void change_modes(const Crossing &first, Observer &observer);
-  void note_zero_guards(std::size_t contact, const Vector &state, const AffineForm &passed,
-                        double residual);
+  void note_zero_guards(const Crossing &crossing, const AffineForm &passed, const Vector &state);
   void change_mode(std::size_t contact, std::size_t guard, Vector &state, Observer &observer);
   StepView view() const;
   void evaluate_end();

@@ -49,20 +49,20 @@ double HuntCrossley::dissipation(const LocalState &state) const {
 }
 
 void HuntCrossley::evaluate(int mode, const LocalState &state, LawResponse &response) const {
-  const double penetration = mode == open ? 0 : std::max(0.0, -state.gap);
+  const double penetration = mode == contact ? std::max(0.0, -state.gap) : 0;
   const double slope = constants_.stiffness * std::pow(penetration, constants_.exponent - 1);
   const double elastic = slope * penetration;
   const double d = dissipation(state);
-  const double factor = mode == contact ? 1 - d * state.gap_rate : 0;
+  const double factor = 1 - d * state.gap_rate;
   response.force = elastic * factor;
   response.force_by_gap = -constants_.exponent * slope * factor;
-  response.force_by_gap_rate = mode == contact ? -elastic * d : 0;
+  response.force_by_gap_rate = -elastic * d;
   response.stored_energy = elastic * penetration / (constants_.exponent + 1);
-  response.dissipated_power = (elastic - response.force) * state.gap_rate;
+  response.dissipated_power = elastic * d * state.gap_rate * state.gap_rate;
   if (lowest_speed_ > 0) {
     // d d / d z = -d / z above the lowest speed
     const double by_speed = state.internal[0] > lowest_speed_ ? -d / state.internal[0] : 0;
-    response.force_by_internal = {mode == contact ? -elastic * by_speed * state.gap_rate : 0};
+    response.force_by_internal = {-elastic * by_speed * state.gap_rate};
     response.internal_rate = {0};
     response.internal_rate_by_gap = {0};
     response.internal_rate_by_gap_rate = {0};

@@ -5,7 +5,7 @@ namespace vibroimpact {
 namespace {
 
 constexpr const char *section_name = "Kelvin-Voigt";
-enum : int { open = 0, contact = 1 };
+constexpr int contact = 1;
 
 std::vector<Mode> make_modes(double stiffness, double damping_constant) {
   const AffineForm force{.gap = -stiffness, .gap_rate = -damping_constant};
@@ -36,14 +36,13 @@ std::shared_ptr<const ContactLaw> KelvinVoigt::create(const parameters::Values &
 }
 
 void KelvinVoigt::evaluate(int mode, const LocalState &state, LawResponse &response) const {
-  const double stiffness = mode == open ? 0 : stiffness_;
-  const double elastic = -stiffness * state.gap;
-  const bool pushes = mode == contact;
-  response.force = pushes ? elastic - damping_constant_ * state.gap_rate : 0;
-  response.force_by_gap = pushes ? -stiffness_ : 0;
-  response.force_by_gap_rate = pushes ? -damping_constant_ : 0;
-  response.stored_energy = 0.5 * elastic * -state.gap;
-  response.dissipated_power = (elastic - response.force) * state.gap_rate;
+  const double stiffness = mode == contact ? stiffness_ : 0;
+  const double damping_constant = mode == contact ? damping_constant_ : 0;
+  response.force = -stiffness * state.gap - damping_constant * state.gap_rate;
+  response.force_by_gap = -stiffness;
+  response.force_by_gap_rate = -damping_constant;
+  response.stored_energy = 0.5 * stiffness * state.gap * state.gap;
+  response.dissipated_power = damping_constant * state.gap_rate * state.gap_rate;
 }
 
 } // namespace vibroimpact

@@ -10,8 +10,7 @@
 //
 // A free mass m with z = c / (2 sqrt(k m)) leaves at e times the speed it came with,
 //   e = exp(-2 z acos(z) / sqrt(1 - z^2)), for z > 1 with acosh(z) and sqrt(z^2 - 1).
-// Stored energy k u^2 / 2, lost with the force; dissipated power (k u - F) gap_rate, which counts
-// in "separating" what the spring gives up without doing work.
+// Stored energy k u^2 / 2, lost at the instant at which the force ends; dissipated power c u'^2.
 #pragma once
 
 #include "contact/contact_law.h"

@@ -33,18 +33,17 @@ std::shared_ptr<const ContactLaw> KuwabaraKono::create(const parameters::Values 
 }
 
 void KuwabaraKono::evaluate(int mode, const LocalState &state, LawResponse &response) const {
-  const double penetration = mode == 0 ? 0 : std::max(0.0, -state.gap);
+  const double penetration = mode == 1 ? std::max(0.0, -state.gap) : 0;
   const double root = std::sqrt(penetration);
   const double elastic = stiffness_ * root * penetration;
-  const bool pushes = mode == 1;
-  const double resistance = pushes ? 1.5 * dissipation_time_ * stiffness_ * root : 0;
-  response.force = pushes ? elastic - resistance * state.gap_rate : 0;
+  const double resistance = 1.5 * dissipation_time_ * stiffness_ * root;
+  response.force = elastic - resistance * state.gap_rate;
   // The slope of u^(1/2) is infinite at the first touch; there the force has none.
   const double resistance_slope = penetration > 0 ? 0.5 * resistance / penetration : 0;
-  response.force_by_gap = pushes ? -1.5 * stiffness_ * root + resistance_slope * state.gap_rate : 0;
+  response.force_by_gap = -1.5 * stiffness_ * root + resistance_slope * state.gap_rate;
   response.force_by_gap_rate = -resistance;
   response.stored_energy = elastic * penetration / 2.5;
-  response.dissipated_power = (elastic - response.force) * state.gap_rate;
+  response.dissipated_power = resistance * state.gap_rate * state.gap_rate;
 }
 
 } // namespace vibroimpact

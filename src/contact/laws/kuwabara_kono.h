@@ -10,7 +10,8 @@
 // no force (mode "separating"). Restitution falls with the speed,
 //   1 - e = 1.15344 (3/2) A (k/m)^(2/5) v^(1/5) + ...
 // for two free bodies of effective mass m that meet at v.
-// Stored energy k u^(5/2) / (5/2); dissipated power (k u^(3/2) - F) gap_rate.
+// Stored energy k u^(5/2) / (5/2), lost at the instant at which the force ends; dissipated power
+// A (3/2) k u^(1/2) u'^2.
 #pragma once
 
 #include "contact/contact_law.h"

@@ -16,11 +16,12 @@ std::vector<Mode> make_modes(double stiffness, double damping_constant) {
   const AffineLaw pushed{.force = force, .internal_rate = {{.gap_rate = -1}}};
   AffineLaw relaxing;
   relaxing.internal_rate = {{.internal = {-stiffness / damping_constant}}};
-  const Guard meet{.indicator = {.gap = 1, .internal = {1}}, .target = contact, .reset = pushed_in};
+  const AffineForm distance{.gap = 1, .internal = {1}};
+  // c times the rate of the distance; minus the force at the instant of release
+  const AffineForm parting{.gap_rate = damping_constant, .internal = {-stiffness}};
+  const Guard meet{.indicator = distance, .target = contact, .reset = pushed_in};
   const Guard let_go{.indicator = force, .target = leaving, .reset = pushed_in};
-  // c times the rate of the distance gap + z; minus the force at the instant of release
-  const Guard catch_up{.indicator = {.gap_rate = damping_constant, .internal = {-stiffness}},
-                       .target = open};
+  const Guard catch_up{.indicator = parting, .target = open};
   return {{.name = "open", .in_contact = false, .guards = {meet}, .affine = relaxing},
           {.name = "contact", .in_contact = true, .guards = {let_go}, .affine = pushed},
           {.name = "leaving", .in_contact = false, .guards = {catch_up}, .affine = relaxing}};

@@ -1,5 +1,5 @@
 // Relaxing stop: a massless spring and dashpot whose free end is pushed in by the mass, let go when
-// it would have to be pulled, and then creeps back by itself (Stefani, De Angelis & Andreaus).
+// it would have to be pulled, and then creeps back by itself (Stefani, De Angelis & Andreaus 2022).
 //
 //   F = k z + c z'             z  compression of the stop [m], z' its rate [m/s]
 //                              k  stiffness [N/m], c > 0 damping constant [N s/m]
