@@ -51,9 +51,7 @@ void Excursions::step(const StepView &view) {
     channel_extents_[k].displacement.include(displacement);
     if (channels_[k].carried())
       channel_extents_[k].absolute.include(view.displacement(channels_[k].absolute));
-    Bernstein velocity = displacement.derivative();
-    velocity *= 1 / view.length();
-    channel_extents_[k].velocity.include(velocity);
+    channel_extents_[k].velocity.include(view.velocity(channels_[k].relative));
     channel_extents_[k].acceleration.include(view.acceleration(channels_[k].absolute));
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {

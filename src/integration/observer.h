@@ -30,6 +30,8 @@ public:
 
   /// Displacement seen by a projection, as a quintic in tau = (t - start)/length.
   Bernstein displacement(const Projection &projection) const;
+  /// Its time derivative.
+  Bernstein velocity(const Projection &projection) const;
   /// Its second time derivative, from the equations at both ends and the displacement between.
   Bernstein acceleration(const Projection &projection) const;
   /// One coordinate.
