@@ -49,6 +49,11 @@ std::filesystem::path body_file_name(const std::string &fingerprint) {
   return std::filesystem::path("bodies") / (content_hash(fingerprint) + ".body");
 }
 
+// Can a key at this path change a body?
+bool reaches_bodies(const std::string &path) {
+  return path.starts_with("Body") || path.starts_with("Variables/");
+}
+
 } // namespace
 
 Simulation::Simulation(std::shared_ptr<const ParameterSet> parameters, MPI_Comm communicator)
@@ -138,27 +143,48 @@ void Simulation::keep_bodies(RunFolder &folder) const {
       save_body(folder.claim(body_file_name(fingerprint)).string(), body, fingerprint);
 }
 
-// Every distinct body of the run, those of grid points included, is reduced by all ranks together
-// before the work is dealt out.
+// Every distinct body of the run that is known beforehand, those of grid points and of swept keys
+// included, is reduced by all ranks together before the work is dealt out.
 void Simulation::reduce_all(const std::vector<Job> &jobs) {
   reduce_bodies(parameters_->root());
   for (const Job &job : jobs) {
     const std::vector<std::string> paths = grid_paths(job.keys);
-    const bool reaches_bodies = std::any_of(paths.begin(), paths.end(), [](const auto &path) {
-      return path.starts_with("Body") || path.starts_with("Variables/");
-    });
-    for (std::size_t point = 0; reaches_bodies && point < grid_size(job.keys); ++point)
-      reduce_bodies(parameters_->with(grid_overrides(job.keys, point))->root());
+    const bool grid_reaches = std::any_of(paths.begin(), paths.end(), reaches_bodies);
+    const Values analysis = parameters_->with(grid_overrides(job.keys, 0))->root();
+    const auto variants = create_analysis(analysis.instance("Analysis", job.repeated))->variants();
+    const bool sweep_reaches = !variants.empty() && reaches_bodies(variants.front().front().path);
+    for (std::size_t point = 0; (grid_reaches || sweep_reaches) && point < grid_size(job.keys);
+         ++point)
+      reduce_point(job, point, sweep_reaches);
   }
+}
+
+void Simulation::reduce_point(const Job &job, std::size_t point, bool with_variants) {
+  const auto set = parameters_->with(grid_overrides(job.keys, point));
+  const Values root = set->root();
+  reduce_bodies(root);
+  if (with_variants)
+    for (const auto &variant : create_analysis(root.instance("Analysis", job.repeated))->variants())
+      reduce_bodies(set->with(variant)->root());
+}
+
+// A body that was not known beforehand, because a jump is bracketed at values in between, is
+// reduced by this rank alone.
+const ReducedBody &Simulation::body(const Values &section, const std::string &name,
+                                    std::optional<ReducedBody> &own) const {
+  const auto known = reduced_.find(section.fingerprint());
+  if (known != reduced_.end())
+    return known->second;
+  return own.emplace(reduce_body(section, name, file_folder(), MPI_COMM_SELF));
 }
 
 std::vector<std::shared_ptr<const ReducedBody>> Simulation::bodies(const Values &root) const {
   std::vector<std::shared_ptr<const ReducedBody>> list;
   for (const std::string &name : listed_instances(root, "Bodies", "Body")) {
-    auto body =
-        std::make_shared<ReducedBody>(reduced_.at(root.instance("Body", name).fingerprint()));
-    body->name = name;
-    list.push_back(std::move(body));
+    std::optional<ReducedBody> own;
+    auto copy = std::make_shared<ReducedBody>(body(root.instance("Body", name), name, own));
+    copy->name = name;
+    list.push_back(std::move(copy));
   }
   return list;
 }
@@ -168,12 +194,18 @@ Case Simulation::build_case(const Job &job, const std::vector<Override> &overrid
   const Values root = parameters->root();
   const Values analysis = root.instance("Analysis", job.repeated);
   return {.analysis = create_analysis(analysis),
-          .system = build_system(root, analysis, bodies(root))};
+          .system = build_system(root, analysis, bodies(root)),
+          .source = [this, parameters, name = job.repeated](const std::vector<Override> &more) {
+            const auto changed = parameters->with(more);
+            const Values changed_root = changed->root();
+            return build_system(changed_root, changed_root.instance("Analysis", name),
+                                bodies(changed_root));
+          }};
 }
 
 void Simulation::log_cost(const Job &job) const {
   const Case first = build_case(job, grid_overrides(job.keys, 0));
-  first.analysis->check(first.system);
+  check_case(first);
   log::info("analysis " + job.name + ": " +
             cost_sentence(*first.analysis, first.system, grid_size(job.keys)));
 }
@@ -192,10 +224,8 @@ RunSummary Simulation::run(const RunOptions &options) {
     resumed_folder_ = options.folder;
   const std::vector<Job> all = jobs();
   reduce_all(all);
-  for (const Job &job : all) {
-    const Case first = build_case(job, grid_overrides(job.keys, 0));
-    first.analysis->check(first.system);
-  }
+  for (const Job &job : all)
+    check_case(build_case(job, grid_overrides(job.keys, 0)));
   RunFolder folder(communicator_, options.folder, options.existing, parameters_->echo());
   log::open_file(folder.log_file().string());
   keep_bodies(folder);

@@ -48,6 +48,9 @@ private:
   std::vector<Job> jobs() const;
   void reduce_all(const std::vector<Job> &jobs);
   void note_records();
+  void reduce_point(const Job &job, std::size_t point, bool with_variants);
+  const ReducedBody &body(const parameters::Values &section, const std::string &name,
+                          std::optional<ReducedBody> &own) const;
   void reduce_bodies(const parameters::Values &root);
   std::vector<std::shared_ptr<const ReducedBody>> bodies(const parameters::Values &root) const;
   Case build_case(const Job &job, const std::vector<parameters::Override> &overrides) const;

@@ -1,6 +1,7 @@
 // The list of analyses.
 #include "analyses/analysis.h"
 
+#include "analyses/frequency_response.h"
 #include "analyses/grid.h"
 #include "analyses/identify.h"
 #include "analyses/modal.h"
@@ -23,6 +24,7 @@ constexpr Entry entries[] = {
     {"modal", Modal::declare, Modal::create},
     {"transient", Transient::declare, Transient::create},
     {"stepped sweep", SteppedSweep::declare, SteppedSweep::create},
+    {"frequency response", FrequencyResponse::declare, FrequencyResponse::create},
     {"identify", Identify::declare, Identify::create},
 };
 

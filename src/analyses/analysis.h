@@ -9,6 +9,7 @@
 #include "common/result_sink.h"
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ public:
   virtual void store(PointResult result) = 0;
   /// The point was found finished: only the progress counts on.
   virtual void skip() = 0;
+  /// The system of this line with other values of some keys. InputError.
+  virtual System build(const std::vector<parameters::Override> & /*overrides*/) const {
+    throw std::logic_error("no other systems can be built here");
+  }
 };
 
 /// Rough size of the work of one line, for the cost estimate.
@@ -45,6 +50,9 @@ public:
   virtual Workload workload(const System &system) const = 0;
   /// InputError when the system and the analysis do not fit, before anything runs.
   virtual void check(const System &system) const = 0;
+  /// Values of keys at which run_line() will build other systems, known beforehand so that their
+  /// bodies are reduced and their sizes compared before anything runs.
+  virtual std::vector<std::vector<parameters::Override>> variants() const { return {}; }
   /// Computes the points of one line. A NumericalError inside a point belongs into its result.
   virtual void run_line(std::size_t line, System &system, LineContext &context) const = 0;
 };

@@ -48,13 +48,46 @@ private:
 
 enum : int { next_line = 0, points_done = 1 };
 
+// Points done, told to the others now and then only: a message for each would cost more than a
+// cheap point itself. The clock decides when, for the display alone.
+class PointCounter {
+public:
+  PointCounter(SharedCounters &counters, Progress &progress)
+      : counters_(counters), progress_(progress) {}
+
+  void count() {
+    ++untold_;
+    if (Clock::now() - last_told_ >= std::chrono::milliseconds(100))
+      tell();
+  }
+
+  void tell() {
+    const long before = counters_.add(points_done, untold_);
+    progress_.update(static_cast<std::size_t>(before + untold_));
+    untold_ = 0;
+    last_told_ = Clock::now();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  SharedCounters &counters_;
+  Progress &progress_;
+  long untold_ = 0;
+  Clock::time_point last_told_{};
+};
+
 // Puts the grid position before the point's own index and keeps count.
 class GridLine : public LineContext {
 public:
-  GridLine(ResultSink &sink, SharedCounters &counters, Progress &progress, RunSummary &summary)
-      : sink_(sink), counters_(counters), progress_(progress), summary_(summary) {}
+  GridLine(ResultSink &sink, PointCounter &counter, RunSummary &summary)
+      : sink_(sink), counter_(counter), summary_(summary) {}
 
   void move_to(std::vector<std::size_t> position) { position_ = std::move(position); }
+  void build_from(SystemSource source) { source_ = std::move(source); }
+
+  System build(const std::vector<parameters::Override> &overrides) const override {
+    return source_(overrides);
+  }
 
   const PointResult *find(const std::vector<std::size_t> &index) const override {
     return sink_.find(full(index));
@@ -77,13 +110,13 @@ private:
     whole.insert(whole.end(), index.begin(), index.end());
     return whole;
   }
-  void count() { progress_.update(static_cast<std::size_t>(counters_.add(points_done, 1)) + 1); }
+  void count() { counter_.count(); }
 
   ResultSink &sink_;
-  SharedCounters &counters_;
-  Progress &progress_;
+  PointCounter &counter_;
   RunSummary &summary_;
   std::vector<std::size_t> position_;
+  SystemSource source_;
 };
 
 std::size_t points_of(const std::vector<Axis> &axes) {
@@ -111,18 +144,35 @@ void record_unusable(const std::vector<Axis> &axes, const std::string &reason, s
 }
 
 // A rank that is done early waits here without burning its core, rank 0 with the progress in view.
-void wait_for_all(SharedCounters &counters, Progress &progress, MPI_Comm communicator) {
+void wait_for_all(PointCounter &counter, MPI_Comm communicator) {
+  counter.tell();
   MPI_Request request = MPI_REQUEST_NULL;
   MPI_Ibarrier(communicator, &request);
   int done = 0;
   for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); done == 0;
        MPI_Test(&request, &done, MPI_STATUS_IGNORE)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    progress.update(static_cast<std::size_t>(counters.add(points_done, 0)));
+    counter.tell();
   }
+  counter.tell(); // what the last rank told just before it came here
+}
+
+// Numbers that make up a physical state.
+Index state_size(const System &system) {
+  return 2 * system.model.size() + system.contacts.n_internal() + system.model.n_drive();
 }
 
 } // namespace
+
+void check_case(const Case &work) {
+  work.analysis->check(work.system);
+  const Index size = state_size(work.system);
+  for (const std::vector<parameters::Override> &variant : work.analysis->variants())
+    if (state_size(work.source(variant)) != size)
+      throw InputError("The swept key " + variant.front().path +
+                       " changes the number of coordinates or of internal states at the value " +
+                       variant.front().value + "; a state cannot be carried over.");
+}
 
 RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &keys,
                         const std::vector<Axis> &outer_axes, const CaseFactory &factory,
@@ -130,7 +180,7 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
   const Case first = factory(grid_overrides(keys, 0));
-  first.analysis->check(first.system);
+  check_case(first);
   const std::vector<Axis> inner_axes = first.analysis->axes();
   AnalysisHeader header{.name = name, .type = first.analysis->type(), .axes = outer_axes};
   for (const GridKey &key : keys)
@@ -144,7 +194,8 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
   {
     SharedCounters counters(communicator);
     Progress progress(points_of(header.axes), name, rank == 0);
-    GridLine context(sink, counters, progress, summary);
+    PointCounter counter(counters, progress);
+    GridLine context(sink, counter, summary);
     try {
       for (long task = counters.add(next_line, 1); task < total && !stop_requested();
            task = counters.add(next_line, 1)) {
@@ -156,6 +207,7 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
           if (work.analysis->axes().size() != inner_axes.size() ||
               points_of(work.analysis->axes()) != points_of(inner_axes))
             throw InputError("the swept key changes the number of points of the analysis");
+          context.build_from(work.source);
           work.analysis->run_line(line, work.system, context);
         } catch (const InputError &error) {
           record_unusable(inner_axes, error.what(), line, context);
@@ -164,7 +216,7 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
     } catch (const Interrupted &) {
       summary.interrupted = true;
     }
-    wait_for_all(counters, progress, communicator);
+    wait_for_all(counter, communicator);
   }
   sink.end();
   long counts[2] = {static_cast<long>(summary.finished), static_cast<long>(summary.failed)};

@@ -16,12 +16,15 @@
 
 namespace vibroimpact {
 
-/// An analysis with the system it works on.
-
+/// An analysis with the system it works on, and how to build it with other values of some keys.
 struct Case {
   std::shared_ptr<const Analysis> analysis;
   System system;
+  SystemSource source;
 };
+
+/// Everything that can be refused before the case runs, for all systems it will build. InputError.
+void check_case(const Case &work);
 
 /// Builds the case of one grid point from its overrides. Local, InputError allowed.
 using CaseFactory = std::function<Case(const std::vector<parameters::Override> &)>;

@@ -2,45 +2,87 @@
 
 #include "analyses/excursions.h"
 #include "analyses/fields.h"
-#include "analyses/steadiness.h"
+#include "analyses/swept_system.h"
 #include "common/error.h"
 #include "integration/impact_log.h"
 
-#include <cmath>
-#include <numbers>
+#include <optional>
 
 namespace vibroimpact {
 
 namespace {
 
 constexpr const char *section_name = "Stepped sweep";
+constexpr const char *state = "state";
+constexpr const char *lowest_state = "settled_state_minimum";
+constexpr const char *highest_state = "settled_state_maximum";
 
-std::vector<double> spaced(double first, double last, long points, bool logarithmic) {
-  std::vector<double> values;
-  for (long i = 0; i < points; ++i) {
-    const double share = points > 1 ? static_cast<double>(i) / static_cast<double>(points - 1) : 0;
-    values.push_back(logarithmic ? first * std::pow(last / first, share)
-                                 : first + (last - first) * share);
+SteppedSweep::Directions read_directions(const parameters::Values &values) {
+  const std::string name = values.choice("Direction");
+  if (values.choice("Start") == "initial conditions") {
+    for (const char *key : {"Direction", "Backward start"})
+      if (values.given(key))
+        values.reject(key, "nothing with Start = initial conditions: no state is carried over, so "
+                           "that there is no direction.");
+    return SteppedSweep::Directions::independent;
   }
-  return values;
-}
-
-SteppedSweep::Directions parse_directions(const std::string &name) {
   if (name == "forward")
     return SteppedSweep::Directions::forward;
   return name == "backward" ? SteppedSweep::Directions::backward : SteppedSweep::Directions::both;
 }
 
-Field state_field(const Vector &physical) {
-  return series_field("state", "state", {physical.begin(), physical.end()}, "SI",
-                      "state at the end: coordinates, their rates, internal states of contacts");
+Field state_field(const char *name, const Vector &physical, const std::string &description) {
+  return series_field(name, "state", {physical.begin(), physical.end()}, "SI",
+                      description + ": coordinates, their rates, internal states of contacts, "
+                                    "torques of motors");
 }
 
-Vector stored_state(const PointResult &result) {
+Vector stored_state(const PointResult &result, const char *name) {
   for (const Field &field : result.fields)
-    if (field.name == "state")
+    if (field.name == name)
       return ConstVectorView(field.values.data(), static_cast<Index>(field.values.size()));
   return {};
+}
+
+double stored_scalar(const PointResult &result, const char *name) {
+  for (const Field &field : result.fields)
+    if (field.name == name)
+      return field.values.at(0);
+  return 0;
+}
+
+// What find_jump() needs of a point that an earlier run finished.
+SettledMotion stored_motion(const PointResult &result) {
+  return {.state = {.time = 0, .physical = stored_state(result, state)},
+          .lowest = stored_state(result, lowest_state),
+          .highest = stored_state(result, highest_state),
+          .multiple = static_cast<long>(stored_scalar(result, "period_multiple"))};
+}
+
+void add_settling(PointResult &result, const SettledMotion &settled) {
+  result.fields.push_back(scalar_field("steady", settled.steady() ? 1 : 0, "1",
+                                       "1 when the motion was judged steady before recording"));
+  result.fields.push_back(scalar_field("period_multiple", static_cast<double>(settled.multiple),
+                                       "1", "forcing periods after which it repeats, 0 unknown"));
+  result.fields.push_back(scalar_field("settling_cycles", static_cast<double>(settled.cycles), "1",
+                                       "forcing periods before recording"));
+}
+
+void add_jump(PointResult &result, const Jump &jump, const SettledMotion &settled,
+              const std::string &unit) {
+  result.fields.push_back(
+      state_field(lowest_state, settled.lowest, "smallest state at the ends of periods"));
+  result.fields.push_back(
+      state_field(highest_state, settled.highest, "largest state at the ends of periods"));
+  result.fields.push_back(scalar_field("jump_from", jump.from, unit,
+                                       "last value before a jump between the previous point of "
+                                       "the sweep and this one, NaN when there is none"));
+  result.fields.push_back(
+      scalar_field("jump_to", jump.to, unit, "first value after that jump, NaN without one"));
+  if (jump.found()) {
+    result.summary.push_back({.name = "jump_from", .value = jump.from, .unit = unit});
+    result.summary.push_back({.name = "jump_to", .value = jump.to, .unit = unit});
+  }
 }
 
 } // namespace
@@ -48,127 +90,111 @@ Vector stored_state(const PointResult &result) {
 /// One point of a line: its place along the axes.
 struct SteppedSweep::Step {
   std::size_t direction = 0;
-  std::size_t frequency = 0;
+  std::size_t point = 0;
   bool from_rest = false;
 
-  std::vector<std::size_t> index() const { return {frequency, direction}; }
+  std::vector<std::size_t> index() const { return {point, direction}; }
 };
 
 void SteppedSweep::declare(parameters::Section &analysis) {
   using namespace parameters;
-  analysis
-      .subsection(section_name, "Stepped sine sweep: settles at each frequency, then records; the "
-                                "state is carried to the next one at forcing phase zero.")
-      .quantity("First frequency", "", dimension::frequency, range::positive, "f_1",
-                "Lowest frequency.")
-      .quantity("Last frequency", "", dimension::frequency, range::positive, "f_2",
-                "Highest frequency.")
-      .integer("Points", "50", Range{.lower = 1, .upper = 1e7}, "", "Number of frequencies.")
-      .choice("Spacing", "linear", {"linear", "logarithmic"}, "How the frequencies are spaced.")
+  Section &section = analysis.subsection(
+      section_name, "Settles at each frequency, or each value of another key, then records; the "
+                    "state is carried to the next one at the forcing phase of time zero.");
+  declare_swept_parameter(section);
+  section
+      .choice("Start", "carried over", {"carried over", "initial conditions"},
+              "What a point starts from: the end of the point before it, or the initial "
+              "conditions, each point then being independent of the others.")
       .choice("Direction", "both", {"forward", "backward", "both"},
-              "Rising, falling, or rising and then falling frequency.")
+              "Rising, falling, or rising and then falling frequency or value.")
       .choice("Backward start", "forward end", {"forward end", "initial conditions"},
               "Where the backward sweep of a pair starts. From the initial conditions, the two run "
               "independently of each other.")
-      .text("Excitation", "", "Excitation whose frequency is swept; empty when there is only one.")
-      .integer("Minimum settling cycles", "5", Range{.lower = 0}, "",
-               "Periods before the motion can be judged steady.")
-      .integer("Settling cycles", "200", Range{.lower = 0}, "",
-               "Periods after which it is recorded, steady or not.")
-      .integer("Recorded cycles", "10", Range{.lower = 1}, "", "Periods of the recorded window.")
-      .quantity("Steadiness tolerance", "1e-6", dimension::none, Range{.lower = 0, .upper = 1}, "",
-                "Relative distance to the periodic motion at which it counts as steady; 0 always "
-                "takes all settling cycles.")
-      .integer("Longest period", "4", Range{.lower = 1, .upper = 1000}, "",
-               "Longest period looked for, in forcing periods.");
+      .text("Excitation", "",
+            "Excitation whose frequency is swept or whose period is that of the motion; empty when "
+            "there is only one with a period.");
+  declare_settling(section);
+  section.integer("Recorded cycles", "10", Range{.lower = 1}, "", "Periods of the recorded window.")
+      .quantity("Jump tolerance", "0", dimension::none, Range{.lower = 0, .upper = 0.1}, "",
+                "Width, relative to the largest swept value, to which the bracket of each jump of "
+                "the response between two points is narrowed; 0: jumps are not looked for.")
+      .quantity("Jump threshold", "0.05", dimension::none,
+                Range{.lower = 0, .upper = 1, .lower_open = true}, "",
+                "Change of the state, relative to its size, from which on a discontinuity counts "
+                "as a jump.");
 }
 
 std::shared_ptr<const Analysis> SteppedSweep::create(const parameters::Values &analysis) {
   const parameters::Values values = analysis.subsection(section_name);
-  values.require("First frequency");
-  values.require("Last frequency");
-  const double first = values.quantity("First frequency") / (2 * std::numbers::pi);
-  const double last = values.quantity("Last frequency") / (2 * std::numbers::pi);
-  const long points = values.integer("Points");
-  if (last < first || (last == first && points > 1))
-    values.reject("Last frequency", "a frequency above First frequency.");
-  if (values.integer("Minimum settling cycles") > values.integer("Settling cycles"))
-    values.reject("Minimum settling cycles", "at most Settling cycles.");
-  return std::make_shared<SteppedSweep>(
-      Settings{.frequencies = spaced(first, last, points, values.choice("Spacing") != "linear"),
-               .directions = parse_directions(values.choice("Direction")),
-               .backward_from_rest = values.choice("Backward start") == "initial conditions",
-               .minimum_settling = values.integer("Minimum settling cycles"),
-               .maximum_settling = values.integer("Settling cycles"),
-               .recorded = values.integer("Recorded cycles"),
-               .steadiness = values.quantity("Steadiness tolerance"),
-               .longest_multiple = values.integer("Longest period"),
-               .excitation = values.text("Excitation")});
+  Settings settings{.parameter = read_swept_parameter(values),
+                    .directions = read_directions(values),
+                    .backward_from_rest = values.choice("Backward start") == "initial conditions",
+                    .settling = read_settling(values),
+                    .recorded = values.integer("Recorded cycles"),
+                    .excitation = values.text("Excitation"),
+                    .jump_tolerance = values.quantity("Jump tolerance"),
+                    .jump_threshold = values.quantity("Jump threshold")};
+  if (settings.jump_tolerance > 0 && settings.directions == Directions::independent)
+    values.reject("Jump tolerance", "0 with Start = initial conditions: only a state that is "
+                                    "carried over can jump.");
+  return std::make_shared<SteppedSweep>(std::move(settings));
 }
 
 std::vector<Axis> SteppedSweep::axes() const {
   std::vector<std::string> directions;
-  if (settings_.directions != Directions::backward)
+  if (settings_.directions == Directions::forward || settings_.directions == Directions::both)
     directions.emplace_back("forward");
-  if (settings_.directions != Directions::forward)
+  if (settings_.directions == Directions::backward || settings_.directions == Directions::both)
     directions.emplace_back("backward");
-  return {{.name = "frequency",
-           .values = settings_.frequencies,
-           .labels = {},
-           .unit = "Hz",
-           .description = "excitation frequency"},
+  if (settings_.directions == Directions::independent)
+    directions.emplace_back("initial conditions");
+  return {settings_.parameter.axis(),
           {.name = "direction",
            .values = {},
            .labels = directions,
            .unit = "1",
-           .description = "direction of the sweep"}};
+           .description = "direction of the sweep, or what every point starts from"}};
 }
 
 std::size_t SteppedSweep::lines() const {
+  if (settings_.directions == Directions::independent)
+    return settings_.parameter.values.size();
   return settings_.directions == Directions::both && settings_.backward_from_rest ? 2 : 1;
 }
 
 std::vector<SteppedSweep::Step> SteppedSweep::steps_of_line(std::size_t line) const {
-  const std::size_t points = settings_.frequencies.size();
+  if (settings_.directions == Directions::independent)
+    return {{.direction = 0, .point = line, .from_rest = true}};
+  const std::size_t points = settings_.parameter.values.size();
   const bool both = settings_.directions == Directions::both;
   std::vector<Step> steps;
   const bool forward = settings_.directions != Directions::backward && line == 0;
   const bool backward = settings_.directions == Directions::backward ||
                         (both && (line == 1 || !settings_.backward_from_rest));
   for (std::size_t i = 0; forward && i < points; ++i)
-    steps.push_back({.direction = 0, .frequency = i, .from_rest = i == 0});
+    steps.push_back({.direction = 0, .point = i, .from_rest = i == 0});
   for (std::size_t i = 0; backward && i < points; ++i)
-    steps.push_back({.direction = both ? 1u : 0u,
-                     .frequency = points - 1 - i,
-                     .from_rest = i == 0 && !forward});
+    steps.push_back(
+        {.direction = both ? 1u : 0u, .point = points - 1 - i, .from_rest = i == 0 && !forward});
   return steps;
 }
 
-Workload SteppedSweep::workload(const System & /*system*/) const {
+Workload SteppedSweep::workload(const System &system) const {
   Workload work{.simulated_time = 0, .points = steps_of_line(0).size()};
-  const double cycles = static_cast<double>(settings_.maximum_settling + settings_.recorded);
+  const auto cycles = static_cast<double>(settings_.settling.maximum + settings_.recorded);
+  const std::size_t source = sweep_source(system, settings_.excitation);
+  const double period = system.model.sources()[source].function->period();
   for (const Step &step : steps_of_line(0))
-    work.simulated_time += cycles / settings_.frequencies[step.frequency];
+    work.simulated_time +=
+        cycles *
+        (settings_.parameter.is_frequency() ? 1 / settings_.parameter.values[step.point] : period);
   return work;
 }
 
-std::size_t SteppedSweep::swept_source(const System &system) const {
-  const std::vector<Source> &sources = system.model.sources();
-  if (settings_.excitation.empty() && sources.size() == 1)
-    return 0;
-  return system.model.find_source(settings_.excitation);
-}
-
 void SteppedSweep::check(const System &system) const {
-  const std::size_t source = swept_source(system);
-  if (source == system.model.sources().size())
-    throw InputError(settings_.excitation.empty()
-                         ? "A stepped sweep needs one excitation, or the key Excitation that says "
-                           "which of several is swept."
-                         : "The swept excitation " + settings_.excitation +
-                               " is not among the active ones.");
-  const Source &swept = system.model.sources()[source];
-  if (!swept.function->with_frequency(1))
+  const Source &swept = system.model.sources()[sweep_source(system, settings_.excitation)];
+  if (settings_.parameter.is_frequency() && !swept.function->with_frequency(1))
     throw InputError("The swept excitation " + swept.name +
                      " has no frequency that a stepped sweep could change; its History must be "
                      "harmonic or ramped harmonic.");
@@ -176,26 +202,28 @@ void SteppedSweep::check(const System &system) const {
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
 }
 
-PointResult SteppedSweep::compute(const Step &step, System &system, Trajectory &trajectory,
-                                  const MotionState &from) const {
-  const double frequency = settings_.frequencies[step.frequency];
-  const double period = 1 / frequency;
+std::vector<std::vector<parameters::Override>> SteppedSweep::variants() const {
+  std::vector<std::vector<parameters::Override>> overrides;
+  for (const double value : settings_.parameter.values)
+    if (!settings_.parameter.is_frequency())
+      overrides.push_back({settings_.parameter.at(value)});
+  return overrides;
+}
+
+PointResult SteppedSweep::compute(const Step &step, SweptSystem &swept, const MotionState &from,
+                                  SettledMotion &settled) const {
+  const System &system = swept.system();
+  Trajectory &trajectory = swept.trajectory();
   ImpactLog log(system.contacts, 0);
   Excursions excursions(system);
-  Steadiness steadiness(state_scale(trajectory.equations(), 2 * std::numbers::pi * frequency),
-                        settings_.longest_multiple, settings_.steadiness);
   PointResult result{.index = step.index()};
   trajectory.start(from);
-  long cycles = 0;
-  while (cycles < settings_.maximum_settling &&
-         !(cycles >= settings_.minimum_settling && steadiness.steady())) {
-    ++cycles;
-    trajectory.advance(static_cast<double>(cycles) * period, log);
-    steadiness.add(trajectory.motion_state().physical);
-  }
+  settled = settle(trajectory, swept.period(), swept.scale(), settings_.settling, log);
   log.clear();
   Observers recording({&log, &excursions});
-  trajectory.advance(static_cast<double>(cycles + settings_.recorded) * period, recording);
+  trajectory.advance(static_cast<double>(settled.cycles + settings_.recorded) * swept.period(),
+                     recording);
+  settled.state = {.time = 0, .physical = trajectory.motion_state().physical};
 
   excursions.add_fields(result);
   for (std::size_t c = 0; c < system.contacts.size(); ++c)
@@ -203,41 +231,73 @@ PointResult SteppedSweep::compute(const Step &step, System &system, Trajectory &
         scalar_field("contact/" + system.contacts.pairs()[c].name + "/impacts_per_period",
                      static_cast<double>(log.begun(c)) / static_cast<double>(settings_.recorded),
                      "1", "impacts begun per forcing period"));
-  result.fields.push_back(scalar_field("steady", steadiness.steady() ? 1 : 0, "1",
-                                       "1 when the motion was judged steady before recording"));
-  result.fields.push_back(scalar_field("period_multiple",
-                                       static_cast<double>(steadiness.multiple()), "1",
-                                       "forcing periods after which it repeats, 0 unknown"));
-  result.fields.push_back(scalar_field("settling_cycles", static_cast<double>(cycles), "1",
-                                       "forcing periods before recording"));
-  result.fields.push_back(state_field(trajectory.motion_state().physical));
+  add_settling(result, settled);
+  result.fields.push_back(state_field(state, settled.state.physical, "state at the end"));
   add_accuracy(result, trajectory.accuracy(), system.integration);
   return result;
 }
 
+Jump SteppedSweep::search(const BranchPoint &before, const BranchPoint &after,
+                          SweptSystem &swept) const {
+  const Vector scale = swept.scale();
+  const double width = settings_.jump_tolerance * settings_.parameter.magnitude();
+  Observers nobody({});
+  return find_jump(
+      before, after, width, settings_.jump_threshold,
+      [&](double value, const MotionState &from) {
+        swept.move_to(value);
+        swept.trajectory().start(from);
+        return settle(swept.trajectory(), swept.period(), swept.scale(), settings_.settling,
+                      nobody);
+      },
+      [&](const SettledMotion &a, const SettledMotion &b) {
+        return relative_distance(a, b, scale);
+      });
+}
+
+// The point of one step, with the jump on the way to it; `before` and `from` move on to it.
+PointResult SteppedSweep::advance(const Step &step, SweptSystem &swept, MotionState &from,
+                                  std::optional<BranchPoint> &before) const {
+  const double value = settings_.parameter.values[step.point];
+  swept.move_to(value);
+  if (step.from_rest || from.physical.size() == 0) {
+    const InitialState &initial = swept.system().initial;
+    swept.trajectory().start(0, initial.displacement, initial.velocity);
+    from = swept.trajectory().motion_state();
+  }
+  BranchPoint after{.value = value, .motion = {}};
+  PointResult result = compute(step, swept, from, after.motion);
+  if (searches_jumps())
+    add_jump(result, before ? search(*before, after, swept) : Jump{}, after.motion,
+             settings_.parameter.unit);
+  from = after.motion.state;
+  before = std::move(after);
+  return result;
+}
+
 void SteppedSweep::run_line(std::size_t line, System &system, LineContext &context) const {
-  Trajectory trajectory(system.model, system.contacts, system.integration);
-  const std::size_t source = swept_source(system);
-  MotionState from;
+  SweptSystem swept(settings_.parameter, settings_.excitation, system, context);
+  MotionState from;                  // empty until a first point has started
+  std::optional<BranchPoint> before; // the last point of this direction that succeeded
+  std::size_t direction = 0;
   for (const Step &step : steps_of_line(line)) {
-    system.model.set_frequency(source,
-                               2 * std::numbers::pi * settings_.frequencies[step.frequency]);
-    if (step.from_rest) {
-      trajectory.start(0, system.initial.displacement, system.initial.velocity);
-      from = trajectory.motion_state();
-    }
+    if (step.direction != direction)
+      before.reset();
+    direction = step.direction;
     if (const PointResult *known = context.find(step.index())) {
-      if (known->status == Status::finished)
-        from = {.time = 0, .physical = stored_state(*known)};
+      if (known->status == Status::finished) {
+        before = {.value = settings_.parameter.values[step.point], .motion = stored_motion(*known)};
+        from = before->motion.state;
+      }
       context.skip();
       continue;
     }
+    // After a failure the next point goes on from where this one started.
     try {
-      PointResult result = compute(step, system, trajectory, from);
-      from = {.time = 0, .physical = trajectory.motion_state().physical};
-      context.store(std::move(result));
+      context.store(advance(step, swept, from, before));
     } catch (const NumericalError &error) {
-      // The next frequency goes on from where this one started.
+      context.store({.index = step.index(), .status = Status::failed, .reason = error.what()});
+    } catch (const InputError &error) {
       context.store({.index = step.index(), .status = Status::failed, .reason = error.what()});
     }
   }

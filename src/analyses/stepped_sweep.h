@@ -1,30 +1,40 @@
-// Stepped sine sweep: at each excitation frequency the motion settles, is judged steady, and is
-// then watched for some periods; the state at the end starts the next frequency.
+// Stepped sweep: at each excitation frequency, or each value of any other key, the motion settles,
+// is judged steady, and is then watched for some periods; the state at the end starts the next
+// point.
 //
-// Steady means: the state seen once per period (stroboscopically) repeats after some k <= longest
-// multiple of periods, and the distance still to go, estimated from the last two changes as a
-// geometric series, is below the tolerance times the size of the motion.
+// A point takes a whole number of forcing periods and every point begins at time zero, so that
+// frequency or parameter change at the forcing phase of time zero, the whole physical state
+// (coordinates, velocities, internal states of contacts, torques of motors) carried over. Steady
+// means: the state seen once per period (stroboscopically) repeats after some k <= longest multiple
+// of periods, and the distance still to go, estimated from the last changes as a geometric series,
+// is below the tolerance times the size of the motion.
 #pragma once
 
 #include "analyses/analysis.h"
-#include "integration/trajectory.h"
+#include "analyses/jump_search.h"
+#include "analyses/settling.h"
+#include "analyses/swept_parameter.h"
+
+#include <optional>
 
 namespace vibroimpact {
 
+class SweptSystem;
+
 class SteppedSweep : public Analysis {
 public:
-  enum class Directions { forward, backward, both };
+  /// `independent`: every point starts from the initial conditions.
+  enum class Directions { forward, backward, both, independent };
 
   struct Settings {
-    std::vector<double> frequencies; ///< increasing, in the unit of the axis [Hz]
+    SweptParameter parameter;
     Directions directions = Directions::both;
     bool backward_from_rest = false; ///< else from the end of the forward sweep
-    long minimum_settling = 0;       ///< [periods]
-    long maximum_settling = 0;       ///< [periods]
-    long recorded = 0;               ///< [periods]
-    double steadiness = 0;           ///< relative tolerance
-    long longest_multiple = 1;       ///< [periods]
-    std::string excitation;          ///< empty: the only one
+    SettlingRule settling;
+    long recorded = 0;         ///< [periods]
+    std::string excitation;    ///< empty: the only one
+    double jump_tolerance = 0; ///< width of a bracket over the largest swept value; 0: no search
+    double jump_threshold = 0; ///< smallest relative difference of states that is a jump
   };
   explicit SteppedSweep(Settings settings) : settings_(std::move(settings)) {}
 
@@ -32,19 +42,23 @@ public:
   static std::shared_ptr<const Analysis> create(const parameters::Values &analysis);
 
   std::string type() const override { return "stepped sweep"; }
-  /// frequency, direction
+  /// frequency or swept key, direction
   std::vector<Axis> axes() const override;
   std::size_t lines() const override;
   Workload workload(const System &system) const override;
   void check(const System &system) const override;
+  std::vector<std::vector<parameters::Override>> variants() const override;
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:
   struct Step;
   std::vector<Step> steps_of_line(std::size_t line) const;
-  std::size_t swept_source(const System &system) const;
-  PointResult compute(const Step &step, System &system, Trajectory &trajectory,
-                      const MotionState &from) const;
+  PointResult compute(const Step &step, SweptSystem &swept, const MotionState &from,
+                      SettledMotion &settled) const;
+  PointResult advance(const Step &step, SweptSystem &swept, MotionState &from,
+                      std::optional<BranchPoint> &before) const;
+  Jump search(const BranchPoint &before, const BranchPoint &after, SweptSystem &swept) const;
+  bool searches_jumps() const { return settings_.jump_tolerance > 0; }
 
   Settings settings_;
 };

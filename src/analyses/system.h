@@ -7,6 +7,7 @@
 #include "model/model.h"
 #include "parameters/values.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct System {
   IntegrationSettings integration;
   InitialState initial;
 };
+
+/// Builds the system of an analysis at other values of some keys. Local; InputError.
+using SystemSource = std::function<System(const std::vector<parameters::Override> &)>;
 
 /// The keys with which an analysis picks excitations, contacts and initial conditions.
 void declare_selection(parameters::Section &analysis, const std::string &initial_default);

@@ -72,6 +72,8 @@ public:
   /// Every key of the section and below as "path = value in SI" lines, defaults included, in
   /// declared order: equal text means equal physics. Used for caching.
   std::string fingerprint() const;
+  /// The file the section belongs to.
+  const ParameterSet &parameters() const { return *set_; }
 
 private:
   friend class ParameterSet;

@@ -1,0 +1,163 @@
+#include "analyses/frequency_response.h"
+
+#include "analyses/channels.h"
+#include "analyses/fields.h"
+#include "analyses/linear_response.h"
+#include "analyses/swept_parameter.h"
+#include "analyses/swept_system.h"
+#include "common/error.h"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+namespace vibroimpact {
+
+namespace {
+
+constexpr const char *section_name = "Frequency response";
+
+// One quantity of one channel: (i w)^order times the amplitude of a displacement.
+struct Quantity {
+  std::string name;
+  std::string unit;
+  std::string meaning;
+  const Projection *projection;
+  int order;
+};
+
+std::vector<Quantity> quantities(const std::vector<Channel> &channels) {
+  std::vector<Quantity> list;
+  for (const Channel &channel : channels) {
+    const std::string base = "point/" + channel.point + "/";
+    const std::string axis = std::string("_") + channel.axis;
+    list.push_back({base + "displacement" + axis, "m", "displacement relative to the base",
+                    &channel.relative, 0});
+    list.push_back({base + "absolute_displacement" + axis, "m", "absolute displacement",
+                    &channel.absolute, 0});
+    list.push_back(
+        {base + "velocity" + axis, "m/s", "velocity relative to the base", &channel.relative, 1});
+    list.push_back(
+        {base + "acceleration" + axis, "m/s^2", "absolute acceleration", &channel.absolute, 2});
+  }
+  return list;
+}
+
+std::complex<double> amplitude(const LinearResponse &response, const Quantity &quantity,
+                               const ComplexAmplitudes &at) {
+  const std::complex<double> rate(0, at.angular_frequency);
+  std::complex<double> value = response.observed(*quantity.projection, at);
+  for (int k = 0; k < quantity.order; ++k)
+    value *= rate;
+  return value;
+}
+
+struct Peak {
+  double value = 0;
+  double frequency = 0; ///< [Hz]
+};
+
+// The largest listed value, or a larger one between its neighbours.
+Peak find_peak(const std::vector<double> &frequencies, const std::vector<double> &values,
+               const std::function<double(double)> &value_at) {
+  const auto largest = std::max_element(values.begin(), values.end());
+  const auto place = static_cast<std::size_t>(largest - values.begin());
+  const Peak listed{.value = *largest, .frequency = frequencies[place]};
+  if (place == 0 || place + 1 == values.size())
+    return listed;
+  const auto [frequency, negative] = boost::math::tools::brent_find_minima(
+      [&](double f) { return -value_at(f); }, frequencies[place - 1], frequencies[place + 1],
+      std::numeric_limits<double>::digits / 2);
+  return -negative > listed.value ? Peak{.value = -negative, .frequency = frequency} : listed;
+}
+
+void add_peak(PointResult &result, const Quantity &quantity, const Peak &peak) {
+  const std::string base = "peak/" + quantity.name + "/";
+  result.fields.push_back(scalar_field(base + "amplitude", peak.value, quantity.unit,
+                                       "largest amplitude over frequency, " + quantity.meaning));
+  result.fields.push_back(
+      scalar_field(base + "frequency", peak.frequency, "Hz", "frequency of the largest amplitude"));
+  std::string line = "peak." + quantity.name;
+  std::replace(line.begin(), line.end(), '/', '.');
+  result.summary.push_back({.name = line, .value = peak.value, .unit = quantity.unit});
+  result.summary.push_back({.name = line + ".frequency", .value = peak.frequency, .unit = "Hz"});
+}
+
+} // namespace
+
+void FrequencyResponse::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  analysis
+      .subsection(section_name, "Exact steady response of the linear model to a harmonic "
+                                "excitation, as if no contact could close.")
+      .quantity("First frequency", "", dimension::frequency, range::positive, "f_1",
+                "Lowest frequency.")
+      .quantity("Last frequency", "", dimension::frequency, range::positive, "f_2",
+                "Highest frequency.")
+      .integer("Points", "200", Range{.lower = 1, .upper = 1e7}, "", "Number of frequencies.")
+      .choice("Spacing", "linear", {"linear", "logarithmic"}, "How the frequencies are spaced.")
+      .text("Excitation", "",
+            "Excitation whose response is computed; empty when only one has a period. The others "
+            "do not act.");
+}
+
+std::shared_ptr<const Analysis> FrequencyResponse::create(const parameters::Values &analysis) {
+  const parameters::Values values = analysis.subsection(section_name);
+  return std::make_shared<FrequencyResponse>(
+      Settings{.frequencies = read_frequencies(values), .excitation = values.text("Excitation")});
+}
+
+Workload FrequencyResponse::workload(const System & /*system*/) const {
+  return {.simulated_time = 0, .points = 1};
+}
+
+void FrequencyResponse::check(const System &system) const {
+  const LinearResponse response(system.model, sweep_source(system, settings_.excitation));
+}
+
+PointResult FrequencyResponse::compute(const System &system) const {
+  const LinearResponse response(system.model, sweep_source(system, settings_.excitation));
+  const std::vector<Channel> channels = observed_channels(system.model);
+  const auto at = [&](double frequency) { return response.at(2 * std::numbers::pi * frequency); };
+  std::vector<ComplexAmplitudes> motions;
+  for (const double frequency : settings_.frequencies)
+    motions.push_back(at(frequency));
+  PointResult result;
+  result.fields.push_back(
+      series_field("frequency", "frequency", settings_.frequencies, "Hz", "excitation frequency"));
+  for (const Quantity &quantity : quantities(channels)) {
+    std::vector<double> amplitudes, phases;
+    for (const ComplexAmplitudes &motion : motions) {
+      const std::complex<double> value = amplitude(response, quantity, motion);
+      amplitudes.push_back(std::abs(value));
+      phases.push_back(std::arg(value));
+    }
+    add_peak(result, quantity, find_peak(settings_.frequencies, amplitudes, [&](double frequency) {
+               return std::abs(amplitude(response, quantity, at(frequency)));
+             }));
+    result.fields.push_back(series_field(quantity.name + "/amplitude", "frequency", amplitudes,
+                                         quantity.unit, "amplitude, " + quantity.meaning));
+    result.fields.push_back(series_field(quantity.name + "/phase", "frequency", phases, "rad",
+                                         "phase of the sine, " + quantity.meaning));
+  }
+  return result;
+}
+
+void FrequencyResponse::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
+  if (context.find({})) {
+    context.skip();
+    return;
+  }
+  PointResult result;
+  try {
+    result = compute(system);
+  } catch (const NumericalError &error) {
+    result = {.index = {}, .status = Status::failed, .reason = error.what()};
+  }
+  context.store(std::move(result));
+}
+
+} // namespace vibroimpact

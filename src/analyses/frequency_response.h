@@ -1,0 +1,41 @@
+// Steady response of the model without contacts to one harmonic excitation, exact at each
+// frequency.
+//
+// The excitation is s(t) = Im(S exp(i w t)). With diag(mass) M, damping C and stiffness K the
+// coordinates follow as q(t) = Im(Q exp(i w t)),
+//
+//   (K - w^2 M + i w C) Q = (load + i w rate_load - w^2 inertial_load) S
+//
+// and an observed displacement is row Q, absolute ones with carrier S added. Amplitudes are >= 0;
+// a response is amplitude sin(w t + phase). Other excitations do not act. The largest amplitude
+// over frequency is refined between the neighbours of the largest listed one by Brent's method.
+#pragma once
+
+#include "analyses/analysis.h"
+
+namespace vibroimpact {
+
+class FrequencyResponse : public Analysis {
+public:
+  struct Settings {
+    std::vector<double> frequencies; ///< increasing [Hz]
+    std::string excitation;          ///< empty: the only one
+  };
+  explicit FrequencyResponse(Settings settings) : settings_(std::move(settings)) {}
+
+  static void declare(parameters::Section &analysis);
+  static std::shared_ptr<const Analysis> create(const parameters::Values &analysis);
+
+  std::string type() const override { return "frequency response"; }
+  std::vector<Axis> axes() const override { return {}; }
+  Workload workload(const System &system) const override;
+  void check(const System &system) const override;
+  void run_line(std::size_t line, System &system, LineContext &context) const override;
+
+private:
+  PointResult compute(const System &system) const;
+
+  Settings settings_;
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,54 @@
+#include "analyses/linear_response.h"
+
+#include "common/error.h"
+
+#include <Eigen/LU>
+#include <limits>
+
+namespace vibroimpact {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr Complex i(0, 1);
+
+} // namespace
+
+LinearResponse::LinearResponse(const Model &model, std::size_t source)
+    : model_(model), source_(source), stiffness_(model.stiffness().dense()),
+      damping_(model.damping().dense()) {
+  if (!model.linear())
+    throw InputError("A frequency response needs a linear model, without cubic springs and "
+                     "rotors; use a stepped sweep.");
+  const Source &driving = model.sources().at(source);
+  if (dynamic_cast<const Harmonic *>(driving.function.get()) == nullptr)
+    throw InputError("A frequency response needs a harmonic excitation, and " + driving.name +
+                     " is none.");
+}
+
+ComplexAmplitudes LinearResponse::at(double angular_frequency) const {
+  const Source &driving = model_.sources()[source_];
+  const auto function = driving.function->with_frequency(angular_frequency);
+  // s = Im(S exp(i w t)): s(0) = Im S, s'(0) = w Re S.
+  const Complex amplitude(function->rate(0) / angular_frequency, function->value(0));
+  const double squared = angular_frequency * angular_frequency;
+  Eigen::MatrixXcd dynamic = stiffness_.cast<Complex>();
+  dynamic += i * angular_frequency * damping_.cast<Complex>();
+  dynamic.diagonal() -= (squared * model_.mass()).cast<Complex>();
+  Eigen::VectorXcd load = (driving.load - squared * driving.inertial_load).cast<Complex>();
+  load += i * angular_frequency * driving.rate_load.cast<Complex>();
+  const Eigen::PartialPivLU<Eigen::MatrixXcd> factors(dynamic);
+  if (!(factors.rcond() > std::numeric_limits<double>::epsilon()))
+    throw NumericalError("the response without damping is unbounded at this frequency");
+  return {.angular_frequency = angular_frequency,
+          .source = amplitude,
+          .coordinates = factors.solve(load * amplitude)};
+}
+
+Complex LinearResponse::observed(const Projection &projection,
+                                 const ComplexAmplitudes &amplitudes) const {
+  Complex sum = projection.row.cast<Complex>() * amplitudes.coordinates;
+  return sum + projection.carrier[source_] * amplitudes.source;
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,36 @@
+// What a stepped sweep varies: the frequency of an excitation, or the number behind any key.
+#pragma once
+
+#include "common/result_sink.h"
+#include "parameters/values.h"
+
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+struct SweptParameter {
+  std::string path;           ///< of the key, as for --set; empty: the frequency of an excitation
+  std::string unit = "Hz";    ///< of the values
+  std::vector<double> values; ///< increasing [unit]
+
+  bool is_frequency() const { return path.empty(); }
+  /// The number farthest from zero [unit].
+  double magnitude() const;
+  /// The override that sets the key to `value` exactly.
+  parameters::Override at(double value) const;
+  Axis axis() const;
+};
+
+/// Keys that say what is varied, between which ends and in which steps.
+void declare_swept_parameter(parameters::Section &section);
+
+/// InputError for a key that is unknown, belongs to an analysis or holds no single number, and for
+/// ends in the wrong order.
+SweptParameter read_swept_parameter(const parameters::Values &section);
+
+/// Frequencies [Hz] between the keys First frequency and Last frequency, as many as Points, by the
+/// key Spacing. InputError for ends in the wrong order.
+std::vector<double> read_frequencies(const parameters::Values &section);
+
+} // namespace vibroimpact

@@ -1,0 +1,72 @@
+#include "analyses/swept_system.h"
+
+#include "analyses/steadiness.h"
+#include "common/error.h"
+
+#include <numbers>
+
+namespace vibroimpact {
+
+namespace {
+
+std::unique_ptr<Trajectory> trajectory_of(const System &system) {
+  return std::make_unique<Trajectory>(system.model, system.contacts, system.integration);
+}
+
+std::size_t only_periodic(const std::vector<Source> &sources) {
+  std::size_t found = sources.size();
+  for (std::size_t s = 0; s < sources.size(); ++s)
+    if (sources[s].function->period() > 0) {
+      if (found < sources.size())
+        return sources.size();
+      found = s;
+    }
+  return found;
+}
+
+} // namespace
+
+std::size_t sweep_source(const System &system, const std::string &name) {
+  const std::vector<Source> &sources = system.model.sources();
+  const std::size_t found = name.empty() ? only_periodic(sources) : system.model.find_source(name);
+  if (found == sources.size())
+    throw InputError(name.empty()
+                         ? "A stepped sweep needs one periodic excitation, or the key Excitation "
+                           "that says which of several is swept or gives the period."
+                         : "The swept excitation " + name + " is not among the active ones.");
+  if (!(sources[found].function->period() > 0))
+    throw InputError("The swept excitation " + name + " has no period.");
+  return found;
+}
+
+SweptSystem::SweptSystem(const SweptParameter &parameter, const std::string &excitation,
+                         System &system, const LineContext &context)
+    : parameter_(parameter), excitation_(excitation), original_(system), context_(context),
+      present_(&system), trajectory_(trajectory_of(system)),
+      size_(trajectory_->layout().physical_size()) {}
+
+void SweptSystem::move_to(double value) {
+  if (!parameter_.is_frequency()) {
+    build(value);
+    return;
+  }
+  original_.model.set_frequency(sweep_source(original_, excitation_), 2 * std::numbers::pi * value);
+  period_ = 1 / value;
+}
+
+void SweptSystem::build(double value) {
+  trajectory_.reset();
+  built_ = std::make_unique<System>(context_.build({parameter_.at(value)}));
+  present_ = built_.get();
+  trajectory_ = trajectory_of(*built_);
+  if (trajectory_->layout().physical_size() != size_)
+    throw InputError("the swept key " + parameter_.path + " changes the number of coordinates");
+  const std::size_t source = sweep_source(*built_, excitation_);
+  period_ = built_->model.sources()[source].function->period();
+}
+
+Vector SweptSystem::scale() const {
+  return state_scale(trajectory_->equations(), 2 * std::numbers::pi / period_);
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,46 @@
+// The system of a stepped sweep at the present value of the swept parameter.
+#pragma once
+
+#include "analyses/analysis.h"
+#include "analyses/swept_parameter.h"
+#include "integration/trajectory.h"
+
+#include <memory>
+
+namespace vibroimpact {
+
+/// Index of the excitation that gives a sweep its period: `name`, or the only one that repeats when
+/// the name is empty. InputError when there is none, or one without a frequency.
+std::size_t sweep_source(const System &system, const std::string &name);
+
+class SweptSystem {
+public:
+  /// Keeps references. A frequency is set in `system` itself; for another key the systems are built
+  /// by `context`.
+  SweptSystem(const SweptParameter &parameter, const std::string &excitation, System &system,
+              const LineContext &context);
+
+  /// InputError when the system cannot be built or has other coordinates than before.
+  void move_to(double value);
+
+  const System &system() const { return *present_; }
+  Trajectory &trajectory() { return *trajectory_; }
+  double period() const { return period_; } ///< [s]
+  /// Scale of the states, see state_scale().
+  Vector scale() const;
+
+private:
+  void build(double value);
+
+  const SweptParameter &parameter_;
+  std::string excitation_;
+  System &original_;
+  const LineContext &context_;
+  std::unique_ptr<System> built_;
+  const System *present_;
+  std::unique_ptr<Trajectory> trajectory_;
+  Index size_ = 0;
+  double period_ = 0;
+};
+
+} // namespace vibroimpact
