@@ -5,6 +5,7 @@
 #include "common/log.h"
 #include "contact/contact_set.h"
 #include "integration/settings.h"
+#include "model/connection.h"
 #include "model/excitation.h"
 #include "model/initial_condition.h"
 #include "output/result_files.h"
@@ -33,6 +34,7 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
             "Folder that file names in this file refer to; empty means the folder "
             "of the parameter file.");
   declare_body(*root);
+  declare_connections(*root);
   declare_contacts(*root);
   declare_excitations(*root);
   declare_initial_conditions(*root);

@@ -1,6 +1,10 @@
 #include "analyses/system.h"
 
+#include "common/error.h"
+#include "integration/equilibrium.h"
+#include "model/connection.h"
 #include "model/excitation.h"
+#include "model/rotor_parameters.h"
 
 namespace vibroimpact {
 
@@ -17,6 +21,24 @@ std::vector<std::string> selected(const parameters::Values &analysis, const std:
   for (const std::string &name : names)
     analysis.require_known(key, name, available);
   return names;
+}
+
+// Adds the equilibrium to the initial state. Contacts that are closed in it may start so.
+ContactSet start_in_equilibrium(EquilibriumStart start, const Model &model, ContactSet contacts,
+                                InitialState &initial) {
+  const bool with_contacts = start == EquilibriumStart::with_contacts;
+  const ContactSet none;
+  Equilibrium equilibrium;
+  try {
+    equilibrium = static_equilibrium(model, with_contacts ? contacts : none, model.static_load());
+  } catch (const NumericalError &error) {
+    throw InputError(std::string("The motion cannot start from its equilibrium: ") + error.what());
+  }
+  initial.displacement += equilibrium.displacement;
+  std::vector<ContactPair> pairs = contacts.pairs();
+  for (std::size_t c = 0; with_contacts && c < pairs.size(); ++c)
+    pairs[c].accept_initial_penetration |= equilibrium.closed[c];
+  return ContactSet(std::move(pairs));
 }
 
 } // namespace
@@ -41,11 +63,17 @@ System build_system(const parameters::Values &root, const parameters::Values &an
                     std::vector<std::shared_ptr<const ReducedBody>> bodies) {
   Model model(std::move(bodies));
   add_excitations(root, selected(analysis, "Excitations", root.instances("Excitation")), model);
+  add_connections(root, model);
+  add_rotors(root, model);
   const std::vector<std::string> contacts = listed_instances(root, "Contacts", "Contact");
   ContactSet contact_set =
       read_contacts(root, selected(analysis, "Active contacts", contacts), model);
-  InitialState initial = read_initial_state(
-      root, selected(analysis, "Initial conditions", root.instances("Initial condition")), model);
+  const std::vector<std::string> conditions =
+      selected(analysis, "Initial conditions", root.instances("Initial condition"));
+  InitialState initial = read_initial_state(root, conditions, model);
+  if (const EquilibriumStart start = equilibrium_start(root, conditions);
+      start != EquilibriumStart::none)
+    contact_set = start_in_equilibrium(start, model, std::move(contact_set), initial);
   return {.model = std::move(model),
           .contacts = std::move(contact_set),
           .integration = read_integration(root),

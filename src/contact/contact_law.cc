@@ -24,6 +24,18 @@ std::vector<InternalState> ContactLaw::internal_states() const {
   return states;
 }
 
+std::vector<double> entered_internal(const ContactLaw &law, int mode, const LocalState &state) {
+  std::vector<double> internal(state.internal.begin(), state.internal.end());
+  for (const Mode &from : law.modes())
+    for (const Guard &guard : from.guards)
+      if (guard.target == mode && !guard.reset.empty()) {
+        for (std::size_t i = 0; i < internal.size(); ++i)
+          internal[i] = guard.reset[i](state);
+        return internal;
+      }
+  return internal;
+}
+
 std::vector<Mode> open_and_contact(std::optional<AffineLaw> affine_contact) {
   return {{.name = "open",
            .in_contact = false,

@@ -113,6 +113,10 @@ private:
   std::vector<double> initial_internal_;
 };
 
+/// Internal states with which `mode` is entered from a gap that closes: the reset of the first
+/// guard that leads there, or the present ones where none resets them.
+std::vector<double> entered_internal(const ContactLaw &law, int mode, const LocalState &state);
+
 /// The two modes most laws have: 0 = open, left when the gap closes; 1 = contact, left when the
 /// penetration returns to zero. `affine_contact` as in Mode::affine.
 std::vector<Mode> open_and_contact(std::optional<AffineLaw> affine_contact = std::nullopt);

@@ -2,26 +2,11 @@
 
 #include "contact/laws.h"
 #include "model/direction.h"
+#include "model/side.h"
 
 namespace vibroimpact {
 
 namespace {
-
-constexpr const char *fixed_stop = "stop";
-
-// Displacement of one side along n; nothing moves a fixed stop.
-Projection side_displacement(const parameters::Values &contact, const std::string &side,
-                             const Vector3 &normal, const Model &model) {
-  if (side == fixed_stop)
-    return {.row = RowVector::Zero(model.size()),
-            .carrier = std::vector<double>(model.sources().size(), 0)};
-  std::vector<std::string> known = model.point_names();
-  known.emplace_back(fixed_stop);
-  contact.require_known("Between", side, known);
-  PointReference point;
-  model.find_point(side, point);
-  return model.displacement(point, normal, true);
-}
 
 void check_moves(const parameters::Values &contact, const Projection &gap) {
   if (gap.row.isZero(0))
@@ -39,22 +24,13 @@ double read_clearance(const parameters::Values &contact) {
 
 ContactPair read_contact(const parameters::Values &contact, const std::string &name,
                          const Model &model) {
-  std::vector<std::string> sides = contact.names("Between");
-  if (sides.size() == 1)
-    sides.emplace_back(fixed_stop);
-  if (sides.size() != 2 || sides[0] == sides[1])
-    contact.reject("Between", "two different points as BODY.POINT, BODY.POINT; the second may be "
-                              "stop, a fixed stop.");
+  const Sides sides = read_sides(contact, {side_stop, side_base}, model);
   const Vector3 normal = read_direction(contact, "Direction");
-  const Projection a = side_displacement(contact, sides[0], normal, model);
-  const Projection b = side_displacement(contact, sides[1], normal, model);
-  Projection gap{.row = b.row - a.row, .carrier = b.carrier};
-  for (std::size_t k = 0; k < gap.carrier.size(); ++k)
-    gap.carrier[k] -= a.carrier[k];
+  Projection gap = relative_displacement(sides, normal, model);
   check_moves(contact, gap);
   return {.name = name,
-          .side_a = sides[0],
-          .side_b = sides[1],
+          .side_a = sides.a,
+          .side_b = sides.b,
           .clearance = read_clearance(contact),
           .gap = std::move(gap),
           .law = create_contact_law(contact),
@@ -91,8 +67,10 @@ void declare_contacts(parameters::Section &root) {
       "Contact", "Two points that can touch, or a point and a fixed stop. The gap is clearance + "
                  "(u_b - u_a) . n; the force pushes the two apart.");
   contact
-      .names("Between", "",
-             "The two sides a, b as BODY.POINT; the second may be stop, which is the default.")
+      .names(
+          "Between", "",
+          "The two sides a, b as BODY.POINT; the second may be stop (fixed in space, the default) "
+          "or base (a stop on the base that the first body stands on).")
       .text("Direction", "x",
             "Contact normal n, from the first side to the second: x, -y or three "
             "numbers.")

@@ -16,7 +16,7 @@ namespace vibroimpact {
 
 struct ContactPair {
   std::string name;
-  std::string side_a, side_b; ///< "body.point"; side_b is "stop" for a fixed stop
+  std::string side_a, side_b; ///< "body.point"; side_b is "stop" or "base" for a stop
   double clearance = 0;       ///< gap of the undeformed model [m]; negative is a prestress
   Projection gap;             ///< gap - clearance as a projection of the motion
   std::shared_ptr<const ContactLaw> law;

@@ -20,6 +20,7 @@ Equations::Equations(const Model &model, const ContactSet &contacts)
     : model_(model),
       contacts_(contacts), layout_{.n = model.size(),
                                    .n_internal = contacts.n_internal(),
+                                   .n_drive = model.n_drive(),
                                    .n_contacts = static_cast<Index>(contacts.size())},
       modes_(contacts.size(), 0) {
   for (const ContactPair &pair : contacts.pairs()) {
@@ -104,10 +105,34 @@ void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
     dxdt[layout_.impulse(contact)] = response_.force;
     dxdt[layout_.contact_work(contact)] = response_.dissipated_power;
   }
-  acceleration.array() /= model_.mass().array();
+  if (!model_.linear())
+    input_power += add_nonlinear_forces(time, x, dxdt);
+  else
+    acceleration.array() /= model_.mass().array();
   dxdt[layout_.input_work()] = input_power;
   dxdt[layout_.absolute_input_work()] = std::abs(input_power);
   dxdt[layout_.damping_work()] = damping_.dot(velocity);
+}
+
+// Cubic springs and rotors; divides by the mass. Returns the power they take in.
+double Equations::add_nonlinear_forces(double time, ConstVectorView x, VectorView dxdt) const {
+  const Index n = layout_.n;
+  const ConstVectorView q(x.data(), n);
+  const ConstVectorView velocity(x.data() + layout_.velocity(), n);
+  const ConstVectorView drive(x.data() + layout_.drive(), layout_.n_drive);
+  VectorView acceleration(dxdt.data() + layout_.velocity(), n);
+  double power = model_.add_cubic_forces(time, q, acceleration);
+  const RotorSet &rotors = model_.rotors();
+  if (rotors.empty()) {
+    acceleration.array() /= model_.mass().array();
+    return power;
+  }
+  const Vector frame = model_.rotor_frame(time);
+  rotors.add_torques(drive, acceleration);
+  acceleration.array() /= model_.mass().array();
+  rotors.couple(model_.mass(), q, velocity, frame, acceleration);
+  rotors.drive_rates(velocity, drive, VectorView(dxdt.data() + layout_.drive(), layout_.n_drive));
+  return power + rotors.input_power(q, velocity, drive, frame);
 }
 
 void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const {
@@ -115,6 +140,8 @@ void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const
   jacobian.setZero(layout_.size(), layout_.size());
   jacobian.block(0, n, n, n).setIdentity();
   jacobian.block(n, 0, n, n) = -model_.stiffness().dense();
+  if (!model_.linear())
+    add_cubic_stiffness(time, x, jacobian);
   jacobian.block(n, n, n, n) = -model_.damping().dense();
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     if (silent(c))
@@ -135,6 +162,50 @@ void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const
     }
   }
   jacobian.middleRows(n, n).array().colwise() /= model_.mass().array();
+  if (!model_.rotors().empty())
+    couple_rotors(time, x, jacobian);
+}
+
+void Equations::add_cubic_stiffness(double time, ConstVectorView x, Matrix &jacobian) const {
+  const Index n = layout_.n;
+  Matrix stiffness = Matrix::Zero(n, n);
+  model_.add_cubic_stiffness(time, ConstVectorView(x.data(), n), stiffness);
+  jacobian.block(n, 0, n, n) -= stiffness;
+}
+
+void Equations::couple_rotors(double time, ConstVectorView x, Matrix &jacobian) const {
+  const Index n = layout_.n;
+  const RotorSet &rotors = model_.rotors();
+  for (const Rotor &rotor : rotors.list())
+    if (rotor.motor) {
+      const Index torque = layout_.drive() + rotor.motor->drive;
+      jacobian(n + rotor.angle, torque) += 1 / model_.mass()[rotor.angle];
+      jacobian(torque, torque) = -1 / rotor.motor->time_constant;
+      jacobian(torque, n + rotor.angle) = -rotor.motor->slope / rotor.motor->time_constant;
+    }
+  const ConstVectorView q(x.data(), n);
+  const ConstVectorView velocity(x.data() + layout_.velocity(), n);
+  const Vector frame = model_.rotor_frame(time);
+  rotors.couple_jacobian(model_.mass(), q, velocity, frame, uncoupled_acceleration(time, x),
+                         jacobian.middleRows(n, n));
+}
+
+// D^-1 F: accelerations as if the rotors had no mass.
+Vector Equations::uncoupled_acceleration(double time, ConstVectorView x) const {
+  const Index n = layout_.n;
+  const ConstVectorView q(x.data(), n);
+  model_.load(time, load_);
+  model_.stiffness().apply(q, elastic_);
+  model_.damping().apply(ConstVectorView(x.data() + layout_.velocity(), n), damping_);
+  Vector force = load_ - elastic_ - damping_;
+  const VectorView view(force.data(), n);
+  model_.add_cubic_forces(time, q, view);
+  model_.rotors().add_torques(ConstVectorView(x.data() + layout_.drive(), layout_.n_drive), view);
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    if (!silent(c))
+      force += this->force(c, modes_[c], local_state(c, time, x)) *
+               contacts_.pairs()[c].gap.row.transpose();
+  return force.cwiseQuotient(model_.mass());
 }
 
 double Equations::stored_energy(double time, ConstVectorView x) const {
@@ -143,6 +214,13 @@ double Equations::stored_energy(double time, ConstVectorView x) const {
   Vector elastic;
   model_.stiffness().apply(ConstVectorView(x.data(), n), elastic);
   double energy = 0.5 * velocity.cwiseAbs2().dot(model_.mass()) + 0.5 * elastic.dot(x.head(n));
+  if (!model_.linear()) {
+    const ConstVectorView q(x.data(), n);
+    energy += model_.cubic_energy(time, q);
+    if (!model_.rotors().empty())
+      energy +=
+          model_.rotors().kinetic_energy(q, ConstVectorView(x.data() + layout_.velocity(), n));
+  }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     contacts_.pairs()[c].law->evaluate(modes_[c], local_state(c, time, x), response_);
     energy += response_.stored_energy;

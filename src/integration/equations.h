@@ -1,7 +1,8 @@
 // The equations of motion as a first-order system for one combination of contact modes.
 //
-// State x = [q (n), v (n), z (internal states of the contacts), ledger]. The ledger holds time
-// integrals that are carried along for the energy balance and the impulses; they do not act back.
+// State x = [q (n), v (n), z (internal states of the contacts), torques of motors, ledger]. The
+// ledger holds time integrals that are carried along for the energy balance and the impulses; they
+// do not act back.
 #pragma once
 
 #include "contact/contact_set.h"
@@ -15,11 +16,13 @@ namespace vibroimpact {
 struct StateLayout {
   Index n = 0;          ///< coordinates
   Index n_internal = 0; ///< internal states of all contacts
+  Index n_drive = 0;    ///< torques of motors
   Index n_contacts = 0;
 
   Index velocity() const { return n; }
   Index internal() const { return 2 * n; }
-  Index ledger() const { return 2 * n + n_internal; }
+  Index drive() const { return 2 * n + n_internal; }
+  Index ledger() const { return drive() + n_drive; }
   Index input_work() const { return ledger(); }              ///< by loads and moving bases [J]
   Index absolute_input_work() const { return ledger() + 1; } ///< integral of |power| [J]
   Index damping_work() const { return ledger() + 2; }        ///< dissipated by C [J]
@@ -66,6 +69,10 @@ public:
   double contact_energy(std::size_t contact, int mode, const LocalState &state) const;
 
 private:
+  double add_nonlinear_forces(double time, ConstVectorView x, VectorView dxdt) const;
+  void add_cubic_stiffness(double time, ConstVectorView x, Matrix &jacobian) const;
+  void couple_rotors(double time, ConstVectorView x, Matrix &jacobian) const;
+  Vector uncoupled_acceleration(double time, ConstVectorView x) const;
   bool silent(std::size_t contact) const;
 
   const Model &model_;

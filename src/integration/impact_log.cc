@@ -33,11 +33,7 @@ double peak_force(const StepView &view, std::size_t contact) {
 }
 
 ImpactLog::ImpactLog(const ContactSet &contacts, std::size_t pulses)
-    : contacts_(contacts),
-      pulse_limit_(pulses), layout_{.n = 0,
-                                    .n_internal = contacts.n_internal(),
-                                    .n_contacts = static_cast<Index>(contacts.size())},
-      tracks_(contacts.size()) {}
+    : contacts_(contacts), pulse_limit_(pulses), tracks_(contacts.size()) {}
 
 bool ImpactLog::in_contact(std::size_t contact, int mode) const {
   return contacts_.pairs()[contact].law->modes()[static_cast<std::size_t>(mode)].in_contact;
@@ -69,7 +65,8 @@ void ImpactLog::step(const StepView &view) {
   }
 }
 
-void ImpactLog::begin(Track &track, const ContactEvent &event, const StateLayout &layout) const {
+void ImpactLog::begin(Track &track, const ContactEvent &event) const {
+  const StateLayout &layout = *event.layout;
   track.current = {.start_time = event.time,
                    .approach_speed = -event.gap_rate,
                    .impulse = -(*event.state)[layout.impulse(static_cast<Index>(event.contact))],
@@ -84,10 +81,9 @@ void ImpactLog::event(const ContactEvent &event) {
   Track &track = tracks_[event.contact];
   const bool before = in_contact(event.contact, event.from);
   const bool after = in_contact(event.contact, event.to);
-  StateLayout layout = layout_;
-  layout.n = (event.state->size() - layout.size()) / 2;
+  const StateLayout &layout = *event.layout;
   if (after && !before)
-    begin(track, event, layout);
+    begin(track, event);
   if (before && !after) {
     if (!track.pulses.time.empty() && std::isfinite(track.pulses.time.back())) {
       track.pulses.time.push_back(nan);

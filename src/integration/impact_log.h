@@ -56,12 +56,11 @@ private:
     Impact current;
   };
   bool in_contact(std::size_t contact, int mode) const;
-  void begin(Track &track, const ContactEvent &event, const StateLayout &layout) const;
+  void begin(Track &track, const ContactEvent &event) const;
   void record_pulse(Track &track, const StepView &view, std::size_t contact) const;
 
   const ContactSet &contacts_;
   std::size_t pulse_limit_;
-  StateLayout layout_;
   std::vector<Track> tracks_;
 };
 

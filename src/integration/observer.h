@@ -56,6 +56,7 @@ struct ContactEvent {
   double gap = 0;      ///< [m]
   double gap_rate = 0; ///< [m/s]
   const Vector *state = nullptr;
+  const StateLayout *layout = nullptr; ///< of the state
 };
 
 class Observer {

@@ -73,14 +73,32 @@ void Trajectory::choose_initial_modes(double time, const Vector &state) {
   }
 }
 
+// Contacts that are closed from the start take the internal states with which they would have been
+// entered.
+void Trajectory::enter_contacts(double time, Vector &state) const {
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
+    const ContactPair &pair = equations_.contacts().pairs()[c];
+    const LocalState local =
+        equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
+    const std::vector<double> entered =
+        entered_internal(*pair.law, pair.law->initial_mode(local), local);
+    std::copy(entered.begin(), entered.end(),
+              state.data() + layout().internal() + pair.internal_offset);
+  }
+}
+
 void Trajectory::start(double time, const Vector &displacement, const Vector &velocity) {
   MotionState from{.time = time, .physical = Vector::Zero(layout().physical_size())};
   from.physical.head(layout().n) = displacement;
   from.physical.segment(layout().velocity(), layout().n) = velocity;
-  from.physical.tail(layout().n_internal) = equations_.contacts().initial_internal();
+  from.physical.segment(layout().internal(), layout().n_internal) =
+      equations_.contacts().initial_internal();
+  from.physical.tail(layout().n_drive) = equations_.model().rotors().initial_drive();
   Vector state = Vector::Zero(layout().size());
   state.head(layout().physical_size()) = from.physical;
   refuse_penetration(time, state);
+  enter_contacts(time, state);
+  from.physical = state.head(layout().physical_size());
   start(from);
 }
 
@@ -192,7 +210,8 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
                      .to = passed.target,
                      .gap = local.gap,
                      .gap_rate = local.gap_rate,
-                     .state = &state};
+                     .state = &state,
+                     .layout = &layout()};
   const double held = equations_.contact_energy(contact, event.from, local);
   std::vector<double> fresh;
   for (const AffineForm &form : passed.reset)

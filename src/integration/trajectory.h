@@ -27,7 +27,7 @@ struct Accuracy {
 /// Where a motion stands, to start another one from.
 struct MotionState {
   double time = 0;
-  Vector physical; ///< q, v, internal states of the contacts
+  Vector physical; ///< q, v, internal states of the contacts, torques of motors
 };
 
 class Trajectory {
@@ -35,8 +35,8 @@ public:
   /// Keeps references to the model and the contacts.
   Trajectory(const Model &model, const ContactSet &contacts, const IntegrationSettings &settings);
 
-  /// q, v given, contacts' internal states at rest. InputError when a contact that does not accept
-  /// it starts penetrated.
+  /// q, v given, contacts' internal states at rest, motors at their initial torque. InputError when
+  /// a contact that does not accept it starts penetrated.
   void start(double time, const Vector &displacement, const Vector &velocity);
   /// Goes on from an earlier state, whatever the contacts do there.
   void start(const MotionState &from);
@@ -60,6 +60,7 @@ private:
 
   void begin_phase(double time, const Vector &state);
   void choose_initial_modes(double time, const Vector &state);
+  void enter_contacts(double time, Vector &state) const;
   void refuse_penetration(double time, const Vector &state) const;
   bool find_crossing(const StepView &view, Crossing &crossing) const;
   bool locate(Crossing &crossing);

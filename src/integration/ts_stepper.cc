@@ -151,6 +151,11 @@ void TsStepper::set_tolerances(const IntegrationSettings &settings) {
     }
   }
   absolute.segment(layout.internal(), layout.n_internal).setConstant(settings.absolute_tolerance);
+  // A motor's torque counts by the metre per starting torque, as an angle counts as a length.
+  for (const Rotor &rotor : model.rotors().list())
+    if (rotor.motor)
+      absolute[layout.drive() + rotor.motor->drive] =
+          settings.absolute_tolerance * std::max(1.0, std::abs(rotor.motor->starting_torque));
   Vec tolerances = nullptr;
   check(VecDuplicate(solution_, &tolerances), "VecDuplicate");
   PetscScalar *array = nullptr;

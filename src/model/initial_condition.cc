@@ -38,7 +38,32 @@ Vector unit_shape(const parameters::Values &condition, const ReducedBody &body,
   }
 }
 
+EquilibriumStart equilibrium_of(const parameters::Values &condition) {
+  const std::string shape = condition.choice("Shape");
+  if (shape == "equilibrium")
+    return EquilibriumStart::with_contacts;
+  return shape == "free equilibrium" ? EquilibriumStart::without_contacts : EquilibriumStart::none;
+}
+
 } // namespace
+
+EquilibriumStart equilibrium_start(const parameters::Values &root,
+                                   const std::vector<std::string> &names) {
+  EquilibriumStart start = EquilibriumStart::none;
+  for (const std::string &name : names) {
+    const parameters::Values condition = root.instance("Initial condition", name);
+    const EquilibriumStart here = equilibrium_of(condition);
+    if (here == EquilibriumStart::none)
+      continue;
+    if (start != EquilibriumStart::none)
+      condition.reject("Shape", "only one initial condition can be an equilibrium.");
+    for (const char *unused : {"At", "Direction", "Displacement", "Velocity", "Mode"})
+      if (condition.given(unused))
+        condition.reject(unused, "is not used with Shape = " + condition.choice("Shape"));
+    start = here;
+  }
+  return start;
+}
 
 Vector static_deflection(const ReducedBody &body, const BodyPoint &point, const Vector3 &direction,
                          double displacement) {
@@ -63,9 +88,10 @@ void declare_initial_conditions(parameters::Section &root) {
                                              "relative to its base. Several ones add up.")
       .text("At", "", "Point whose displacement and velocity are given, as BODY.POINT.")
       .text("Direction", "x", "Direction they are counted along: x, -y or three numbers.")
-      .choice("Shape", "static", {"static", "mode"},
-              "Shape of the body: under a static point force there, or one of its modes. The mass "
-              "of a lumped body is a mode by itself.")
+      .choice("Shape", "static", {"static", "mode", "equilibrium", "free equilibrium"},
+              "Shape of the body: under a static point force there, or one of its modes (the mass "
+              "of a lumped body is a mode by itself). equilibrium: the whole model at rest under "
+              "its constant loads, contacts included; free equilibrium: as if nothing touched.")
       .integer("Mode", "1", Range{.lower = 1}, "j", "Number of the mode, for Shape = mode.")
       .quantity("Displacement", "0 m", dimension::length, range::any, "u_0",
                 "Displacement of the point along the direction.")
@@ -77,8 +103,14 @@ InitialState read_initial_state(const parameters::Values &root,
                                 const std::vector<std::string> &names, const Model &model) {
   InitialState state{.displacement = Vector::Zero(model.size()),
                      .velocity = Vector::Zero(model.size())};
+  for (const Rotor &rotor : model.rotors().list()) {
+    state.displacement[rotor.angle] = rotor.initial_angle;
+    state.velocity[rotor.angle] = rotor.initial_speed;
+  }
   for (const std::string &name : names) {
     const parameters::Values condition = root.instance("Initial condition", name);
+    if (equilibrium_of(condition) != EquilibriumStart::none)
+      continue;
     condition.require("At");
     condition.require_known("At", condition.text("At"), model.point_names());
     PointReference at;

@@ -20,6 +20,11 @@ void declare_initial_conditions(parameters::Section &root);
 InitialState read_initial_state(const parameters::Values &root,
                                 const std::vector<std::string> &names, const Model &model);
 
+/// In which equilibrium a motion starts, before displacements and velocities are added.
+enum class EquilibriumStart { none, with_contacts, without_contacts };
+EquilibriumStart equilibrium_start(const parameters::Values &root,
+                                   const std::vector<std::string> &names);
+
 /// Coordinates of a body in the static shape of a point force that moves the point by
 /// `displacement` along `direction`: q_j proportional to phi_j / k_j. NumericalError when the body
 /// is free to move as a rigid body or the force does not move the point.

@@ -11,6 +11,19 @@ void LinearForm::apply(ConstVectorView x, Vector &y) const {
     y.noalias() += coupling * x;
 }
 
+void LinearForm::add(double factor, const RowVector &row) {
+  const RowVector scaled = factor * row;
+  diagonal += scaled.cwiseProduct(row).transpose();
+  Matrix off_diagonal = row.transpose() * scaled;
+  off_diagonal.diagonal().setZero();
+  if (off_diagonal.isZero(0))
+    return;
+  if (coupling.size() == 0)
+    coupling = off_diagonal;
+  else
+    coupling += off_diagonal;
+}
+
 Matrix LinearForm::dense() const {
   Matrix matrix = diagonal.asDiagonal();
   if (coupling.size() > 0)
@@ -53,6 +66,7 @@ void Model::add_base_motion(const std::string &name, std::shared_ptr<const TimeF
   Source source{.name = name,
                 .function = std::move(function),
                 .load = Vector::Zero(size()),
+                .rate_load = Vector::Zero(size()),
                 .inertial_load = Vector::Zero(size())};
   std::vector<Vector3> carried(bodies_.size(), Vector3::Zero());
   for (const std::size_t b : bodies) {
@@ -62,6 +76,25 @@ void Model::add_base_motion(const std::string &name, std::shared_ptr<const TimeF
   }
   sources_.push_back(std::move(source));
   carried_.push_back(std::move(carried));
+  field_.emplace_back(bodies_.size(), Vector3::Zero());
+}
+
+void Model::add_gravity(const std::string &name, std::shared_ptr<const TimeFunction> function,
+                        const std::vector<std::size_t> &bodies, const Vector3 &direction) {
+  Source source{.name = name,
+                .function = std::move(function),
+                .load = Vector::Zero(size()),
+                .rate_load = Vector::Zero(size()),
+                .inertial_load = Vector::Zero(size())};
+  std::vector<Vector3> field(bodies_.size(), Vector3::Zero());
+  for (const std::size_t b : bodies) {
+    source.load.segment(offsets_[b], bodies_[b]->size()) =
+        bodies_[b]->base_participation * direction;
+    field[b] = direction;
+  }
+  sources_.push_back(std::move(source));
+  carried_.emplace_back(bodies_.size(), Vector3::Zero());
+  field_.push_back(std::move(field));
 }
 
 void Model::add_force(const std::string &name, std::shared_ptr<const TimeFunction> function,
@@ -69,8 +102,56 @@ void Model::add_force(const std::string &name, std::shared_ptr<const TimeFunctio
   sources_.push_back({.name = name,
                       .function = std::move(function),
                       .load = displacement(at, direction, false).row.transpose(),
+                      .rate_load = Vector::Zero(size()),
                       .inertial_load = Vector::Zero(size())});
   carried_.emplace_back(bodies_.size(), Vector3::Zero());
+  field_.emplace_back(bodies_.size(), Vector3::Zero());
+}
+
+void Model::add_connection(Connection connection) {
+  const RowVector &row = connection.elongation.row;
+  stiffness_.add(connection.stiffness, row);
+  damping_.add(connection.damping, row);
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    const double carrier = connection.elongation.carrier[k];
+    sources_[k].load -= connection.stiffness * carrier * row.transpose();
+    sources_[k].rate_load -= connection.damping * carrier * row.transpose();
+  }
+  if (connection.cubic_stiffness != 0)
+    cubic_.push_back(connections_.size());
+  connections_.push_back(std::move(connection));
+}
+
+void Model::add_rotor(Rotor rotor, const PointReference &at, const Vector3 &first,
+                      const Vector3 &second) {
+  rotor.at = point_name(at);
+  rotor.first = displacement(at, first, true);
+  rotor.second = displacement(at, second, true);
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    rotor.field_first.push_back(field_[k][at.body].dot(first));
+    rotor.field_second.push_back(field_[k][at.body].dot(second));
+  }
+  rotors_.add(std::move(rotor));
+}
+
+Vector Model::rotor_frame(double time) const {
+  Vector frame = Vector::Zero(2 * static_cast<Index>(rotors_.list().size()));
+  for (std::size_t i = 0; i < rotors_.list().size(); ++i) {
+    const Rotor &rotor = rotors_.list()[i];
+    const auto first = 2 * static_cast<Index>(i);
+    for (std::size_t k = 0; k < sources_.size(); ++k) {
+      const TimeFunction &function = *sources_[k].function;
+      if (rotor.first.carrier[k] != 0 || rotor.second.carrier[k] != 0) {
+        frame[first] += rotor.first.carrier[k] * function.acceleration(time);
+        frame[first + 1] += rotor.second.carrier[k] * function.acceleration(time);
+      }
+      if (rotor.field_first[k] != 0 || rotor.field_second[k] != 0) {
+        frame[first] -= rotor.field_first[k] * function.value(time);
+        frame[first + 1] -= rotor.field_second[k] * function.value(time);
+      }
+    }
+  }
+  return frame;
 }
 
 void Model::set_frequency(std::size_t source, double angular_frequency) {
@@ -85,7 +166,71 @@ void Model::load(double time, Vector &f) const {
   for (const Source &source : sources_) {
     f.noalias() += source.function->value(time) * source.load;
     f.noalias() += source.function->acceleration(time) * source.inertial_load;
+    if (!connections_.empty())
+      f.noalias() += source.function->rate(time) * source.rate_load;
   }
+}
+
+Vector Model::static_load() const {
+  Vector f = Vector::Zero(size());
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    if (sources_[k].function->highest_frequency() > 0)
+      continue;
+    const double value = sources_[k].function->value(0);
+    f += value * sources_[k].load;
+    for (const Rotor &rotor : rotors_.list())
+      f += value * rotor.mass *
+           (rotor.field_first[k] * rotor.first.row + rotor.field_second[k] * rotor.second.row)
+               .transpose();
+  }
+  return f;
+}
+
+double Model::value(const Projection &projection, double time, ConstVectorView q) const {
+  double sum = projection.row.dot(q);
+  for (std::size_t k = 0; k < projection.carrier.size(); ++k)
+    if (projection.carrier[k] != 0)
+      sum += projection.carrier[k] * sources_[k].function->value(time);
+  return sum;
+}
+
+double Model::rate(const Projection &projection, double time, ConstVectorView velocity) const {
+  double sum = projection.row.dot(velocity);
+  for (std::size_t k = 0; k < projection.carrier.size(); ++k)
+    if (projection.carrier[k] != 0)
+      sum += projection.carrier[k] * sources_[k].function->rate(time);
+  return sum;
+}
+
+double Model::add_cubic_forces(double time, ConstVectorView q, VectorView f) const {
+  double base_power = 0;
+  for (const std::size_t c : cubic_) {
+    const Connection &spring = connections_[c];
+    const double e = value(spring.elongation, time, q);
+    const double tension = spring.cubic_stiffness * e * e * e;
+    f -= tension * spring.elongation.row.transpose();
+    for (std::size_t k = 0; k < sources_.size(); ++k)
+      if (spring.elongation.carrier[k] != 0)
+        base_power += tension * spring.elongation.carrier[k] * sources_[k].function->rate(time);
+  }
+  return base_power;
+}
+
+void Model::add_cubic_stiffness(double time, ConstVectorView q, Matrix &stiffness) const {
+  for (const std::size_t c : cubic_) {
+    const RowVector &row = connections_[c].elongation.row;
+    const double e = value(connections_[c].elongation, time, q);
+    stiffness += (3 * connections_[c].cubic_stiffness * e * e) * row.transpose() * row;
+  }
+}
+
+double Model::cubic_energy(double time, ConstVectorView q) const {
+  double energy = 0;
+  for (const std::size_t c : cubic_) {
+    const double e = value(connections_[c].elongation, time, q);
+    energy += connections_[c].cubic_stiffness * e * e * e * e / 4;
+  }
+  return energy;
 }
 
 std::size_t Model::find_body(const std::string &name) const {
@@ -146,6 +291,7 @@ Vector3 Model::base_displacement(std::size_t body, double time) const {
 
 double Model::highest_frequency() const {
   double highest = (stiffness_.diagonal.array() / mass_.array()).max(0.0).sqrt().maxCoeff();
+  highest = std::max(highest, rotors_.highest_frequency());
   for (const Source &source : sources_)
     highest = std::max(highest, source.function->highest_frequency());
   return highest;

@@ -1,12 +1,16 @@
 // Equations of motion of all bodies together, as dense data, before any contact:
 //
-//   diag(mass) q'' + C q' + K q = sum over sources [load s(t) + inertial_load s''(t)]
+//   diag(mass) q'' + C q' + K q = sum over sources [load s + rate_load s' + inertial_load s'']
+//                                 - forces of cubic springs + H^T R of rotors
 //
 // Coordinates of a body count relative to the base it stands on; a moving base enters through the
-// inertial load and carries its points along.
+// inertial load and carries its points along. Connections add to K and C, and where one end moves
+// with a base to the loads. Motors of rotors bring first-order states of their own, `drive`.
 #pragma once
 
 #include "common/linear_algebra.h"
+#include "model/projection.h"
+#include "model/rotor.h"
 #include "model/time_function.h"
 #include "reduction/reduced_body.h"
 
@@ -23,6 +27,8 @@ struct LinearForm {
 
   /// y = A x
   void apply(ConstVectorView x, Vector &y) const;
+  /// A += factor row^T row
+  void add(double factor, const RowVector &row);
   Matrix dense() const;
 };
 
@@ -31,14 +37,23 @@ struct Source {
   std::string name;
   std::shared_ptr<const TimeFunction> function;
   Vector load;          ///< n: multiplies s(t)
+  Vector rate_load;     ///< n: multiplies s'(t); only dashpots to a moving base have one
   Vector inertial_load; ///< n: multiplies s''(t)
 };
 
-/// A linear observation of the motion: row . q + sum over sources carrier_k s_k(t). With carrier it
-/// is absolute, without it relative to the base.
-struct Projection {
-  RowVector row;               ///< n
-  std::vector<double> carrier; ///< one entry per source
+/// A spring and a dashpot along a direction; tension k e + k3 e^3 + c e' pulls the ends together.
+struct Connection {
+  std::string name;
+  std::string side_a, side_b; ///< "body.point"; side_b may be "base" or "ground"
+  Projection elongation;      ///< (u_b - u_a) . n [m]
+  double stiffness = 0;       ///< k [N/m]
+  double cubic_stiffness = 0; ///< k3 [N/m^3]
+  double damping = 0;         ///< c [N s/m]
+
+  double tension(double elongation_now, double rate) const {
+    return stiffness * elongation_now +
+           cubic_stiffness * elongation_now * elongation_now * elongation_now + damping * rate;
+  }
 };
 
 /// A point of a body in the model.
@@ -55,9 +70,18 @@ public:
   /// The base of `bodies` (indices) moves by s(t) along `direction` (unit vector).
   void add_base_motion(const std::string &name, std::shared_ptr<const TimeFunction> function,
                        const std::vector<std::size_t> &bodies, const Vector3 &direction);
+  /// The field s(t) [m/s^2] pulls at all masses of `bodies` along `direction` (unit vector).
+  void add_gravity(const std::string &name, std::shared_ptr<const TimeFunction> function,
+                   const std::vector<std::size_t> &bodies, const Vector3 &direction);
   /// The force s(t) [N] acts at a point along `direction` (unit vector).
   void add_force(const std::string &name, std::shared_ptr<const TimeFunction> function,
                  const PointReference &at, const Vector3 &direction);
+
+  /// Sources must be complete before connections and rotors are added.
+  void add_connection(Connection connection);
+  /// Fills the rotor's projections: it turns about `at` in the plane of two unit vectors.
+  void add_rotor(Rotor rotor, const PointReference &at, const Vector3 &first,
+                 const Vector3 &second);
 
   /// The model at another excitation frequency. std::logic_error when the source has none.
   void set_frequency(std::size_t source, double angular_frequency);
@@ -70,9 +94,31 @@ public:
   const LinearForm &stiffness() const { return stiffness_; }
   const LinearForm &damping() const { return damping_; }
   const std::vector<Source> &sources() const { return sources_; }
+  const std::vector<Connection> &connections() const { return connections_; }
+  const RotorSet &rotors() const { return rotors_; }
+  /// First-order states of the motors [N m].
+  Index n_drive() const { return rotors_.n_drive(); }
+  /// True when the equations of motion without contacts are linear.
+  bool linear() const { return cubic_.empty() && rotors_.empty(); }
 
   /// f(t), n entries.
   void load(double time, Vector &f) const;
+
+  /// Of the sources that do not vary in time, and the weight of rotors on the points that carry
+  /// them: n entries.
+  Vector static_load() const;
+
+  /// Value of a projection and its rate at a state.
+  double value(const Projection &projection, double time, ConstVectorView q) const;
+  double rate(const Projection &projection, double time, ConstVectorView velocity) const;
+
+  /// f -= forces of the cubic parts of the connections. Returns the power that moving bases put
+  /// into them [W].
+  double add_cubic_forces(double time, ConstVectorView q, VectorView f) const;
+  /// Their derivative: stiffness += 3 k3 e^2 row^T row, n x n.
+  void add_cubic_stiffness(double time, ConstVectorView q, Matrix &stiffness) const;
+  /// Energy stored in them [J].
+  double cubic_energy(double time, ConstVectorView q) const;
 
   /// Index of a body or of a source by name; size of the list when there is none.
   std::size_t find_body(const std::string &name) const;
@@ -90,6 +136,10 @@ public:
   /// Base displacement of a body at a time: 3 components [m].
   Vector3 base_displacement(std::size_t body, double time) const;
 
+  /// Acceleration of the base less gravity at each rotor's point, along its two directions: 2 per
+  /// rotor [m/s^2].
+  Vector rotor_frame(double time) const;
+
   /// Highest natural angular frequency of the uncoupled coordinates and the sources [rad/s].
   double highest_frequency() const;
 
@@ -100,7 +150,11 @@ private:
   LinearForm stiffness_;
   LinearForm damping_;
   std::vector<Source> sources_;
+  std::vector<Connection> connections_;
+  std::vector<std::size_t> cubic_; ///< connections with a cubic part
+  RotorSet rotors_;
   std::vector<std::vector<Vector3>> carried_; ///< per source, per body: base direction or zero
+  std::vector<std::vector<Vector3>> field_;   ///< per source, per body: gravity direction or zero
 };
 
 } // namespace vibroimpact

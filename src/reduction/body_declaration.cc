@@ -114,21 +114,52 @@ void declare_mass(Section &body) {
   Section &mass =
       body.named_subsection("Mass", "A mass of a lumped body; it is also a point of that name.");
   mass.quantity("Mass", "", dimension::mass, range::positive, "m", "Must be given.")
-      .choice("Axis", "x", {"x", "y", "z"}, "Direction of motion.")
+      .names("Axis", "x", "Directions of motion: any of x, y, z; a coordinate for each.")
       .quantity("Stiffness", "0 N/m", dimension::stiffness, range::non_negative, "k",
-                "Spring to the base.")
+                "Spring to the base along each axis.")
       .quantity("Damping", "0 N s/m", dimension::damping, range::non_negative, "c",
-                "Dashpot to the base.")
+                "Dashpot to the base along each axis.")
       .quantities("Position", "0 m, 0 m, 0 m", dimension::length, range::any, "",
                   "Where it stands in figures.", 3, 3);
+}
+
+void declare_rotor(Section &body) {
+  body.subsection("Rotor", "An unbalanced rotor that turns at a point of another body.")
+      .text("At", "", "Point that carries it, as BODY.POINT. Must be given.")
+      .quantity("Mass", "", dimension::mass, range::positive, "m_R",
+                "Mass of the rotor, which comes on top of the carrying body. Must be given.")
+      .quantity("Eccentricity", "0 m", dimension::length, range::non_negative, "e",
+                "Distance of the centre of mass from the axis.")
+      .quantity("Inertia", "", dimension::rotary_inertia, range::positive, "J",
+                "Moment of inertia about the centre of mass. Must be given.")
+      .quantity("Friction", "0 N m s", dimension::rotational_damping, range::non_negative, "c",
+                "Resisting torque per angular speed.")
+      .text("First direction", "x", "Direction of the eccentricity at angle zero.")
+      .text("Second direction", "y", "Direction towards which the rotor turns from there.")
+      .quantity("Initial angle", "0 rad", dimension::angle, range::any, "\\varphi_0",
+                "Angle at the start.")
+      .quantity("Initial speed", "0 rad/s", dimension::frequency, range::any, "\\omega_0",
+                "Angular speed at the start.");
+  body.subsection("Motor", "The motor of a rotor: tau M' + M = M_Z - k_M omega. Without it the "
+                           "rotor turns freely.")
+      .quantity("Starting torque", "", dimension::torque, range::any, "M_Z", "Torque at rest.")
+      .quantity("Slope", "", dimension::rotational_damping, range::positive, "k_M",
+                "Loss of torque per angular speed.")
+      .quantity("Time constant", "", dimension::time, range::positive, "\\tau",
+                "Electromagnetic time constant.")
+      .quantity("Torque constant", "1 N m", dimension::torque, range::positive, "k_p",
+                "Torque per ampere of current.")
+      .quantity("Initial torque", "0 N m", dimension::torque, range::any, "M_0",
+                "Torque at the start.");
 }
 
 } // namespace
 
 void declare_body(Section &root) {
   Section &body = root.named_subsection("Body", "A deformable or lumped body with named points.");
-  body.choice("Type", "beam", {"beam", "lumped"},
-              "beam: normal modes of an Euler-Bernoulli frame; lumped: masses, springs, dashpots.");
+  body.choice("Type", "beam", {"beam", "lumped", "rotor"},
+              "beam: normal modes of an Euler-Bernoulli frame; lumped: masses, springs, dashpots; "
+              "rotor: an unbalanced rotor with its motor on a point of another body.");
   declare_geometry(body);
   declare_section(body);
   declare_material(body);
@@ -136,6 +167,7 @@ void declare_body(Section &root) {
   declare_point(body);
   declare_modes(body);
   declare_mass(body);
+  declare_rotor(body);
 }
 
 } // namespace vibroimpact

@@ -22,24 +22,32 @@ struct Damping {
   double viscous_constant = 0;     ///< of the whole body [N s/m]
 };
 
-/// One mass of a lumped body: moves along one axis, held to the base by a spring and a dashpot.
+/// One mass of a lumped body: moves along its axes, held to the base by the same spring and dashpot
+/// along each.
 struct LumpedMass {
   std::string name;
-  double mass = 0; ///< [kg]
-  int axis = 0;
+  double mass = 0;                    ///< [kg]
+  std::vector<int> axes{0};           ///< 0, 1, 2 for x, y, z; a coordinate for each
   double stiffness = 0;               ///< [N/m]
   double damping = 0;                 ///< [N s/m]
   Vector3 position = Vector3::Zero(); ///< [m]
 };
 
+/// The rotation of a rotor.
+struct RotorDefinition {
+  double inertia = 0;  ///< about its centre of mass > 0 [kg m^2]
+  double friction = 0; ///< torque per speed >= 0 [N m s/rad]
+};
+
 struct BodyDefinition {
-  enum class Type { beam, lumped };
+  enum class Type { beam, lumped, rotor };
   std::string name;
   Type type = Type::beam;
   structure::BeamDefinition beam;
   modes::Selection selection;
   Damping damping;
   std::vector<LumpedMass> masses;
+  RotorDefinition rotor;
 };
 
 } // namespace vibroimpact

@@ -181,20 +181,49 @@ Damping read_damping(const Values &section) {
   return damping;
 }
 
+std::vector<int> read_axes(const Values &section) {
+  std::vector<int> axes;
+  for (const std::string &name : section.names("Axis")) {
+    section.require_known("Axis", name, {"x", "y", "z"});
+    const int axis = name[0] - 'x';
+    if (std::find(axes.begin(), axes.end(), axis) != axes.end())
+      section.reject("Axis", "each of x, y, z at most once");
+    axes.push_back(axis);
+  }
+  if (axes.empty())
+    section.reject("Axis", "at least one of x, y, z");
+  return axes;
+}
+
 LumpedMass read_mass(const Values &section, const std::string &name) {
   section.require("Mass");
   return {.name = name,
           .mass = section.quantity("Mass"),
-          .axis = section.choice("Axis")[0] - 'x',
+          .axes = read_axes(section),
           .stiffness = section.quantity("Stiffness"),
           .damping = section.quantity("Damping"),
           .position = vector3(section, "Position")};
+}
+
+// A body of this type uses none of the sections `fixed` and `named`.
+void refuse(const Values &body, const std::vector<const char *> &fixed,
+            const std::vector<const char *> &named) {
+  const auto reject = [&](const char *unused) {
+    body.reject("Type", "= " + body.choice("Type") + " has no use for a subsection " + unused);
+  };
+  for (const char *unused : fixed)
+    if (body.subsection_given(unused))
+      reject(unused);
+  for (const char *unused : named)
+    if (!body.instances(unused).empty())
+      reject(unused);
 }
 
 void read_beam(const Values &body, const std::string &folder, MPI_Comm communicator,
                BodyDefinition &definition) {
   if (!body.instances("Mass").empty())
     body.reject("Type", "= beam has no use for a subsection Mass (a Point can carry a mass)");
+  refuse(body, {"Rotor", "Motor"}, {});
   read_geometry(body.subsection("Geometry"), folder, communicator, definition.beam);
   definition.beam.section = read_section(body.subsection("Section"));
   definition.beam.material = read_material(body.subsection("Material"));
@@ -206,13 +235,17 @@ void read_beam(const Values &body, const std::string &folder, MPI_Comm communica
   definition.damping = read_damping(body.subsection("Modes"));
 }
 
+void read_rotor(const Values &body, BodyDefinition &definition) {
+  refuse(body, {"Geometry", "Section", "Material", "Modes"}, {"Support", "Point", "Mass"});
+  const Values rotor = body.subsection("Rotor");
+  rotor.require("Mass");
+  rotor.require("Inertia");
+  definition.rotor = {.inertia = rotor.quantity("Inertia"), .friction = rotor.quantity("Friction")};
+}
+
 void read_lumped(const Values &body, BodyDefinition &definition) {
-  for (const char *unused : {"Geometry", "Section", "Material", "Modes"})
-    if (body.subsection_given(unused))
-      body.reject("Type", std::string("= lumped has no use for a subsection ") + unused);
-  for (const char *unused : {"Support", "Point"})
-    if (!body.instances(unused).empty())
-      body.reject("Type", std::string("= lumped has no use for a subsection ") + unused);
+  refuse(body, {"Geometry", "Section", "Material", "Modes", "Rotor", "Motor"},
+         {"Support", "Point"});
   for (const std::string &name : body.instances("Mass"))
     definition.masses.push_back(read_mass(body.instance("Mass", name), name));
 }
@@ -226,6 +259,9 @@ BodyDefinition read_body(const Values &body, const std::string &name, const std:
   if (body.choice("Type") == "lumped") {
     definition.type = BodyDefinition::Type::lumped;
     read_lumped(body, definition);
+  } else if (body.choice("Type") == "rotor") {
+    definition.type = BodyDefinition::Type::rotor;
+    read_rotor(body, definition);
   } else {
     read_beam(body, folder, communicator, definition);
   }

@@ -2,11 +2,35 @@
 
 namespace vibroimpact {
 
+namespace {
+
+// A coordinate for each axis, from coordinate `first` on; returns the next free one.
+Index add_mass(const LumpedMass &mass, Index first, ReducedBody &body) {
+  if (!(mass.mass > 0))
+    throw structure::DefinitionError("Mass", mass.name, "Mass", "must be greater than 0");
+  BodyPoint point{mass.name, mass.position, Matrix::Zero(6, body.size())};
+  for (const int axis : mass.axes) {
+    body.mass[first] = mass.mass;
+    body.stiffness[first] = mass.stiffness;
+    body.damping(first, first) = mass.damping;
+    body.base_participation(first, axis) = mass.mass;
+    body.total_mass[axis] += mass.mass;
+    point.rows(axis, first) = 1;
+    ++first;
+  }
+  body.points.push_back(std::move(point));
+  return first;
+}
+
+} // namespace
+
 ReducedBody lumped_body(const BodyDefinition &definition) {
   if (definition.masses.empty())
     throw structure::DefinitionError("Body", definition.name, "Type",
                                      "= lumped needs at least one subsection Mass");
-  const auto n = static_cast<Index>(definition.masses.size());
+  Index n = 0;
+  for (const LumpedMass &mass : definition.masses)
+    n += static_cast<Index>(mass.axes.size());
   ReducedBody body;
   body.name = definition.name;
   body.type = "lumped";
@@ -14,19 +38,9 @@ ReducedBody lumped_body(const BodyDefinition &definition) {
   body.stiffness = Vector::Zero(n);
   body.damping = Matrix::Zero(n, n);
   body.base_participation = Matrix::Zero(n, 3);
-  for (Index j = 0; j < n; ++j) {
-    const LumpedMass &mass = definition.masses[j];
-    if (!(mass.mass > 0))
-      throw structure::DefinitionError("Mass", mass.name, "Mass", "must be greater than 0");
-    body.mass[j] = mass.mass;
-    body.stiffness[j] = mass.stiffness;
-    body.damping(j, j) = mass.damping;
-    body.base_participation(j, mass.axis) = mass.mass;
-    body.total_mass[mass.axis] += mass.mass;
-    BodyPoint point{mass.name, mass.position, Matrix::Zero(6, n)};
-    point.rows(mass.axis, j) = 1;
-    body.points.push_back(std::move(point));
-  }
+  Index first = 0;
+  for (const LumpedMass &mass : definition.masses)
+    first = add_mass(mass, first, body);
   return body;
 }
 

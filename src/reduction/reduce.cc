@@ -3,6 +3,7 @@
 #include "reduction/basis_rule.h"
 #include "reduction/body_file.h"
 #include "reduction/lumped_body.h"
+#include "reduction/rotor_body.h"
 #include "structure/assembly.h"
 
 #include <algorithm>
@@ -117,6 +118,8 @@ ReducedBody beam_body(const BodyDefinition &definition, MPI_Comm communicator) {
 ReducedBody reduce(const BodyDefinition &definition, MPI_Comm communicator) {
   if (definition.type == BodyDefinition::Type::lumped)
     return lumped_body(definition);
+  if (definition.type == BodyDefinition::Type::rotor)
+    return rotor_body(definition);
   return broadcast(beam_body(definition, communicator), communicator);
 }
 

@@ -5,7 +5,8 @@
 //
 // Displacement of a point along an axis, relative to the base the body stands on: row . q. A base
 // acceleration a (3 components) acts as the generalised force -base_participation a.
-// Modal bodies have mass = 1 and stiffness = omega^2; lumped bodies have one coordinate per mass.
+// Modal bodies have mass = 1 and stiffness = omega^2; lumped bodies have a coordinate for each
+// mass and axis, a rotor has its angle.
 #pragma once
 
 #include "common/linear_algebra.h"
@@ -32,7 +33,7 @@ struct Recovery {
 
 struct ReducedBody {
   std::string name;
-  std::string type; ///< "beam" or "lumped"
+  std::string type; ///< "beam", "lumped" or "rotor"
 
   Vector mass;               ///< n
   Vector stiffness;          ///< n
@@ -51,7 +52,7 @@ struct ReducedBody {
   double orthogonality_residual = 0; ///< max |Phi^T M Phi - I|, for modal bodies
 
   Index size() const { return mass.size(); }
-  bool modal() const { return type != "lumped"; }
+  bool modal() const { return type == "beam"; }
   /// Undamped natural angular frequency of each coordinate by itself [rad/s]; 0 for rigid modes.
   Vector omega() const { return (stiffness.array() / mass.array()).max(0.0).sqrt(); }
   /// Fraction of critical damping of each coordinate by itself; 0 where omega is 0.

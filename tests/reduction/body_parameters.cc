@@ -100,7 +100,7 @@ TEST(BodyParameters, ALumpedBodyIsRead) {
                                   "set Damping = 1 N s/m\nset Position = 1 m, 2 m, 3 m\n")));
   ASSERT_EQ(body.masses.size(), 1U);
   EXPECT_EQ(body.masses[0].name, "ball");
-  EXPECT_EQ(body.masses[0].axis, 2);
+  EXPECT_EQ(body.masses[0].axes, std::vector<int>{2});
   EXPECT_DOUBLE_EQ(body.masses[0].stiffness, 8);
   EXPECT_EQ(body.masses[0].position, Vector3(1, 2, 3));
 }

@@ -12,10 +12,10 @@ BodyDefinition two_masses() {
   BodyDefinition definition;
   definition.name = "absorber";
   definition.type = BodyDefinition::Type::lumped;
-  definition.masses = {{.name = "frame", .mass = 4, .axis = 0, .stiffness = 100, .damping = 3},
+  definition.masses = {{.name = "frame", .mass = 4, .axes = {0}, .stiffness = 100, .damping = 3},
                        {.name = "ball",
                         .mass = 0.5,
-                        .axis = 2,
+                        .axes = {2},
                         .stiffness = 0,
                         .damping = 0,
                         .position = Vector3(1, 2, 3)}};
@@ -39,6 +39,17 @@ TEST(LumpedBody, MassesAreNamedPointsThatMoveAlongTheirAxis) {
   expected(2, 1) = 1;
   EXPECT_EQ(body.point("ball").rows, expected);
   EXPECT_EQ(body.point("ball").position, Vector3(1, 2, 3));
+}
+
+TEST(LumpedBody, AMassOfSeveralAxesHasACoordinateForEach) {
+  BodyDefinition definition = two_masses();
+  definition.masses[0].axes = {1, 0};
+  const ReducedBody body = lumped_body(definition);
+  ASSERT_EQ(body.size(), 3);
+  EXPECT_EQ(body.total_mass, Vector3(4, 4, 0.5));
+  Matrix expected = Matrix::Zero(6, 3);
+  expected(1, 0) = expected(0, 1) = 1;
+  EXPECT_EQ(body.point("frame").rows, expected);
 }
 
 TEST(LumpedBody, BaseMotionMovesTheMassesOfItsAxis) {

@@ -1,0 +1,52 @@
+#include "model/connection.h"
+
+#include "model/direction.h"
+#include "model/side.h"
+
+namespace vibroimpact {
+
+namespace {
+
+constexpr parameters::Dimension cubic_stiffness{.length = -2, .mass = 1, .time = -2}; // N/m^3
+
+Connection read_connection(const parameters::Values &section, const std::string &name,
+                           const Model &model) {
+  const Sides sides = read_sides(section, {side_base, side_ground}, model);
+  const Vector3 direction = read_direction(section, "Direction");
+  const Projection elongation = relative_displacement(sides, direction, model);
+  if (elongation.row.isZero(0))
+    section.reject("Direction", "a direction along which at least one of the two sides can move.");
+  const Connection connection{.name = name,
+                              .side_a = sides.a,
+                              .side_b = sides.b,
+                              .elongation = elongation,
+                              .stiffness = section.quantity("Stiffness"),
+                              .cubic_stiffness = section.quantity("Cubic stiffness"),
+                              .damping = section.quantity("Damping")};
+  if (connection.stiffness == 0 && connection.cubic_stiffness == 0 && connection.damping == 0)
+    section.reject_section("does nothing: give Stiffness, Cubic stiffness or Damping");
+  return connection;
+}
+
+} // namespace
+
+void declare_connections(parameters::Section &root) {
+  using namespace parameters;
+  root.named_subsection("Connection",
+                        "A spring and a dashpot between two points, or a point and its base.")
+      .names("Between", "",
+             "The two ends as BODY.POINT; the second may be base (what the first body stands on, "
+             "the default) or ground (fixed in space).")
+      .text("Direction", "x", "Direction along which it acts: x, -y or three numbers.")
+      .quantity("Stiffness", "0 N/m", dimension::stiffness, range::any, "k", "Linear part.")
+      .quantity("Cubic stiffness", "0 N/m^3", cubic_stiffness, range::any, "k_3",
+                "Factor of the cube of the elongation; negative softens.")
+      .quantity("Damping", "0 N s/m", dimension::damping, range::non_negative, "c", "Dashpot.");
+}
+
+void add_connections(const parameters::Values &root, Model &model) {
+  for (const std::string &name : root.instances("Connection"))
+    model.add_connection(read_connection(root.instance("Connection", name), name, model));
+}
+
+} // namespace vibroimpact

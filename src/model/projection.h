@@ -1,0 +1,17 @@
+// Linear observations of the motion.
+#pragma once
+
+#include "common/linear_algebra.h"
+
+#include <vector>
+
+namespace vibroimpact {
+
+/// A linear observation of the motion: row . q + sum over sources carrier_k s_k(t). With carrier it
+/// is absolute, without it relative to the base.
+struct Projection {
+  RowVector row;               ///< n
+  std::vector<double> carrier; ///< one entry per source
+};
+
+} // namespace vibroimpact

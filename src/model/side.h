@@ -1,0 +1,31 @@
+// The two ends of a contact or a connection as the parameter file names them.
+#pragma once
+
+#include "model/model.h"
+#include "parameters/values.h"
+
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+/// What the second end may be instead of a point.
+inline constexpr const char *side_stop = "stop";     ///< fixed in space
+inline constexpr const char *side_ground = "ground"; ///< the same, for connections
+inline constexpr const char *side_base = "base";     ///< the base the first end's body stands on
+
+struct Sides {
+  std::string a; ///< "body.point"
+  std::string b; ///< "body.point" or one of the names above
+};
+
+/// Reads the key Between. With one entry the second end is the first of `fixed`. InputError for
+/// unknown points, for more than two ends and for an end joined to itself.
+Sides read_sides(const parameters::Values &section, const std::vector<std::string> &fixed,
+                 const Model &model);
+
+/// (u_b - u_a) . direction as a projection of the motion: absolute displacements, or relative to
+/// the base where the second end is the base.
+Projection relative_displacement(const Sides &sides, const Vector3 &direction, const Model &model);
+
+} // namespace vibroimpact

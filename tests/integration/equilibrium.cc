@@ -1,0 +1,61 @@
+// Static equilibria with closed forms.
+#include "integration/equilibrium.h"
+#include "common/error.h"
+#include "contact/laws/hertz.h"
+#include "contact/laws/linear_penalty.h"
+#include "support/rotor_models.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vibroimpact {
+namespace {
+
+using testing::contact_along_x;
+using testing::single_mass;
+
+// k1 u + k3 u^3 = F has the one real root of Cardano's formula.
+TEST(EquilibriumTest, CubicSpring) {
+  const double k1 = 1.5e5, k3 = 6e10, force = -155 * 9.81;
+  Model model({single_mass("frame", 155, k1, 0)});
+  model.add_connection(
+      {.name = "spring",
+       .side_a = "frame.head",
+       .side_b = "base",
+       .elongation = model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), false),
+       .cubic_stiffness = k3});
+  const Equilibrium found = static_equilibrium(model, {}, Vector::Constant(1, force));
+  const double p = k1 / (3 * k3), q = -force / (2 * k3);
+  const double root = std::sqrt(q * q + p * p * p);
+  EXPECT_NEAR(found.displacement[0], std::cbrt(-q + root) + std::cbrt(-q - root), 1e-14);
+}
+
+// A ball on a Hertz stop at some distance, under its weight: k u^(3/2) = m g.
+TEST(EquilibriumTest, BallRestsOnAStop) {
+  const double stiffness = 1e9, weight = 20, clearance = 0.01;
+  const Model model({single_mass("ball", 2, 0, 0)});
+  const ContactSet contacts({contact_along_x(
+      model, "ball.head", "", clearance,
+      std::make_shared<Hertz>(HertzConstants{.stiffness = stiffness, .exponent = 1.5}))});
+  // A spring that hardly holds it brings it to the stop.
+  const Model held({single_mass("ball", 2, 1, 0)});
+  const Equilibrium found = static_equilibrium(held, contacts, Vector::Constant(1, weight));
+  const double at_stop = weight - clearance; // what the spring leaves
+  EXPECT_NEAR(found.displacement[0], clearance + std::pow(at_stop / stiffness, 2.0 / 3),
+              1e-9 * clearance);
+  EXPECT_TRUE(found.closed[0]);
+  EXPECT_THROW(static_equilibrium(model, {}, Vector::Constant(1, weight)), NumericalError);
+}
+
+TEST(EquilibriumTest, OpenContactStaysOpen) {
+  const Model model({single_mass("block", 2, 1000, 0)});
+  const ContactSet contacts(
+      {contact_along_x(model, "block.head", "", 0.03, std::make_shared<LinearPenalty>(1e6))});
+  const Equilibrium found = static_equilibrium(model, contacts, Vector::Constant(1, 20.0));
+  EXPECT_NEAR(found.displacement[0], 0.02, 1e-15);
+  EXPECT_FALSE(found.closed[0]);
+}
+
+} // namespace
+} // namespace vibroimpact
