@@ -113,9 +113,15 @@ private:
   std::vector<double> initial_internal_;
 };
 
-/// Internal states with which `mode` is entered from a gap that closes: the reset of the first
-/// guard that leads there, or the present ones where none resets them.
-std::vector<double> entered_internal(const ContactLaw &law, int mode, const LocalState &state);
+/// A mode with the internal states that belong to it.
+struct SettledMode {
+  int mode = 0;
+  std::vector<double> internal;
+};
+
+/// Where the law comes to rest when a local state is held: from its initial mode through every
+/// guard that has fallen below zero there.
+SettledMode settle(const ContactLaw &law, LocalState state);
 
 /// The two modes most laws have: 0 = open, left when the gap closes; 1 = contact, left when the
 /// penetration returns to zero. `affine_contact` as in Mode::affine.

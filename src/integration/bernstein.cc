@@ -30,6 +30,14 @@ Bernstein Bernstein::cubic(double h, const std::array<double, 2> &start,
   return p;
 }
 
+Bernstein Bernstein::line(double start, double end) {
+  Bernstein polynomial;
+  polynomial.degree_ = 1;
+  polynomial.coefficients_[0] = start;
+  polynomial.coefficients_[1] = end;
+  return polynomial;
+}
+
 double Bernstein::operator()(double tau) const {
   std::array<double, maximum_degree + 1> c = coefficients_;
   for (int level = degree_; level > 0; --level)

@@ -24,6 +24,9 @@ public:
   static Bernstein cubic(double h, const std::array<double, 2> &start,
                          const std::array<double, 2> &end);
 
+  /// Straight line between the values at both ends.
+  static Bernstein line(double start, double end);
+
   int degree() const { return degree_; }
   double operator()(double tau) const;
   double start() const { return coefficients_[0]; }

@@ -1,5 +1,9 @@
 #include "integration/observer.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace vibroimpact {
 
 namespace {
@@ -37,9 +41,25 @@ Bernstein StepView::displacement(const Projection &projection) const {
       end_values(projection, model, layout, end_, *end_state_, *end_rates_));
 }
 
+// Differences of positions over a short step say nothing of the acceleration any more; then those
+// of the velocities do, and at last the accelerations at the ends alone.
 Bernstein StepView::acceleration(const Projection &projection) const {
-  Bernstein second = displacement(projection).derivative().derivative();
-  second *= 1 / (length() * length());
+  const Model &model = equations_->model();
+  const StateLayout &layout = equations_->layout();
+  const auto a = end_values(projection, model, layout, start_, *start_state_, *start_rates_);
+  const auto b = end_values(projection, model, layout, end_, *end_state_, *end_rates_);
+  const double h = length();
+  const double rounding = 64 * std::numeric_limits<double>::epsilon();
+  const double allowed = 1e-9 * std::max(std::abs(a[2]), std::abs(b[2]));
+  if (rounding * std::max(std::abs(a[1]), std::abs(b[1])) > allowed * h)
+    return Bernstein::line(a[2], b[2]);
+  if (rounding * std::max(std::abs(a[0]), std::abs(b[0])) > allowed * h * h) {
+    Bernstein slope = Bernstein::cubic(h, {a[1], a[2]}, {b[1], b[2]}).derivative();
+    slope *= 1 / h;
+    return slope;
+  }
+  Bernstein second = Bernstein::quintic(h, a, b).derivative().derivative();
+  second *= 1 / (h * h);
   return second;
 }
 

@@ -25,6 +25,27 @@ std::size_t guard_count(const Equations &equations, std::size_t contact) {
   return pair.law->modes()[static_cast<std::size_t>(equations.modes()[contact])].guards.size();
 }
 
+// |factor| for which form = factor * other; 0 when there is none.
+double proportion(const AffineForm &form, const AffineForm &other) {
+  const auto coefficients = [](const AffineForm &from, std::size_t n_internal) {
+    std::vector<double> list = {from.constant, from.gap, from.gap_rate};
+    list.insert(list.end(), from.internal.begin(), from.internal.end());
+    list.resize(3 + n_internal, 0.0);
+    return list;
+  };
+  const std::size_t n_internal = std::max(form.internal.size(), other.internal.size());
+  const std::vector<double> a = coefficients(form, n_internal);
+  const std::vector<double> b = coefficients(other, n_internal);
+  double factor = 0;
+  for (std::size_t i = 0; i < a.size() && factor == 0; ++i)
+    factor = b[i] != 0 ? a[i] / b[i] : 0;
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::abs(a[i] - factor * b[i]) > rounding * std::abs(a[i]))
+      return 0;
+  return std::abs(factor);
+}
+
 } // namespace
 
 Trajectory::Trajectory(const Model &model, const ContactSet &contacts,
@@ -80,8 +101,7 @@ void Trajectory::enter_contacts(double time, Vector &state) const {
     const ContactPair &pair = equations_.contacts().pairs()[c];
     const LocalState local =
         equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    const std::vector<double> entered =
-        entered_internal(*pair.law, pair.law->initial_mode(local), local);
+    const std::vector<double> entered = settle(*pair.law, local).internal;
     std::copy(entered.begin(), entered.end(),
               state.data() + layout().internal() + pair.internal_offset);
   }
@@ -240,22 +260,23 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
   last_event_time_ = time();
   Vector state = stepper_.state();
   step_of_modes_[equations_.modes()] = stepper_.natural_step();
-  const double residual =
-      std::abs(guard_of(equations_, first.contact, first.guard)
-                   .indicator(equations_.local_state(first.contact, time(),
-                                                     ConstVectorView(state.data(), state.size()))));
+  // A copy: the mode it belongs to is about to be left.
+  const AffineForm passed = guard_of(equations_, first.contact, first.guard).indicator;
+  const double residual = std::abs(passed(
+      equations_.local_state(first.contact, time(), ConstVectorView(state.data(), state.size()))));
   change_mode(first.contact, first.guard, state, observer);
   begin_phase(time(), state);
   if (stuck)
     std::erase_if(zero_at_start_, [&](const auto &entry) { return entry.first == first.contact; });
   else
     zero_at_start_.clear();
-  note_zero_guards(first.contact, state, residual);
+  note_zero_guards(first.contact, state, passed, residual);
 }
 
 // `residual`: what was left of the guard that was passed. The guard back is often its negative, and
 // must not see the same remainder as a change of its own.
-void Trajectory::note_zero_guards(std::size_t contact, const Vector &state, double residual) {
+void Trajectory::note_zero_guards(std::size_t contact, const Vector &state,
+                                  const AffineForm &passed, double residual) {
   const LocalState local =
       equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
   // The rate of an affine form is the form of the rates.
@@ -269,8 +290,9 @@ void Trajectory::note_zero_guards(std::size_t contact, const Vector &state, doub
   for (std::size_t g = 0; g < guard_count(equations_, contact); ++g) {
     const AffineForm &form = guard_of(equations_, contact, g).indicator;
     const double rate = form(rates) - form.constant;
-    const double noise = std::max({2 * time_tolerance() * std::abs(rate), residual,
-                                   equations_.rounding(contact, form, state)});
+    const double noise =
+        std::max({2 * time_tolerance() * std::abs(rate), proportion(form, passed) * residual,
+                  equations_.rounding(contact, form, state)});
     if (std::abs(form(local)) <= noise)
       zero_at_start_.emplace_back(contact, g);
   }

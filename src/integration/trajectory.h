@@ -66,7 +66,8 @@ private:
   bool locate(Crossing &crossing);
   double event_uncertainty(const StepView &view, const Crossing &crossing) const;
   void change_modes(const Crossing &first, Observer &observer);
-  void note_zero_guards(std::size_t contact, const Vector &state, double residual);
+  void note_zero_guards(std::size_t contact, const Vector &state, const AffineForm &passed,
+                        double residual);
   void change_mode(std::size_t contact, std::size_t guard, Vector &state, Observer &observer);
   StepView view() const;
   void evaluate_end();

@@ -91,7 +91,11 @@ TEST(RelaxingStopTest, InitialModes) {
   EXPECT_EQ(mode(-1e-3, 0.5, 1e-3 * (1 + 1e-15)), 2); // 80 N of the spring, -100 N of the dashpot
   EXPECT_EQ(mode(-0.5e-3, -0.1, 1e-3), 0);
   EXPECT_EQ(mode(0, 0, 0), 0);
-  EXPECT_EQ(mode(-1e-3, 0, 0), 1); // overlapped from the start
+  EXPECT_EQ(mode(-1e-3, 0, 0), 0); // the guard takes it over:
+  const std::vector<double> fresh = {0.0};
+  const SettledMode settled = settle(law, {.gap = -1e-3, .gap_rate = 0, .internal = fresh});
+  EXPECT_EQ(settled.mode, 1);
+  EXPECT_EQ(settled.internal, std::vector<double>{1e-3});
 }
 
 // Pressed against the stop from the start: at rest where spring and stop balance, z is the overlap.

@@ -62,14 +62,14 @@ std::vector<InternalState> RelaxingStop::internal_states() const {
 }
 
 // A motion may go on from within a contact or from a release, where the distance gap + z is zero up
-// to the error of the integration. A stop that is overlapped is in contact, whatever its z.
+// to the error of the integration. A stop that is overlapped without being compressed so far is
+// taken over by the guard of "open", which sets z.
 int RelaxingStop::initial_mode(const LocalState &state) const {
   constexpr double integration_error = 1e-9; // relative
   const double compression = state.internal[0];
-  const double distance = state.gap + compression;
-  if (compression > 0 && std::abs(distance) <= integration_error * compression)
-    return stiffness_ * state.gap + damping_constant_ * state.gap_rate < 0 ? contact : leaving;
-  return distance < 0 ? contact : open;
+  if (compression <= 0 || std::abs(state.gap + compression) > integration_error * compression)
+    return open;
+  return stiffness_ * state.gap + damping_constant_ * state.gap_rate < 0 ? contact : leaving;
 }
 
 void RelaxingStop::evaluate(int mode, const LocalState &state, LawResponse &response) const {
