@@ -83,6 +83,16 @@ Bernstein &Bernstein::operator+=(const Bernstein &other) {
   return *this;
 }
 
+Bernstein &Bernstein::operator+=(double constant) {
+  for (int i = 0; i <= degree_; ++i)
+    coefficients_[i] += constant;
+  return *this;
+}
+
+double Bernstein::lower_bound() const {
+  return *std::min_element(coefficients_.begin(), coefficients_.begin() + degree_ + 1);
+}
+
 void Bernstein::split(Bernstein &left, Bernstein &right) const {
   std::array<double, maximum_degree + 1> c = coefficients_;
   left.degree_ = right.degree_ = degree_;
@@ -133,6 +143,8 @@ double Bernstein::falling_zero() const {
 }
 
 std::optional<double> Bernstein::first_fall() const {
+  if (lower_bound() > 0)
+    return std::nullopt;
   struct Piece {
     Bernstein p;
     double start;

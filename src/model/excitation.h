@@ -15,8 +15,8 @@ void declare_excitations(parameters::Section &root);
 void add_excitations(const parameters::Values &root, const std::vector<std::string> &names,
                      Model &model);
 
-/// "NAME HASH" of every file that recorded histories read, for the key File checksums. InputError
-/// when one cannot be read. Local.
+/// "NAME HASH" of every file that recorded histories read, for the key File checksums. Files
+/// that cannot be read are left out. Local.
 std::vector<std::string> record_checksums(const parameters::Values &root,
                                           const std::string &file_folder);
 

@@ -131,7 +131,7 @@ std::string file_name(const Values &recorded, const std::string &file_folder) {
 
 // The whole file, of either kind.
 std::string file_content(const Values &recorded, const std::string &file) {
-  const std::string content = read_file(file).value_or("");
+  std::string content = read_file(file).value_or("");
   if (content.empty())
     recorded.reject("File",
                     "must name a file that can be read and is not empty; there is none at " + file);
@@ -197,11 +197,11 @@ TimeFunctionPointer create_recorded(const Values &excitation, const HistoryConte
 }
 
 std::string record_checksum(const Values &excitation, const std::string &file_folder) {
-  if (excitation.choice("History") != "recorded")
-    return "";
   const Values recorded = excitation.subsection("Recorded");
-  return recorded.text("File") + " " +
-         content_hash(file_content(recorded, file_name(recorded, file_folder)));
+  if (excitation.choice("History") != "recorded" || !recorded.has("File"))
+    return "";
+  const std::string content = read_file(file_name(recorded, file_folder)).value_or("");
+  return content.empty() ? "" : recorded.text("File") + " " + content_hash(content);
 }
 
 } // namespace vibroimpact

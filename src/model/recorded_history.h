@@ -33,8 +33,8 @@ void declare_recorded(parameters::Section &excitation);
 TimeFunctionPointer create_recorded(const parameters::Values &excitation,
                                     const HistoryContext &context);
 
-/// "NAME HASH" for the file of an excitation with a recorded history; "" for others. InputError
-/// when the file cannot be read. Local.
+/// "NAME HASH" for the file of an excitation with a recorded history; "" for others, and for a file
+/// that cannot be read, which is an error only where it is used. Local.
 std::string record_checksum(const parameters::Values &excitation, const std::string &file_folder);
 
 } // namespace vibroimpact
