@@ -123,9 +123,20 @@ int Bernstein::sign_changes() const {
   return changes;
 }
 
+// p(tau) / tau for a polynomial that is zero at the start.
+Bernstein Bernstein::without_zero_at_start() const {
+  Bernstein quotient;
+  quotient.degree_ = degree_ - 1;
+  for (int i = 0; i < degree_; ++i)
+    quotient.coefficients_[i] = coefficients_[i + 1] * degree_ / (i + 1);
+  return quotient;
+}
+
 // The only zero of a polynomial that starts positive and has one sign change: bisection with
 // Newton steps where these stay inside the bracket.
 double Bernstein::falling_zero() const {
+  if (coefficients_[0] == 0)
+    return without_zero_at_start().falling_zero();
   const Bernstein slope = derivative();
   double lower = 0;
   double upper = 1;

@@ -59,6 +59,7 @@ private:
   void split(Bernstein &left, Bernstein &right) const;
   int sign_after_start() const;
   int sign_changes() const;
+  Bernstein without_zero_at_start() const;
   double falling_zero() const;
   void collect_maximum(double &best) const;
 
