@@ -22,7 +22,7 @@ double distance(const SettledMotion &a, const SettledMotion &b) {
 
 // Between 0 and 1 to a width of 1e-9.
 Jump search(const SettleAt &settle_at, double threshold = 0.05) {
-  const SettledMotion before = settle_at(0, motion(0, 0));
+  const SettledMotion before = settle_at(0, motion(0, 0).state);
   return find_jump({.value = 0, .motion = before},
                    {.value = 1, .motion = settle_at(1, before.state)}, 1e-9, threshold, settle_at,
                    distance);
