@@ -89,6 +89,12 @@ Bernstein &Bernstein::operator+=(double constant) {
   return *this;
 }
 
+void Bernstein::clear_start(double negligible) {
+  coefficients_[0] = 0;
+  for (int i = 1; i <= degree_ && std::abs(coefficients_[i]) <= negligible; ++i)
+    coefficients_[i] = 0;
+}
+
 double Bernstein::lower_bound() const {
   return *std::min_element(coefficients_.begin(), coefficients_.begin() + degree_ + 1);
 }

@@ -137,6 +137,8 @@ void Trajectory::start(const MotionState &from) {
   initial_energy_ =
       equations_.stored_energy(from.time, ConstVectorView(state.data(), state.size()));
   begin_phase(from.time, state);
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
+    note_zero_guards({.contact = c}, {}, state);
 }
 
 MotionState Trajectory::motion_state() const {
@@ -166,20 +168,26 @@ Bernstein Trajectory::indicator(const StepView &view, std::size_t contact,
   for (const ZeroGuard &zero : zero_at_start_)
     if (zero.contact == contact && zero.guard == guard) {
       curve += zero.remainder;
-      if (zero.fresh)
-        curve.clear_start();
+      curve.clear_start(negligible(guard_of(equations_, contact, guard).indicator));
     }
   return curve;
+}
+
+// Error of an indicator that the absolute tolerance of the integration allows.
+double Trajectory::negligible(const AffineForm &form) const {
+  const double highest = std::max(1.0, equations_.model().highest_frequency());
+  double sum = std::abs(form.gap) + std::abs(form.gap_rate) * highest;
+  for (const double coefficient : form.internal)
+    sum += std::abs(coefficient);
+  return settings_.absolute_tolerance * sum;
 }
 
 void Trajectory::forget_grown_guards() {
   const StepView step = view();
   std::erase_if(zero_at_start_, [&](const ZeroGuard &zero) {
     const AffineForm &form = guard_of(equations_, zero.contact, zero.guard).indicator;
-    return step.indicator(zero.contact, form).end() > zero.remainder;
+    return step.indicator(zero.contact, form).end() > negligible(form);
   });
-  for (ZeroGuard &zero : zero_at_start_)
-    zero.fresh = false;
 }
 
 bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {

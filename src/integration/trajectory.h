@@ -66,9 +66,9 @@ private:
     std::size_t contact = 0;
     std::size_t guard = 0;
     double remainder = 0; ///< by which it is below zero
-    bool fresh = true;    ///< the first step of the mode is still to be taken
   };
 
+  double negligible(const AffineForm &form) const;
   void forget_grown_guards();
   Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
   void begin_phase(double time, const Vector &state);
