@@ -7,12 +7,19 @@
 // the search ends without one as soon as the two ends differ by less than the threshold. A slow
 // transient just past a fold is still near the branch that ended there and belongs to it, so that a
 // short dwell delays the jump but does not invent one.
+//
+// A step is itself a disturbance and can throw a motion off a branch that goes on. A narrow bracket
+// is therefore tried once more: when the motion that settles at its far end from the near one is
+// still on the branch, the search goes on from there. When that is so at the far end of the whole
+// interval, there is no jump in it, and the far end is to be started from the state next to it.
 #pragma once
 
 #include "analyses/settling.h"
 
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace vibroimpact {
 
@@ -20,8 +27,10 @@ namespace vibroimpact {
 struct Jump {
   double from = std::numeric_limits<double>::quiet_NaN();
   double to = std::numeric_limits<double>::quiet_NaN();
+  /// The branch goes on at the far end, which is reached from this state.
+  std::optional<MotionState> start_on_branch{};
 
-  bool found() const { return from == from; }
+  bool found() const { return !std::isnan(from); }
 };
 
 /// A settled motion and the parameter it belongs to.

@@ -262,9 +262,14 @@ PointResult SteppedSweep::advance(const Step &step, SweptSystem &swept, MotionSt
   }
   BranchPoint after{.value = value, .motion = {}};
   PointResult result = compute(step, swept, from, after.motion);
-  if (searches_jumps())
-    add_jump(result, before ? search(*before, after, swept) : Jump{}, after.motion,
-             settings_.parameter.unit);
+  if (searches_jumps()) {
+    const Jump jump = before ? search(*before, after, swept) : Jump{};
+    if (jump.start_on_branch) {
+      swept.move_to(value);
+      result = compute(step, swept, *jump.start_on_branch, after.motion);
+    }
+    add_jump(result, jump, after.motion, settings_.parameter.unit);
+  }
   from = after.motion.state;
   before = std::move(after);
   return result;

@@ -69,10 +69,28 @@ TEST(JumpSearchTest, GrazingAndPeriodDoublingAreNoJumps) {
 
 TEST(JumpSearchTest, ASteepFlankIsNoJump) {
   const Jump jump = search([](double p, const MotionState &) {
-    const double x = std::atan(1e5 * (p - 0.613));
+    const double x = 3 + std::atan(1e5 * (p - 0.613));
     return motion(x, x);
   });
   EXPECT_FALSE(jump.found());
+}
+
+// Too large a step falls off the branch x = 2, which is there everywhere, to x = 1.
+TEST(JumpSearchTest, ABranchThatGoesOnIsFollowedToTheFarEnd) {
+  const auto settle_at = [](double p, const MotionState &from) {
+    const double x = from.physical[0] - p > 1.5 ? 2 : 1;
+    SettledMotion settled = motion(x, x);
+    settled.state.physical[0] = x + p;
+    return settled;
+  };
+  const SettledMotion before = motion(2, 2);
+  const SettledMotion after = settle_at(1, before.state);
+  ASSERT_EQ(after.highest[0], 1);
+  const Jump jump = find_jump({.value = 0, .motion = before}, {.value = 1, .motion = after}, 1e-9,
+                              0.05, settle_at, distance);
+  EXPECT_FALSE(jump.found());
+  ASSERT_TRUE(jump.start_on_branch);
+  EXPECT_EQ(settle_at(1, *jump.start_on_branch).highest[0], 2);
 }
 
 TEST(JumpSearchTest, AJumpBelowTheThresholdIsNone) {
