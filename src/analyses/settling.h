@@ -1,0 +1,39 @@
+// Lets a periodically forced motion settle, and says what it has settled to.
+#pragma once
+
+#include "integration/trajectory.h"
+#include "parameters/values.h"
+
+namespace vibroimpact {
+
+struct SettlingRule {
+  long minimum = 0;          ///< [periods]
+  long maximum = 0;          ///< [periods]
+  double tolerance = 0;      ///< see Steadiness
+  long longest_multiple = 1; ///< [periods]
+};
+
+void declare_settling(parameters::Section &section);
+SettlingRule read_settling(const parameters::Values &section);
+
+/// A motion at the end of its settling. The range is that of its states at the ends of periods:
+/// over one repetition when it is steady, else over as many of the last periods as are looked at.
+/// It does not depend on which of its periods a motion of several periods ends with.
+struct SettledMotion {
+  MotionState state;
+  Vector lowest, highest; ///< physical states
+  long cycles = 0;        ///< periods it took
+  long multiple = 0;      ///< periods after which it repeats; 0 when it is not steady
+
+  bool steady() const { return multiple > 0; }
+};
+
+/// Goes on from where the trajectory stands, at time zero, period by period. `scale` as for
+/// Steadiness. NumericalError.
+SettledMotion settle(Trajectory &trajectory, double period, const Vector &scale,
+                     const SettlingRule &rule, Observer &observer);
+
+/// Largest difference of two ranges over the largest state in either, both times `scale`.
+double relative_distance(const SettledMotion &a, const SettledMotion &b, const Vector &scale);
+
+} // namespace vibroimpact
