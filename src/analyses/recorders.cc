@@ -1,7 +1,12 @@
 #include "analyses/recorders.h"
 
+#include "analyses/recorders/energy.h"
 #include "analyses/recorders/excursions.h"
+#include "analyses/recorders/forces.h"
+#include "analyses/recorders/history.h"
 #include "analyses/recorders/impacts.h"
+#include "analyses/recorders/quasi_static.h"
+#include "analyses/recorders/statistics.h"
 
 #include <algorithm>
 
@@ -11,7 +16,14 @@ namespace {
 
 constexpr RecorderKind kinds[] = {
     {"excursions", "extreme values", Excursions::declare, Excursions::create},
+    {"statistics", "means and root mean squares", Statistics::declare, Statistics::create},
     {"impacts", "figures of the impacts", Impacts::declare, Impacts::create},
+    {"energy", "works and losses", Energy::declare, Energy::create},
+    {"forces", "forces in connections and on the base, transmissibility", Forces::declare,
+     Forces::create},
+    {"quasi static", "static displacement under the frozen excitation", QuasiStatic::declare,
+     QuasiStatic::create},
+    {"history", "sampled time histories", History::declare, History::create},
 };
 
 std::vector<std::string> kind_names() {

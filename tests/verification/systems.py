@@ -57,6 +57,12 @@ class Table:
         self.rows.append((quantity, "" if paper is None else f"{paper:g}", f"{reference:.7g}",
                           f"{value:.7g}", shown + ("" if good else " **beyond tolerance**")))
 
+    def add_digits(self, quantity, reference, value, paper=None):
+        """A figure that must agree in every digit of the reference, given as text."""
+        decimals = len(reference.split(".")[1]) if "." in reference else 0
+        tolerance = 0.6 * 10.0**-decimals / abs(float(reference))
+        self.add(quantity, float(reference), value, tolerance, paper)
+
     def markdown(self):
         head = ("quantity", "paper", "reference", "vibroimpact", "relative difference")
         lines = [head, ("---",) * len(head), *self.rows]

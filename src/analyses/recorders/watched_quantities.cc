@@ -99,7 +99,7 @@ void declare_selection_of_quantities(parameters::Section &section) {
       .names("Quantities", "all",
              "What is watched: all, or some of" + list.substr(1) +
                  ". stop: internal states of contact laws, such as the deformation of a stop; "
-                 "rotor: speed, torque and current.");
+                 "rotor: speed, torque and current; connection_force: in histories only.");
 }
 
 WatchedSelection read_selection_of_quantities(const parameters::Values &section) {
