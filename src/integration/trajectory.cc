@@ -204,6 +204,7 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
   const ContactPair &pair = equations_.contacts().pairs()[contact];
   const LocalState local =
       equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
+  const Vector before = state;
   ContactEvent event{.time = time(),
                      .contact = contact,
                      .from = equations_.modes()[contact],
@@ -211,6 +212,8 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
                      .gap = local.gap,
                      .gap_rate = local.gap_rate,
                      .state = &state,
+                     .before = &before,
+                     .guard = &passed,
                      .layout = &layout()};
   std::vector<double> fresh;
   for (const AffineForm &form : passed.reset)
