@@ -58,6 +58,23 @@ Simulation::Simulation(std::shared_ptr<const ParameterSet> parameters, MPI_Comm 
     parameters_ = parameters_->with({{.path = "File folder",
                                       .value = parameters_->folder(),
                                       .origin = "folder of the parameter file"}});
+  note_records();
+}
+
+// A run that is resumed, or repeated from its stored parameters, must find the records it had.
+void Simulation::note_records() {
+  if (parameters_->root().has("File checksums"))
+    return;
+  int rank = 0;
+  MPI_Comm_rank(communicator_, &rank);
+  std::string checksums;
+  if (rank == 0)
+    for (const std::string &checksum : record_checksums(parameters_->root(), file_folder()))
+      checksums += (checksums.empty() ? "" : ", ") + checksum;
+  checksums = broadcast(std::move(checksums), communicator_);
+  if (!checksums.empty())
+    parameters_ = parameters_->with(
+        {{.path = "File checksums", .value = checksums, .origin = "content of the records"}});
 }
 
 std::string Simulation::file_folder() const { return parameters_->root().text("File folder"); }
@@ -126,10 +143,10 @@ void Simulation::keep_bodies(RunFolder &folder) const {
 void Simulation::reduce_all(const std::vector<Job> &jobs) {
   reduce_bodies(parameters_->root());
   for (const Job &job : jobs) {
-    const bool reaches_bodies =
-        std::any_of(job.keys.begin(), job.keys.end(), [](const GridKey &key) {
-          return key.path.starts_with("Body") || key.path.starts_with("Variables/");
-        });
+    const std::vector<std::string> paths = grid_paths(job.keys);
+    const bool reaches_bodies = std::any_of(paths.begin(), paths.end(), [](const auto &path) {
+      return path.starts_with("Body") || path.starts_with("Variables/");
+    });
     for (std::size_t point = 0; reaches_bodies && point < grid_size(job.keys); ++point)
       reduce_bodies(parameters_->with(grid_overrides(job.keys, point))->root());
   }

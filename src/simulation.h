@@ -47,6 +47,7 @@ private:
 
   std::vector<Job> jobs() const;
   void reduce_all(const std::vector<Job> &jobs);
+  void note_records();
   void reduce_bodies(const parameters::Values &root);
   std::vector<std::shared_ptr<const ReducedBody>> bodies(const parameters::Values &root) const;
   Case build_case(const Job &job, const std::vector<parameters::Override> &overrides) const;

@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from . import style
-from .cases import cases, explain, name_of_grid
-from .labels import quantity_label, scale_for
+from .cases import cases, explain
+from .labels import quantity_label, scale_for, value_text
 from .results import Analysis, Array, Results
 
 
@@ -40,27 +40,43 @@ def of_case(array: Array, analysis: Analysis, index: tuple) -> np.ndarray:
 
 
 def along_the_grid(analysis: Analysis, contact: str):
-    """Peak force and duration of the first impact against the swept key, or None unless the grid
-    has one key with numbers."""
+    """Peak force, duration and restitution of the first impact against the swept key, or None
+    unless the grid has one key with numbers. A second key, with names, gives a family of curves."""
     table = f"contact/{contact}/impact/"
-    if len(analysis.grid_axes) != 1 or not analysis.has(table + "peak_force"):
+    keys = [analysis.read(name) for name in analysis.grid_axes]
+    swept = [i for i, key in enumerate(keys) if key.values.dtype.kind == "f"]
+    if len(keys) not in (1, 2) or len(swept) != 1 or not analysis.has(table + "peak_force"):
         return None
-    key = analysis.read(analysis.grid_axes[0])
-    if key.values.dtype.kind != "f" or len(key.values) < 3:
+    key = keys[swept[0]]
+    if len(key.values) < 3:
         return None
+    family = [k for i, k in enumerate(keys) if i != swept[0]]
+    names = [value_text(v, family[0].unit) for v in family[0].values] if family else [None]
     x_scale = scale_for(key.unit, key.values)
-    figure, panels = style.panels(2)
-    for axes, name, label in zip(panels, ["peak_force", "duration"], ["Peak force", "Duration"]):
+    figure, panels = style.panels(3)
+    for axes, name, label in zip(panels, ["peak_force", "duration", "restitution_coefficient"],
+                                 ["Peak force", "Duration", "Restitution coefficient"]):
         field = analysis.read(table + name)
-        first = field.values[:, 0] if field.values.ndim > 1 else field.values
+        first = field.values[..., 0] if field.values.ndim > len(keys) else field.values
         scale = scale_for(field.unit, first)
-        axes.plot(key.values / x_scale.factor, first / scale.factor, "o-")
+        curves = np.moveaxis(first, swept[0], -1).reshape(len(names), -1)
+        for curve, text, colour in zip(curves, names, style.colours_along(len(names))):
+            axes.plot(key.values / x_scale.factor, curve / scale.factor, "o-", color=colour,
+                      label=text)
         axes.set_ylabel(scale.label(label))
         if np.all(key.values > 0) and key.values.max() > 20 * key.values.min():
             axes.set_xscale("log")
     panels[0].set_title(f"First impact of contact {contact}")
-    panels[-1].set_xlabel(x_scale.label(name_of_grid(analysis).capitalize()))
+    panels[-1].set_xlabel(x_scale.label(name_of_key(analysis.grid[swept[0]])))
+    if family:
+        style.legend_beside(panels[0], panels[0].get_lines(),
+                            name_of_key(analysis.grid[1 - swept[0]]))
     return figure
+
+
+def name_of_key(path: str) -> str:
+    """"Clearance" of "Contact/heads/Clearance"."""
+    return path.rsplit("/", 1)[-1].capitalize()
 
 
 def draw(axes, analysis, x: Array, y: Array, x_scale, y_scale, shift=0.0) -> None:

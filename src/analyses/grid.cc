@@ -2,6 +2,8 @@
 
 #include <boost/algorithm/string.hpp>
 
+#include <algorithm>
+
 namespace vibroimpact {
 
 namespace {
@@ -41,6 +43,18 @@ GridKey read_key(const parameters::Values &key) {
   return grid_key;
 }
 
+void attach_follower(const parameters::Values &key, const std::vector<std::string> &leaders,
+                     std::vector<GridKey> &keys) {
+  key.require_known("Follows", key.text("Follows"), leaders);
+  const auto found = std::find(leaders.begin(), leaders.end(), key.text("Follows"));
+  GridKey &leader = keys[static_cast<std::size_t>(found - leaders.begin())];
+  GridKey follower = read_key(key);
+  if (follower.values.size() != leader.values.size())
+    key.reject(key.has("Values") ? "Values" : "Points",
+               std::to_string(leader.values.size()) + " values, as many as the key it follows.");
+  leader.followers.push_back(std::move(follower));
+}
+
 } // namespace
 
 void declare_grid(parameters::Section &analysis) {
@@ -49,6 +63,9 @@ void declare_grid(parameters::Section &analysis) {
       section_name, "Repeats another analysis at every combination of the values of some keys.");
   grid.text("Repeat", "", "Name of the analysis to repeat.");
   grid.named_subsection("Key", "A key that takes several values; the last one varies fastest.")
+      .text("Follows", "",
+            "Name of another Key: the two change together, so that this one must have as many "
+            "values and adds no axis of its own.")
       .text("Path", "", "The key, as for --set: Contact/heads/Clearance, or Variables/lambda.")
       .text("Values", "", "Its values, separated by commas.")
       .text("First", "", "First of equally spaced values, instead of Values.")
@@ -60,11 +77,28 @@ void declare_grid(parameters::Section &analysis) {
 std::vector<GridKey> read_grid(const parameters::Values &analysis) {
   const parameters::Values grid = analysis.subsection(section_name);
   std::vector<GridKey> keys;
+  std::vector<std::string> leaders;
   for (const std::string &name : grid.instances("Key"))
-    keys.push_back(read_key(grid.instance("Key", name)));
+    if (!grid.instance("Key", name).has("Follows")) {
+      keys.push_back(read_key(grid.instance("Key", name)));
+      leaders.push_back(name);
+    }
   if (keys.empty())
     grid.reject_section("a parameter grid needs at least one subsection Key NAME.");
+  for (const std::string &name : grid.instances("Key"))
+    if (const parameters::Values key = grid.instance("Key", name); key.has("Follows"))
+      attach_follower(key, leaders, keys);
   return keys;
+}
+
+std::vector<std::string> grid_paths(const std::vector<GridKey> &keys) {
+  std::vector<std::string> paths;
+  for (const GridKey &key : keys) {
+    paths.push_back(key.path);
+    for (const GridKey &follower : key.followers)
+      paths.push_back(follower.path);
+  }
+  return paths;
 }
 
 std::string repeated_analysis(const parameters::Values &analysis,
@@ -95,9 +129,15 @@ std::vector<parameters::Override> grid_overrides(const std::vector<GridKey> &key
                                                  std::size_t point) {
   const std::vector<std::size_t> index = grid_index(keys, point);
   std::vector<parameters::Override> overrides;
-  for (std::size_t k = 0; k < keys.size(); ++k)
+  const auto set = [&](const GridKey &key, std::size_t position) {
     overrides.push_back(
-        {.path = keys[k].path, .value = keys[k].values[index[k]], .origin = "parameter grid"});
+        {.path = key.path, .value = key.values[position], .origin = "parameter grid"});
+  };
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    set(keys[k], index[k]);
+    for (const GridKey &follower : keys[k].followers)
+      set(follower, index[k]);
+  }
   return overrides;
 }
 

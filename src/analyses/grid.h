@@ -17,7 +17,12 @@ void declare_grid(parameters::Section &analysis);
 struct GridKey {
   std::string path;                ///< "Contact/heads/Clearance"
   std::vector<std::string> values; ///< as written in the file
+  /// Keys that change along with this one: as many values each.
+  std::vector<GridKey> followers{};
 };
+
+/// Paths of all keys, followers included.
+std::vector<std::string> grid_paths(const std::vector<GridKey> &keys);
 
 /// Keys of a `parameter grid` section, in the order of the file. InputError when there are none.
 std::vector<GridKey> read_grid(const parameters::Values &analysis);

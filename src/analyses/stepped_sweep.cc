@@ -167,6 +167,11 @@ void SteppedSweep::check(const System &system) const {
                            "which of several is swept."
                          : "The swept excitation " + settings_.excitation +
                                " is not among the active ones.");
+  const Source &swept = system.model.sources()[source];
+  if (!swept.function->with_frequency(1))
+    throw InputError("The swept excitation " + swept.name +
+                     " has no frequency that a stepped sweep could change; its History must be "
+                     "harmonic or ramped harmonic.");
   Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
 }

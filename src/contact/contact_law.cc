@@ -1,5 +1,7 @@
 #include "contact/contact_law.h"
 
+#include <algorithm>
+
 #include <cstddef>
 #include <utility>
 
@@ -15,16 +17,33 @@ double AffineForm::operator()(const LocalState &state) const {
 ContactLaw::ContactLaw(std::vector<Mode> modes, std::vector<double> initial_internal)
     : modes_(std::move(modes)), initial_internal_(std::move(initial_internal)) {}
 
-std::vector<double> entered_internal(const ContactLaw &law, int mode, const LocalState &state) {
-  std::vector<double> internal(state.internal.begin(), state.internal.end());
-  for (const Mode &from : law.modes())
-    for (const Guard &guard : from.guards)
-      if (guard.target == mode && !guard.reset.empty()) {
-        for (std::size_t i = 0; i < internal.size(); ++i)
-          internal[i] = guard.reset[i](state);
-        return internal;
-      }
-  return internal;
+SettledMode settle(const ContactLaw &law, LocalState state) {
+  SettledMode settled{.mode = law.initial_mode(state),
+                      .internal = {state.internal.begin(), state.internal.end()}};
+  // Each mode is entered once at most; a law whose guards contradict each other stays where it is.
+  for (std::size_t i = 0; i < law.modes().size(); ++i) {
+    const Mode &mode = law.modes()[static_cast<std::size_t>(settled.mode)];
+    const auto passed =
+        std::find_if(mode.guards.begin(), mode.guards.end(),
+                     [&](const Guard &guard) { return guard.indicator(state) < 0; });
+    if (passed == mode.guards.end())
+      break;
+    std::vector<double> internal = settled.internal;
+    for (std::size_t k = 0; k < passed->reset.size(); ++k)
+      internal[k] = passed->reset[k](state);
+    settled = {.mode = passed->target, .internal = std::move(internal)};
+    state.internal = settled.internal;
+  }
+  return settled;
+}
+
+std::vector<InternalState> ContactLaw::internal_states() const {
+  std::vector<InternalState> states;
+  for (int i = 0; i < n_internal(); ++i)
+    states.push_back({.name = "internal_" + std::to_string(i),
+                      .unit = "1",
+                      .description = "Internal state of the law, in SI units"});
+  return states;
 }
 
 std::vector<Mode> open_and_contact(std::optional<AffineLaw> affine_contact) {
@@ -36,6 +55,29 @@ std::vector<Mode> open_and_contact(std::optional<AffineLaw> affine_contact) {
            .in_contact = true,
            .guards = {{.indicator = {.gap = -1}, .target = 0}},
            .affine = std::move(affine_contact)}};
+}
+
+std::vector<Mode> open_contact_separating(const AffineForm &push,
+                                          std::optional<AffineLaw> affine_contact,
+                                          const AffineLaw &no_force) {
+  const AffineForm overlap{.gap = -1};
+  AffineForm pull{.constant = -push.constant, .gap = -push.gap, .gap_rate = -push.gap_rate};
+  for (const double coefficient : push.internal)
+    pull.internal.push_back(-coefficient);
+  return {
+      {.name = "open",
+       .in_contact = false,
+       .guards = {{.indicator = {.gap = 1}, .target = 1}},
+       .affine = no_force},
+      {.name = "contact",
+       .in_contact = true,
+       .guards = {{.indicator = overlap, .target = 0}, {.indicator = push, .target = 2}},
+       .affine = std::move(affine_contact)},
+      {.name = "separating",
+       .in_contact = true,
+       .guards = {{.indicator = overlap, .target = 0}, {.indicator = pull, .target = 1}},
+       .affine = no_force},
+  };
 }
 
 int open_or_contact(const LocalState &state) { return state.gap < 0 ? 1 : 0; }

@@ -60,13 +60,20 @@ struct LawResponse {
   double force = 0;             ///< [N]
   double force_by_gap = 0;      ///< [N/m]
   double force_by_gap_rate = 0; ///< [N s/m]
-  double stored_energy = 0;     ///< [J]
+  double stored_energy = 0;     ///< [J]; what a change of mode takes away counts as dissipated
   double dissipated_power = 0;  ///< [W]
   std::vector<double> force_by_internal{};
   std::vector<double> internal_rate{};
   std::vector<double> internal_rate_by_gap{};
   std::vector<double> internal_rate_by_gap_rate{};
   std::vector<double> internal_rate_by_internal{}; ///< row-major n x n
+};
+
+/// What an internal state is, for the results.
+struct InternalState {
+  std::string name; ///< "stop_deformation"
+  std::string unit; ///< SI
+  std::string description;
 };
 
 /// The constants of a force that grows with a power of the penetration:
@@ -86,6 +93,8 @@ public:
   int n_internal() const { return static_cast<int>(initial_internal_.size()); }
   /// Internal states before the first contact.
   const std::vector<double> &initial_internal() const { return initial_internal_; }
+  /// n_internal() names; those that a law does not tell are internal_0, internal_1, ...
+  virtual std::vector<InternalState> internal_states() const;
 
   /// The mode in which a motion starts. A guard that is zero there and falling ends it at once.
   virtual int initial_mode(const LocalState &state) const = 0;
@@ -104,15 +113,29 @@ private:
   std::vector<double> initial_internal_;
 };
 
-/// Internal states with which `mode` is entered from a gap that closes: the reset of the first
-/// guard that leads there, or the present ones where none resets them.
-std::vector<double> entered_internal(const ContactLaw &law, int mode, const LocalState &state);
+/// A mode with the internal states that belong to it.
+struct SettledMode {
+  int mode = 0;
+  std::vector<double> internal;
+};
+
+/// Where the law comes to rest when a local state is held: from its initial mode through every
+/// guard that has fallen below zero there.
+SettledMode settle(const ContactLaw &law, LocalState state);
 
 /// The two modes most laws have: 0 = open, left when the gap closes; 1 = contact, left when the
 /// penetration returns to zero. `affine_contact` as in Mode::affine.
 std::vector<Mode> open_and_contact(std::optional<AffineLaw> affine_contact = std::nullopt);
 
-/// initial_mode for such laws: open at touch, so that a contact that begins there is an event.
+/// The three modes of laws whose force would turn into tension before the overlap ends: 0 = open,
+/// 1 = contact, 2 = separating, inside but without force. `push` has the sign of the force that the
+/// formula gives; where it falls to zero contact becomes separating, where it rises through zero
+/// inside the force comes on again. `no_force` as in Mode::affine for the modes without force.
+std::vector<Mode> open_contact_separating(const AffineForm &push,
+                                          std::optional<AffineLaw> affine_contact = std::nullopt,
+                                          const AffineLaw &no_force = {});
+
+/// initial_mode for both: open at touch, so that a contact that begins there is an event.
 int open_or_contact(const LocalState &state);
 
 } // namespace vibroimpact

@@ -2,7 +2,12 @@
 
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
+#include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/linear_penalty.h"
+#include "contact/laws/piecewise_stop.h"
+#include "contact/laws/relaxing_stop.h"
+#include "contact/laws/tsuji.h"
 
 #include <stdexcept>
 
@@ -18,8 +23,13 @@ struct LawEntry {
 
 constexpr LawEntry laws[] = {
     {"linear penalty", LinearPenalty::declare, LinearPenalty::create},
+    {"kelvin-voigt", KelvinVoigt::declare, KelvinVoigt::create},
+    {"relaxing stop", RelaxingStop::declare, RelaxingStop::create},
+    {"piecewise stop", PiecewiseStop::declare, PiecewiseStop::create},
     {"hertz", Hertz::declare, Hertz::create},
     {"hunt-crossley", HuntCrossley::declare, HuntCrossley::create},
+    {"tsuji", Tsuji::declare, Tsuji::create},
+    {"kuwabara-kono", KuwabaraKono::declare, KuwabaraKono::create},
 };
 
 } // namespace

@@ -46,7 +46,12 @@ const std::vector<std::pair<std::string, Relation>> &relations() {
   static const std::vector<std::pair<std::string, Relation>> list = {
       {"exact", exact_damping},
       {"hunt-crossley", [](double e) { return 1.5 * (1 - e); }},
+      {"herbert-mcwhannell",
+       [](double e) { return 6 * (1 - e) / ((2 * e - 1) * (2 * e - 1) + 3); }},
+      {"lee-wang", [](double e) { return 0.75 * (1 - e); }},
       {"lankarani-nikravesh", [](double e) { return 0.75 * (1 - e * e); }},
+      {"gonthier", [](double e) { return (1 - e * e) / e; }},
+      {"flores", [](double e) { return 1.6 * (1 - e) / e; }},
   };
   return list;
 }

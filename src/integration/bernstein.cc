@@ -30,6 +30,14 @@ Bernstein Bernstein::cubic(double h, const std::array<double, 2> &start,
   return p;
 }
 
+Bernstein Bernstein::line(double start, double end) {
+  Bernstein polynomial;
+  polynomial.degree_ = 1;
+  polynomial.coefficients_[0] = start;
+  polynomial.coefficients_[1] = end;
+  return polynomial;
+}
+
 double Bernstein::operator()(double tau) const {
   std::array<double, maximum_degree + 1> c = coefficients_;
   for (int level = degree_; level > 0; --level)
@@ -73,6 +81,16 @@ Bernstein &Bernstein::operator+=(const Bernstein &other) {
   for (int i = 0; i <= degree_; ++i)
     coefficients_[i] += addend.coefficients_[i];
   return *this;
+}
+
+Bernstein &Bernstein::operator+=(double constant) {
+  for (int i = 0; i <= degree_; ++i)
+    coefficients_[i] += constant;
+  return *this;
+}
+
+double Bernstein::lower_bound() const {
+  return *std::min_element(coefficients_.begin(), coefficients_.begin() + degree_ + 1);
 }
 
 void Bernstein::split(Bernstein &left, Bernstein &right) const {
@@ -125,6 +143,8 @@ double Bernstein::falling_zero() const {
 }
 
 std::optional<double> Bernstein::first_fall() const {
+  if (lower_bound() > 0)
+    return std::nullopt;
   struct Piece {
     Bernstein p;
     double start;

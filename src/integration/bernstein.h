@@ -24,6 +24,9 @@ public:
   static Bernstein cubic(double h, const std::array<double, 2> &start,
                          const std::array<double, 2> &end);
 
+  /// Straight line between the values at both ends.
+  static Bernstein line(double start, double end);
+
   int degree() const { return degree_; }
   double operator()(double tau) const;
   double start() const { return coefficients_[0]; }
@@ -35,12 +38,17 @@ public:
   /// Sum; the lower degree is raised.
   Bernstein &operator+=(const Bernstein &other);
 
+  Bernstein &operator+=(double constant);
+
   /// Takes the value at the start for an exact zero.
   void clear_start() { coefficients_[0] = 0; }
 
   /// Smallest tau in [0, 1] at which the polynomial passes from positive to negative; 0 when it is
   /// negative from the start on (also right after a zero at the start).
   std::optional<double> first_fall() const;
+
+  /// Safe bounds on [0, 1], attained at the ends or not at all.
+  double lower_bound() const;
 
   /// Largest value on [0, 1].
   double maximum() const;

@@ -36,6 +36,13 @@ bool Equations::silent(std::size_t contact) const {
   return silent_[contact][static_cast<std::size_t>(modes_[contact])] != 0;
 }
 
+void Equations::set_source_break(double instant) {
+  source_break_ = instant;
+  last_source_time_ = std::isinf(instant)
+                          ? instant
+                          : std::nextafter(instant, -std::numeric_limits<double>::infinity());
+}
+
 LocalState Equations::local_state(std::size_t contact, double time, ConstVectorView x) const {
   const ContactPair &pair = contacts_.pairs()[contact];
   LocalState state{.gap = pair.clearance + pair.gap.row.dot(x.head(layout_.n)),
@@ -44,8 +51,8 @@ LocalState Equations::local_state(std::size_t contact, double time, ConstVectorV
                                 static_cast<std::size_t>(pair.n_internal())}};
   for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
     if (pair.gap.carrier[k] != 0) {
-      state.gap += pair.gap.carrier[k] * model_.sources()[k].function->value(time);
-      state.gap_rate += pair.gap.carrier[k] * model_.sources()[k].function->rate(time);
+      state.gap += pair.gap.carrier[k] * model_.sources()[k].function->value(source_time(time));
+      state.gap_rate += pair.gap.carrier[k] * model_.sources()[k].function->rate(source_time(time));
     }
   return state;
 }
@@ -56,7 +63,7 @@ double Equations::gap_acceleration(std::size_t contact, double time,
   double value = pair.gap.row.dot(acceleration);
   for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
     if (pair.gap.carrier[k] != 0)
-      value += pair.gap.carrier[k] * model_.sources()[k].function->acceleration(time);
+      value += pair.gap.carrier[k] * model_.sources()[k].function->acceleration(source_time(time));
   return value;
 }
 
@@ -77,7 +84,7 @@ double Equations::rounding(std::size_t contact, const AffineForm &form, const Ve
 void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
   const Index n = layout_.n;
   const ConstVectorView velocity(x.data() + layout_.velocity(), n);
-  model_.load(time, load_);
+  model_.load(source_time(time), load_);
   model_.stiffness().apply(ConstVectorView(x.data(), n), elastic_);
   model_.damping().apply(velocity, damping_);
 
@@ -98,8 +105,8 @@ void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
     acceleration += response_.force * pair.gap.row.transpose();
     for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
       if (pair.gap.carrier[k] != 0)
-        input_power -=
-            response_.force * pair.gap.carrier[k] * model_.sources()[k].function->rate(time);
+        input_power -= response_.force * pair.gap.carrier[k] *
+                       model_.sources()[k].function->rate(source_time(time));
     for (int i = 0; i < pair.n_internal(); ++i)
       dxdt[layout_.internal() + pair.internal_offset + i] = response_.internal_rate[i];
     dxdt[layout_.impulse(contact)] = response_.force;
@@ -121,13 +128,13 @@ double Equations::add_nonlinear_forces(double time, ConstVectorView x, VectorVie
   const ConstVectorView velocity(x.data() + layout_.velocity(), n);
   const ConstVectorView drive(x.data() + layout_.drive(), layout_.n_drive);
   VectorView acceleration(dxdt.data() + layout_.velocity(), n);
-  double power = model_.add_cubic_forces(time, q, acceleration);
+  double power = model_.add_cubic_forces(source_time(time), q, acceleration);
   const RotorSet &rotors = model_.rotors();
   if (rotors.empty()) {
     acceleration.array() /= model_.mass().array();
     return power;
   }
-  const Vector frame = model_.rotor_frame(time);
+  const Vector frame = model_.rotor_frame(source_time(time));
   rotors.add_torques(drive, acceleration);
   acceleration.array() /= model_.mass().array();
   rotors.couple(model_.mass(), q, velocity, frame, acceleration);
@@ -169,7 +176,7 @@ void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const
 void Equations::add_cubic_stiffness(double time, ConstVectorView x, Matrix &jacobian) const {
   const Index n = layout_.n;
   Matrix stiffness = Matrix::Zero(n, n);
-  model_.add_cubic_stiffness(time, ConstVectorView(x.data(), n), stiffness);
+  model_.add_cubic_stiffness(source_time(time), ConstVectorView(x.data(), n), stiffness);
   jacobian.block(n, 0, n, n) -= stiffness;
 }
 
@@ -185,7 +192,7 @@ void Equations::couple_rotors(double time, ConstVectorView x, Matrix &jacobian) 
     }
   const ConstVectorView q(x.data(), n);
   const ConstVectorView velocity(x.data() + layout_.velocity(), n);
-  const Vector frame = model_.rotor_frame(time);
+  const Vector frame = model_.rotor_frame(source_time(time));
   rotors.couple_jacobian(model_.mass(), q, velocity, frame, uncoupled_acceleration(time, x),
                          jacobian.middleRows(n, n));
 }
@@ -194,12 +201,12 @@ void Equations::couple_rotors(double time, ConstVectorView x, Matrix &jacobian) 
 Vector Equations::uncoupled_acceleration(double time, ConstVectorView x) const {
   const Index n = layout_.n;
   const ConstVectorView q(x.data(), n);
-  model_.load(time, load_);
+  model_.load(source_time(time), load_);
   model_.stiffness().apply(q, elastic_);
   model_.damping().apply(ConstVectorView(x.data() + layout_.velocity(), n), damping_);
   Vector force = load_ - elastic_ - damping_;
   const VectorView view(force.data(), n);
-  model_.add_cubic_forces(time, q, view);
+  model_.add_cubic_forces(source_time(time), q, view);
   model_.rotors().add_torques(ConstVectorView(x.data() + layout_.drive(), layout_.n_drive), view);
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     if (!silent(c))
@@ -216,7 +223,7 @@ double Equations::stored_energy(double time, ConstVectorView x) const {
   double energy = 0.5 * velocity.cwiseAbs2().dot(model_.mass()) + 0.5 * elastic.dot(x.head(n));
   if (!model_.linear()) {
     const ConstVectorView q(x.data(), n);
-    energy += model_.cubic_energy(time, q);
+    energy += model_.cubic_energy(source_time(time), q);
     if (!model_.rotors().empty())
       energy +=
           model_.rotors().kinetic_energy(q, ConstVectorView(x.data() + layout_.velocity(), n));
@@ -231,6 +238,11 @@ double Equations::stored_energy(double time, ConstVectorView x) const {
 double Equations::force(std::size_t contact, int mode, const LocalState &state) const {
   contacts_.pairs()[contact].law->evaluate(mode, state, response_);
   return response_.force;
+}
+
+double Equations::contact_energy(std::size_t contact, int mode, const LocalState &state) const {
+  contacts_.pairs()[contact].law->evaluate(mode, state, response_);
+  return response_.stored_energy;
 }
 
 } // namespace vibroimpact

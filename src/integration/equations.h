@@ -8,6 +8,8 @@
 #include "contact/contact_set.h"
 #include "model/model.h"
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace vibroimpact {
@@ -45,6 +47,13 @@ public:
   const std::vector<int> &modes() const { return modes_; }
   void set_mode(std::size_t contact, int mode) { modes_[contact] = mode; }
 
+  /// The phase ends at `instant`, a break of the sources (+infinity: none). There they have the
+  /// values from the right; all evaluations below see those from the left.
+  void set_source_break(double instant);
+  double source_break() const { return source_break_; }
+  /// Where to ask a source for its value at `time` in this phase.
+  double source_time(double time) const { return std::min(time, last_source_time_); }
+
   /// Gap and its rate; the internal states refer into `x`.
   LocalState local_state(std::size_t contact, double time, ConstVectorView x) const;
 
@@ -65,6 +74,8 @@ public:
 
   /// Normal force of a contact at a local state in a mode.
   double force(std::size_t contact, int mode, const LocalState &state) const;
+  /// Energy a contact has stored [J].
+  double contact_energy(std::size_t contact, int mode, const LocalState &state) const;
 
 private:
   double add_nonlinear_forces(double time, ConstVectorView x, VectorView dxdt) const;
@@ -77,6 +88,8 @@ private:
   const ContactSet &contacts_;
   StateLayout layout_;
   std::vector<int> modes_;
+  double source_break_ = std::numeric_limits<double>::infinity();
+  double last_source_time_ = std::numeric_limits<double>::infinity();
   std::vector<std::vector<char>> silent_; ///< per contact and mode: no force, no internal states
   mutable LawResponse response_;
   mutable Vector load_, elastic_, damping_;

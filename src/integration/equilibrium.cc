@@ -62,17 +62,18 @@ private:
     LocalState state = local(c, q);
     if (state.gap >= 0)
       return;
-    const int mode = pair.law->initial_mode(state);
-    const std::vector<double> internal = entered_internal(*pair.law, mode, state);
+    const SettledMode settled = settle(*pair.law, state);
     // States that follow the gap at entry follow it here too.
     LocalState shifted = state;
-    shifted.gap += 1;
-    const std::vector<double> internal_shifted = entered_internal(*pair.law, mode, shifted);
-    state.internal = internal;
-    pair.law->evaluate(mode, state, response_);
+    shifted.gap *= 2;
+    const SettledMode further = settle(*pair.law, shifted);
+    const double shift = shifted.gap - state.gap;
+    state.internal = settled.internal;
+    pair.law->evaluate(settled.mode, state, response_);
     double by_gap = response_.force_by_gap;
-    for (std::size_t i = 0; i < internal.size(); ++i)
-      by_gap += response_.force_by_internal[i] * (internal_shifted[i] - internal[i]);
+    for (std::size_t i = 0; i < settled.internal.size(); ++i)
+      by_gap +=
+          response_.force_by_internal[i] * (further.internal[i] - settled.internal[i]) / shift;
     force += response_.force * pair.gap.row.transpose();
     derivative += by_gap * pair.gap.row.transpose() * pair.gap.row;
   }

@@ -17,19 +17,41 @@ double Impact::restitution_coefficient() const {
   return approach_speed > 0 ? separation_speed / approach_speed : nan;
 }
 
-double peak_force(const StepView &view, std::size_t contact) {
+namespace {
+
+// Around the largest sample: a maximum inside the interval next to an end shows in a difference
+// that has shrunk to less than half of the one before (to a third, for a parabola).
+bool may_peak_inside(const std::array<double, samples + 1> &values, int best) {
+  if (best > 0 && best < samples)
+    return true;
+  const int next = best == 0 ? 1 : samples - 1;
+  const int after = best == 0 ? 2 : samples - 2;
+  return values[best] - values[next] < 0.5 * (values[next] - values[after]);
+}
+
+double sampled_peak(const StepView &view, std::size_t contact) {
+  const ContactCurves curves = view.contact_curves(contact);
   std::array<double, samples + 1> values{};
   for (int i = 0; i <= samples; ++i)
-    values[i] = view.force(contact, static_cast<double>(i) / samples);
+    values[i] = view.force(contact, curves, static_cast<double>(i) / samples);
   const auto best =
       static_cast<int>(std::max_element(values.begin(), values.end()) - values.begin());
-  if (values[best] <= 0)
+  if (values[best] <= 0 || !may_peak_inside(values, best))
     return values[best];
   const double lower = std::max(0, best - 1) / static_cast<double>(samples);
   const double upper = std::min(samples, best + 1) / static_cast<double>(samples);
   const auto minimum = boost::math::tools::brent_find_minima(
-      [&](double tau) { return -view.force(contact, tau); }, lower, upper, 26);
+      [&](double tau) { return -view.force(contact, curves, tau); }, lower, upper, 26);
   return std::max(values[best], -minimum.second);
+}
+
+} // namespace
+
+double peak_force(const StepView &view, std::size_t contact) {
+  const auto mode = static_cast<std::size_t>(view.equations().modes()[contact]);
+  const Mode &present = view.equations().contacts().pairs()[contact].law->modes()[mode];
+  return present.affine ? view.indicator(contact, present.affine->force).maximum()
+                        : sampled_peak(view, contact);
 }
 
 ImpactLog::ImpactLog(const ContactSet &contacts, std::size_t pulses)
@@ -40,14 +62,14 @@ bool ImpactLog::in_contact(std::size_t contact, int mode) const {
 }
 
 void ImpactLog::record_pulse(Track &track, const StepView &view, std::size_t contact) const {
-  const Bernstein gap = view.gap(contact);
+  const ContactCurves curves = view.contact_curves(contact);
   for (int i = 0; i <= samples; ++i) {
     const double tau = static_cast<double>(i) / samples;
     if (i == 0 && !track.pulses.time.empty() && track.pulses.time.back() == view.start())
       continue;
     track.pulses.time.push_back(view.start() + tau * view.length());
-    track.pulses.force.push_back(view.force(contact, tau));
-    track.pulses.gap.push_back(gap(tau));
+    track.pulses.force.push_back(view.force(contact, curves, tau));
+    track.pulses.gap.push_back(curves.gap(tau));
   }
 }
 

@@ -1,23 +1,28 @@
 #include "integration/observer.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace vibroimpact {
 
 namespace {
 
 // Value, rate and acceleration at one end of a step.
-std::array<double, 3> end_values(const Projection &projection, const Model &model,
-                                 const StateLayout &layout, double time, const Vector &state,
-                                 const Vector &rates) {
+std::array<double, 3> end_values(const Projection &projection, const Equations &equations,
+                                 double time, const Vector &state, const Vector &rates) {
+  const StateLayout &layout = equations.layout();
   const Index n = layout.n;
+  const double source_time = equations.source_time(time);
   std::array<double, 3> values = {projection.row.dot(state.head(n)),
                                   projection.row.dot(state.segment(layout.velocity(), n)),
                                   projection.row.dot(rates.segment(layout.velocity(), n))};
   for (std::size_t k = 0; k < projection.carrier.size(); ++k)
     if (projection.carrier[k] != 0) {
-      const TimeFunction &function = *model.sources()[k].function;
-      values[0] += projection.carrier[k] * function.value(time);
-      values[1] += projection.carrier[k] * function.rate(time);
-      values[2] += projection.carrier[k] * function.acceleration(time);
+      const TimeFunction &function = *equations.model().sources()[k].function;
+      values[0] += projection.carrier[k] * function.value(source_time);
+      values[1] += projection.carrier[k] * function.rate(source_time);
+      values[2] += projection.carrier[k] * function.acceleration(source_time);
     }
   return values;
 }
@@ -30,16 +35,28 @@ StepView::StepView(const Equations &equations, double start, double end, const V
       end_state_(&end_state), start_rates_(&start_rates), end_rates_(&end_rates) {}
 
 Bernstein StepView::displacement(const Projection &projection) const {
-  const Model &model = equations_->model();
-  const StateLayout &layout = equations_->layout();
   return Bernstein::quintic(
-      length(), end_values(projection, model, layout, start_, *start_state_, *start_rates_),
-      end_values(projection, model, layout, end_, *end_state_, *end_rates_));
+      length(), end_values(projection, *equations_, start_, *start_state_, *start_rates_),
+      end_values(projection, *equations_, end_, *end_state_, *end_rates_));
 }
 
+// Differences of positions over a short step say nothing of the acceleration any more; then those
+// of the velocities do, and at last the accelerations at the ends alone.
 Bernstein StepView::acceleration(const Projection &projection) const {
-  Bernstein second = displacement(projection).derivative().derivative();
-  second *= 1 / (length() * length());
+  const auto a = end_values(projection, *equations_, start_, *start_state_, *start_rates_);
+  const auto b = end_values(projection, *equations_, end_, *end_state_, *end_rates_);
+  const double h = length();
+  const double rounding = 64 * std::numeric_limits<double>::epsilon();
+  const double allowed = 1e-9 * std::max(std::abs(a[2]), std::abs(b[2]));
+  if (rounding * std::max(std::abs(a[1]), std::abs(b[1])) > allowed * h)
+    return Bernstein::line(a[2], b[2]);
+  if (rounding * std::max(std::abs(a[0]), std::abs(b[0])) > allowed * h * h) {
+    Bernstein slope = Bernstein::cubic(h, {a[1], a[2]}, {b[1], b[2]}).derivative();
+    slope *= 1 / h;
+    return slope;
+  }
+  Bernstein second = Bernstein::quintic(h, a, b).derivative().derivative();
+  second *= 1 / (h * h);
   return second;
 }
 
@@ -52,7 +69,7 @@ Bernstein StepView::coordinate(Index j) const {
 Bernstein StepView::gap(std::size_t contact) const {
   const ContactPair &pair = equations_->contacts().pairs()[contact];
   Bernstein gap = displacement(pair.gap);
-  gap += Bernstein(pair.clearance);
+  gap += pair.clearance;
   return gap;
 }
 
@@ -69,17 +86,17 @@ Bernstein StepView::internal(Index i) const {
 }
 
 Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const {
-  Bernstein sum(form.constant);
-  if (form.gap != 0) {
-    Bernstein term = gap(contact);
-    term *= form.gap;
-    sum += term;
+  Bernstein sum;
+  if (form.gap != 0 || form.gap_rate != 0) {
+    sum = gap(contact);
+    Bernstein rate = sum.derivative();
+    sum *= form.gap;
+    if (form.gap_rate != 0) {
+      rate *= form.gap_rate / length();
+      sum += rate;
+    }
   }
-  if (form.gap_rate != 0) {
-    Bernstein term = gap_rate(contact);
-    term *= form.gap_rate;
-    sum += term;
-  }
+  sum += form.constant;
   const Index first = equations_->contacts().pairs()[contact].internal_offset;
   for (std::size_t i = 0; i < form.internal.size(); ++i)
     if (form.internal[i] != 0) {
@@ -90,14 +107,27 @@ Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const
   return sum;
 }
 
-double StepView::force(std::size_t contact, double tau) const {
+ContactCurves StepView::contact_curves(std::size_t contact) const {
   const ContactPair &pair = equations_->contacts().pairs()[contact];
-  std::vector<double> internal_values;
+  ContactCurves curves{.gap = gap(contact), .gap_rate = {}, .internal = {}};
+  curves.gap_rate = curves.gap.derivative();
+  curves.gap_rate *= 1 / length();
   for (int i = 0; i < pair.n_internal(); ++i)
-    internal_values.push_back(internal(pair.internal_offset + i)(tau));
+    curves.internal.push_back(internal(pair.internal_offset + i));
+  return curves;
+}
+
+double StepView::force(std::size_t contact, const ContactCurves &curves, double tau) const {
+  std::vector<double> internal_values;
+  for (const Bernstein &curve : curves.internal)
+    internal_values.push_back(curve(tau));
   return equations_->force(
       contact, equations_->modes()[contact],
-      {.gap = gap(contact)(tau), .gap_rate = gap_rate(contact)(tau), .internal = internal_values});
+      {.gap = curves.gap(tau), .gap_rate = curves.gap_rate(tau), .internal = internal_values});
+}
+
+double StepView::force(std::size_t contact, double tau) const {
+  return force(contact, contact_curves(contact), tau);
 }
 
 } // namespace vibroimpact

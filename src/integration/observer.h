@@ -8,6 +8,13 @@
 
 namespace vibroimpact {
 
+/// What a contact's law sees during a step.
+struct ContactCurves {
+  Bernstein gap;
+  Bernstein gap_rate;
+  std::vector<Bernstein> internal;
+};
+
 /// One accepted step, smooth inside. Valid only during the call.
 class StepView {
 public:
@@ -34,6 +41,9 @@ public:
   Bernstein internal(Index i) const;
   Bernstein indicator(std::size_t contact, const AffineForm &form) const;
 
+  ContactCurves contact_curves(std::size_t contact) const;
+  /// Normal force at tau in the mode that holds during the step.
+  double force(std::size_t contact, const ContactCurves &curves, double tau) const;
   /// Normal force at tau in the mode that holds during the step.
   double force(std::size_t contact, double tau) const;
 

@@ -25,6 +25,27 @@ std::size_t guard_count(const Equations &equations, std::size_t contact) {
   return pair.law->modes()[static_cast<std::size_t>(equations.modes()[contact])].guards.size();
 }
 
+// |factor| for which form = factor * other; 0 when there is none.
+double proportion(const AffineForm &form, const AffineForm &other) {
+  const auto coefficients = [](const AffineForm &from, std::size_t n_internal) {
+    std::vector<double> list = {from.constant, from.gap, from.gap_rate};
+    list.insert(list.end(), from.internal.begin(), from.internal.end());
+    list.resize(3 + n_internal, 0.0);
+    return list;
+  };
+  const std::size_t n_internal = std::max(form.internal.size(), other.internal.size());
+  const std::vector<double> a = coefficients(form, n_internal);
+  const std::vector<double> b = coefficients(other, n_internal);
+  double factor = 0;
+  for (std::size_t i = 0; i < a.size() && factor == 0; ++i)
+    factor = b[i] != 0 ? a[i] / b[i] : 0;
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::abs(a[i] - factor * b[i]) > rounding * std::abs(a[i]))
+      return 0;
+  return std::abs(factor);
+}
+
 } // namespace
 
 Trajectory::Trajectory(const Model &model, const ContactSet &contacts,
@@ -45,6 +66,7 @@ double Trajectory::time_tolerance() const {
 }
 
 void Trajectory::begin_phase(double time, const Vector &state) {
+  equations_.set_source_break(equations_.model().next_break(time));
   stepper_.restart(time, state, first_step());
   start_rates_.resize(state.size());
   equations_.rates(time, ConstVectorView(state.data(), state.size()),
@@ -80,14 +102,14 @@ void Trajectory::enter_contacts(double time, Vector &state) const {
     const ContactPair &pair = equations_.contacts().pairs()[c];
     const LocalState local =
         equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    const std::vector<double> entered =
-        entered_internal(*pair.law, pair.law->initial_mode(local), local);
+    const std::vector<double> entered = settle(*pair.law, local).internal;
     std::copy(entered.begin(), entered.end(),
               state.data() + layout().internal() + pair.internal_offset);
   }
 }
 
 void Trajectory::start(double time, const Vector &displacement, const Vector &velocity) {
+  equations_.set_source_break(equations_.model().next_break(time));
   MotionState from{.time = time, .physical = Vector::Zero(layout().physical_size())};
   from.physical.head(layout().n) = displacement;
   from.physical.segment(layout().velocity(), layout().n) = velocity;
@@ -103,6 +125,7 @@ void Trajectory::start(double time, const Vector &displacement, const Vector &ve
 }
 
 void Trajectory::start(const MotionState &from) {
+  equations_.set_source_break(equations_.model().next_break(from.time));
   Vector state = Vector::Zero(layout().size());
   state.head(layout().physical_size()) = from.physical;
   choose_initial_modes(from.time, state);
@@ -156,9 +179,11 @@ bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {
 // How far the end of the step may be from the true instant: |indicator / its rate| there. Zero
 // where the indicator is below the rounding of its own evaluation: near grazing no instant is
 // closer.
-double Trajectory::event_uncertainty(const StepView &view, const Crossing &crossing) const {
+double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) const {
   const AffineForm &form = guard_of(equations_, crossing.contact, crossing.guard).indicator;
   const Bernstein indicator = view.indicator(crossing.contact, form);
+  crossing.residual = std::abs(indicator.end());
+  crossing.rate = std::abs(indicator.derivative().end() / view.length());
   if (std::abs(indicator.end()) <= equations_.rounding(crossing.contact, form, view.end_state()))
     return 0;
   return std::abs(indicator.end() / (indicator.derivative().end() / view.length()));
@@ -172,6 +197,10 @@ bool Trajectory::locate(Crossing &crossing) {
     const double start = stepper_.previous_time();
     const double instant = start + crossing.tau * (stepper_.time() - start);
     if (instant - start <= time_tolerance()) {
+      const Bernstein indicator = view().indicator(
+          crossing.contact, guard_of(equations_, crossing.contact, crossing.guard).indicator);
+      crossing.residual = std::abs(indicator.start());
+      crossing.rate = std::abs(indicator.derivative().start() / (stepper_.time() - start));
       stepper_.undo();
       return true;
     }
@@ -182,7 +211,7 @@ bool Trajectory::locate(Crossing &crossing) {
     const StepView shorter = view();
     Crossing earlier = crossing;
     const bool inside = find_crossing(shorter, earlier);
-    const Crossing &candidate = inside ? earlier : crossing;
+    Crossing &candidate = inside ? earlier : crossing;
     const double uncertainty = event_uncertainty(shorter, candidate);
     const bool at_end = !inside || (1 - earlier.tau) * shorter.length() <= time_tolerance();
     if (at_end && uncertainty <= time_tolerance()) {
@@ -215,12 +244,16 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
                      .before = &before,
                      .guard = &passed,
                      .layout = &layout()};
+  const double held = equations_.contact_energy(contact, event.from, local);
   std::vector<double> fresh;
   for (const AffineForm &form : passed.reset)
     fresh.push_back(form(local));
   for (std::size_t i = 0; i < fresh.size(); ++i)
     state[layout().internal() + pair.internal_offset + static_cast<Index>(i)] = fresh[i];
   equations_.set_mode(contact, passed.target);
+  // What the new mode holds no more is lost at this instant; `local` sees the new internal states.
+  state[layout().contact_work(static_cast<Index>(contact))] +=
+      held - equations_.contact_energy(contact, event.to, local);
   observer.event(event);
   ++events_;
 }
@@ -239,22 +272,24 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
   last_event_time_ = time();
   Vector state = stepper_.state();
   step_of_modes_[equations_.modes()] = stepper_.natural_step();
-  const double residual =
-      std::abs(guard_of(equations_, first.contact, first.guard)
-                   .indicator(equations_.local_state(first.contact, time(),
-                                                     ConstVectorView(state.data(), state.size()))));
+  // A copy: the mode it belongs to is about to be left.
+  const AffineForm passed = guard_of(equations_, first.contact, first.guard).indicator;
   change_mode(first.contact, first.guard, state, observer);
   begin_phase(time(), state);
   if (stuck)
     std::erase_if(zero_at_start_, [&](const auto &entry) { return entry.first == first.contact; });
   else
     zero_at_start_.clear();
-  note_zero_guards(first.contact, state, residual);
+  note_zero_guards(first, passed, state);
 }
 
-// `residual`: what was left of the guard that was passed. The guard back is often its negative, and
-// must not see the same remainder as a change of its own.
-void Trajectory::note_zero_guards(std::size_t contact, const Vector &state, double residual) {
+// What was left of the guard that was passed is left of the guard back as well, and must not be
+// seen as a change of its own. The guard back often is its negative. Where it is another
+// expression, in other units, the time that the remainder stands for is the same.
+void Trajectory::note_zero_guards(const Crossing &crossing, const AffineForm &passed,
+                                  const Vector &state) {
+  const std::size_t contact = crossing.contact;
+  const double delay = crossing.rate > 0 ? crossing.residual / crossing.rate : 0;
   const LocalState local =
       equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
   // The rate of an affine form is the form of the rates.
@@ -268,19 +303,40 @@ void Trajectory::note_zero_guards(std::size_t contact, const Vector &state, doub
   for (std::size_t g = 0; g < guard_count(equations_, contact); ++g) {
     const AffineForm &form = guard_of(equations_, contact, g).indicator;
     const double rate = form(rates) - form.constant;
-    const double noise = std::max({2 * time_tolerance() * std::abs(rate), residual,
+    const double noise = std::max({2 * std::max(time_tolerance(), delay) * std::abs(rate),
+                                   proportion(form, passed) * crossing.residual,
                                    equations_.rounding(contact, form, state)});
     if (std::abs(form(local)) <= noise)
       zero_at_start_.emplace_back(contact, g);
   }
 }
 
+// Nearer than this no step is possible.
+bool Trajectory::at_source_break() const {
+  const double instant = equations_.source_break();
+  constexpr double nothing = 8 * std::numeric_limits<double>::epsilon();
+  return time() >= instant || instant - time() <= nothing * std::abs(time());
+}
+
+void Trajectory::pass_source_break() {
+  const double instant = equations_.source_break();
+  step_of_modes_[equations_.modes()] = stepper_.natural_step();
+  const Vector state = stepper_.state();
+  begin_phase(instant, state);
+  if (instant - last_event_time_ > time_tolerance())
+    zero_at_start_.clear();
+}
+
 void Trajectory::advance(double end, Observer &observer) {
   while (stepper_.time() < end) {
+    if (at_source_break()) {
+      pass_source_break();
+      continue;
+    }
     if (settings_.maximum_steps > 0 && steps_ >= settings_.maximum_steps)
       throw NumericalError("more than " + std::to_string(settings_.maximum_steps) +
                            " steps (Maximum steps)");
-    stepper_.step(end);
+    stepper_.step(std::min(end, equations_.source_break()));
     evaluate_end();
     ++steps_;
     Crossing crossing;

@@ -3,7 +3,8 @@
 // Every accepted step is a polynomial for each guard of the contacts' present modes (quintic in the
 // gap), so that the first fall of a guard through zero inside the step is found without sampling.
 // The step is then taken again up to that instant, and again after Newton corrections, until the
-// instant is within the event tolerance; there the mode changes and the method restarts.
+// instant is within the event tolerance; there the mode changes and the method restarts. It also
+// restarts where an excitation is not smooth: no step reaches across such a break.
 #pragma once
 
 #include "integration/observer.h"
@@ -56,17 +57,21 @@ private:
     double tau = 0; ///< in the step
     std::size_t contact = 0;
     std::size_t guard = 0;
+    double residual = 0; ///< |indicator| left where it was located
+    double rate = 0;     ///< |its rate| there [1/s]
   };
 
   void begin_phase(double time, const Vector &state);
+  bool at_source_break() const;
+  void pass_source_break();
   void choose_initial_modes(double time, const Vector &state);
   void enter_contacts(double time, Vector &state) const;
   void refuse_penetration(double time, const Vector &state) const;
   bool find_crossing(const StepView &view, Crossing &crossing) const;
   bool locate(Crossing &crossing);
-  double event_uncertainty(const StepView &view, const Crossing &crossing) const;
+  double event_uncertainty(const StepView &view, Crossing &crossing) const;
   void change_modes(const Crossing &first, Observer &observer);
-  void note_zero_guards(std::size_t contact, const Vector &state, double residual);
+  void note_zero_guards(const Crossing &crossing, const AffineForm &passed, const Vector &state);
   void change_mode(std::size_t contact, std::size_t guard, Vector &state, Observer &observer);
   StepView view() const;
   void evaluate_end();

@@ -1,6 +1,11 @@
 #include "model/excitation.h"
 
 #include "model/direction.h"
+#include "model/histories.h"
+#include "model/piecewise_function.h"
+#include "model/recorded_history.h"
+
+#include <algorithm>
 
 namespace vibroimpact {
 
@@ -21,13 +26,26 @@ Given given_quantity(const std::string &type) {
   return type == "base velocity" ? Given::velocity : Given::displacement;
 }
 
-std::shared_ptr<const TimeFunction> read_function(const parameters::Values &excitation) {
+HistoryContext read_context(const parameters::Values &root, const parameters::Values &excitation) {
   const std::string type = excitation.choice("Type");
+  return {.type = type,
+          .given = given_quantity(type),
+          .moves_base = type.starts_with("base"),
+          .dimension = amplitude_dimension(type),
+          .file_folder = root.text("File folder"),
+          .file_checksums = root.names("File checksums")};
+}
+
+// Gravity is constant; its history need not be chosen.
+TimeFunctionPointer read_gravity(const parameters::Values &excitation) {
+  if (excitation.given("History") && excitation.choice("History") != "constant")
+    excitation.reject("History", "gravity is constant; leave it out or choose constant");
+  for (const char *key : {"Frequency", "Phase"})
+    if (excitation.given(key))
+      excitation.reject(key, "is not used with Type = gravity");
   excitation.require("Amplitude");
-  excitation.require("Frequency");
-  return std::make_shared<Harmonic>(given_quantity(type),
-                                    excitation.quantity_of("Amplitude", amplitude_dimension(type)),
-                                    excitation.quantity("Frequency"), excitation.quantity("Phase"));
+  return make_constant(Given::displacement,
+                       excitation.quantity_of("Amplitude", parameters::dimension::acceleration));
 }
 
 std::vector<std::size_t> read_bodies(const parameters::Values &excitation, const Model &model) {
@@ -58,19 +76,24 @@ PointReference read_point(const parameters::Values &excitation, const Model &mod
 
 void declare_excitations(parameters::Section &root) {
   using namespace parameters;
-  root.named_subsection("Excitation", "A force at a point or a motion of the base, harmonic in "
-                                      "time: amplitude sin(frequency t + phase).")
+  root.names("File checksums", "",
+             "NAME HASH of the records that excitations read, separated by commas: files that "
+             "must not have changed. A run enters them into the parameters it stores.");
+  Section &excitation = root.named_subsection(
+      "Excitation", "A force at a point, a motion of the base, or gravity; all that act add up.");
+  excitation
       .choice("Type", "base acceleration",
-              {"force", "base displacement", "base velocity", "base acceleration"},
-              "What the amplitude is of. It stays constant when the frequency is swept.")
+              {"force", "base displacement", "base velocity", "base acceleration", "gravity"},
+              "The given quantity. Its amplitude stays constant when the frequency is swept.")
       .text("At", "", "Point the force acts on, as BODY.POINT.")
-      .names("Bodies", "", "Bodies that stand on the moving base; empty means all.")
-      .text("Direction", "x", "Direction of the force or the motion: x, -y or three numbers.")
+      .names("Bodies", "", "Bodies that stand on the moving base or have weight; empty means all.")
+      .text("Direction", "x", "Direction of the force, motion or gravity: x, -y or three numbers.")
       .quantity("Amplitude", "", dimension::any, range::any, "A",
-                "Amplitude, in the unit of the type: N, m, m/s or m/s^2.")
+                "Amplitude, peak or constant value, in the unit of the type: N, m, m/s or m/s^2.")
       .quantity("Frequency", "", dimension::frequency, range::positive, "f",
                 "Frequency in Hz or rad/s; a sweep replaces it.")
       .quantity("Phase", "0", dimension::angle, range::any, "phi", "Phase at time zero.");
+  declare_histories(excitation);
 }
 
 void add_excitations(const parameters::Values &root, const std::vector<std::string> &names,
@@ -78,12 +101,29 @@ void add_excitations(const parameters::Values &root, const std::vector<std::stri
   for (const std::string &name : names) {
     const parameters::Values excitation = root.instance("Excitation", name);
     const Vector3 direction = read_direction(excitation, "Direction");
-    auto function = read_function(excitation);
-    if (excitation.choice("Type") == "force")
+    const std::string type = excitation.choice("Type");
+    if (type == "gravity") {
+      model.add_gravity(name, read_gravity(excitation), read_bodies(excitation, model), direction);
+      continue;
+    }
+    auto function = create_history(excitation, read_context(root, excitation));
+    if (type == "force")
       model.add_force(name, std::move(function), read_point(excitation, model), direction);
     else
       model.add_base_motion(name, std::move(function), read_bodies(excitation, model), direction);
   }
+}
+
+std::vector<std::string> record_checksums(const parameters::Values &root,
+                                          const std::string &file_folder) {
+  std::vector<std::string> checksums;
+  for (const std::string &name : root.instances("Excitation")) {
+    const std::string checksum = record_checksum(root.instance("Excitation", name), file_folder);
+    if (!checksum.empty() &&
+        std::find(checksums.begin(), checksums.end(), checksum) == checksums.end())
+      checksums.push_back(checksum);
+  }
+  return checksums;
 }
 
 } // namespace vibroimpact

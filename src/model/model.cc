@@ -1,6 +1,7 @@
 #include "model/model.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace vibroimpact {
@@ -164,9 +165,12 @@ void Model::set_frequency(std::size_t source, double angular_frequency) {
 void Model::load(double time, Vector &f) const {
   f.setZero(size());
   for (const Source &source : sources_) {
-    f.noalias() += source.function->value(time) * source.load;
-    f.noalias() += source.function->acceleration(time) * source.inertial_load;
-    if (!connections_.empty())
+    // The displacement of a moving base is no load, and may be expensive to find.
+    if (!source.load.isZero(0))
+      f.noalias() += source.function->value(time) * source.load;
+    if (!source.inertial_load.isZero(0))
+      f.noalias() += source.function->acceleration(time) * source.inertial_load;
+    if (!source.rate_load.isZero(0))
       f.noalias() += source.function->rate(time) * source.rate_load;
   }
 }
@@ -295,6 +299,13 @@ double Model::highest_frequency() const {
   for (const Source &source : sources_)
     highest = std::max(highest, source.function->highest_frequency());
   return highest;
+}
+
+double Model::next_break(double time) const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const Source &source : sources_)
+    next = std::min(next, source.function->next_break(time));
+  return next;
 }
 
 } // namespace vibroimpact

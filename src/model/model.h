@@ -143,6 +143,9 @@ public:
   /// Highest natural angular frequency of the uncoupled coordinates and the sources [rad/s].
   double highest_frequency() const;
 
+  /// First instant > time [s] at which a source is not smooth; +infinity when there is none.
+  double next_break(double time) const;
+
 private:
   std::vector<std::shared_ptr<const ReducedBody>> bodies_;
   std::vector<Index> offsets_;

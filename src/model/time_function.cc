@@ -1,6 +1,8 @@
 #include "model/time_function.h"
 
 #include <cmath>
+#include <complex>
+#include <limits>
 #include <numbers>
 
 namespace vibroimpact {
@@ -13,6 +15,14 @@ int integrations(Given given) {
 }
 
 } // namespace
+
+double TimeFunction::next_break(double /*time*/) const {
+  return std::numeric_limits<double>::infinity();
+}
+
+std::optional<ExponentialForm> TimeFunction::exponential_form(double /*time*/) const {
+  return std::nullopt;
+}
 
 Harmonic::Harmonic(Given given, double amplitude, double angular_frequency, double phase)
     : given_(given), amplitude_(amplitude), angular_frequency_(angular_frequency), phase_(phase),
@@ -43,6 +53,16 @@ double Harmonic::period() const { return 2 * std::numbers::pi / angular_frequenc
 
 std::shared_ptr<const TimeFunction> Harmonic::with_frequency(double angular_frequency) const {
   return std::make_shared<Harmonic>(given_, amplitude_, angular_frequency, phase_);
+}
+
+std::optional<ExponentialForm> Harmonic::exponential_form(double time) const {
+  // A sin(x) = Re(-i A exp(i x))
+  const double angle = angular_frequency_ * time + shift_;
+  const std::complex<double> at_time = displacement_amplitude_ * std::polar(1.0, angle);
+  return ExponentialForm{.origin = time,
+                         .terms = {{.amplitude = {at_time.imag(), -at_time.real()},
+                                    .exponent = {0, angular_frequency_}}},
+                         .polynomial = {}};
 }
 
 } // namespace vibroimpact

@@ -1,10 +1,15 @@
 // Scalar time histories s(t) with their first two derivatives.
 #pragma once
 
+#include "model/exponential_form.h"
+
 #include <memory>
+#include <optional>
 
 namespace vibroimpact {
 
+/// Smooth between its breaks. At a break every function returns the value from the right, the one
+/// that holds in the piece that begins there.
 class TimeFunction {
 public:
   virtual ~TimeFunction() = default;
@@ -19,6 +24,12 @@ public:
   virtual double highest_frequency() const = 0;
   /// The same function at another angular frequency [rad/s]; nullptr when it has no frequency.
   virtual std::shared_ptr<const TimeFunction> with_frequency(double angular_frequency) const = 0;
+
+  /// First instant > time [s] at which s, s' or s'' is not smooth; +infinity when there is none.
+  virtual double next_break(double time) const;
+  /// The closed form with origin `time`, valid from there to next_break(time); nothing when the
+  /// function has none, such as a sine sweep.
+  virtual std::optional<ExponentialForm> exponential_form(double time) const;
 };
 
 /// Which of displacement, velocity and acceleration is given; the amplitude of that one stays
@@ -38,6 +49,7 @@ public:
   double period() const override;
   double highest_frequency() const override { return angular_frequency_; }
   std::shared_ptr<const TimeFunction> with_frequency(double angular_frequency) const override;
+  std::optional<ExponentialForm> exponential_form(double time) const override;
 
 private:
   Given given_;

@@ -1,6 +1,7 @@
 // A Hunt–Crossley contact that other forces pull apart so fast that its force ends while the two
 // sides still overlap: it changes from contact to separating, and must not change back and forth.
 #include "contact/laws/hunt_crossley.h"
+#include "contact/laws/kelvin_voigt.h"
 #include "contact/restitution_relation.h"
 #include "integration/impact_log.h"
 #include "integration/trajectory.h"
@@ -28,6 +29,24 @@ TEST(SeparatingContact, EndsOnceForEverySpeed) {
     ASSERT_NO_THROW(trajectory.advance(1e-3, log)) << speed << " m/s";
     ASSERT_EQ(log.impacts(0).size(), 1U) << speed << " m/s";
     EXPECT_LE(trajectory.accuracy().events, 4) << speed << " m/s";
+  }
+}
+
+// The force of a stiff stop falls by some 10^-4 N within the event tolerance, more than the overlap
+// in metres at that instant: the two must not be compared.
+TEST(SeparatingContact, StiffStopEndsOnceForEverySpeed) {
+  const double mass = 13.5;
+  const Model model({testing::single_mass("block", mass, 8e4, 0)});
+  const ContactSet contacts({testing::contact_along_x(model, "block.head", "", 5e-3,
+                                                      std::make_shared<KelvinVoigt>(5e8, 1e5))});
+  Trajectory trajectory(model, contacts, {.relative_tolerance = 1e-8, .event_tolerance = 1e-10});
+  for (int i = 0; i < 200; ++i) {
+    const double speed = 0.05 + 2e-3 * i;
+    ImpactLog log(contacts, 0);
+    trajectory.start(0, Vector::Constant(1, 4.99e-3), Vector::Constant(1, speed));
+    ASSERT_NO_THROW(trajectory.advance(5e-3, log)) << speed << " m/s";
+    ASSERT_EQ(log.impacts(0).size(), 1U) << speed << " m/s";
+    EXPECT_EQ(trajectory.accuracy().events, 3) << speed << " m/s";
   }
 }
 

@@ -161,6 +161,33 @@ class Runs(unittest.TestCase):
         self.assertIn("3 mm", done.stderr)
         self.assertIn("2 mm", done.stderr)
 
+    def test_resume_with_a_changed_record_is_refused(self):
+        record = self.folder / "push.csv"
+        record.write_text("0,0\n0.5,3\n1,0\n")
+        recorded = self.folder / "recorded.prm"
+        text = self.file.read_text().replace("subsection Stepped sweep",
+                                             "subsection Stepped sweep\n    set Excitation = shaker")
+        recorded.write_text(text + """
+subsection Excitation record
+  set Type = force
+  set At = right.head
+  set History = recorded
+  subsection Recorded
+    set File = push.csv
+  end
+end
+""")
+        out = self.folder / "out"
+        done = self.run_program(recorded, "--output", out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("push.csv", (out / "parameters.prm").read_text())
+        self.assertEqual(self.run_program("--resume", out, recorded).returncode, 0)
+        record.write_text("0,0\n0.5,4\n1,0\n")
+        for given in ([recorded], []):
+            done = self.run_program("--resume", out, *given)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("push.csv", done.stderr)
+
     def test_existing_results_are_kept(self):
         out = self.folder / "out"
         self.assertEqual(self.run_program(self.file, "--output", out).returncode, 0)

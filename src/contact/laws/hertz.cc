@@ -42,6 +42,14 @@ double hertz_stiffness(const HertzSide &a, const HertzSide &b) {
   return 4.0 / 3.0 / (compliance(a) + compliance(b)) / std::sqrt(curvature);
 }
 
+void declare_hertz_stiffness(parameters::Section &law) {
+  using namespace parameters;
+  law.quantity("Stiffness", "", dimension::hertz_stiffness, range::positive, "k",
+               "Constant of F = k u^(3/2). Leave empty to compute it from radii and materials.");
+  declare_side(law, "a", "first");
+  declare_side(law, "b", "second");
+}
+
 void declare_hertz_constants(parameters::Section &law) {
   using namespace parameters;
   law.quantity(
@@ -53,21 +61,24 @@ void declare_hertz_constants(parameters::Section &law) {
   declare_side(law, "b", "second");
 }
 
-HertzConstants read_hertz_constants(const parameters::Values &law) {
-  HertzConstants constants{.stiffness = 0, .exponent = law.quantity("Exponent")};
-  if (law.has("Stiffness")) {
-    constants.stiffness =
-        law.quantity_of("Stiffness", {.length = 1 - constants.exponent, .mass = 1, .time = -2});
-    return constants;
-  }
-  if (constants.exponent != 1.5)
-    law.reject("Exponent",
-               "1.5 unless Stiffness is given: radii and materials give k for n = 3/2.");
+HertzConstants read_hertz_constants(const parameters::Values &law, double exponent) {
+  if (law.has("Stiffness"))
+    return {.stiffness =
+                law.quantity_of("Stiffness", {.length = 1 - exponent, .mass = 1, .time = -2}),
+            .exponent = exponent};
   if (!law.has("Radius a") && !law.has("Radius b"))
     law.reject("Radius a", "a radius for at least one side, or Stiffness: two flat sides are no "
                            "Hertz contact.");
-  constants.stiffness = hertz_stiffness(read_side(law, "a"), read_side(law, "b"));
-  return constants;
+  return {.stiffness = hertz_stiffness(read_side(law, "a"), read_side(law, "b")),
+          .exponent = exponent};
+}
+
+HertzConstants read_hertz_constants(const parameters::Values &law) {
+  const double exponent = law.quantity("Exponent");
+  if (exponent != 1.5 && !law.has("Stiffness"))
+    law.reject("Exponent",
+               "1.5 unless Stiffness is given: radii and materials give k for n = 3/2.");
+  return read_hertz_constants(law, exponent);
 }
 
 Hertz::Hertz(HertzConstants constants)

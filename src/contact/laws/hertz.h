@@ -32,9 +32,13 @@ struct HertzConstants {
   double exponent = 1.5;
 };
 
-/// The keys of the elastic part, shared by the laws built on it.
+/// The keys of the elastic part, shared by the laws built on it. Laws that are made for n = 3/2
+/// only have no key for the exponent.
 void declare_hertz_constants(parameters::Section &law);
+void declare_hertz_stiffness(parameters::Section &law);
 HertzConstants read_hertz_constants(const parameters::Values &law);
+/// Their value for a given exponent.
+HertzConstants read_hertz_constants(const parameters::Values &law, double exponent);
 
 class Hertz : public ContactLaw {
 public:

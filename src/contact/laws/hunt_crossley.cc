@@ -10,29 +10,16 @@ namespace vibroimpact {
 namespace {
 
 constexpr const char *section_name = "Hunt-Crossley";
-enum : int { open = 0, contact = 1, separating = 2 };
+enum : int { open = 0, contact = 1 };
 
-// `compressive` is positive while 1 + d u' is; it is affine also when d = d_c / z, z being the
-// remembered approach speed: z - d_c gap_rate.
-std::vector<Mode> make_modes(const AffineForm &compressive, const AffineForm &tensile,
-                             const std::vector<AffineForm> &on_closing) {
+// `push` is positive while 1 + d u' is; it is affine also when d = d_c / z, z being the remembered
+// approach speed: z - d_c gap_rate.
+std::vector<Mode> make_modes(const AffineForm &push, const std::vector<AffineForm> &on_closing) {
   AffineLaw no_force;
   no_force.internal_rate.resize(on_closing.size());
-  const AffineForm gap_open{.gap = 1};
-  const AffineForm overlap{.gap = -1};
-  return {{.name = "open",
-           .in_contact = false,
-           .guards = {{.indicator = gap_open, .target = contact, .reset = on_closing}},
-           .affine = no_force},
-          {.name = "contact",
-           .in_contact = true,
-           .guards = {{.indicator = overlap, .target = open},
-                      {.indicator = compressive, .target = separating}}},
-          {.name = "separating",
-           .in_contact = true,
-           .guards = {{.indicator = overlap, .target = open},
-                      {.indicator = tensile, .target = contact}},
-           .affine = no_force}};
+  std::vector<Mode> modes = open_contact_separating(push, std::nullopt, no_force);
+  modes[open].guards[0].reset = on_closing;
+  return modes;
 }
 
 } // namespace
@@ -44,19 +31,16 @@ HuntCrossley::HuntCrossley(std::vector<Mode> modes, std::vector<double> initial_
 
 std::shared_ptr<HuntCrossley> HuntCrossley::with_dissipation(HertzConstants constants,
                                                              double dissipation) {
-  return std::shared_ptr<HuntCrossley>(
-      new HuntCrossley(make_modes({.constant = 1, .gap_rate = -dissipation},
-                                  {.constant = -1, .gap_rate = dissipation}, {}),
-                       {}, constants, dissipation, 0));
+  return std::shared_ptr<HuntCrossley>(new HuntCrossley(
+      make_modes({.constant = 1, .gap_rate = -dissipation}, {}), {}, constants, dissipation, 0));
 }
 
 std::shared_ptr<HuntCrossley> HuntCrossley::with_dimensionless_damping(HertzConstants constants,
                                                                        double dimensionless_damping,
                                                                        double lowest_speed) {
   return std::shared_ptr<HuntCrossley>(new HuntCrossley(
-      make_modes({.gap_rate = -dimensionless_damping, .internal = {1}},
-                 {.gap_rate = dimensionless_damping, .internal = {-1}}, {{.gap_rate = -1}}),
-      {1.0}, constants, dimensionless_damping, lowest_speed));
+      make_modes({.gap_rate = -dimensionless_damping, .internal = {1}}, {{.gap_rate = -1}}), {1.0},
+      constants, dimensionless_damping, lowest_speed));
 }
 
 double HuntCrossley::dissipation(const LocalState &state) const {
@@ -65,25 +49,33 @@ double HuntCrossley::dissipation(const LocalState &state) const {
 }
 
 void HuntCrossley::evaluate(int mode, const LocalState &state, LawResponse &response) const {
-  const double penetration = mode == open ? 0 : std::max(0.0, -state.gap);
+  const double penetration = mode == contact ? std::max(0.0, -state.gap) : 0;
   const double slope = constants_.stiffness * std::pow(penetration, constants_.exponent - 1);
   const double elastic = slope * penetration;
   const double d = dissipation(state);
-  const double factor = mode == contact ? 1 - d * state.gap_rate : 0;
+  const double factor = 1 - d * state.gap_rate;
   response.force = elastic * factor;
   response.force_by_gap = -constants_.exponent * slope * factor;
-  response.force_by_gap_rate = mode == contact ? -elastic * d : 0;
+  response.force_by_gap_rate = -elastic * d;
   response.stored_energy = elastic * penetration / (constants_.exponent + 1);
-  response.dissipated_power = (elastic - response.force) * state.gap_rate;
+  response.dissipated_power = elastic * d * state.gap_rate * state.gap_rate;
   if (lowest_speed_ > 0) {
     // d d / d z = -d / z above the lowest speed
     const double by_speed = state.internal[0] > lowest_speed_ ? -d / state.internal[0] : 0;
-    response.force_by_internal = {mode == contact ? -elastic * by_speed * state.gap_rate : 0};
+    response.force_by_internal = {-elastic * by_speed * state.gap_rate};
     response.internal_rate = {0};
     response.internal_rate_by_gap = {0};
     response.internal_rate_by_gap_rate = {0};
     response.internal_rate_by_internal = {0};
   }
+}
+
+std::vector<InternalState> HuntCrossley::internal_states() const {
+  if (lowest_speed_ == 0)
+    return {};
+  return {{.name = "approach_speed",
+           .unit = "m/s",
+           .description = "Approach speed of the latest impact"}};
 }
 
 std::optional<PowerLaw> HuntCrossley::power_law() const {

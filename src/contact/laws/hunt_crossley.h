@@ -12,7 +12,8 @@
 //
 // Pulled apart faster than 1/d the formula would turn into tension: the law then gives no force
 // while the points still overlap (mode "separating") until they slow down or part.
-// Stored energy k u^(n+1)/(n+1); dissipated power (k u^n - F) gap_rate.
+// Stored energy k u^(n+1)/(n+1), lost at the instant at which the force is cut off; dissipated
+// power k u^n d u'^2.
 #pragma once
 
 #include "contact/laws/hertz.h"
@@ -36,6 +37,7 @@ public:
   std::string name() const override { return "hunt-crossley"; }
   int initial_mode(const LocalState &state) const override { return open_or_contact(state); }
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
+  std::vector<InternalState> internal_states() const override;
   std::optional<PowerLaw> power_law() const override;
 
 private:

@@ -1,0 +1,44 @@
+#include "contact/laws/piecewise_stop.h"
+
+namespace vibroimpact {
+
+namespace {
+constexpr const char *section_name = "Piecewise stop";
+} // namespace
+
+PiecewiseStop::PiecewiseStop(double stiffness, double damping_constant)
+    : ContactLaw(
+          open_and_contact(AffineLaw{.force = {.gap = -stiffness, .gap_rate = -damping_constant}}),
+          {}),
+      stiffness_(stiffness), damping_constant_(damping_constant) {}
+
+void PiecewiseStop::declare(parameters::Section &contact) {
+  using namespace parameters;
+  contact
+      .subsection(section_name,
+                  "Spring and dashpot that act while the points overlap, pulling too: "
+                  "F = k u + c u'.")
+      .quantity("Stiffness", "", dimension::stiffness, range::non_negative, "k",
+                "Contact force per unit penetration.")
+      .quantity("Damping constant", "0 N s/m", dimension::damping, range::non_negative, "c",
+                "Contact force per unit penetration rate.");
+}
+
+std::shared_ptr<const ContactLaw> PiecewiseStop::create(const parameters::Values &contact) {
+  const parameters::Values law = contact.subsection(section_name);
+  law.require("Stiffness");
+  return std::make_shared<PiecewiseStop>(law.quantity("Stiffness"),
+                                         law.quantity("Damping constant"));
+}
+
+void PiecewiseStop::evaluate(int mode, const LocalState &state, LawResponse &response) const {
+  const double stiffness = mode == 1 ? stiffness_ : 0;
+  const double damping_constant = mode == 1 ? damping_constant_ : 0;
+  response.force = -stiffness * state.gap - damping_constant * state.gap_rate;
+  response.force_by_gap = -stiffness;
+  response.force_by_gap_rate = -damping_constant;
+  response.stored_energy = 0.5 * stiffness * state.gap * state.gap;
+  response.dissipated_power = damping_constant * state.gap_rate * state.gap_rate;
+}
+
+} // namespace vibroimpact

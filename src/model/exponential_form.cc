@@ -1,0 +1,59 @@
+#include "model/exponential_form.h"
+
+namespace vibroimpact {
+
+double ExponentialForm::value(double time) const {
+  const double t = time - origin;
+  double sum = 0;
+  for (std::size_t j = polynomial.size(); j-- > 0;)
+    sum = sum * t + polynomial[j];
+  for (const Term &term : terms)
+    sum += std::real(term.amplitude * std::exp(term.exponent * t));
+  return sum;
+}
+
+double ExponentialForm::rate(double time) const {
+  const double t = time - origin;
+  double sum = 0;
+  for (std::size_t j = polynomial.size(); j-- > 1;)
+    sum = sum * t + static_cast<double>(j) * polynomial[j];
+  for (const Term &term : terms)
+    sum += std::real(term.amplitude * term.exponent * std::exp(term.exponent * t));
+  return sum;
+}
+
+double ExponentialForm::acceleration(double time) const {
+  const double t = time - origin;
+  double sum = 0;
+  for (std::size_t j = polynomial.size(); j-- > 2;)
+    sum = sum * t + static_cast<double>(j * (j - 1)) * polynomial[j];
+  for (const Term &term : terms)
+    sum += std::real(term.amplitude * term.exponent * term.exponent * std::exp(term.exponent * t));
+  return sum;
+}
+
+ExponentialForm ExponentialForm::about(double new_origin) const {
+  const double shift = new_origin - origin;
+  ExponentialForm form = *this;
+  form.origin = new_origin;
+  for (Term &term : form.terms)
+    term.amplitude *= std::exp(term.exponent * shift);
+  // Repeated synthetic division: the Taylor coefficients at the new origin.
+  for (std::size_t j = 0; j + 1 < polynomial.size(); ++j)
+    for (std::size_t i = polynomial.size() - 1; i-- > j;)
+      form.polynomial[i] += shift * form.polynomial[i + 1];
+  return form;
+}
+
+ExponentialForm ExponentialForm::integral(double constant) const {
+  ExponentialForm form{.origin = origin, .terms = terms, .polynomial = {constant}};
+  for (Term &term : form.terms) {
+    term.amplitude /= term.exponent;
+    form.polynomial[0] -= term.amplitude.real();
+  }
+  for (std::size_t j = 0; j < polynomial.size(); ++j)
+    form.polynomial.push_back(polynomial[j] / static_cast<double>(j + 1));
+  return form;
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,121 @@
+// A stop with a compression of its own: pushed in, let go, hit again before it has recovered.
+#include "contact/laws/relaxing_stop.h"
+#include "integration/impact_log.h"
+#include "integration/trajectory.h"
+#include "support/law_checks.h"
+#include "support/lumped_models.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vibroimpact {
+namespace {
+
+constexpr double mass = 2;
+constexpr double stiffness = 8e4;
+constexpr double speed = 0.5;
+
+TEST(RelaxingStopTest, AFreeMassLeavesLikeFromKelvinVoigtAndTheStopRecovers) {
+  for (const double x : {0.05, 0.4, 0.9}) {
+    const double damping = 2 * x * std::sqrt(stiffness * mass);
+    const Model model({testing::single_mass("block", mass, 0, 0)});
+    const ContactSet contacts({testing::contact_along_x(
+        model, "block.head", "", 1e-3, std::make_shared<RelaxingStop>(stiffness, damping))});
+    Trajectory trajectory(model, contacts, IntegrationSettings{});
+    ImpactLog log(contacts, 0);
+    testing::GuardWatch guards;
+    Observers observers({&log, &guards});
+    trajectory.start(0, Vector::Zero(1), Vector::Constant(1, speed));
+    trajectory.advance(0.04, observers);
+    ASSERT_EQ(log.impacts(0).size(), 1u) << x;
+    EXPECT_EQ(trajectory.accuracy().events, 2) << x;
+    const Impact &impact = log.impacts(0)[0];
+    const double root = std::sqrt(1 - x * x);
+    const double e = std::exp(-2 * x * std::acos(x) / root);
+    const double frequency = std::sqrt(stiffness / mass);
+    EXPECT_NEAR(impact.restitution_coefficient(), e, 1e-8) << x;
+    EXPECT_NEAR(impact.duration, 2 * std::acos(x) / (frequency * root), 1e-9) << x;
+    // At release k z = c e v; from there the compression decays at the rate k / c.
+    const double left = 0.04 - impact.start_time - impact.duration;
+    EXPECT_NEAR(trajectory.state()[2],
+                damping * e * speed / stiffness * std::exp(-stiffness / damping * left), 1e-11);
+    EXPECT_LT(trajectory.accuracy().energy_residual, 1e-8) << x;
+  }
+}
+
+// The stop is still pushed in when the mass returns: contact begins where gap + z is zero.
+TEST(RelaxingStopTest, IsHitAgainBeforeItHasRecovered) {
+  const double damping = 4e4; // recovers with 0.5 s
+  const Model model({testing::single_mass("block", mass, 400, 0)});
+  const ContactSet contacts({testing::contact_along_x(
+      model, "block.head", "", 0, std::make_shared<RelaxingStop>(stiffness, damping))});
+  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  struct Touches : Observer {
+    std::vector<double> distance, compression;
+    void step(const StepView & /*view*/) override {}
+    void event(const ContactEvent &event) override {
+      if (event.to != 1)
+        return;
+      compression.push_back((*event.state)[2]);
+      distance.push_back(event.gap + compression.back());
+    }
+  } touches;
+  testing::GuardWatch guards;
+  Observers observers({&touches, &guards});
+  trajectory.start(0, Vector::Constant(1, -0.1), Vector::Zero(1));
+  trajectory.advance(3, observers);
+  ASSERT_GE(touches.distance.size(), 3u);
+  EXPECT_GT(touches.compression[1], 1e-5);
+  for (const double distance : touches.distance)
+    EXPECT_NEAR(distance, 0, 1e-11);
+  EXPECT_LT(trajectory.accuracy().energy_residual, 1e-8);
+}
+
+TEST(RelaxingStopTest, DerivativesPowerAndAffineForm) {
+  const RelaxingStop law(8e4, 200);
+  for (const int mode : {0, 1, 2})
+    for (const double rate : {-0.3, 0.4})
+      testing::check_law(law, {.mode = mode, .gap = -1e-3, .gap_rate = rate, .internal = {1.5e-3}});
+}
+
+// Where a motion goes on: in contact, just let go, and away from the stop.
+TEST(RelaxingStopTest, InitialModes) {
+  const RelaxingStop law(8e4, 200);
+  const auto mode = [&law](double gap, double rate, double compression) {
+    const std::vector<double> internal = {compression};
+    return law.initial_mode({.gap = gap, .gap_rate = rate, .internal = internal});
+  };
+  EXPECT_EQ(mode(-1e-3, 0.1, 1e-3 * (1 + 1e-15)), 1);
+  EXPECT_EQ(mode(-1e-3, 0.5, 1e-3 * (1 + 1e-15)), 2); // 80 N of the spring, -100 N of the dashpot
+  EXPECT_EQ(mode(-0.5e-3, -0.1, 1e-3), 0);
+  EXPECT_EQ(mode(0, 0, 0), 0);
+  EXPECT_EQ(mode(-1e-3, 0, 0), 0); // the guard takes it over
+}
+
+// Pressed against the stop from the start: at rest where spring and stop balance, z is the overlap.
+TEST(RelaxingStopTest, PressedFromTheStart) {
+  const Model model({testing::single_mass("block", mass, 2e4, 0)});
+  ContactPair pair = testing::contact_along_x(model, "block.head", "", -1e-3,
+                                              std::make_shared<RelaxingStop>(stiffness, 200));
+  pair.accept_initial_penetration = true;
+  const ContactSet contacts({pair});
+  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  ImpactLog log(contacts, 0);
+  trajectory.start(0, Vector::Constant(1, -0.8e-3), Vector::Zero(1));
+  trajectory.advance(0.1, log);
+  EXPECT_NEAR(trajectory.state()[0], -0.8e-3, 1e-12);
+  EXPECT_NEAR(trajectory.state()[2], 0.2e-3, 1e-12);
+  EXPECT_TRUE(log.impacts(0).empty());
+  EXPECT_LT(trajectory.accuracy().energy_residual, 1e-10);
+}
+
+TEST(RelaxingStopTest, NamesItsState) {
+  const RelaxingStop law(8e4, 200);
+  ASSERT_EQ(law.internal_states().size(), 1u);
+  EXPECT_EQ(law.internal_states()[0].name, "stop_deformation");
+  EXPECT_EQ(law.internal_states()[0].unit, "m");
+}
+
+} // namespace
+} // namespace vibroimpact

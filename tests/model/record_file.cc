@@ -1,0 +1,106 @@
+// Records in text and HDF5 files, sound and broken.
+#include "model/record_file.h"
+#include "common/hdf5_file.h"
+#include "temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vibroimpact {
+namespace {
+
+const RecordLayout by_number{.time_column = "1", .value_column = "2", .separator = "comma"};
+
+void expect_samples(const Samples &samples, const std::vector<double> &time,
+                    const std::vector<double> &value) {
+  EXPECT_EQ(samples.time, time);
+  EXPECT_EQ(samples.value, value);
+}
+
+TEST(RecordFileTest, TextWithCommentsAndBlanks) {
+  expect_samples(read_text_record("# a record\n\n0, 1.5\n 0.5 ,-2e-3\r\n% end\n1,+3", by_number),
+                 {0, 0.5, 1}, {1.5, -2e-3, 3});
+}
+
+TEST(RecordFileTest, FirstLineMayNameTheColumns) {
+  const std::string text = "time;\"a x\";a y\n0;1;2\n1;3;4\n";
+  expect_samples(read_text_record(text, {"time", "a y", "semicolon"}), {0, 1}, {2, 4});
+  expect_samples(read_text_record(text, {"1", "a x", "semicolon"}), {0, 1}, {1, 3});
+  expect_samples(read_text_record(text, {"1", "3", "semicolon"}), {0, 1}, {2, 4});
+}
+
+TEST(RecordFileTest, BlanksAndTabsSeparate) {
+  expect_samples(read_text_record("  0  1\t2\n1\t\t3 4\n", {"1", "3", "space"}), {0, 1}, {2, 4});
+}
+
+struct Broken {
+  std::string text;
+  RecordLayout layout;
+  std::string key;
+  std::string says;
+};
+
+TEST(RecordFileTest, SaysWhatIsWrongAndWhere) {
+  const std::vector<Broken> list = {
+      {"0,1\n1,two\n", by_number, "Value column", "line 2 of the record has 'two'"},
+      {"#\n0,1\n1,nan\n", by_number, "Value column", "line 3"},
+      {"0,1\ninf,2\n", by_number, "Time column", "line 2"},
+      {"0,1\n1,2,\n1,,\n", {"1", "3", "comma"}, "Value column", "has only 2 columns"},
+      {"0,1\n1,1e999\n", by_number, "Value column", "line 2"},
+      {"0,1\n1,2\n1,3\n", by_number, "Time column", "increase, but in line 3"},
+      {"0,1\n1,2\n0.5,3\n", by_number, "Time column", "0.5 follows 1"},
+      {"0,1\n", by_number, "File", "two samples at least; this one has 1"},
+      {"a,b\n", by_number, "File", "this one has 0"},
+      {"0 1\n1 2\n", by_number, "Value column", "is the separator right?"},
+      {"0;1\nx;2\n", {"1", "2", "semicolon"}, "Time column", "line 2"},
+      {"time,force\n0,1\n1,2\n", {"time", "forces", "comma"}, "Value column", "time, force"},
+      {"0,1\n1,2\n", {"0", "2", "comma"}, "Time column", "a number from 1"},
+      {"0,x\n1,2\n2,3\n", by_number, "Value column", "line 1"},
+  };
+  for (const Broken &broken : list)
+    try {
+      read_text_record(broken.text, broken.layout);
+      ADD_FAILURE() << "accepted: " << broken.text;
+    } catch (const RecordError &error) {
+      EXPECT_EQ(error.key(), broken.key) << broken.text;
+      EXPECT_NE(std::string(error.what()).find(broken.says), std::string::npos) << error.what();
+    }
+}
+
+TEST(RecordFileTest, Hdf5) {
+  const testing::TemporaryFolder folder;
+  const std::string file = (folder.path() / "record.h5").string();
+  EXPECT_TRUE(is_hdf5(file));
+  EXPECT_FALSE(is_hdf5("record.csv"));
+  Hdf5File made = Hdf5File::create(file);
+  made.write("/run/time", {3}, std::vector<double>{0, 1, 2});
+  made.write("/run/force", {3}, std::vector<double>{4, 5, 6});
+  made.write("/run/short", {2}, std::vector<double>{4, 5});
+  made.write("/run/square", {1, 3}, std::vector<double>{4, 5, 6});
+  made.write("/run/back", {3}, std::vector<double>{0, 1, 0.5});
+  made.write("/run/gap", {3}, std::vector<double>{0, std::nan(""), 0.5});
+  made.close();
+  expect_samples(read_hdf5_record(file, {"/run/time", "/run/force", ""}), {0, 1, 2}, {4, 5, 6});
+  const std::vector<Broken> list = {
+      {"", {"/run/time", "/run/none", ""}, "Value column", "path of a dataset"},
+      {"", {"1", "/run/force", ""}, "Time column", "path of a dataset"},
+      {"", {"/run", "/run/force", ""}, "Time column", "path of a dataset"},
+      {"", {"/run/time", "/run/short", ""}, "Value column", "2 values for 3 instants"},
+      {"", {"/run/time", "/run/square", ""}, "Value column", "this one has 2"},
+      {"", {"/run/time", "/run/gap", ""}, "Value column", "sample 2"},
+      {"", {"/run/back", "/run/force", ""}, "Time column", "in sample 3"},
+  };
+  for (const Broken &broken : list)
+    try {
+      read_hdf5_record(file, broken.layout);
+      ADD_FAILURE() << "accepted: " << broken.layout.value_column;
+    } catch (const RecordError &error) {
+      EXPECT_EQ(error.key(), broken.key);
+      EXPECT_NE(std::string(error.what()).find(broken.says), std::string::npos) << error.what();
+    }
+  EXPECT_THROW(read_hdf5_record((folder.path() / "none.h5").string(), by_number), RecordError);
+}
+
+} // namespace
+} // namespace vibroimpact
