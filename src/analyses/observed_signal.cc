@@ -54,7 +54,9 @@ ObservedSignal force_signal(const std::string &contact, std::size_t index) {
           .unit = "N",
           .description = "normal force",
           .along = [index](const StepView &view) -> StepFunction {
-            return [view, index](double tau) { return view.force(index, tau); };
+            return [view, index, curves = view.contact_curves(index)](double tau) {
+              return view.force(index, curves, tau);
+            };
           }};
 }
 
