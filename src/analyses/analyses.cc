@@ -4,6 +4,7 @@
 #include "analyses/grid.h"
 #include "analyses/identify.h"
 #include "analyses/modal.h"
+#include "analyses/recorders.h"
 #include "analyses/stepped_sweep.h"
 #include "analyses/transient.h"
 
@@ -38,6 +39,7 @@ void declare_analyses(parameters::Section &root) {
   types.emplace_back(grid_type);
   analysis.choice("Type", "transient", types, "What is computed.");
   declare_selection(analysis, "all");
+  declare_recorders(analysis);
   for (const Entry &entry : entries)
     entry.declare(analysis);
   declare_grid(analysis);

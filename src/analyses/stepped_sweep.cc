@@ -1,10 +1,9 @@
 #include "analyses/stepped_sweep.h"
 
-#include "analyses/excursions.h"
 #include "analyses/fields.h"
 #include "analyses/steadiness.h"
+#include "analyses/window_recording.h"
 #include "common/error.h"
-#include "integration/impact_log.h"
 
 #include <cmath>
 #include <numbers>
@@ -103,7 +102,8 @@ std::shared_ptr<const Analysis> SteppedSweep::create(const parameters::Values &a
                .recorded = values.integer("Recorded cycles"),
                .steadiness = values.quantity("Steadiness tolerance"),
                .longest_multiple = values.integer("Longest period"),
-               .excitation = values.text("Excitation")});
+               .excitation = values.text("Excitation"),
+               .recorders = read_recorders(analysis, {"excursions", "impacts"})});
 }
 
 std::vector<Axis> SteppedSweep::axes() const {
@@ -174,14 +174,15 @@ void SteppedSweep::check(const System &system) const {
                      "harmonic or ramped harmonic.");
   Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
+  const WindowRecording recording(settings_.recorders, system);
 }
 
 PointResult SteppedSweep::compute(const Step &step, System &system, Trajectory &trajectory,
                                   const MotionState &from) const {
   const double frequency = settings_.frequencies[step.frequency];
   const double period = 1 / frequency;
-  ImpactLog log(system.contacts, 0);
-  Excursions excursions(system);
+  WindowRecording recording(settings_.recorders, system);
+  Observers nobody({});
   Steadiness steadiness(state_scale(trajectory.equations(), 2 * std::numbers::pi * frequency),
                         settings_.longest_multiple, settings_.steadiness);
   PointResult result{.index = step.index()};
@@ -190,19 +191,13 @@ PointResult SteppedSweep::compute(const Step &step, System &system, Trajectory &
   while (cycles < settings_.maximum_settling &&
          !(cycles >= settings_.minimum_settling && steadiness.steady())) {
     ++cycles;
-    trajectory.advance(static_cast<double>(cycles) * period, log);
+    trajectory.advance(static_cast<double>(cycles) * period, nobody);
     steadiness.add(trajectory.motion_state().physical);
   }
-  log.clear();
-  Observers recording({&log, &excursions});
-  trajectory.advance(static_cast<double>(cycles + settings_.recorded) * period, recording);
+  recording.run(periods_window(static_cast<double>(cycles) * period, period, settings_.recorded),
+                trajectory);
 
-  excursions.add_fields(result);
-  for (std::size_t c = 0; c < system.contacts.size(); ++c)
-    result.fields.push_back(
-        scalar_field("contact/" + system.contacts.pairs()[c].name + "/impacts_per_period",
-                     static_cast<double>(log.begun(c)) / static_cast<double>(settings_.recorded),
-                     "1", "impacts begun per forcing period"));
+  recording.add_fields(result);
   result.fields.push_back(scalar_field("steady", steadiness.steady() ? 1 : 0, "1",
                                        "1 when the motion was judged steady before recording"));
   result.fields.push_back(scalar_field("period_multiple",

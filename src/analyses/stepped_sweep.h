@@ -7,6 +7,7 @@
 #pragma once
 
 #include "analyses/analysis.h"
+#include "analyses/recorders.h"
 #include "integration/trajectory.h"
 
 namespace vibroimpact {
@@ -25,6 +26,7 @@ public:
     double steadiness = 0;           ///< relative tolerance
     long longest_multiple = 1;       ///< [periods]
     std::string excitation;          ///< empty: the only one
+    std::vector<RecorderFactory> recorders = default_recorders();
   };
   explicit SteppedSweep(Settings settings) : settings_(std::move(settings)) {}
 

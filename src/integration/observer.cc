@@ -79,10 +79,17 @@ Bernstein StepView::gap_rate(std::size_t contact) const {
   return rate;
 }
 
+Bernstein StepView::first_order_state(Index place) const {
+  return Bernstein::cubic(length(), {(*start_state_)[place], (*start_rates_)[place]},
+                          {(*end_state_)[place], (*end_rates_)[place]});
+}
+
 Bernstein StepView::internal(Index i) const {
-  const Index z = equations_->layout().internal() + i;
-  return Bernstein::cubic(length(), {(*start_state_)[z], (*start_rates_)[z]},
-                          {(*end_state_)[z], (*end_rates_)[z]});
+  return first_order_state(equations_->layout().internal() + i);
+}
+
+Bernstein StepView::drive(Index i) const {
+  return first_order_state(equations_->layout().drive() + i);
 }
 
 Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const {

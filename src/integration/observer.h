@@ -39,6 +39,8 @@ public:
   /// Time derivative of the gap.
   Bernstein gap_rate(std::size_t contact) const;
   Bernstein internal(Index i) const;
+  /// Torque of a motor.
+  Bernstein drive(Index i) const;
   Bernstein indicator(std::size_t contact, const AffineForm &form) const;
 
   ContactCurves contact_curves(std::size_t contact) const;
@@ -48,6 +50,8 @@ public:
   double force(std::size_t contact, double tau) const;
 
 private:
+  Bernstein first_order_state(Index place) const;
+
   const Equations *equations_;
   double start_;
   double end_;

@@ -29,9 +29,10 @@ public:
       velocities_.push_back(coordinates_.back().derivative());
       velocities_.back() *= 1 / view.length();
     }
-    // Torques of motors stand right behind the internal states.
-    for (Index i = 0; i < layout_.physical_size() - layout_.internal(); ++i)
+    for (Index i = 0; i < layout_.n_internal; ++i)
       others_.push_back(view.internal(i));
+    for (Index i = 0; i < layout_.n_drive; ++i)
+      others_.push_back(view.drive(i));
   }
 
   void at(double tau, Vector &state) const {
