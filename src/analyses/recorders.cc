@@ -7,6 +7,11 @@
 #include "analyses/recorders/impacts.h"
 #include "analyses/recorders/quasi_static.h"
 #include "analyses/recorders/statistics.h"
+#include "analyses/recorders/lyapunov.h"
+#include "analyses/recorders/regime.h"
+#include "analyses/recorders/section.h"
+#include "analyses/recorders/spectrum.h"
+#include "analyses/recorders/time_frequency.h"
 
 #include <algorithm>
 
@@ -24,6 +29,15 @@ constexpr RecorderKind kinds[] = {
     {"quasi static", "static displacement under the frozen excitation", QuasiStatic::declare,
      QuasiStatic::create},
     {"history", "sampled time histories", History::declare, History::create},
+    {"section", "Poincare and other sections", SectionRecorder::declare, SectionRecorder::create},
+    {"regime", "repetition and character of the motion", RegimeRecorder::declare,
+     RegimeRecorder::create},
+    {"lyapunov", "largest Lyapunov exponent", LyapunovRecorder::declare, LyapunovRecorder::create},
+    {"spectrum", "amplitude spectra and orders", SpectrumRecorder::declare,
+     SpectrumRecorder::create},
+    {"wavelet", "continuous wavelet transform", WaveletRecorder::declare, WaveletRecorder::create},
+    {"spectrogram", "short-time spectra", SpectrogramRecorder::declare,
+     SpectrogramRecorder::create},
 };
 
 std::vector<std::string> kind_names() {

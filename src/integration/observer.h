@@ -72,6 +72,8 @@ struct ContactEvent {
   double gap = 0;      ///< [m]
   double gap_rate = 0; ///< [m/s]
   const Vector *state = nullptr;
+  const Vector *before = nullptr; ///< the state before the resets of the guard
+  const Guard *guard = nullptr;   ///< that was passed
   const StateLayout *layout = nullptr; ///< of the state
 };
 

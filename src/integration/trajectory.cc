@@ -260,6 +260,7 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
   const ContactPair &pair = equations_.contacts().pairs()[contact];
   const LocalState local =
       equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
+  const Vector before = state;
   ContactEvent event{.time = time(),
                      .contact = contact,
                      .from = equations_.modes()[contact],
@@ -267,6 +268,8 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
                      .gap = local.gap,
                      .gap_rate = local.gap_rate,
                      .state = &state,
+                     .before = &before,
+                     .guard = &passed,
                      .layout = &layout()};
   const double held = equations_.contact_energy(contact, event.from, local);
   std::vector<double> fresh;
