@@ -9,25 +9,43 @@ namespace {
 constexpr int maximum_depth = 52;
 } // namespace
 
+// At tau = 0 the k-th derivative of degree n is n! / (n - k)! times the k-th forward difference of
+// the coefficients; at tau = 1 likewise from the other end.
+Bernstein Bernstein::hermite(double h, std::span<const double> start, std::span<const double> end) {
+  constexpr int binomial[5][5] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}};
+  const int count = static_cast<int>(start.size());
+  Bernstein p;
+  p.degree_ = 2 * count - 1;
+  double left[5], right[5];
+  double factor = 1;
+  double sign = 1;
+  for (int k = 0; k < count; ++k) {
+    left[k] = factor * start[k];
+    right[k] = sign * factor * end[k];
+    factor *= h / (p.degree_ - k);
+    sign = -sign;
+  }
+  for (int i = 0; i < count; ++i) {
+    double from_left = left[0];
+    double from_right = right[0];
+    for (int k = 1; k <= i; ++k) {
+      from_left += binomial[i][k] * left[k];
+      from_right += binomial[i][k] * right[k];
+    }
+    p.coefficients_[i] = from_left;
+    p.coefficients_[p.degree_ - i] = from_right;
+  }
+  return p;
+}
+
 Bernstein Bernstein::quintic(double h, const std::array<double, 3> &start,
                              const std::array<double, 3> &end) {
-  Bernstein p;
-  p.degree_ = 5;
-  p.coefficients_ = {start[0],
-                     start[0] + h * start[1] / 5,
-                     start[0] + 2 * h * start[1] / 5 + h * h * start[2] / 20,
-                     end[0] - 2 * h * end[1] / 5 + h * h * end[2] / 20,
-                     end[0] - h * end[1] / 5,
-                     end[0]};
-  return p;
+  return hermite(h, start, end);
 }
 
 Bernstein Bernstein::cubic(double h, const std::array<double, 2> &start,
                            const std::array<double, 2> &end) {
-  Bernstein p;
-  p.degree_ = 3;
-  p.coefficients_ = {start[0], start[0] + h * start[1] / 3, end[0] - h * end[1] / 3, end[0]};
-  return p;
+  return hermite(h, start, end);
 }
 
 Bernstein Bernstein::line(double start, double end) {
@@ -160,8 +178,14 @@ double Bernstein::falling_zero() const {
 }
 
 std::optional<double> Bernstein::first_fall() const {
-  if (lower_bound() > 0)
-    return std::nullopt;
+  if (sign_changes() > 0)
+    return first_fall_by_subdivision();
+  if (sign_after_start() < 0)
+    return 0;
+  return std::nullopt;
+}
+
+std::optional<double> Bernstein::first_fall_by_subdivision() const {
   struct Piece {
     Bernstein p;
     double start;

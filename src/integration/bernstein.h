@@ -1,4 +1,4 @@
-// Polynomials up to degree 5 on [0, 1] in the Bernstein basis: the dense output of a time step.
+// Polynomials up to degree 9 on [0, 1] in the Bernstein basis: the dense output of a time step.
 //
 // The coefficients bound the polynomial, and their sign changes bound the number of its zeros, so
 // that zeros are isolated safely by subdivision: none is skipped, whatever their distance.
@@ -6,17 +6,20 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 namespace vibroimpact {
 
 class Bernstein {
 public:
-  static constexpr int maximum_degree = 5;
+  static constexpr int maximum_degree = 9;
 
   Bernstein() = default;
   /// A constant.
   explicit Bernstein(double value) { coefficients_[0] = value; }
 
+  /// Degree 2 p - 1 from value and derivatives at both ends of a step of length h: p <= 5 each.
+  static Bernstein hermite(double h, std::span<const double> start, std::span<const double> end);
   /// Quintic with value, rate and acceleration of a motion at both ends of a step of length h.
   static Bernstein quintic(double h, const std::array<double, 3> &start,
                            const std::array<double, 3> &end);
@@ -58,6 +61,7 @@ public:
 private:
   Bernstein raised() const;
   void split(Bernstein &left, Bernstein &right) const;
+  std::optional<double> first_fall_by_subdivision() const;
   int sign_after_start() const;
   int sign_changes() const;
   Bernstein without_zero_at_start() const;

@@ -43,6 +43,15 @@ void Equations::set_source_break(double instant) {
                           : std::nextafter(instant, -std::numeric_limits<double>::infinity());
 }
 
+void Equations::source_values(double time, std::vector<SourceValues> &values) const {
+  const double instant = source_time(time);
+  values.resize(model_.sources().size());
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const TimeFunction &function = *model_.sources()[k].function;
+    values[k] = {function.value(instant), function.rate(instant), function.acceleration(instant)};
+  }
+}
+
 LocalState Equations::local_state(std::size_t contact, double time, ConstVectorView x) const {
   const ContactPair &pair = contacts_.pairs()[contact];
   LocalState state{.gap = pair.clearance + pair.gap.row.dot(x.head(layout_.n)),

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "contact/contact_set.h"
+#include "integration/end_point.h"
 #include "model/model.h"
 
 #include <algorithm>
@@ -54,6 +55,12 @@ public:
   /// Where to ask a source for its value at `time` in this phase.
   double source_time(double time) const { return std::min(time, last_source_time_); }
 
+  /// s, s', s'' of all sources; no higher derivatives.
+  void source_values(double time, std::vector<SourceValues> &values) const;
+
+  /// In its present mode the contact has neither force nor internal states.
+  bool silent(std::size_t contact) const;
+
   /// Gap and its rate; the internal states refer into `x`.
   LocalState local_state(std::size_t contact, double time, ConstVectorView x) const;
 
@@ -82,7 +89,6 @@ private:
   void add_cubic_stiffness(double time, ConstVectorView x, Matrix &jacobian) const;
   void couple_rotors(double time, ConstVectorView x, Matrix &jacobian) const;
   Vector uncoupled_acceleration(double time, ConstVectorView x) const;
-  bool silent(std::size_t contact) const;
 
   const Model &model_;
   const ContactSet &contacts_;

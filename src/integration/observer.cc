@@ -8,49 +8,59 @@ namespace vibroimpact {
 
 namespace {
 
-// Value, rate and acceleration at one end of a step.
-std::array<double, 3> end_values(const Projection &projection, const Equations &equations,
-                                 double time, const Vector &state, const Vector &rates) {
-  const StateLayout &layout = equations.layout();
+// Value and derivatives at one end of a step.
+struct EndValues {
+  std::array<double, 5> values{};
+  std::size_t count = 3;
+  std::span<const double> list() const { return {values.data(), count}; }
+};
+
+EndValues end_values(const Projection &projection, const StateLayout &layout,
+                     const EndPoint &point) {
   const Index n = layout.n;
-  const double source_time = equations.source_time(time);
-  std::array<double, 3> values = {projection.row.dot(state.head(n)),
-                                  projection.row.dot(state.segment(layout.velocity(), n)),
-                                  projection.row.dot(rates.segment(layout.velocity(), n))};
+  const Index v = layout.velocity();
+  EndValues end;
+  end.values = {projection.row.dot(point.state.head(n)),
+                projection.row.dot(point.state.segment(v, n)),
+                projection.row.dot(point.rates.segment(v, n))};
+  for (Index m = 0; m < point.higher.cols(); ++m)
+    end.values[end.count++] = projection.row.dot(point.higher.col(m).segment(v, n));
   for (std::size_t k = 0; k < projection.carrier.size(); ++k)
-    if (projection.carrier[k] != 0) {
-      const TimeFunction &function = *equations.model().sources()[k].function;
-      values[0] += projection.carrier[k] * function.value(source_time);
-      values[1] += projection.carrier[k] * function.rate(source_time);
-      values[2] += projection.carrier[k] * function.acceleration(source_time);
-    }
-  return values;
+    if (projection.carrier[k] != 0)
+      for (std::size_t m = 0; m < end.count; ++m)
+        end.values[m] += projection.carrier[k] * point.sources[k][m];
+  return end;
+}
+
+// Of one entry of the state; those of a velocity are further derivatives of its coordinate.
+void add_derivatives(const EndPoint &point, Index entry, EndValues &end) {
+  end.values[end.count++] = point.state[entry];
+  end.values[end.count++] = point.rates[entry];
+  for (Index m = 0; m < point.higher.cols(); ++m)
+    end.values[end.count++] = point.higher(entry, m);
 }
 
 } // namespace
 
-StepView::StepView(const Equations &equations, double start, double end, const Vector &start_state,
-                   const Vector &end_state, const Vector &start_rates, const Vector &end_rates)
-    : equations_(&equations), start_(start), end_(end), start_state_(&start_state),
-      end_state_(&end_state), start_rates_(&start_rates), end_rates_(&end_rates) {}
-
 Bernstein StepView::displacement(const Projection &projection) const {
-  return Bernstein::quintic(
-      length(), end_values(projection, *equations_, start_, *start_state_, *start_rates_),
-      end_values(projection, *equations_, end_, *end_state_, *end_rates_));
+  const StateLayout &layout = equations_->layout();
+  return Bernstein::hermite(length(), end_values(projection, layout, *start_).list(),
+                            end_values(projection, layout, *end_).list());
 }
 
 // Over a short step differences of positions are rounding alone; then the velocities at the ends
 // say more.
 Bernstein StepView::velocity(const Projection &projection) const {
-  const auto a = end_values(projection, *equations_, start_, *start_state_, *start_rates_);
-  const auto b = end_values(projection, *equations_, end_, *end_state_, *end_rates_);
+  const EndValues start = end_values(projection, equations_->layout(), *start_);
+  const EndValues end = end_values(projection, equations_->layout(), *end_);
+  const auto &a = start.values;
+  const auto &b = end.values;
   const double h = length();
   const double rounding = 64 * std::numeric_limits<double>::epsilon();
   if (rounding * std::max(std::abs(a[0]), std::abs(b[0])) >
       1e-10 * h * std::max(std::abs(a[1]), std::abs(b[1])))
-    return Bernstein::cubic(h, {a[1], a[2]}, {b[1], b[2]});
-  Bernstein rate = Bernstein::quintic(h, a, b).derivative();
+    return Bernstein::hermite(h, start.list().subspan(1), end.list().subspan(1));
+  Bernstein rate = Bernstein::hermite(h, start.list(), end.list()).derivative();
   rate *= 1 / h;
   return rate;
 }
@@ -58,27 +68,33 @@ Bernstein StepView::velocity(const Projection &projection) const {
 // Differences of positions over a short step say nothing of the acceleration any more; then those
 // of the velocities do, and at last the accelerations at the ends alone.
 Bernstein StepView::acceleration(const Projection &projection) const {
-  const auto a = end_values(projection, *equations_, start_, *start_state_, *start_rates_);
-  const auto b = end_values(projection, *equations_, end_, *end_state_, *end_rates_);
+  const EndValues start = end_values(projection, equations_->layout(), *start_);
+  const EndValues end = end_values(projection, equations_->layout(), *end_);
+  const auto &a = start.values;
+  const auto &b = end.values;
   const double h = length();
   const double rounding = 64 * std::numeric_limits<double>::epsilon();
   const double allowed = 1e-9 * std::max(std::abs(a[2]), std::abs(b[2]));
   if (rounding * std::max(std::abs(a[1]), std::abs(b[1])) > allowed * h)
-    return Bernstein::line(a[2], b[2]);
+    return Bernstein::hermite(h, start.list().subspan(2), end.list().subspan(2));
   if (rounding * std::max(std::abs(a[0]), std::abs(b[0])) > allowed * h * h) {
-    Bernstein slope = Bernstein::cubic(h, {a[1], a[2]}, {b[1], b[2]}).derivative();
+    Bernstein slope =
+        Bernstein::hermite(h, start.list().subspan(1), end.list().subspan(1)).derivative();
     slope *= 1 / h;
     return slope;
   }
-  Bernstein second = Bernstein::quintic(h, a, b).derivative().derivative();
+  Bernstein second = Bernstein::hermite(h, start.list(), end.list()).derivative().derivative();
   second *= 1 / (h * h);
   return second;
 }
 
 Bernstein StepView::coordinate(Index j) const {
   const Index v = equations_->layout().velocity() + j;
-  return Bernstein::quintic(length(), {(*start_state_)[j], (*start_state_)[v], (*start_rates_)[v]},
-                            {(*end_state_)[j], (*end_state_)[v], (*end_rates_)[v]});
+  EndValues start{.values = {start_->state[j]}, .count = 1};
+  EndValues end{.values = {end_->state[j]}, .count = 1};
+  add_derivatives(*start_, v, start);
+  add_derivatives(*end_, v, end);
+  return Bernstein::hermite(length(), start.list(), end.list());
 }
 
 Bernstein StepView::gap(std::size_t contact) const {
@@ -93,8 +109,11 @@ Bernstein StepView::gap_rate(std::size_t contact) const {
 }
 
 Bernstein StepView::first_order_state(Index place) const {
-  return Bernstein::cubic(length(), {(*start_state_)[place], (*start_rates_)[place]},
-                          {(*end_state_)[place], (*end_rates_)[place]});
+  EndValues start{.values = {}, .count = 0};
+  EndValues end{.values = {}, .count = 0};
+  add_derivatives(*start_, place, start);
+  add_derivatives(*end_, place, end);
+  return Bernstein::hermite(length(), start.list(), end.list());
 }
 
 Bernstein StepView::internal(Index i) const {

@@ -18,17 +18,18 @@ struct ContactCurves {
 /// One accepted step, smooth inside. Valid only during the call.
 class StepView {
 public:
-  StepView(const Equations &equations, double start, double end, const Vector &start_state,
-           const Vector &end_state, const Vector &start_rates, const Vector &end_rates);
+  StepView(const Equations &equations, const EndPoint &start, const EndPoint &end)
+      : equations_(&equations), start_(&start), end_(&end) {}
 
-  double start() const { return start_; }
-  double end() const { return end_; }
-  double length() const { return end_ - start_; }
+  double start() const { return start_->time; }
+  double end() const { return end_->time; }
+  double length() const { return end_->time - start_->time; }
   const Equations &equations() const { return *equations_; }
-  const Vector &start_state() const { return *start_state_; }
-  const Vector &end_state() const { return *end_state_; }
+  const Vector &start_state() const { return start_->state; }
+  const Vector &end_state() const { return end_->state; }
 
-  /// Displacement seen by a projection, as a quintic in tau = (t - start)/length.
+  /// Displacement seen by a projection, as a polynomial in tau = (t - start)/length: a quintic, or
+  /// of degree 9 where the method knows higher derivatives at the ends.
   Bernstein displacement(const Projection &projection) const;
   /// Its time derivative.
   Bernstein velocity(const Projection &projection) const;
@@ -55,12 +56,8 @@ private:
   Bernstein first_order_state(Index place) const;
 
   const Equations *equations_;
-  double start_;
-  double end_;
-  const Vector *start_state_;
-  const Vector *end_state_;
-  const Vector *start_rates_;
-  const Vector *end_rates_;
+  const EndPoint *start_;
+  const EndPoint *end_;
 };
 
 /// A contact that changed its mode.
@@ -72,8 +69,8 @@ struct ContactEvent {
   double gap = 0;      ///< [m]
   double gap_rate = 0; ///< [m/s]
   const Vector *state = nullptr;
-  const Vector *before = nullptr; ///< the state before the resets of the guard
-  const Guard *guard = nullptr;   ///< that was passed
+  const Vector *before = nullptr;      ///< the state before the resets of the guard
+  const Guard *guard = nullptr;        ///< that was passed
   const StateLayout *layout = nullptr; ///< of the state
 };
 

@@ -5,9 +5,11 @@ namespace vibroimpact {
 void declare_integration(parameters::Section &root) {
   using namespace parameters;
   root.subsection("Integration", "How motions are integrated in time.")
-      .choice("Method", "rk", {"rk", "bdf", "theta", "arkimex"},
-              "Time integrator: adaptive Runge-Kutta of order 5 (Dormand-Prince), backward "
-              "differentiation, trapezoidal-type theta, or diagonally implicit Runge-Kutta.")
+      .choice(
+          "Method", "flight", {"flight", "rk", "bdf", "theta", "arkimex"},
+          "Time integrator: exact where everything is linear and adaptive Runge-Kutta elsewhere; "
+          "or throughout adaptive Runge-Kutta of order 5 (Dormand-Prince), backward "
+          "differentiation, trapezoidal-type theta, or diagonally implicit Runge-Kutta.")
       .quantity("Relative tolerance", "1e-9", dimension::none, Range{.lower = 1e-14, .upper = 0.1},
                 "", "Relative error allowed in one step.")
       .quantity("Absolute tolerance", "1e-12 m", dimension::length, range::positive, "",

@@ -8,7 +8,7 @@
 namespace vibroimpact {
 
 struct IntegrationSettings {
-  std::string method = "rk"; ///< "rk", "bdf", "theta" or "arkimex"
+  std::string method = "flight"; ///< "flight", "rk", "bdf", "theta" or "arkimex"
   double relative_tolerance = 1e-9;
   double absolute_tolerance = 1e-12; ///< of displacements at the points [m]
   double event_tolerance = 1e-12;    ///< of the instant of a contact change [s]

@@ -50,27 +50,16 @@ double proportion(const AffineForm &form, const AffineForm &other) {
 
 Trajectory::Trajectory(const Model &model, const ContactSet &contacts,
                        const IntegrationSettings &settings)
-    : settings_(settings), equations_(model, contacts), stepper_(equations_, settings) {}
-
-double Trajectory::first_step() const {
-  const auto known = step_of_modes_.find(equations_.modes());
-  if (known != step_of_modes_.end())
-    return known->second;
-  const double highest = equations_.model().highest_frequency();
-  return highest > 0 ? 0.01 / highest : 1e-6;
-}
+    : settings_(settings), equations_(model, contacts), steppers_(equations_, settings) {}
 
 double Trajectory::time_tolerance() const {
-  return std::max(settings_.event_tolerance,
-                  8 * std::numeric_limits<double>::epsilon() * std::abs(stepper_.time()));
+  return std::max(settings_.event_tolerance, 8 * std::numeric_limits<double>::epsilon() *
+                                                 std::abs(steppers_.present().time()));
 }
 
 void Trajectory::begin_phase(double time, const Vector &state) {
   equations_.set_source_break(equations_.model().next_break(time));
-  stepper_.restart(time, state, first_step());
-  start_rates_.resize(state.size());
-  equations_.rates(time, ConstVectorView(state.data(), state.size()),
-                   VectorView(start_rates_.data(), start_rates_.size()));
+  steppers_.restart(time, state);
 }
 
 void Trajectory::refuse_penetration(double time, const Vector &state) const {
@@ -129,11 +118,11 @@ void Trajectory::start(const MotionState &from) {
   state.head(layout().physical_size()) = from.physical;
   choose_initial_modes(from.time, state);
   steps_ = events_ = events_at_once_ = 0;
-  rejected_before_ = stepper_.rejected_steps();
+  steppers_.forget(); // so that a case does not depend on what was integrated before it
+  rejected_before_ = steppers_.rejected_steps();
   event_residual_ = 0;
   last_event_time_ = -std::numeric_limits<double>::infinity();
   zero_at_start_.clear();
-  step_of_modes_.clear(); // so that a case does not depend on what was integrated before it
   initial_energy_ =
       equations_.stored_energy(from.time, ConstVectorView(state.data(), state.size()));
   begin_phase(from.time, state);
@@ -146,17 +135,7 @@ MotionState Trajectory::motion_state() const {
 }
 
 StepView Trajectory::view() const {
-  return {equations_,       stepper_.previous_time(),
-          stepper_.time(),  stepper_.previous_state(),
-          stepper_.state(), start_rates_,
-          end_rates_};
-}
-
-void Trajectory::evaluate_end() {
-  const Vector &state = stepper_.state();
-  end_rates_.resize(state.size());
-  equations_.rates(stepper_.time(), ConstVectorView(state.data(), state.size()),
-                   VectorView(end_rates_.data(), end_rates_.size()));
+  return {equations_, steppers_.present().start_point(), steppers_.present().end_point()};
 }
 
 // A guard that was zero when its mode began counts from there, without the remainder that the
@@ -221,19 +200,19 @@ double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) c
 bool Trajectory::locate(Crossing &crossing) {
   constexpr int maximum_corrections = 60;
   for (int i = 0; i < maximum_corrections; ++i) {
-    const double start = stepper_.previous_time();
-    const double instant = start + crossing.tau * (stepper_.time() - start);
+    const double start = steppers_.present().previous_time();
+    const double instant = start + crossing.tau * (steppers_.present().time() - start);
     if (instant - start <= time_tolerance()) {
       const Bernstein indicator = view().indicator(
           crossing.contact, guard_of(equations_, crossing.contact, crossing.guard).indicator);
       crossing.residual = std::abs(indicator.start());
-      crossing.rate = std::abs(indicator.derivative().start() / (stepper_.time() - start));
-      stepper_.undo();
+      crossing.rate =
+          std::abs(indicator.derivative().start() / (steppers_.present().time() - start));
+      steppers_.present().undo();
       return true;
     }
-    if (stepper_.time() - instant > 0) {
-      stepper_.shorten(instant);
-      evaluate_end();
+    if (steppers_.present().time() - instant > 0) {
+      steppers_.present().shorten(instant);
     }
     const StepView shorter = view();
     Crossing earlier = crossing;
@@ -250,7 +229,7 @@ bool Trajectory::locate(Crossing &crossing) {
       return false; // not there yet: the next step will meet it
     crossing = earlier;
   }
-  throw NumericalError("a contact change near t = " + std::to_string(stepper_.time()) +
+  throw NumericalError("a contact change near t = " + std::to_string(steppers_.present().time()) +
                        " s could not be located to the event tolerance");
 }
 
@@ -297,8 +276,7 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
     throw NumericalError("more than " + std::to_string(settings_.maximum_events) +
                          " contact changes (Maximum events)");
   last_event_time_ = time();
-  Vector state = stepper_.state();
-  step_of_modes_[equations_.modes()] = stepper_.natural_step();
+  Vector state = steppers_.present().state();
   // A copy: the mode it belongs to is about to be left.
   const AffineForm passed = guard_of(equations_, first.contact, first.guard).indicator;
   change_mode(first.contact, first.guard, state, observer);
@@ -314,6 +292,9 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
 void Trajectory::note_zero_guards(const Crossing &crossing, const AffineForm &passed,
                                   const Vector &state) {
   const std::size_t contact = crossing.contact;
+  Vector rates_at_start(state.size());
+  equations_.rates(time(), ConstVectorView(state.data(), state.size()),
+                   VectorView(rates_at_start.data(), rates_at_start.size()));
   const double delay = crossing.rate > 0 ? crossing.residual / crossing.rate : 0;
   const LocalState local =
       equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
@@ -321,8 +302,9 @@ void Trajectory::note_zero_guards(const Crossing &crossing, const AffineForm &pa
   const LocalState rates{
       .gap = local.gap_rate,
       .gap_rate = equations_.gap_acceleration(
-          contact, time(), ConstVectorView(start_rates_.data() + layout().velocity(), layout().n)),
-      .internal = {start_rates_.data() + layout().internal() +
+          contact, time(),
+          ConstVectorView(rates_at_start.data() + layout().velocity(), layout().n)),
+      .internal = {rates_at_start.data() + layout().internal() +
                        equations_.contacts().pairs()[contact].internal_offset,
                    local.internal.size()}};
   for (std::size_t g = 0; g < guard_count(equations_, contact); ++g) {
@@ -346,13 +328,12 @@ bool Trajectory::at_source_break() const {
 
 void Trajectory::pass_source_break() {
   const double instant = equations_.source_break();
-  step_of_modes_[equations_.modes()] = stepper_.natural_step();
-  const Vector state = stepper_.state();
+  const Vector state = steppers_.present().state();
   begin_phase(instant, state);
 }
 
 void Trajectory::advance(double end, Observer &observer) {
-  while (stepper_.time() < end) {
+  while (steppers_.present().time() < end) {
     if (at_source_break()) {
       pass_source_break();
       continue;
@@ -360,12 +341,12 @@ void Trajectory::advance(double end, Observer &observer) {
     if (settings_.maximum_steps > 0 && steps_ >= settings_.maximum_steps)
       throw NumericalError("more than " + std::to_string(settings_.maximum_steps) +
                            " steps (Maximum steps)");
-    stepper_.step(std::min(end, equations_.source_break()));
-    evaluate_end();
+    steppers_.present().step(std::min(end, equations_.source_break()));
     ++steps_;
     Crossing crossing;
     const bool changes = find_crossing(view(), crossing) && locate(crossing);
-    if (stepper_.time() > stepper_.previous_time())
+    steppers_.present().accept();
+    if (steppers_.present().time() > steppers_.present().previous_time())
       observer.step(view());
     if (changes) {
       change_modes(crossing, observer);
@@ -373,12 +354,11 @@ void Trajectory::advance(double end, Observer &observer) {
     }
     if (!zero_at_start_.empty())
       forget_grown_guards();
-    std::swap(start_rates_, end_rates_);
   }
 }
 
 Accuracy Trajectory::accuracy() const {
-  const Vector &x = stepper_.state();
+  const Vector &x = steppers_.present().state();
   const double energy = equations_.stored_energy(time(), ConstVectorView(x.data(), x.size()));
   double unaccounted =
       energy - initial_energy_ - x[layout().input_work()] + x[layout().damping_work()];
@@ -386,7 +366,7 @@ Accuracy Trajectory::accuracy() const {
     unaccounted += x[layout().contact_work(c)];
   const double turnover = initial_energy_ + x[layout().absolute_input_work()];
   return {.steps = steps_,
-          .rejected_steps = stepper_.rejected_steps() - rejected_before_,
+          .rejected_steps = steppers_.rejected_steps() - rejected_before_,
           .events = events_,
           .energy_residual = turnover > 0 ? std::abs(unaccounted) / turnover : 0,
           .event_residual = event_residual_};

@@ -9,9 +9,8 @@
 
 #include "integration/observer.h"
 #include "integration/settings.h"
-#include "integration/ts_stepper.h"
+#include "integration/steppers.h"
 
-#include <map>
 #include <vector>
 
 namespace vibroimpact {
@@ -45,8 +44,8 @@ public:
   /// Integrates up to `end` exactly. NumericalError when that fails.
   void advance(double end, Observer &observer);
 
-  double time() const { return stepper_.time(); }
-  const Vector &state() const { return stepper_.state(); }
+  double time() const { return steppers_.present().time(); }
+  const Vector &state() const { return steppers_.present().state(); }
   MotionState motion_state() const;
   const Equations &equations() const { return equations_; }
   const StateLayout &layout() const { return equations_.layout(); }
@@ -84,14 +83,11 @@ private:
   void note_zero_guards(const Crossing &crossing, const AffineForm &passed, const Vector &state);
   void change_mode(std::size_t contact, std::size_t guard, Vector &state, Observer &observer);
   StepView view() const;
-  void evaluate_end();
   double time_tolerance() const;
-  double first_step() const;
 
   IntegrationSettings settings_;
   Equations equations_;
-  TsStepper stepper_;
-  Vector start_rates_, end_rates_;
+  Steppers steppers_;
   double initial_energy_ = 0;
   long steps_ = 0;
   long rejected_before_ = 0;
@@ -101,7 +97,6 @@ private:
   double event_residual_ = 0;
   /// Guards that were zero at the start of the phase and have not grown beyond that yet.
   std::vector<ZeroGuard> zero_at_start_;
-  std::map<std::vector<int>, double> step_of_modes_; ///< trial step that suited last time
 };
 
 } // namespace vibroimpact

@@ -1,6 +1,7 @@
 #include "integration/ts_stepper.h"
 
-#include "common/error.h"
+#include "integration/petsc_check.h"
+#include "integration/tolerances.h"
 
 #include <petscts.h>
 
@@ -12,18 +13,6 @@
 namespace vibroimpact {
 
 namespace {
-
-std::string error_text(PetscErrorCode code) {
-  const char *text = nullptr;
-  PetscErrorMessage(code, &text, nullptr);
-  return text ? text : "unknown error";
-}
-
-// PETSc's own handler would print a stack trace; the code it returns says enough.
-void check(PetscErrorCode code, const char *call) {
-  if (code != 0)
-    throw NumericalError(std::string(call) + " failed: " + error_text(code));
-}
 
 // Silences PETSc's error output for the life of the object.
 class QuietErrors {
@@ -74,24 +63,26 @@ void default_to_maximum_norm() {
 
 } // namespace
 
-TsStepper::TsStepper(Equations &equations, const IntegrationSettings &settings)
+TsStepper::TsStepper(Equations &equations, const IntegrationSettings &settings,
+                     const std::string &method)
     : equations_(equations),
       maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()) {
   const PetscInt size = static_cast<PetscInt>(equations.layout().size());
-  check(VecCreateSeq(PETSC_COMM_SELF, size, &solution_), "VecCreateSeq");
-  check(TSCreate(PETSC_COMM_SELF, &ts_), "TSCreate");
-  check(TSSetProblemType(ts_, TS_NONLINEAR), "TSSetProblemType");
-  check(TSSetRHSFunction(ts_, nullptr, evaluate_rates, &equations_), "TSSetRHSFunction");
-  check(MatCreateSeqDense(PETSC_COMM_SELF, size, size, nullptr, &jacobian_), "MatCreateSeqDense");
-  check(TSSetRHSJacobian(ts_, jacobian_, jacobian_, evaluate_jacobian, &equations_),
-        "TSSetRHSJacobian");
-  check(TSSetSolution(ts_, solution_), "TSSetSolution");
-  set_method(settings.method);
+  check_petsc(VecCreateSeq(PETSC_COMM_SELF, size, &solution_), "VecCreateSeq");
+  check_petsc(TSCreate(PETSC_COMM_SELF, &ts_), "TSCreate");
+  check_petsc(TSSetProblemType(ts_, TS_NONLINEAR), "TSSetProblemType");
+  check_petsc(TSSetRHSFunction(ts_, nullptr, evaluate_rates, &equations_), "TSSetRHSFunction");
+  check_petsc(MatCreateSeqDense(PETSC_COMM_SELF, size, size, nullptr, &jacobian_),
+              "MatCreateSeqDense");
+  check_petsc(TSSetRHSJacobian(ts_, jacobian_, jacobian_, evaluate_jacobian, &equations_),
+              "TSSetRHSJacobian");
+  check_petsc(TSSetSolution(ts_, solution_), "TSSetSolution");
+  set_method(method);
   set_tolerances(settings);
   default_to_maximum_norm();
-  check(TSSetFromOptions(ts_), "TSSetFromOptions");
-  check(TSSetUp(ts_), "TSSetUp");
+  check_petsc(TSSetFromOptions(ts_), "TSSetFromOptions");
+  check_petsc(TSSetUp(ts_), "TSSetUp");
 }
 
 TsStepper::~TsStepper() {
@@ -101,70 +92,43 @@ TsStepper::~TsStepper() {
 }
 
 void TsStepper::set_method(const std::string &method) {
-  check(TSSetType(ts_, method.c_str()), "TSSetType");
+  check_petsc(TSSetType(ts_, method.c_str()), "TSSetType");
   if (method == TSRK)
-    check(TSRKSetType(ts_, TSRK5DP), "TSRKSetType");
+    check_petsc(TSRKSetType(ts_, TSRK5DP), "TSRKSetType");
   if (method == TSARKIMEX)
-    check(TSARKIMEXSetFullyImplicit(ts_, PETSC_TRUE), "TSARKIMEXSetFullyImplicit");
+    check_petsc(TSARKIMEXSetFullyImplicit(ts_, PETSC_TRUE), "TSARKIMEXSetFullyImplicit");
   if (method == TSTHETA)
-    check(TSThetaSetTheta(ts_, 0.5), "TSThetaSetTheta");
+    check_petsc(TSThetaSetTheta(ts_, 0.5), "TSThetaSetTheta");
   TSAdapt adapt = nullptr;
-  check(TSGetAdapt(ts_, &adapt), "TSGetAdapt");
-  check(TSAdaptSetType(adapt, TSADAPTBASIC), "TSAdaptSetType");
-  check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_STEPOVER), "TSSetExactFinalTime");
-  check(TSSetMaxSteps(ts_, std::numeric_limits<PetscInt>::max() - 1), "TSSetMaxSteps");
-  check(TSSetMaxTime(ts_, std::numeric_limits<double>::max() / 4), "TSSetMaxTime");
-  check(TSSetMaxStepRejections(ts_, 100), "TSSetMaxStepRejections");
-  check(TSSetMaxSNESFailures(ts_, -1), "TSSetMaxSNESFailures");
-  check(TSSetErrorIfStepFails(ts_, PETSC_FALSE), "TSSetErrorIfStepFails");
+  check_petsc(TSGetAdapt(ts_, &adapt), "TSGetAdapt");
+  check_petsc(TSAdaptSetType(adapt, TSADAPTBASIC), "TSAdaptSetType");
+  check_petsc(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_STEPOVER), "TSSetExactFinalTime");
+  check_petsc(TSSetMaxSteps(ts_, std::numeric_limits<PetscInt>::max() - 1), "TSSetMaxSteps");
+  check_petsc(TSSetMaxTime(ts_, std::numeric_limits<double>::max() / 4), "TSSetMaxTime");
+  check_petsc(TSSetMaxStepRejections(ts_, 100), "TSSetMaxStepRejections");
+  check_petsc(TSSetMaxSNESFailures(ts_, -1), "TSSetMaxSNESFailures");
+  check_petsc(TSSetErrorIfStepFails(ts_, PETSC_FALSE), "TSSetErrorIfStepFails");
   SNES snes = nullptr;
   KSP ksp = nullptr;
   PC pc = nullptr;
-  check(TSGetSNES(ts_, &snes), "TSGetSNES");
-  check(SNESGetKSP(snes, &ksp), "SNESGetKSP");
-  check(KSPSetType(ksp, KSPPREONLY), "KSPSetType");
-  check(KSPGetPC(ksp, &pc), "KSPGetPC");
-  check(PCSetType(pc, PCLU), "PCSetType");
+  check_petsc(TSGetSNES(ts_, &snes), "TSGetSNES");
+  check_petsc(SNESGetKSP(snes, &ksp), "SNESGetKSP");
+  check_petsc(KSPSetType(ksp, KSPPREONLY), "KSPSetType");
+  check_petsc(KSPGetPC(ksp, &pc), "KSPGetPC");
+  check_petsc(PCSetType(pc, PCLU), "PCSetType");
 }
 
-// A tolerance in metres at the points becomes one for the coordinates of a body by the largest
-// displacement that a unit coordinate gives at a point, the same for all of them: a mode the points
-// hardly see still holds energy. Velocities follow by the natural frequencies.
 void TsStepper::set_tolerances(const IntegrationSettings &settings) {
-  const StateLayout &layout = equations_.layout();
-  const Model &model = equations_.model();
-  const double huge = std::numeric_limits<double>::max() / 16;
-  Vector absolute = Vector::Constant(layout.size(), huge);
-  // Where nothing oscillates, a second is as good as any scale.
-  const double highest = model.highest_frequency() > 0 ? model.highest_frequency() : 1;
-  for (std::size_t b = 0; b < model.bodies().size(); ++b) {
-    const ReducedBody &body = *model.bodies()[b];
-    const Vector omega = body.omega();
-    double reach = 0;
-    for (const BodyPoint &point : body.points)
-      reach = std::max(reach, point.rows.topRows(3).cwiseAbs().maxCoeff());
-    const double tolerance = settings.absolute_tolerance / (reach > 0 ? reach : 1);
-    for (Index j = 0; j < body.size(); ++j) {
-      absolute[model.offset(b) + j] = tolerance;
-      absolute[layout.velocity() + model.offset(b) + j] =
-          tolerance * (omega[j] > 0 ? omega[j] : highest);
-    }
-  }
-  absolute.segment(layout.internal(), layout.n_internal).setConstant(settings.absolute_tolerance);
-  // A motor's torque counts by the metre per starting torque, as an angle counts as a length.
-  for (const Rotor &rotor : model.rotors().list())
-    if (rotor.motor)
-      absolute[layout.drive() + rotor.motor->drive] =
-          settings.absolute_tolerance * std::max(1.0, std::abs(rotor.motor->starting_torque));
+  const Vector absolute = absolute_tolerances(equations_, settings.absolute_tolerance);
   Vec tolerances = nullptr;
-  check(VecDuplicate(solution_, &tolerances), "VecDuplicate");
+  check_petsc(VecDuplicate(solution_, &tolerances), "VecDuplicate");
   PetscScalar *array = nullptr;
   VecGetArrayWrite(tolerances, &array);
   std::copy(absolute.data(), absolute.data() + absolute.size(), array);
   VecRestoreArrayWrite(tolerances, &array);
-  check(TSSetTolerances(ts_, settings.absolute_tolerance, tolerances, settings.relative_tolerance,
-                        nullptr),
-        "TSSetTolerances");
+  check_petsc(TSSetTolerances(ts_, settings.absolute_tolerance, tolerances,
+                              settings.relative_tolerance, nullptr),
+              "TSSetTolerances");
   VecDestroy(&tolerances);
 }
 
@@ -178,28 +142,54 @@ void TsStepper::load(const Vector &x) {
 void TsStepper::unload() {
   const PetscScalar *array = nullptr;
   VecGetArrayRead(solution_, &array);
-  state_ = ConstVectorView(array, equations_.layout().size());
+  end_.state = ConstVectorView(array, equations_.layout().size());
   VecRestoreArrayRead(solution_, &array);
 }
 
-void TsStepper::restart(double time, const Vector &x, double first_step) {
+void TsStepper::complete(EndPoint &point) const {
+  point.rates.resize(point.state.size());
+  equations_.rates(point.time, ConstVectorView(point.state.data(), point.state.size()),
+                   VectorView(point.rates.data(), point.rates.size()));
+  equations_.source_values(point.time, point.sources);
+}
+
+void TsStepper::forget() {
+  phase_modes_.reset();
+  step_of_modes_.clear();
+}
+
+double TsStepper::first_step() const {
+  const auto known = step_of_modes_.find(equations_.modes());
+  if (known != step_of_modes_.end())
+    return known->second;
+  const double highest = equations_.model().highest_frequency();
+  return highest > 0 ? 0.01 / highest : 1e-6;
+}
+
+void TsStepper::restart(double time, const Vector &x) {
+  if (phase_modes_)
+    step_of_modes_[*phase_modes_] = natural_step_;
+  phase_modes_ = equations_.modes();
   load(x);
-  check(TSSetTime(ts_, time), "TSSetTime");
-  check(TSRestartStep(ts_), "TSRestartStep");
-  time_ = previous_time_ = time;
-  state_ = previous_state_ = x;
-  natural_step_ = first_step;
+  check_petsc(TSSetTime(ts_, time), "TSSetTime");
+  check_petsc(TSRestartStep(ts_), "TSRestartStep");
+  end_.time = time;
+  end_.state = x;
+  complete(end_);
+  start_ = end_;
+  natural_step_ = first_step();
 }
 
 void TsStepper::attempt(double end) {
-  check(TSSetTimeStep(ts_, end - previous_time_), "TSSetTimeStep");
+  check_petsc(TSSetTimeStep(ts_, end - start_.time), "TSSetTimeStep");
   const PetscErrorCode code = TSStep(ts_);
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
   TSGetConvergedReason(ts_, &reason);
   if (code != 0 || reason < 0)
-    throw NumericalError("the time integrator gave up at t = " + std::to_string(previous_time_) +
-                         " s: " + (reason < 0 ? TSConvergedReasons[reason] : error_text(code)));
-  check(TSGetTime(ts_, &time_), "TSGetTime");
+    throw NumericalError(
+        "the time integrator gave up at t = " + std::to_string(start_.time) +
+        " s: " + (reason < 0 ? TSConvergedReasons[reason] : petsc_error_text(code)));
+  check_petsc(TSGetTime(ts_, &end_.time), "TSGetTime");
 }
 
 // The Runge-Kutta methods undo a rejected attempt by subtraction, which spoils the state when the
@@ -211,43 +201,48 @@ void TsStepper::take(double end) {
   attempt(end);
   while (rejected_steps() > rejected) {
     rejected = rejected_steps();
-    const double accepted = time_;
-    undo();
+    const double accepted = end_.time;
+    roll_back();
     attempt(accepted);
   }
   unload();
-  if (!state_.allFinite())
-    throw NumericalError("the state is no longer finite at t = " + std::to_string(time_) + " s");
+  if (!end_.state.allFinite())
+    throw NumericalError("the state is no longer finite at t = " + std::to_string(end_.time) +
+                         " s");
 }
 
 void TsStepper::step(double limit) {
-  previous_time_ = time_;
-  previous_state_ = state_;
+  std::swap(start_, end_);
   const double wanted = std::min(natural_step_, maximum_step_);
   // A last sliver shorter than the rounding of the step before would be no step at all.
-  const bool limited = previous_time_ + wanted * (1 + 1e-9) >= limit;
-  take(limited ? limit : previous_time_ + wanted);
+  const bool limited = start_.time + wanted * (1 + 1e-9) >= limit;
+  take(limited ? limit : start_.time + wanted);
   double proposed = 0;
-  check(TSGetTimeStep(ts_, &proposed), "TSGetTimeStep");
+  check_petsc(TSGetTimeStep(ts_, &proposed), "TSGetTimeStep");
   // After a step that was cut short the old proposal is the better one, if it was not rejected.
-  natural_step_ = limited && time_ >= limit ? std::max(proposed, natural_step_) : proposed;
-  if (limited && std::abs(time_ - limit) <= 4e-16 * std::abs(limit))
-    time_ = limit;
+  natural_step_ = limited && end_.time >= limit ? std::max(proposed, natural_step_) : proposed;
+  if (limited && std::abs(end_.time - limit) <= 4e-16 * std::abs(limit))
+    end_.time = limit;
+  complete(end_);
+}
+
+// The methods undo a step by subtraction; the copy is exact.
+void TsStepper::roll_back() {
+  check_petsc(TSRollBack(ts_), "TSRollBack");
+  load(start_.state);
 }
 
 void TsStepper::undo() {
-  check(TSRollBack(ts_), "TSRollBack");
-  // The methods undo a step by subtraction; the copy is exact.
-  load(previous_state_);
-  time_ = previous_time_;
-  state_ = previous_state_;
+  roll_back();
+  end_ = start_;
 }
 
 void TsStepper::shorten(double time) {
   const double natural = natural_step_;
-  undo();
+  roll_back();
   take(time);
   natural_step_ = natural;
+  complete(end_);
 }
 
 long TsStepper::rejected_steps() const {

@@ -48,7 +48,7 @@ struct Excursion {
 struct Extremes : Observer {
   Excursion displacement, acceleration, force_right, force_left, stop_right, stop_left;
   void step(const StepView &view) override {
-    constexpr int samples = 64;
+    constexpr int samples = 512;
     const Bernstein position = view.coordinate(0);
     const Bernstein velocity = position.derivative();
     for (int i = 0; i <= samples; ++i) {

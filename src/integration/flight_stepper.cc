@@ -1,0 +1,149 @@
+#include "integration/flight_stepper.h"
+
+#include "integration/petsc_check.h"
+#include "integration/tolerances.h"
+
+#include <petscts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace vibroimpact {
+
+FlightStepper::FlightStepper(const Equations &equations, const IntegrationSettings &settings)
+    : equations_(equations),
+      maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
+                                              : std::numeric_limits<double>::infinity()),
+      tolerance_{.relative = settings.relative_tolerance,
+                 .absolute = absolute_tolerances(equations, settings.absolute_tolerance)},
+      ledger_(equations) {
+  register_flight();
+  const auto size = static_cast<PetscInt>(equations.layout().size());
+  check_petsc(VecCreateSeq(PETSC_COMM_SELF, size, &solution_), "VecCreateSeq");
+  check_petsc(TSCreate(PETSC_COMM_SELF, &ts_), "TSCreate");
+  check_petsc(TSSetProblemType(ts_, TS_NONLINEAR), "TSSetProblemType");
+  check_petsc(TSSetType(ts_, flight_type), "TSSetType");
+  set_flight_propagator(ts_, this);
+  check_petsc(TSSetSolution(ts_, solution_), "TSSetSolution");
+  check_petsc(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_STEPOVER), "TSSetExactFinalTime");
+  check_petsc(TSSetMaxSteps(ts_, std::numeric_limits<PetscInt>::max() - 1), "TSSetMaxSteps");
+  check_petsc(TSSetMaxTime(ts_, std::numeric_limits<double>::max() / 4), "TSSetMaxTime");
+  check_petsc(TSSetUp(ts_), "TSSetUp");
+}
+
+FlightStepper::~FlightStepper() {
+  TSDestroy(&ts_);
+  VecDestroy(&solution_);
+}
+
+// The model may have changed between two motions.
+void FlightStepper::forget() { phases_.clear(); }
+
+FlightStepper::CachedPhase &FlightStepper::cached_phase() {
+  const auto known = std::find_if(phases_.begin(), phases_.end(), [&](const CachedPhase &cached) {
+    return cached.modes == equations_.modes();
+  });
+  if (known != phases_.end())
+    return *known;
+  phases_.push_back({.modes = equations_.modes(), .phase = nullptr});
+  if (LinearSystem::holds(equations_))
+    phases_.back().phase = std::make_unique<LinearPhase>(equations_, tolerance_);
+  return phases_.back();
+}
+
+bool FlightStepper::handles(double time) {
+  if (!cached_phase().phase)
+    return false;
+  sources_.clear();
+  for (const Source &source : equations_.model().sources()) {
+    std::optional<ExponentialForm> form = source.function->exponential_form(time);
+    if (!form)
+      return false;
+    sources_.push_back(*std::move(form));
+  }
+  return true;
+}
+
+void FlightStepper::restart(double time, const Vector &x) {
+  physical_ = x.head(equations_.layout().physical_size());
+  motion_ = &cached_phase().phase->begin(physical_, sources_);
+  end_.time = time;
+  end_.state = x;
+  motion_->derivatives(0, rows_);
+  fill(end_);
+  start_.time = time;
+  start_.state = x;
+  pending_ = false;
+}
+
+// Everything but the state from the rows.
+void FlightStepper::fill(EndPoint &point) const {
+  const Index size = equations_.layout().physical_size();
+  point.rates.resize(equations_.layout().size());
+  point.rates.head(size) = rows_.col(1).head(size);
+  point.higher = rows_.block(0, 2, size, 2);
+  point.sources.resize(sources_.size());
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    const Index row = size + 3 * static_cast<Index>(k);
+    point.sources[k] = {rows_(row, 0), rows_(row, 1), rows_(row, 2), rows_(row, 3),
+                        rows_(row + 2, 2)};
+  }
+}
+
+void FlightStepper::propagate(double tau, ConstVectorView from, VectorView to) {
+  const Index size = equations_.layout().physical_size();
+  motion_->derivatives(tau, rows_);
+  to.head(size) = rows_.col(0).head(size);
+  to.tail(to.size() - size) = from.tail(to.size() - size);
+}
+
+void FlightStepper::take(double end) {
+  PetscScalar *array = nullptr;
+  check_petsc(VecGetArrayWrite(solution_, &array), "VecGetArrayWrite");
+  std::copy(start_.state.begin(), start_.state.end(), array);
+  check_petsc(VecRestoreArrayWrite(solution_, &array), "VecRestoreArrayWrite");
+  check_petsc(TSSetTime(ts_, start_.time), "TSSetTime");
+  check_petsc(TSSetTimeStep(ts_, end - start_.time), "TSSetTimeStep");
+  check_petsc(TSStep(ts_), "TSStep");
+  const PetscScalar *result = nullptr;
+  check_petsc(VecGetArrayRead(solution_, &result), "VecGetArrayRead");
+  end_.state = ConstVectorView(result, start_.state.size());
+  check_petsc(VecRestoreArrayRead(solution_, &result), "VecRestoreArrayRead");
+  if (!end_.state.allFinite())
+    throw NumericalError("the state is no longer finite at t = " + std::to_string(end) + " s");
+  end_.time = end;
+  fill(end_);
+  pending_ = true;
+}
+
+void FlightStepper::step(double limit) {
+  std::swap(start_, end_);
+  const double wanted = std::min(motion_->natural_step(), maximum_step_);
+  const double rest = limit - start_.time;
+  // Two halves rather than a step and a sliver.
+  if (rest <= wanted * (1 + 1e-9))
+    take(limit);
+  else
+    take(start_.time + (rest < 2 * wanted ? 0.5 * rest : wanted));
+}
+
+void FlightStepper::shorten(double time) { take(time); }
+
+void FlightStepper::undo() {
+  end_ = start_;
+  pending_ = false;
+}
+
+void FlightStepper::accept() {
+  if (!pending_)
+    return;
+  pending_ = false;
+  const double h = end_.time - start_.time;
+  motion_->values(Ledger::instants(h), nodes_);
+  ledger_.add(h, nodes_, end_.state);
+  motion_->move(h);
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,63 @@
+// Steps of linear phases through the TS type `flight`.
+#pragma once
+
+#include "integration/flight.h"
+#include "integration/ledger.h"
+#include "integration/linear_phase.h"
+#include "integration/settings.h"
+#include "integration/stepper.h"
+
+#include <memory>
+#include <vector>
+
+// NOLINTBEGIN(bugprone-reserved-identifier)
+struct _p_Vec;
+// NOLINTEND(bugprone-reserved-identifier)
+
+namespace vibroimpact {
+
+class FlightStepper : public Stepper, private FlightPropagator {
+public:
+  FlightStepper(const Equations &equations, const IntegrationSettings &settings);
+  ~FlightStepper() override;
+  FlightStepper(const FlightStepper &) = delete;
+  FlightStepper &operator=(const FlightStepper &) = delete;
+
+  /// True when everything is linear from `time` to the next break of the sources in the present
+  /// modes of the contacts.
+  bool handles(double time);
+
+  void forget() override;
+  /// After handles(time).
+  void restart(double time, const Vector &x) override;
+  void step(double limit) override;
+  void shorten(double time) override;
+  void undo() override;
+  void accept() override;
+
+private:
+  struct CachedPhase {
+    std::vector<int> modes;
+    std::unique_ptr<LinearPhase> phase; ///< none: not linear
+  };
+  CachedPhase &cached_phase();
+  void fill(EndPoint &point) const;
+  void take(double end);
+  void propagate(double tau, ConstVectorView from, VectorView to) override;
+  double natural_step() override { return motion_->natural_step(); }
+
+  const Equations &equations_;
+  double maximum_step_;
+  DenseTolerance tolerance_;
+  std::vector<CachedPhase> phases_;
+  LinearMotion *motion_ = nullptr;
+  std::vector<ExponentialForm> sources_;
+  Ledger ledger_;
+  Matrix rows_, nodes_;
+  Vector physical_;
+  _p_TS *ts_ = nullptr;
+  _p_Vec *solution_ = nullptr;
+  bool pending_ = false; ///< the last step is not accepted yet
+};
+
+} // namespace vibroimpact

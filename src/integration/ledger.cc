@@ -1,0 +1,94 @@
+#include "integration/ledger.h"
+
+#include <cmath>
+
+namespace vibroimpact {
+
+namespace {
+
+using Rule = boost::math::quadrature::gauss<double, Ledger::points>;
+
+// Boost keeps the non-negative abscissae, zero first.
+struct Point {
+  double abscissa, weight; // on [0, 1]
+};
+
+std::array<Point, Ledger::points> make_rule() {
+  std::array<Point, Ledger::points> rule{};
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+    const double x = Rule::abscissa()[i];
+    const double weight = 0.5 * Rule::weights()[i];
+    rule[count++] = {0.5 + 0.5 * x, weight};
+    if (x != 0)
+      rule[count++] = {0.5 - 0.5 * x, weight};
+  }
+  return rule;
+}
+
+const std::array<Point, Ledger::points> rule = make_rule();
+
+} // namespace
+
+Ledger::Ledger(const Equations &equations) : equations_(equations) {}
+
+std::array<double, Ledger::points> Ledger::instants(double h) {
+  std::array<double, points> list{};
+  for (int i = 0; i < points; ++i)
+    list[i] = h * rule[i].abscissa;
+  return list;
+}
+
+void Ledger::add(double h, const Matrix &rows, Vector &state) {
+  for (Index i = 0; i < points; ++i)
+    add_point(h * rule[static_cast<std::size_t>(i)].weight, rows, i, state);
+}
+
+void Ledger::add_point(double weight, const Matrix &rows, Index point, Vector &state) {
+  const StateLayout &layout = equations_.layout();
+  const Model &model = equations_.model();
+  const auto velocity = rows.col(point).segment(layout.velocity(), layout.n);
+  load_.setZero(layout.n);
+  for (std::size_t k = 0; k < model.sources().size(); ++k) {
+    const Source &source = model.sources()[k];
+    const double *s = &rows(layout.physical_size() + 3 * static_cast<Index>(k), point);
+    load_ += s[0] * source.load + s[1] * source.rate_load + s[2] * source.inertial_load;
+  }
+  model.damping().apply(ConstVectorView(velocity.data(), layout.n), damping_);
+  const double power = load_.dot(velocity) + add_contacts(weight, rows, point, state);
+  state[layout.input_work()] += weight * power;
+  state[layout.absolute_input_work()] += weight * std::abs(power);
+  state[layout.damping_work()] += weight * damping_.dot(velocity);
+}
+
+// Returns the power that moving bases put into the contacts.
+double Ledger::add_contacts(double weight, const Matrix &rows, Index point, Vector &state) {
+  const StateLayout &layout = equations_.layout();
+  const ContactSet &contacts = equations_.contacts();
+  const double *y = &rows(0, point);
+  double power = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (equations_.silent(c))
+      continue;
+    const ContactPair &pair = contacts.pairs()[c];
+    LocalState local{.gap = pair.clearance + pair.gap.row.dot(ConstVectorView(y, layout.n)),
+                     .gap_rate = pair.gap.row.dot(ConstVectorView(y + layout.velocity(), layout.n)),
+                     .internal = {y + layout.internal() + pair.internal_offset,
+                                  static_cast<std::size_t>(pair.n_internal())}};
+    double carried = 0;
+    for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
+      if (pair.gap.carrier[k] != 0) {
+        const double *s = y + layout.physical_size() + 3 * static_cast<Index>(k);
+        local.gap += pair.gap.carrier[k] * s[0];
+        carried += pair.gap.carrier[k] * s[1];
+      }
+    local.gap_rate += carried;
+    pair.law->evaluate(equations_.modes()[c], local, response_);
+    power -= response_.force * carried;
+    state[layout.impulse(static_cast<Index>(c))] += weight * response_.force;
+    state[layout.contact_work(static_cast<Index>(c))] += weight * response_.dissipated_power;
+  }
+  return power;
+}
+
+} // namespace vibroimpact

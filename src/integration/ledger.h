@@ -1,0 +1,36 @@
+// Energies and impulses of a step of a linear phase, by Gauss quadrature of their rates.
+#pragma once
+
+#include "integration/equations.h"
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <array>
+
+namespace vibroimpact {
+
+class Ledger {
+public:
+  /// Rates are products of two motions that the dense output can follow; seven points integrate
+  /// such a product to rounding.
+  static constexpr int points = 7;
+
+  explicit Ledger(const Equations &equations);
+
+  /// The points of the rule on a step of length h [s after its start].
+  static std::array<double, points> instants(double h);
+
+  /// Adds the integrals over a step of length h to the ledger in `state`. `rows`: y, then s, s',
+  /// s'' of each source, one column per point.
+  void add(double h, const Matrix &rows, Vector &state);
+
+private:
+  void add_point(double weight, const Matrix &rows, Index point, Vector &state);
+  double add_contacts(double weight, const Matrix &rows, Index point, Vector &state);
+
+  const Equations &equations_;
+  LawResponse response_;
+  Vector load_, damping_;
+};
+
+} // namespace vibroimpact

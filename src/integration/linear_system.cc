@@ -1,0 +1,178 @@
+#include "integration/linear_system.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace vibroimpact {
+
+namespace {
+
+// Beyond this condition of the balanced and normalised eigenvectors more than five digits are lost.
+constexpr double largest_condition = 1e5;
+// Nearer to an eigenvalue (relatively) the particular solution loses more than five digits.
+constexpr double resonance_distance = 1e-5;
+// Eigenvalues below this part of the largest are as good as zero for a constant input.
+constexpr double slow = 1e-8;
+constexpr double rounding = 1e-13;
+
+// Powers of two d with D^-1 A D of rows and columns of similar size (Osborne 1960).
+Vector balance(const Matrix &matrix) {
+  const Index n = matrix.rows();
+  Vector scale = Vector::Ones(n);
+  for (int sweep = 0; sweep < 20; ++sweep)
+    for (Index i = 0; i < n; ++i) {
+      double row = 0;
+      double column = 0;
+      for (Index j = 0; j < n; ++j)
+        if (j != i) {
+          row += std::abs(matrix(i, j)) * scale[j] / scale[i];
+          column += std::abs(matrix(j, i)) * scale[i] / scale[j];
+        }
+      if (row > 0 && column > 0)
+        scale[i] *= std::exp2(std::round(0.5 * std::log2(row / column)));
+    }
+  return scale;
+}
+
+double condition(const Eigen::MatrixXcd &vectors) {
+  const Eigen::MatrixXcd normalised = vectors.colwise().normalized();
+  const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(normalised);
+  const auto &values = svd.singularValues();
+  const double smallest = values[values.size() - 1];
+  return smallest > 0 ? values[0] / smallest : std::numeric_limits<double>::infinity();
+}
+
+const std::optional<AffineLaw> &affine_law(const Equations &equations, std::size_t contact) {
+  const ContactPair &pair = equations.contacts().pairs()[contact];
+  return pair.law->modes()[static_cast<std::size_t>(equations.modes()[contact])].affine;
+}
+
+} // namespace
+
+bool LinearSystem::holds(const Equations &equations) {
+  if (!equations.model().linear())
+    return false;
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+    if (!affine_law(equations, c))
+      return false;
+  return true;
+}
+
+LinearSystem::LinearSystem(const Equations &equations) {
+  if (!holds(equations))
+    throw std::logic_error("this phase of the motion is not linear");
+  assemble(equations);
+  decompose();
+}
+
+void LinearSystem::assemble(const Equations &equations) {
+  const Model &model = equations.model();
+  const Index n = model.size();
+  const Index size = equations.layout().physical_size();
+  const Vector inverse_mass = model.mass().cwiseInverse();
+  matrix_ = Matrix::Zero(size, size);
+  matrix_.block(0, n, n, n).setIdentity();
+  matrix_.block(n, 0, n, n) = -(inverse_mass.asDiagonal() * model.stiffness().dense());
+  matrix_.block(n, n, n, n) = -(inverse_mass.asDiagonal() * model.damping().dense());
+  constant_ = Vector::Zero(size);
+  for (const Source &source : model.sources()) {
+    const auto acceleration = [&](const Vector &load) {
+      Vector y = Vector::Zero(size);
+      y.segment(n, n) = inverse_mass.cwiseProduct(load);
+      return y;
+    };
+    loads_.push_back({acceleration(source.load), acceleration(source.rate_load),
+                      acceleration(source.inertial_load)});
+  }
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+    add_contact(equations, c);
+}
+
+void LinearSystem::add_contact(const Equations &equations, std::size_t contact) {
+  const ContactPair &pair = equations.contacts().pairs()[contact];
+  const StateLayout &layout = equations.layout();
+  const AffineLaw &law = *affine_law(equations, contact);
+  Vector into = Vector::Zero(size());
+  into.segment(layout.n, layout.n) =
+      equations.model().mass().cwiseInverse().cwiseProduct(pair.gap.row.transpose());
+  add_form(equations, contact, law.force, into);
+  for (std::size_t i = 0; i < law.internal_rate.size(); ++i)
+    add_form(
+        equations, contact, law.internal_rate[i],
+        Vector::Unit(size(), layout.internal() + pair.internal_offset + static_cast<Index>(i)));
+}
+
+// y' += into * form(gap, gap rate, internal states)
+void LinearSystem::add_form(const Equations &equations, std::size_t contact, const AffineForm &form,
+                            const Vector &into) {
+  const ContactPair &pair = equations.contacts().pairs()[contact];
+  const StateLayout &layout = equations.layout();
+  matrix_.leftCols(layout.n) += form.gap * into * pair.gap.row;
+  matrix_.middleCols(layout.n, layout.n) += form.gap_rate * into * pair.gap.row;
+  for (std::size_t i = 0; i < form.internal.size(); ++i)
+    matrix_.col(layout.internal() + pair.internal_offset + static_cast<Index>(i)) +=
+        form.internal[i] * into;
+  constant_ += (form.constant + form.gap * pair.clearance) * into;
+  for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k) {
+    loads_[k].value += form.gap * pair.gap.carrier[k] * into;
+    loads_[k].rate += form.gap_rate * pair.gap.carrier[k] * into;
+  }
+}
+
+void LinearSystem::decompose() {
+  const Vector scale = balance(matrix_);
+  const Matrix balanced = scale.cwiseInverse().asDiagonal() * matrix_ * scale.asDiagonal();
+  const Eigen::EigenSolver<Matrix> solver(balanced);
+  if (solver.info() != Eigen::Success)
+    return;
+  eigenvalues_ = solver.eigenvalues();
+  spectral_radius_ = eigenvalues_.size() > 0 ? eigenvalues_.cwiseAbs().maxCoeff() : 0;
+  const Eigen::MatrixXcd vectors = solver.eigenvectors();
+  diagonalizable_ = eigenvalues_.size() > 0 && condition(vectors) <= largest_condition;
+  if (!diagonalizable_)
+    return;
+  eigenvectors_ = scale.cast<Complex>().asDiagonal() * vectors;
+  left_ = vectors.inverse() * scale.cwiseInverse().cast<Complex>().asDiagonal();
+  basis_.resize(size(), size());
+  // EigenSolver puts conjugate eigenvalues side by side, the one with positive imaginary part
+  // first.
+  for (Index k = 0; k < size(); ++k) {
+    const bool is_pair = eigenvalues_[k].imag() != 0;
+    modes_.push_back({.eigenvalue = eigenvalues_[k], .column = k, .is_pair = is_pair});
+    basis_.col(k) = (is_pair ? 2 : 1) * eigenvectors_.col(k).real();
+    if (is_pair) {
+      ++k;
+      basis_.col(k) = -2 * eigenvectors_.col(k - 1).imag();
+    }
+  }
+  inverse_ = basis_.inverse();
+}
+
+bool LinearSystem::response(Complex exponent, const ComplexVector &input,
+                            ComplexVector &solution) const {
+  ComplexVector amplitude = left_ * input;
+  // What is below the rounding of the sum is nothing.
+  const Vector magnitude = left_.cwiseAbs() * input.cwiseAbs();
+  for (Index k = 0; k < size(); ++k) {
+    const Complex distance = exponent - eigenvalues_[k];
+    const bool near =
+        std::abs(distance) <=
+        (exponent == 0.0 ? slow * spectral_radius_ : resonance_distance * std::abs(exponent));
+    if (!near)
+      amplitude[k] /= distance;
+    else if (std::abs(amplitude[k]) > rounding * magnitude[k])
+      return false;
+    else
+      amplitude[k] = 0;
+  }
+  solution = eigenvectors_ * amplitude;
+  return true;
+}
+
+} // namespace vibroimpact

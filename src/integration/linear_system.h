@@ -1,0 +1,72 @@
+// The equations of motion for one combination of contact modes in which everything is linear:
+//
+//   y' = A y + b + sum over sources (l s + m s' + p s''),   y = [q, v, internal states]
+//
+// and its complex eigenvectors, y = W a with a real basis W: two columns (2 Re w, -2 Im w) for a
+// pair of conjugate eigenvalues, one for a real one. A is balanced by powers of two before the
+// decomposition, so that positions and velocities in different units do no harm.
+#pragma once
+
+#include "integration/equations.h"
+
+#include <complex>
+#include <vector>
+
+namespace vibroimpact {
+
+using Complex = std::complex<double>;
+using ComplexVector = Eigen::VectorXcd;
+
+class LinearSystem {
+public:
+  /// For the present modes of the equations. std::logic_error when they are not linear.
+  explicit LinearSystem(const Equations &equations);
+
+  /// True when the model and the present modes of all contacts are linear.
+  static bool holds(const Equations &equations);
+
+  struct Load {
+    Vector value, rate, acceleration; ///< size() entries each: what s, s', s'' are multiplied by
+  };
+  struct Mode {
+    Complex eigenvalue;   ///< imaginary part >= 0 [1/s]
+    Index column = 0;     ///< in basis()
+    bool is_pair = false; ///< with its conjugate, two columns
+  };
+
+  Index size() const { return matrix_.rows(); }
+  const Matrix &matrix() const { return matrix_; }
+  const Vector &constant() const { return constant_; }
+  const std::vector<Load> &loads() const { return loads_; }
+  double spectral_radius() const { return spectral_radius_; }
+
+  /// False where the eigenvectors are too nearly dependent to be used.
+  bool diagonalizable() const { return diagonalizable_; }
+  const std::vector<Mode> &modes() const { return modes_; }
+  const Matrix &basis() const { return basis_; }     ///< W
+  const Matrix &inverse() const { return inverse_; } ///< W^-1
+
+  /// The particular solution r exp(e t) for the input g exp(e t), e with imaginary part >= 0, a
+  /// real input when it is zero. False in resonance: e so near an eigenvalue that the solution is
+  /// lost in rounding, or does not exist.
+  bool response(Complex exponent, const ComplexVector &input, ComplexVector &solution) const;
+
+private:
+  void assemble(const Equations &equations);
+  void add_contact(const Equations &equations, std::size_t contact);
+  void add_form(const Equations &equations, std::size_t contact, const AffineForm &form,
+                const Vector &into);
+  void decompose();
+
+  Matrix matrix_;
+  Vector constant_;
+  std::vector<Load> loads_;
+  double spectral_radius_ = 0;
+  bool diagonalizable_ = false;
+  std::vector<Mode> modes_;
+  Matrix basis_, inverse_;
+  ComplexVector eigenvalues_; ///< all of them
+  Eigen::MatrixXcd eigenvectors_, left_;
+};
+
+} // namespace vibroimpact

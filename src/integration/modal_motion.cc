@@ -1,0 +1,277 @@
+#include "integration/linear_phase.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibroimpact {
+
+namespace {
+
+class ModalMotion : public LinearMotion {
+public:
+  ModalMotion(const LinearSystem &system, Index n_coordinates, const DenseTolerance &tolerance);
+
+  bool begin(const Vector &y, std::span<const ExponentialForm> sources) override;
+  double natural_step() override;
+  void derivatives(double tau, Matrix &rows) override;
+  void values(std::span<const double> instants, Matrix &rows) override;
+  void move(double tau) override;
+
+private:
+  // Re(amplitude exp(exponent t)) times one column of the basis for the real part of the rest and
+  // one for its imaginary part, or a single column where everything is real.
+  struct Group {
+    Complex exponent;
+    Index column = 0;
+    bool is_pair = false;
+    Complex amplitude{};
+    double size10 = 0, size8 = 0; // |exponent|^10, |exponent|^8
+  };
+  // A part of the excitation: exponential of a source, constant of a source, or the system's own.
+  struct Input {
+    std::size_t source = 0;
+    Complex exponent;
+    bool own = false; // of the system
+    bool operator==(const Input &other) const = default;
+  };
+
+  bool read_inputs(std::span<const ExponentialForm> sources);
+  bool respond();
+  void add_group(Complex exponent, bool is_pair);
+  bool add_response(const Input &input);
+  void measure_groups();
+  void note_sizes();
+  Complex factor(const Group &group, double tau) const;
+  static void store(const Group &group, Complex value, Matrix &amplitudes, Index column);
+
+  const LinearSystem &system_;
+  Index n_;
+  const DenseTolerance &tolerance_;
+  std::vector<Group> groups_; // of the modes, then of the inputs
+  std::vector<Input> inputs_, responded_;
+  std::vector<Complex> input_amplitudes_;
+  Matrix columns_;    // rows x columns of all groups
+  Matrix magnitudes_; // n + internal states + sources by groups
+  Vector inverse_tolerance_, weights10_, weights8_, bound_;
+  Vector modal_, rest_;
+  Matrix amplitudes_;
+  std::vector<Complex> factors_;
+  double factors_at_ = -1; // the tau that factors_ are for
+};
+
+ModalMotion::ModalMotion(const LinearSystem &system, Index n_coordinates,
+                         const DenseTolerance &tolerance)
+    : system_(system), n_(n_coordinates), tolerance_(tolerance) {
+  respond();
+}
+
+bool ModalMotion::read_inputs(std::span<const ExponentialForm> sources) {
+  inputs_.clear();
+  input_amplitudes_.clear();
+  const auto add = [&](const Input &input, Complex amplitude) {
+    inputs_.push_back(input);
+    input_amplitudes_.push_back(amplitude);
+  };
+  if (!system_.constant().isZero(0))
+    add({.own = true}, 1);
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    if (sources[k].polynomial.size() > 1)
+      return false;
+    if (!sources[k].polynomial.empty() && sources[k].polynomial[0] != 0)
+      add({.source = k}, sources[k].polynomial[0]);
+    for (const ExponentialForm::Term &term : sources[k].terms) {
+      const bool upper = term.exponent.imag() >= 0;
+      add({.source = k, .exponent = upper ? term.exponent : std::conj(term.exponent)},
+          upper ? term.amplitude : std::conj(term.amplitude));
+    }
+  }
+  return true;
+}
+
+void ModalMotion::add_group(Complex exponent, bool is_pair) {
+  const double size = std::norm(exponent);
+  const double size8 = size * size * size * size;
+  groups_.push_back({.exponent = exponent,
+                     .column = columns_.cols(),
+                     .is_pair = is_pair,
+                     .size10 = size8 * size,
+                     .size8 = size8});
+  columns_.conservativeResize(Eigen::NoChange, columns_.cols() + (is_pair ? 2 : 1));
+  columns_.rightCols(is_pair ? 2 : 1).setZero();
+}
+
+bool ModalMotion::add_response(const Input &input) {
+  const Index size = system_.size();
+  const Complex e = input.exponent;
+  ComplexVector load = system_.constant().cast<Complex>();
+  if (!input.own) {
+    const LinearSystem::Load &source = system_.loads()[input.source];
+    load = source.value.cast<Complex>() + e * source.rate.cast<Complex>() +
+           e * e * source.acceleration.cast<Complex>();
+  }
+  ComplexVector solution;
+  if (!system_.response(e, load, solution))
+    return false;
+  ComplexVector column = ComplexVector::Zero(columns_.rows());
+  column.head(size) = solution;
+  if (!input.own) {
+    const Index row = size + 3 * static_cast<Index>(input.source);
+    column[row] = 1;
+    column[row + 1] = e;
+    column[row + 2] = e * e;
+  }
+  add_group(e, e.imag() != 0);
+  columns_.col(groups_.back().column) = column.real();
+  if (groups_.back().is_pair)
+    columns_.col(groups_.back().column + 1) = -column.imag();
+  return true;
+}
+
+// The columns depend on the exponents only: they stay while the excitation keeps its frequencies.
+bool ModalMotion::respond() {
+  const auto n_sources = static_cast<Index>(system_.loads().size());
+  groups_.clear();
+  columns_ = Matrix::Zero(system_.size() + 3 * n_sources, 0);
+  for (const LinearSystem::Mode &mode : system_.modes())
+    add_group(mode.eigenvalue, mode.is_pair);
+  columns_.topRows(system_.size()) = system_.basis();
+  responded_.clear();
+  for (const Input &input : inputs_) {
+    if (!add_response(input))
+      return false;
+    responded_.push_back(input);
+  }
+  measure_groups();
+  return true;
+}
+
+void ModalMotion::measure_groups() {
+  const Index size = system_.size();
+  const Index n_internal = size - 2 * n_;
+  const auto n_sources = static_cast<Index>(system_.loads().size());
+  magnitudes_.resize(n_ + n_internal + n_sources, static_cast<Index>(groups_.size()));
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    Vector size_of_row = columns_.col(groups_[g].column).cwiseAbs2();
+    if (groups_[g].is_pair)
+      size_of_row += columns_.col(groups_[g].column + 1).cwiseAbs2();
+    size_of_row = size_of_row.cwiseSqrt();
+    auto column = magnitudes_.col(static_cast<Index>(g));
+    column.head(n_) = size_of_row.head(n_);
+    for (Index k = 0; k < n_sources; ++k)
+      column[n_ + k] = size_of_row[size + 3 * k];
+    column.tail(n_internal) = size_of_row.segment(2 * n_, n_internal);
+  }
+  weights10_.resize(magnitudes_.cols());
+  weights8_.resize(magnitudes_.cols());
+}
+
+bool ModalMotion::begin(const Vector &y, std::span<const ExponentialForm> sources) {
+  if (!read_inputs(sources))
+    return false;
+  if (inputs_ != responded_ && !respond())
+    return false;
+  factors_at_ = -1;
+  const std::size_t n_modes = system_.modes().size();
+  rest_ = y;
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    Group &group = groups_[n_modes + i];
+    group.amplitude = input_amplitudes_[i];
+    rest_ -= group.amplitude.real() * columns_.col(group.column).head(y.size());
+    if (group.is_pair)
+      rest_ -= group.amplitude.imag() * columns_.col(group.column + 1).head(y.size());
+  }
+  modal_.noalias() = system_.inverse() * rest_;
+  for (std::size_t g = 0; g < n_modes; ++g) {
+    const Index column = groups_[g].column;
+    groups_[g].amplitude = {modal_[column], groups_[g].is_pair ? modal_[column + 1] : 0.0};
+  }
+  note_sizes();
+  return true;
+}
+
+// The size of each row in this phase, and with it the error allowed.
+void ModalMotion::note_sizes() {
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    weights10_[static_cast<Index>(g)] = std::abs(groups_[g].amplitude);
+  inverse_tolerance_.noalias() = magnitudes_ * weights10_;
+  inverse_tolerance_ *= tolerance_.relative;
+  const Index n_internal = system_.size() - 2 * n_;
+  inverse_tolerance_.head(n_) += tolerance_.absolute.head(n_);
+  inverse_tolerance_.tail(n_internal) += tolerance_.absolute.segment(2 * n_, n_internal);
+  inverse_tolerance_ =
+      (inverse_tolerance_.array() > 0).select(inverse_tolerance_.cwiseInverse(), 0);
+}
+
+double ModalMotion::natural_step() {
+  double growth = 0;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Group &group = groups_[g];
+    const double amplitude = std::abs(group.amplitude);
+    weights10_[static_cast<Index>(g)] = amplitude * group.size10;
+    weights8_[static_cast<Index>(g)] = amplitude * group.size8;
+    growth = std::max(growth, group.exponent.real());
+  }
+  const Index n_internal = system_.size() - 2 * n_;
+  const Index n_smooth = magnitudes_.rows() - n_internal;
+  bound_.noalias() = magnitudes_.topRows(n_smooth) * weights10_;
+  const double tenth = bound_.cwiseProduct(inverse_tolerance_.head(n_smooth)).maxCoeff();
+  double eighth = 0;
+  if (n_internal > 0) {
+    bound_.noalias() = magnitudes_.bottomRows(n_internal) * weights8_;
+    eighth = bound_.cwiseProduct(inverse_tolerance_.tail(n_internal)).maxCoeff();
+  }
+  const double step = dense_step(tenth, eighth);
+  return growth > 0 ? std::min(step, 1 / growth) : step;
+}
+
+Complex ModalMotion::factor(const Group &group, double tau) const {
+  if (group.is_pair)
+    return std::polar(std::exp(group.exponent.real() * tau), group.exponent.imag() * tau);
+  return group.exponent == 0.0 ? 1.0 : std::exp(group.exponent.real() * tau);
+}
+
+void ModalMotion::store(const Group &group, Complex value, Matrix &amplitudes, Index column) {
+  amplitudes(group.column, column) = value.real();
+  if (group.is_pair)
+    amplitudes(group.column + 1, column) = value.imag();
+}
+
+void ModalMotion::derivatives(double tau, Matrix &rows) {
+  amplitudes_.resize(columns_.cols(), dense_derivatives + 1);
+  factors_.resize(groups_.size());
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Group &group = groups_[g];
+    factors_[g] = factor(group, tau);
+    Complex value = group.amplitude * factors_[g];
+    for (Index m = 0; m <= dense_derivatives; ++m) {
+      store(group, value, amplitudes_, m);
+      value *= group.exponent;
+    }
+  }
+  factors_at_ = tau;
+  rows.noalias() = columns_ * amplitudes_;
+}
+
+void ModalMotion::values(std::span<const double> instants, Matrix &rows) {
+  amplitudes_.resize(columns_.cols(), static_cast<Index>(instants.size()));
+  for (const Group &group : groups_)
+    for (std::size_t i = 0; i < instants.size(); ++i)
+      store(group, group.amplitude * factor(group, instants[i]), amplitudes_,
+            static_cast<Index>(i));
+  rows.noalias() = columns_ * amplitudes_;
+}
+
+void ModalMotion::move(double tau) {
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    groups_[g].amplitude *= tau == factors_at_ ? factors_[g] : factor(groups_[g], tau);
+  factors_at_ = -1;
+}
+
+} // namespace
+
+std::unique_ptr<LinearMotion> make_modal_motion(const LinearSystem &system, Index n_coordinates,
+                                                const DenseTolerance &tolerance) {
+  return std::make_unique<ModalMotion>(system, n_coordinates, tolerance);
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,31 @@
+// The method of a motion: which stepper integrates which phase.
+#pragma once
+
+#include "integration/flight_stepper.h"
+#include "integration/ts_stepper.h"
+
+#include <memory>
+
+namespace vibroimpact {
+
+class Steppers {
+public:
+  /// Method "flight": exact steps where the phase is linear, Runge-Kutta elsewhere. Any other: that
+  /// TS throughout.
+  Steppers(Equations &equations, const IntegrationSettings &settings);
+
+  /// Begins a phase with the stepper that suits the present modes of the equations.
+  void restart(double time, const Vector &x);
+  Stepper &present() { return *present_; }
+  const Stepper &present() const { return *present_; }
+
+  void forget();
+  long rejected_steps() const { return general_.rejected_steps(); }
+
+private:
+  TsStepper general_;
+  std::unique_ptr<FlightStepper> flight_;
+  Stepper *present_;
+};
+
+} // namespace vibroimpact
