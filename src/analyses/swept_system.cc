@@ -14,6 +14,8 @@ std::unique_ptr<Trajectory> trajectory_of(const System &system) {
 }
 
 std::size_t only_periodic(const std::vector<Source> &sources) {
+  if (sources.size() == 1)
+    return 0;
   std::size_t found = sources.size();
   for (std::size_t s = 0; s < sources.size(); ++s)
     if (sources[s].function->period() > 0) {
@@ -35,7 +37,8 @@ std::size_t sweep_source(const System &system, const std::string &name) {
                            "that says which of several is swept or gives the period."
                          : "The swept excitation " + name + " is not among the active ones.");
   if (!(sources[found].function->period() > 0))
-    throw InputError("The swept excitation " + name + " has no period.");
+    throw InputError("The swept excitation " + sources[found].name +
+                     " has no frequency; its History must be harmonic or ramped harmonic.");
   return found;
 }
 

@@ -30,7 +30,7 @@ System isolator(double lambda) {
   left.gap.row *= -1;
   return {.model = std::move(model),
           .contacts = ContactSet({right, left}),
-          .integration = {.relative_tolerance = 1e-8},
+          .integration = {.relative_tolerance = 1e-9},
           .initial = {.displacement = Vector::Zero(1), .velocity = Vector::Zero(1)}};
 }
 

@@ -51,7 +51,7 @@ subsection Excitation push
   set Frequency = 1.1 rad/s
 end
 subsection Integration
-  set Relative tolerance = 1e-8
+  set Relative tolerance = 1e-9
 end
 subsection Analysis frequency
   set Type = stepped sweep
