@@ -5,12 +5,12 @@
 #include "analyses/recorders/forces.h"
 #include "analyses/recorders/history.h"
 #include "analyses/recorders/impacts.h"
-#include "analyses/recorders/quasi_static.h"
-#include "analyses/recorders/statistics.h"
 #include "analyses/recorders/lyapunov.h"
+#include "analyses/recorders/quasi_static.h"
 #include "analyses/recorders/regime.h"
 #include "analyses/recorders/section.h"
 #include "analyses/recorders/spectrum.h"
+#include "analyses/recorders/statistics.h"
 #include "analyses/recorders/time_frequency.h"
 
 #include <algorithm>

@@ -41,7 +41,8 @@ System oscillator(double factor = 1) {
 
 Response::Settings by_cycles(long longest) {
   return {.settling = {.minimum = 5, .maximum = longest, .tolerance = 1e-6, .longest_multiple = 4},
-          .cycles = 3};
+          .cycles = 3,
+          .excitation = {}};
 }
 
 PointResult run(const Response::Settings &settings, System system) {

@@ -55,7 +55,8 @@ void add_contact(const ContactPair &pair, std::size_t contact, std::vector<Watch
   const std::vector<InternalState> states = pair.law->internal_states();
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Index place = pair.internal_offset + static_cast<Index>(i);
-    list.push_back({base + states[i].name, "stop", states[i].unit, states[i].description,
+    list.push_back({base + "internal/" + states[i].name, "stop", states[i].unit,
+                    states[i].description,
                     [place](const StepView &v) { return v.internal(place); }});
     if (states[i].name == "stop_deformation")
       list.push_back({base + "stop_position", "stop", "m",
