@@ -100,19 +100,9 @@ double floquet_exponent(const Forced &forced, const Vector &state) {
   return std::log(largest) / forced.period();
 }
 
-TEST(RecordersOfCharacterTest, Scan) {
-  for (double w = 0.6; w < 3; w += 0.15) {
-    const Forced f{.zeta = 0.1, .amplitude = 1, .omega = w, .clearance = 0.3, .stop = 30};
-    const System system = f.system();
-    RegimeRecorder regime(system, {.exponent = false});
-    const MotionState end = record(system, regime, f.period(), 100, 20);
-    PointResult result;
-    regime.add_fields(result);
-    std::printf("%g k %g floquet %.9g\n", w, value(result, "regime/period_multiple"), floquet_exponent(f, end.physical));
-  }
-}
 TEST(RecordersOfCharacterTest, ExponentOfAPeriodicMotionIsItsFloquetExponent) {
-  const Forced impacting{.zeta = 0.1, .amplitude = 1, .omega = 1.55, .clearance = 0.3, .stop = 30};
+  // Here the multipliers are real and different, so that the mean growth settles quickly.
+  const Forced impacting{.zeta = 0.1, .amplitude = 1, .omega = 1.65, .clearance = 0.3, .stop = 30};
   const System system = impacting.system();
   RegimeRecorder regime(system, {});
   const MotionState end = record(system, regime, impacting.period(), 200, 40);
@@ -125,8 +115,7 @@ TEST(RecordersOfCharacterTest, ExponentOfAPeriodicMotionIsItsFloquetExponent) {
   const PointResult exponent = lyapunov(impacting, {.discarded_share = 0.5, .tolerance = 1e-10},
                                         impacting.period(), 200, 400);
   const double floquet = floquet_exponent(impacting, end.physical);
-  std::printf("floquet %.12g lyapunov %.12g error %g\n", floquet,
-              value(exponent, "lyapunov/exponent"), value(exponent, "lyapunov/standard_error"));
+  EXPECT_GT(floquet, -0.09); // a complex pair would have -zeta
   EXPECT_NEAR(value(exponent, "lyapunov/exponent"), floquet, 1e-6);
 }
 

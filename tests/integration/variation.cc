@@ -170,6 +170,7 @@ TEST(VariationTest, ResetOfAnInternalState) {
   const Matrix columns = impact.by_variation();
   EXPECT_GE(internal.size(), 1);
   EXPECT_GE(impact.events, 4);
+  for (double e : {1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6}) std::printf("%g %g\n", e, relative_difference(columns, impact.by_differences(e)));
   EXPECT_LT(relative_difference(columns, impact.by_differences(1e-5)), 1e-6);
 }
 
