@@ -71,7 +71,7 @@ struct AnalysisHeader {
   std::vector<std::string> grid = {};
 };
 
-/// Takes points in any order, from any rank. A stored point is durable when store() returns.
+/// Takes points in any order, from any rank. A stored point outlives the program.
 class ResultSink {
 public:
   virtual ~ResultSink() = default;
@@ -79,7 +79,7 @@ public:
   /// Collective. Opens an analysis; afterwards find() knows the points of an earlier, resumed run.
   virtual void begin(const AnalysisHeader &header) = 0;
 
-  /// The point as stored by an earlier run, or nullptr when it must be computed. Local.
+  /// The point of an earlier run, or nullptr if there is none; valid until the next call. Local.
   virtual const PointResult *find(const std::vector<std::size_t> &index) const = 0;
 
   /// Local: called by the rank that computed the point.

@@ -29,6 +29,13 @@ template <class Named> Named *find_named(std::vector<Named> &list, const std::st
   return found == list.end() ? nullptr : &*found;
 }
 
+/// The same for the field at `place` in its point: most points hold the same fields in one order.
+AssembledField *find_assembled(std::vector<AssembledField> &fields, const std::string &name,
+                               std::size_t place) {
+  return place < fields.size() && fields[place].name == name ? &fields[place]
+                                                             : find_named(fields, name);
+}
+
 void note_dimensions(const Field &field, std::vector<InnerDimension> &dimensions) {
   for (std::size_t d = 0; d < field.dimensions.size(); ++d) {
     InnerDimension *dimension = find_named(dimensions, field.dimensions[d]);
@@ -38,8 +45,8 @@ void note_dimensions(const Field &field, std::vector<InnerDimension> &dimensions
   }
 }
 
-void note_field(const Field &field, std::vector<AssembledField> &fields) {
-  const AssembledField *known = find_named(fields, field.name);
+void note_field(const Field &field, std::size_t place, std::vector<AssembledField> &fields) {
+  const AssembledField *known = find_assembled(fields, field.name, place);
   if (known != nullptr && known->inner_dimensions != field.dimensions)
     throw std::logic_error("field " + field.name + " has other dimensions in another point");
   if (known == nullptr)
@@ -64,27 +71,31 @@ bool above_all_users(const AssembledField &coordinate, const std::vector<Assembl
   });
 }
 
-bool same_in_all_points(const AssembledField &field, const PointMap &points) {
-  const Field *first = nullptr;
-  for (const auto &[index, point] : points) {
-    if (point.status != Status::finished)
-      continue;
+/// True when every finished point has the field, always with the same values.
+bool same_in_all_points(const AssembledField &field, const PointSequence &points) {
+  std::vector<double> first;
+  bool found = false;
+  bool same = true;
+  points([&](const PointResult &point) {
+    if (point.status != Status::finished || !same)
+      return;
     const Field *here = find_field(point, field.name);
-    if (here == nullptr || (first != nullptr && here->values != first->values))
-      return false;
-    first = here;
-  }
-  return first != nullptr;
+    same = here != nullptr && (!found || here->values == first);
+    if (same && !found)
+      first = here->values;
+    found = true;
+  });
+  return found && same;
 }
 
-void choose_coordinates(AnalysisArrays &arrays, const PointMap &points) {
+void choose_coordinates(AnalysisArrays &arrays, const PointSequence &points) {
   for (AssembledField &field : arrays.fields) {
     if (field.inner_dimensions.size() != 1 ||
-        !named_like(field.name, field.inner_dimensions.front()) ||
-        !above_all_users(field, arrays.fields) || !same_in_all_points(field, points))
+        !named_like(field.name, field.inner_dimensions.front()))
       continue;
     InnerDimension &dimension = *find_named(arrays.dimensions, field.inner_dimensions.front());
-    if (!dimension.coordinate.empty())
+    if (!dimension.coordinate.empty() || !above_all_users(field, arrays.fields) ||
+        !same_in_all_points(field, points))
       continue;
     dimension.coordinate = field.name;
     field.over_axes = false;
@@ -106,25 +117,34 @@ void copy_block(const Field &field, const Shape &full, double *target) {
   }
 }
 
-void fill(AssembledField &field, const std::vector<InnerDimension> &dimensions, const Shape &outer,
-          const PointMap &points) {
-  Shape inner;
+Shape inner_shape(const AssembledField &field, std::vector<InnerDimension> &dimensions) {
+  Shape shape;
   for (const std::string &name : field.inner_dimensions)
-    inner.push_back(
-        std::find_if(dimensions.begin(), dimensions.end(), [&](const InnerDimension &dimension) {
-          return dimension.name == name;
-        })->length);
-  if (field.over_axes)
-    field.shape = outer;
-  field.shape.insert(field.shape.end(), inner.begin(), inner.end());
-  field.values.assign(number_of_values(field.shape), missing_value);
-  for (const auto &[index, point] : points) {
+    shape.push_back(find_named(dimensions, name)->length);
+  return shape;
+}
+
+void make_room(AnalysisArrays &arrays, const Shape &outer) {
+  for (AssembledField &field : arrays.fields) {
+    const Shape inner = inner_shape(field, arrays.dimensions);
+    if (field.over_axes)
+      field.shape = outer;
+    field.shape.insert(field.shape.end(), inner.begin(), inner.end());
+    field.values.assign(number_of_values(field.shape), missing_value);
+  }
+}
+
+void fill_point(const PointResult &point, std::size_t position, std::size_t outer_dimensions,
+                std::vector<AssembledField> &fields) {
+  for (std::size_t place = 0; place < point.fields.size(); ++place) {
+    const Field &here = point.fields[place];
+    AssembledField &field = *find_assembled(fields, here.name, place);
     if (!field.over_axes && point.status != Status::finished)
       continue; // only finished points agree on a coordinate
-    const std::size_t start =
-        field.over_axes ? flat_index(index, outer) * number_of_values(inner) : 0;
-    if (const Field *here = find_field(point, field.name))
-      copy_block(*here, inner, field.values.data() + start);
+    const auto inner_begin = field.shape.begin() + (field.over_axes ? outer_dimensions : 0);
+    const Shape inner(inner_begin, field.shape.end());
+    const std::size_t start = field.over_axes ? position * number_of_values(inner) : 0;
+    copy_block(here, inner, field.values.data() + start);
   }
 }
 
@@ -150,22 +170,25 @@ void check_point(const AnalysisHeader &header, const PointResult &result) {
       throw std::logic_error("the values of field " + field.name + " do not fill its shape");
 }
 
-AnalysisArrays assemble(const AnalysisHeader &header, const PointMap &points) {
+AnalysisArrays assemble(const AnalysisHeader &header, const PointSequence &points) {
   const Shape outer = outer_shape(header);
   AnalysisArrays arrays;
   arrays.status.assign(number_of_values(outer), static_cast<std::int64_t>(Status::missing));
   arrays.reason.assign(number_of_values(outer), "");
-  for (const auto &[index, point] : points) {
-    arrays.status[flat_index(index, outer)] = static_cast<std::int64_t>(point.status);
-    arrays.reason[flat_index(index, outer)] = point.reason;
-    for (const Field &field : point.fields) {
-      note_dimensions(field, arrays.dimensions);
-      note_field(field, arrays.fields);
+  points([&](const PointResult &point) {
+    const std::size_t position = flat_index(point.index, outer);
+    arrays.status[position] = static_cast<std::int64_t>(point.status);
+    arrays.reason[position] = point.reason;
+    for (std::size_t place = 0; place < point.fields.size(); ++place) {
+      note_dimensions(point.fields[place], arrays.dimensions);
+      note_field(point.fields[place], place, arrays.fields);
     }
-  }
+  });
   choose_coordinates(arrays, points);
-  for (AssembledField &field : arrays.fields)
-    fill(field, arrays.dimensions, outer, points);
+  make_room(arrays, outer);
+  points([&](const PointResult &point) {
+    fill_point(point, flat_index(point.index, outer), outer.size(), arrays.fields);
+  });
   return arrays;
 }
 

@@ -41,6 +41,7 @@ Shape outer_shape(const AnalysisHeader &header);
 /// its shape, or when two points give a field different dimensions.
 void check_point(const AnalysisHeader &header, const PointResult &result);
 
-AnalysisArrays assemble(const AnalysisHeader &header, const PointMap &points);
+/// Goes through the points up to three times.
+AnalysisArrays assemble(const AnalysisHeader &header, const PointSequence &points);
 
 } // namespace vibroimpact

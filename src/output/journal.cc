@@ -37,38 +37,41 @@ Prefix prefix_of(std::string_view payload) {
   return prefix;
 }
 
-/// The next payload, or false at the end of the readable part. `left` is what the file still has.
-bool read_record(std::istream &stream, std::uintmax_t left, std::string &payload) {
-  Prefix prefix;
-  if (left < prefix_size || !stream.read(prefix.data(), prefix_size))
-    return false;
+/// The first complete record of the bytes, with its prefix; empty when there is none.
+std::string_view first_record(std::string_view bytes) {
+  if (bytes.size() < prefix_size)
+    return {};
   std::uint64_t length = 0;
   std::uint32_t sum = 0;
-  std::memcpy(&length, prefix.data(), sizeof length);
-  std::memcpy(&sum, prefix.data() + length_size, sizeof sum);
-  if (length > left - prefix_size)
-    return false;
-  payload.resize(length);
-  if (!stream.read(payload.data(), static_cast<std::streamsize>(length)))
-    return false;
-  return checksum(length, payload) == sum;
+  std::memcpy(&length, bytes.data(), sizeof length);
+  std::memcpy(&sum, bytes.data() + length_size, sizeof sum);
+  if (length > bytes.size() - prefix_size ||
+      checksum(length, bytes.substr(prefix_size, length)) != sum)
+    return {};
+  return bytes.substr(0, prefix_size + length);
 }
 
 } // namespace
 
-std::uintmax_t read_journal(const std::filesystem::path &file,
-                            const std::function<void(const std::string &)> &visit) {
+std::string journal_bytes(const std::filesystem::path &file) {
   if (!std::filesystem::is_regular_file(file))
-    return 0;
+    return {};
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
     fail_with_reason(file, "read the file");
-  const std::uintmax_t size = std::filesystem::file_size(file);
-  std::uintmax_t position = 0;
-  std::string payload;
-  while (read_record(stream, size - position, payload)) {
-    position += prefix_size + payload.size();
-    visit(payload);
+  std::string bytes(std::filesystem::file_size(file), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return bytes;
+}
+
+std::size_t visit_records(std::string_view bytes,
+                          const std::function<void(std::string_view)> &visit) {
+  std::size_t position = 0;
+  for (std::string_view record = first_record(bytes); !record.empty();
+       record = first_record(bytes.substr(position))) {
+    position += record.size();
+    visit(record.substr(prefix_size));
   }
   return position;
 }
@@ -81,12 +84,19 @@ JournalWriter::JournalWriter(std::filesystem::path file)
   cut_off_unfinished_record();
 }
 
-JournalWriter::~JournalWriter() { ::close(descriptor_); }
+JournalWriter::~JournalWriter() {
+  try {
+    synchronise();
+  } catch (const std::exception &error) {
+    log::warning(error.what());
+  }
+  ::close(descriptor_);
+}
 
 void JournalWriter::cut_off_unfinished_record() {
   if (!std::filesystem::is_regular_file(file_))
     return;
-  size_ = read_journal(file_, [](const std::string &) {});
+  size_ = visit_records(journal_bytes(file_), [](std::string_view) {});
   const std::uintmax_t surplus = std::filesystem::file_size(file_) - size_;
   if (surplus == 0)
     return;
@@ -102,14 +112,24 @@ void JournalWriter::append(std::string_view payload) {
   record.append(payload);
   try {
     write_completely(descriptor_, record, file_);
-    if (::fsync(descriptor_) != 0)
-      fail_with_reason(file_, "synchronise with the disk");
+    synchronised_ = false;
+    if (Clock::now() >= next_synchronisation_)
+      synchronise();
   } catch (...) {
     // A half-written record would hide all later ones. If even this fails, the reader stops here.
     [[maybe_unused]] const int failed = ::ftruncate(descriptor_, static_cast<off_t>(size_));
     throw;
   }
   size_ += record.size();
+}
+
+void JournalWriter::synchronise() {
+  if (synchronised_)
+    return;
+  if (::fsync(descriptor_) != 0)
+    fail_with_reason(file_, "synchronise with the disk");
+  synchronised_ = true;
+  next_synchronisation_ = Clock::now() + synchronisation_interval;
 }
 
 } // namespace vibroimpact

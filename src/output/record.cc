@@ -1,51 +1,21 @@
 #include "output/record.h"
 
-#include "output/journal.h"
+#include "output/archived_types.h"
 
+#include <algorithm>
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
-#include <boost/serialization/array_wrapper.hpp>
-#include <boost/serialization/string.hpp>
-#include <boost/serialization/vector.hpp>
-#include <functional>
+#include <cstring>
+#include <map>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace boost::serialization {
 
-template <class Archive> void serialize(Archive &archive, vibroimpact::Axis &axis, unsigned) {
-  archive &axis.name &axis.values &axis.labels &axis.unit &axis.description;
-}
-
-template <class Archive> void serialize(Archive &archive, vibroimpact::Field &field, unsigned) {
-  archive &field.name &field.unit &field.description &field.dimensions &field.shape &field.values;
-}
-
 template <class Archive>
-void serialize(Archive &archive, vibroimpact::SummaryLine &line, unsigned) {
-  archive &line.name &line.value &line.unit;
-}
-
-template <class Archive> void serialize(Archive &archive, vibroimpact::Matrix &matrix, unsigned) {
-  vibroimpact::Index rows = matrix.rows();
-  vibroimpact::Index columns = matrix.cols();
-  archive &rows &columns;
-  matrix.resize(rows, columns); // keeps the values of the right size, so it serves both ways
-  archive &make_array(matrix.data(), static_cast<std::size_t>(matrix.size()));
-}
-
-template <class Archive> void serialize(Archive &archive, vibroimpact::Motion &motion, unsigned) {
-  archive &motion.time &motion.coordinates &motion.base_displacement;
-}
-
-template <class Archive>
-void serialize(Archive &archive, vibroimpact::PointResult &result, unsigned) {
-  archive &result.index &result.status &result.reason &result.fields &result.summary &result.motion;
-}
-
-template <class Archive>
-void serialize(Archive &archive, vibroimpact::AnalysisHeader &header, unsigned) {
-  archive &header.name &header.type &header.axes &header.grid;
+void serialize(Archive &archive, vibroimpact::PointLayout &layout, unsigned) {
+  archive &layout.fields &layout.summary;
 }
 
 } // namespace boost::serialization
@@ -54,68 +24,178 @@ namespace vibroimpact {
 
 namespace {
 
-enum class Kind : char { header = 'h', point = 'p' };
+constexpr char header_kind = 'h';
+constexpr char layout_kind = 'l';
+constexpr char point_kind = 'p';
 
-template <class Content>
-std::string record(Kind kind, const std::string &analysis, const Content &content) {
+template <class... Contents> std::string archived(char kind, const Contents &...contents) {
   std::ostringstream stream(std::ios::binary);
+  stream.put(kind);
   boost::archive::binary_oarchive archive(stream);
-  archive << kind << analysis << content;
+  (archive << ... << contents);
   return stream.str();
 }
 
-using Reader =
-    std::function<void(Kind, const std::string &analysis, boost::archive::binary_iarchive &)>;
-
-void read_records(const std::filesystem::path &journal, const Reader &read) {
-  try {
-    read_journal(journal, [&](const std::string &payload) {
-      std::istringstream stream(payload, std::ios::binary);
-      boost::archive::binary_iarchive archive(stream);
-      Kind kind{};
-      std::string analysis;
-      archive >> kind >> analysis;
-      read(kind, analysis, archive);
-    });
-  } catch (const boost::archive::archive_exception &error) {
-    throw std::runtime_error(journal.string() + ": cannot read the journal, another version of " +
-                             "the program may have written it (" + error.what() + ")");
-  }
+template <class... Contents> void extract(std::string_view bytes, Contents &...contents) {
+  std::istringstream stream(std::string(bytes), std::ios::binary);
+  boost::archive::binary_iarchive archive(stream);
+  (archive >> ... >> contents);
 }
 
 } // namespace
 
-std::string header_record(const AnalysisHeader &header) {
-  return record(Kind::header, header.name, header);
+void Recorder::append(const AnalysisHeader &header) {
+  journal_.append(archived(header_kind, header));
+  journal_.synchronise(); // points in other journals are of no use without it
 }
 
-std::string point_record(const std::string &analysis, const PointResult &result) {
-  return record(Kind::point, analysis, result);
+void Recorder::append(const std::string &analysis, const PointResult &result) {
+  const std::uint32_t layout = number_of_layout(analysis, result);
+  std::string record(1, point_kind);
+  record.append(reinterpret_cast<const char *>(&layout), sizeof layout);
+  append_point(result, record);
+  journal_.append(record);
 }
+
+bool Recorder::fits(const std::string &analysis, const PointResult &result,
+                    std::size_t number) const {
+  return layouts_[number].analysis == analysis && has_layout(result, layouts_[number].layout);
+}
+
+std::uint32_t Recorder::number_of_layout(const std::string &analysis, const PointResult &result) {
+  if (latest_ < layouts_.size() && fits(analysis, result, latest_))
+    return static_cast<std::uint32_t>(latest_);
+  std::size_t number = 0;
+  while (number < layouts_.size() && !fits(analysis, result, number))
+    ++number;
+  if (number == layouts_.size()) {
+    KnownLayout known{.analysis = analysis, .layout = layout_of(result)};
+    journal_.append(
+        archived(layout_kind, static_cast<std::uint32_t>(number), known.analysis, known.layout));
+    layouts_.push_back(std::move(known));
+  }
+  latest_ = number;
+  return static_cast<std::uint32_t>(number);
+}
+
+void StoredPoints::visit(const std::function<void(const PointResult &)> &visit) const {
+  PointReader reader;
+  for (const Entry &entry : entries_)
+    visit(reader.read(entry.bytes, *entry.layout));
+}
+
+const PointResult *StoredPoints::find(const std::vector<std::size_t> &index) const {
+  const auto found = std::lower_bound(
+      entries_.begin(), entries_.end(), index,
+      [](const Entry &entry, const auto &wanted) { return index_of_point(entry.bytes) < wanted; });
+  return found == entries_.end() || index_of_point(found->bytes) != index
+             ? nullptr
+             : &found_.read(found->bytes, *found->layout);
+}
+
+void StoredPoints::sort() {
+  std::stable_sort(entries_.begin(), entries_.end(), [](const Entry &one, const Entry &other) {
+    return compare_index(one.bytes, other.bytes) < 0;
+  });
+  const auto same = [](const Entry &one, const Entry &other) {
+    return compare_index(one.bytes, other.bytes) == 0;
+  };
+  entries_.erase(std::unique(entries_.begin(), entries_.end(), same), entries_.end());
+}
+
+/// Goes through journals and shares out their points to the analyses.
+class RunReader {
+public:
+  void read(const std::filesystem::path &journal) try {
+    bytes_ = std::make_shared<const std::string>(journal_bytes(journal));
+    layouts_.clear();
+    visit_records(*bytes_, [this](std::string_view record) { take(record); });
+  } catch (const boost::archive::archive_exception &error) {
+    fail(journal, error.what());
+  } catch (const std::out_of_range &) {
+    fail(journal, "a record of unknown kind");
+  }
+
+  std::vector<AnalysisHeader> headers;
+
+  StoredPoints points_of(const std::string &analysis) {
+    StoredPoints points = std::move(points_[analysis]);
+    points.sort();
+    return points;
+  }
+
+private:
+  struct Layout {
+    StoredPoints *points;
+    std::shared_ptr<const PointLayout> layout;
+  };
+
+  [[noreturn]] static void fail(const std::filesystem::path &journal, const std::string &reason) {
+    throw std::runtime_error(journal.string() + ": cannot read the journal, another version of " +
+                             "the program may have written it (" + reason + ")");
+  }
+
+  void take(std::string_view record) {
+    const char kind = record.at(0);
+    record.remove_prefix(1);
+    if (kind == header_kind)
+      extract(record, headers.emplace_back());
+    else if (kind == layout_kind)
+      take_layout(record);
+    else if (kind == point_kind)
+      take_point(record);
+    else
+      throw std::out_of_range("kind");
+  }
+
+  void take_layout(std::string_view record) {
+    std::uint32_t number = 0;
+    std::string analysis;
+    auto layout = std::make_shared<PointLayout>();
+    extract(record, number, analysis, *layout);
+    StoredPoints &points = points_[analysis];
+    points.layouts_.push_back(layout);
+    if (points.journals_.empty() || points.journals_.back() != bytes_)
+      points.journals_.push_back(bytes_);
+    layouts_.insert_or_assign(number, Layout{.points = &points, .layout = std::move(layout)});
+  }
+
+  void take_point(std::string_view record) {
+    std::uint32_t number = 0;
+    const std::string_view bytes = record.substr(sizeof number);
+    std::memcpy(&number, record.data(), sizeof number);
+    const Layout &layout = layouts_.at(number);
+    layout.points->entries_.push_back({.bytes = bytes, .layout = layout.layout.get()});
+  }
+
+  std::shared_ptr<const std::string> bytes_;
+  std::map<std::uint32_t, Layout> layouts_; ///< of the journal at hand
+  std::map<std::string, StoredPoints> points_;
+};
 
 std::vector<AnalysisHeader> read_headers(const std::vector<std::filesystem::path> &journals) {
-  std::vector<AnalysisHeader> headers;
+  RunReader reader;
   for (const auto &journal : journals)
-    read_records(journal, [&](Kind kind, const std::string &, auto &archive) {
-      if (kind == Kind::header)
-        archive >> headers.emplace_back();
-    });
-  return headers;
+    reader.read(journal);
+  return reader.headers;
 }
 
-PointMap read_points(const std::vector<std::filesystem::path> &journals,
-                     const std::string &analysis) {
-  PointMap points;
+StoredPoints read_points(const std::vector<std::filesystem::path> &journals,
+                         const std::string &analysis) {
+  RunReader reader;
   for (const auto &journal : journals)
-    read_records(journal, [&](Kind kind, const std::string &name, auto &archive) {
-      if (kind != Kind::point || name != analysis)
-        return;
-      PointResult result;
-      archive >> result;
-      std::vector<std::size_t> index = result.index;
-      points.try_emplace(std::move(index), std::move(result));
-    });
-  return points;
+    reader.read(journal);
+  return reader.points_of(analysis);
+}
+
+std::vector<StoredAnalysis> read_run(const std::vector<std::filesystem::path> &journals) {
+  RunReader reader;
+  for (const auto &journal : journals)
+    reader.read(journal);
+  std::vector<StoredAnalysis> analyses;
+  for (const AnalysisHeader &header : reader.headers)
+    analyses.push_back({.header = header, .points = reader.points_of(header.name)});
+  return analyses;
 }
 
 } // namespace vibroimpact

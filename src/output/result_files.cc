@@ -31,7 +31,7 @@ FileSink::FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation info
       bodies_(std::move(bodies)), rebuild_interval_(rebuild_interval),
       next_rebuild_(Clock::now() + std::chrono::duration_cast<Clock::duration>(rebuild_interval)) {
   run_on_all_ranks(communicator_, [this] {
-    journal_ = std::make_unique<JournalWriter>(folder_.journal_file(rank_in(communicator_)));
+    recorder_ = std::make_unique<Recorder>(folder_.journal_file(rank_in(communicator_)));
   });
 }
 
@@ -40,7 +40,7 @@ void FileSink::begin(const AnalysisHeader &header) {
     throw std::logic_error("analysis " + header.name + " was begun twice");
   header_ = header;
   run_on_first_rank(communicator_, [&] { register_header(header); });
-  stored_.clear();
+  stored_ = {};
   if (folder_.resumed())
     run_on_all_ranks(communicator_,
                      [&] { stored_ = read_points(folder_.journal_files(), header.name); });
@@ -52,27 +52,27 @@ void FileSink::register_header(const AnalysisHeader &header) {
     return other.name == header.name;
   });
   if (known == headers.end())
-    journal_->append(header_record(header));
+    recorder_->append(header);
   else if (!same_axes(*known, header))
     throw InputError("cannot resume " + folder_.path().string() + ": analysis " + header.name +
                      " has other axes there; it was written by another version of the program");
 }
 
 const PointResult *FileSink::find(const std::vector<std::size_t> &index) const {
-  const auto found = stored_.find(index);
-  return found == stored_.end() ? nullptr : &found->second;
+  return stored_.find(index);
 }
 
 void FileSink::store(const PointResult &result) {
   check_point(header_, result);
-  journal_->append(point_record(header_.name, result));
+  recorder_->append(header_.name, result);
   if (rank_in(communicator_) == 0 && Clock::now() >= next_rebuild_)
     rebuild();
 }
 
 void FileSink::end() {
   // The first call is also the barrier behind which all journals are complete.
-  run_on_all_ranks(communicator_, [] {});
+  stored_ = {};
+  run_on_all_ranks(communicator_, [this] { recorder_->synchronise(); });
   run_on_first_rank(communicator_, [this] {
     rebuild();
     write_motion();
@@ -81,39 +81,41 @@ void FileSink::end() {
 
 void FileSink::rebuild() {
   const Clock::time_point start = Clock::now();
-  replace_file(folder_.results_file(), [this](const auto &file) { write_results(file); });
-  replace_file(folder_.summary_file(), summary());
+  const std::vector<StoredAnalysis> analyses = read_run(folder_.journal_files());
+  replace_file(folder_.results_file(),
+               [&](const std::filesystem::path &file) { write_results(file, analyses); });
+  replace_file(folder_.summary_file(), summary(analyses));
   // A large file must not keep rank 0 from computing: at most a twentieth of its time goes here.
   const std::chrono::duration<double> took = Clock::now() - start;
   next_rebuild_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                      std::max(rebuild_interval_, 20 * took));
 }
 
-void FileSink::write_results(const std::filesystem::path &file) const {
-  const std::vector<std::filesystem::path> journals = folder_.journal_files();
+void FileSink::write_results(const std::filesystem::path &file,
+                             const std::vector<StoredAnalysis> &analyses) const {
   Hdf5File results = Hdf5File::create(file);
   write_information(results, information_);
   for (const ReducedBody &body : bodies_)
     write_body(results, body);
-  for (const AnalysisHeader &header : read_headers(journals))
-    write_analysis(results, header, assemble(header, read_points(journals, header.name)));
+  for (const auto &[header, points] : analyses)
+    write_analysis(results, header, assemble(header, points.sequence()));
   results.close();
 }
 
-std::string FileSink::summary() const {
-  const std::vector<std::filesystem::path> journals = folder_.journal_files();
+std::string FileSink::summary(const std::vector<StoredAnalysis> &analyses) const {
   std::string text;
   for (const ReducedBody &body : bodies_)
     text += body_summary(body);
-  for (const AnalysisHeader &header : read_headers(journals))
-    text += analysis_summary(header, read_points(journals, header.name));
+  for (const auto &[header, points] : analyses)
+    text += analysis_summary(header, points.sequence());
   return text;
 }
 
 void FileSink::write_motion() {
-  for (const auto &[index, point] : read_points(folder_.journal_files(), header_.name))
+  read_points(folder_.journal_files(), header_.name).visit([this](const PointResult &point) {
     for (const Motion &motion : point.motion)
-      write_motion_files(folder_, header_.name + index_suffix(index), bodies_, motion);
+      write_motion_files(folder_, header_.name + index_suffix(point.index), bodies_, motion);
+  });
 }
 
 } // namespace vibroimpact

@@ -3,7 +3,6 @@
 
 #include "common/result_sink.h"
 #include "output/hdf5_results.h"
-#include "output/journal.h"
 #include "output/record.h"
 #include "output/run_folder.h"
 #include "reduction/reduced_body.h"
@@ -39,18 +38,19 @@ public:
 
 private:
   void register_header(const AnalysisHeader &header);
-  void write_results(const std::filesystem::path &file) const;
-  std::string summary() const;
+  void write_results(const std::filesystem::path &file,
+                     const std::vector<StoredAnalysis> &analyses) const;
+  std::string summary(const std::vector<StoredAnalysis> &analyses) const;
   void write_motion();
 
   MPI_Comm communicator_;
   RunFolder &folder_;
   RunInformation information_;
   std::vector<ReducedBody> bodies_;
-  std::unique_ptr<JournalWriter> journal_;
+  std::unique_ptr<Recorder> recorder_;
   std::set<std::string> begun_;
   AnalysisHeader header_;
-  PointMap stored_; ///< points of the analysis from an earlier run
+  StoredPoints stored_; ///< points of the analysis from an earlier run
 
   using Clock = std::chrono::steady_clock;
   std::chrono::duration<double> rebuild_interval_;

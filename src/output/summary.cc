@@ -51,19 +51,20 @@ std::string body_summary(const ReducedBody &body) {
   return text;
 }
 
-std::string analysis_summary(const AnalysisHeader &header, const PointMap &points) {
+std::string analysis_summary(const AnalysisHeader &header, const PointSequence &points) {
   const std::string prefix = "analysis." + header.name;
   std::string text;
   std::size_t failed = 0;
-  for (const auto &[index, point] : points) {
-    const std::string point_prefix = prefix + index_in_brackets(index) + ".";
+  points([&](const PointResult &point) {
+    const std::string point_prefix =
+        point.summary.empty() ? "" : prefix + index_in_brackets(point.index) + ".";
     for (const SummaryLine &line : point.summary) {
       const bool absolute = line.name.rfind('/', 0) == 0;
       text += summary_line(absolute ? line.name.substr(1) : point_prefix + line.name, line.value,
                            line.unit);
     }
     failed += point.status == Status::failed ? 1 : 0;
-  }
+  });
   if (failed > 0)
     text += summary_line(prefix + ".failed_points", static_cast<double>(failed), "1");
   return text;

@@ -15,7 +15,7 @@ std::string body_summary(const ReducedBody &body);
 /// The lines of all points in the order of their index: `analysis.NAME.name = value [unit]`, with
 /// outer axes `analysis.NAME[2,1,17].name`, counted from 1. Failed points are counted in a last
 /// line `analysis.NAME.failed_points` when there are any.
-std::string analysis_summary(const AnalysisHeader &header, const PointMap &points);
+std::string analysis_summary(const AnalysisHeader &header, const PointSequence &points);
 
 /// One line; numbers with 12 significant digits.
 std::string summary_line(const std::string &name, double value, const std::string &unit);

@@ -1,5 +1,6 @@
 #include "output/analysis_arrays.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -11,11 +12,8 @@ Field field(const std::string &name, const std::vector<std::string> &dimensions,
   return {name, "1", "", dimensions, shape, values};
 }
 
-PointMap as_map(const std::vector<PointResult> &points) {
-  PointMap map;
-  for (const PointResult &point : points)
-    map[point.index] = point;
-  return map;
+PointSequence sequence(const std::vector<PointResult> &points) {
+  return [points](const auto &visit) { std::for_each(points.begin(), points.end(), visit); };
 }
 
 AnalysisHeader header_with(std::size_t size) {
@@ -45,8 +43,8 @@ void expect_values(const std::vector<double> &values, const std::vector<double> 
 
 TEST(AnalysisArrays, PadShorterPointsWithNaN) {
   const AnalysisArrays arrays =
-      assemble(header_with(3), as_map({point(0, {field("x", {"i", "j"}, {1, 2}, {1, 2})}),
-                                       point(2, {field("x", {"i", "j"}, {2, 1}, {3, 4})})}));
+      assemble(header_with(3), sequence({point(0, {field("x", {"i", "j"}, {1, 2}, {1, 2})}),
+                                         point(2, {field("x", {"i", "j"}, {2, 1}, {3, 4})})}));
   const AssembledField &x = named(arrays, "x");
   EXPECT_EQ(x.shape, (Shape{3, 2, 2}));
   expect_values(x.values, {1, 2, NAN, NAN, NAN, NAN, NAN, NAN, 3, NAN, 4, NAN});
@@ -56,8 +54,8 @@ TEST(AnalysisArrays, PadShorterPointsWithNaN) {
 TEST(AnalysisArrays, SharedTimeIsACoordinate) {
   const Field time = field("time", {"time"}, {2}, {0, 1});
   const AnalysisArrays arrays =
-      assemble(header_with(2), as_map({point(0, {time, field("x", {"time"}, {2}, {5, 6})}),
-                                       point(1, {time, field("x", {"time"}, {2}, {7, 8})})}));
+      assemble(header_with(2), sequence({point(0, {time, field("x", {"time"}, {2}, {5, 6})}),
+                                         point(1, {time, field("x", {"time"}, {2}, {7, 8})})}));
   EXPECT_EQ(arrays.dimensions.at(0).coordinate, "time");
   expect_values(named(arrays, "time").values, {0, 1});
   expect_values(named(arrays, "x").values, {5, 6, 7, 8});
@@ -65,8 +63,8 @@ TEST(AnalysisArrays, SharedTimeIsACoordinate) {
 
 TEST(AnalysisArrays, DifferentTimesStayAField) {
   const AnalysisArrays arrays =
-      assemble(header_with(2), as_map({point(0, {field("time", {"time"}, {2}, {0, 1})}),
-                                       point(1, {field("time", {"time"}, {2}, {0, 2})})}));
+      assemble(header_with(2), sequence({point(0, {field("time", {"time"}, {2}, {0, 1})}),
+                                         point(1, {field("time", {"time"}, {2}, {0, 2})})}));
   EXPECT_EQ(arrays.dimensions.at(0).coordinate, "");
   EXPECT_EQ(named(arrays, "time").shape, (Shape{2, 2}));
 }
@@ -75,8 +73,8 @@ TEST(AnalysisArrays, FailedPointDoesNotDecideOnACoordinate) {
   PointResult failed = point(1, {field("time", {"time"}, {1}, {9})});
   failed.status = Status::failed;
   failed.reason = "diverged";
-  const AnalysisArrays arrays =
-      assemble(header_with(2), as_map({point(0, {field("time", {"time"}, {2}, {0, 1})}), failed}));
+  const AnalysisArrays arrays = assemble(
+      header_with(2), sequence({point(0, {field("time", {"time"}, {2}, {0, 1})}), failed}));
   EXPECT_EQ(arrays.dimensions.at(0).coordinate, "time");
   expect_values(named(arrays, "time").values, {0, 1});
   EXPECT_EQ(arrays.reason, (std::vector<std::string>{"", "diverged"}));
@@ -87,9 +85,9 @@ TEST(AnalysisArrays, CoordinateOfASubgroupServesOnlyThatGroup) {
   const Field inside = field("fit/x", {"ratio"}, {2}, {5, 6});
   const Field outside = field("y", {"ratio"}, {2}, {5, 6});
   EXPECT_EQ(
-      assemble(header_with(1), as_map({point(0, {ratio, inside})})).dimensions.at(0).coordinate,
+      assemble(header_with(1), sequence({point(0, {ratio, inside})})).dimensions.at(0).coordinate,
       "fit/ratio");
-  EXPECT_EQ(assemble(header_with(1), as_map({point(0, {ratio, inside, outside})}))
+  EXPECT_EQ(assemble(header_with(1), sequence({point(0, {ratio, inside, outside})}))
                 .dimensions.at(0)
                 .coordinate,
             "");
@@ -98,13 +96,13 @@ TEST(AnalysisArrays, CoordinateOfASubgroupServesOnlyThatGroup) {
 TEST(AnalysisArrays, NoImpactsGiveAnEmptyDimension) {
   const AnalysisArrays arrays = assemble(
       {"a", "transient", {}},
-      as_map({{{}, Status::finished, "", {field("impact/time", {"impact"}, {0}, {})}, {}, {}}}));
+      sequence({{{}, Status::finished, "", {field("impact/time", {"impact"}, {0}, {})}, {}, {}}}));
   EXPECT_EQ(named(arrays, "impact/time").shape, (Shape{0}));
 }
 
 TEST(AnalysisArrays, OtherDimensionsInAnotherPointAreAnError) {
-  EXPECT_THROW(assemble(header_with(2), as_map({point(0, {field("x", {"i"}, {1}, {1})}),
-                                                point(1, {field("x", {"j"}, {1}, {1})})})),
+  EXPECT_THROW(assemble(header_with(2), sequence({point(0, {field("x", {"i"}, {1}, {1})}),
+                                                  point(1, {field("x", {"j"}, {1}, {1})})})),
                std::logic_error);
 }
 

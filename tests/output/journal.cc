@@ -16,7 +16,8 @@ using testing::write_text;
 
 std::vector<std::string> records_of(const std::filesystem::path &file) {
   std::vector<std::string> records;
-  read_journal(file, [&](const std::string &payload) { records.push_back(payload); });
+  visit_records(journal_bytes(file),
+                [&](std::string_view payload) { records.emplace_back(payload); });
   return records;
 }
 

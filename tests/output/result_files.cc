@@ -152,15 +152,14 @@ TEST_F(ResultFiles, ResumedRunFindsWhatWasStored) {
 
 TEST_F(ResultFiles, MotionSurvivesTheJournal) {
   const PointResult original = testing::transient_example().points[0];
-  const std::string record = point_record("release", original);
   {
     RunFolder run_folder(MPI_COMM_WORLD, folder, ExistingFolder::refuse, "");
     if (Ranks(MPI_COMM_WORLD).rank == 0)
-      JournalWriter(run_folder.journal_file(3)).append(record);
+      Recorder(run_folder.journal_file(3)).append("release", original);
     MPI_Barrier(MPI_COMM_WORLD);
-    const PointMap points = read_points(run_folder.journal_files(), "release");
+    const StoredPoints points = read_points(run_folder.journal_files(), "release");
     ASSERT_EQ(points.size(), 1U);
-    const Motion &motion = points.begin()->second.motion.at(0);
+    const Motion &motion = points.find({})->motion.at(0);
     EXPECT_EQ(motion.time, original.motion[0].time);
     ASSERT_EQ(motion.coordinates.size(), 3U);
     EXPECT_EQ(motion.coordinates[1], original.motion[0].coordinates[1]);

@@ -1,10 +1,15 @@
 #include "output/summary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
 namespace {
+
+PointSequence sequence(const std::vector<PointResult> &points) {
+  return [points](const auto &visit) { std::for_each(points.begin(), points.end(), visit); };
+}
 
 TEST(Summary, LineHasTwelveDigitsAndTheUnit) {
   EXPECT_EQ(summary_line("a.b[1]", 2.0 / 3, "m/s"), "a.b[1] = 0.666666666667 [m/s]\n");
@@ -33,23 +38,23 @@ TEST(Summary, LumpedBody) {
                                 "body.damper.total_mass.z = 0 [kg]\n");
 }
 
-TEST(Summary, PointsComeInTheOrderOfTheirIndexCountedFromOne) {
+TEST(Summary, PointsAreCountedFromOne) {
   const AnalysisHeader header{"response", "stepped sweep", {}};
-  PointMap points;
-  for (const std::vector<std::size_t> &index : {std::vector<std::size_t>{1, 16}, {1, 2}, {0, 9}}) {
-    PointResult &point = points[index];
+  std::vector<PointResult> points;
+  for (const std::vector<std::size_t> &index : {std::vector<std::size_t>{0, 9}, {1, 2}, {1, 16}}) {
+    PointResult &point = points.emplace_back();
     point.index = index;
     point.summary = {{"force", static_cast<double>(index[1]), "N"}};
   }
-  EXPECT_EQ(analysis_summary(header, points), "analysis.response[1,10].force = 9 [N]\n"
-                                              "analysis.response[2,3].force = 2 [N]\n"
-                                              "analysis.response[2,17].force = 16 [N]\n");
+  EXPECT_EQ(analysis_summary(header, sequence(points)), "analysis.response[1,10].force = 9 [N]\n"
+                                                        "analysis.response[2,3].force = 2 [N]\n"
+                                                        "analysis.response[2,17].force = 16 [N]\n");
 }
 
 TEST(Summary, WithoutAxesThereIsNoIndex) {
   PointResult point;
   point.summary = {{"steps", 3, "1"}, {"/model.mass", 2, "kg"}};
-  EXPECT_EQ(analysis_summary({"release", "transient", {}}, {{{}, point}}),
+  EXPECT_EQ(analysis_summary({"release", "transient", {}}, sequence({point})),
             "analysis.release.steps = 3 [1]\nmodel.mass = 2 [kg]\n");
 }
 
@@ -57,7 +62,7 @@ TEST(Summary, FailedPointsAreCounted) {
   PointResult point;
   point.index = {4};
   point.status = Status::failed;
-  EXPECT_EQ(analysis_summary({"a", "transient", {}}, {{{4}, point}}),
+  EXPECT_EQ(analysis_summary({"a", "transient", {}}, sequence({point})),
             "analysis.a.failed_points = 1 [1]\n");
 }
 

@@ -1,0 +1,42 @@
+// How the parts of a result are serialised by Boost.
+#pragma once
+
+#include "common/result_sink.h"
+
+#include <boost/serialization/array_wrapper.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+namespace boost::serialization {
+
+template <class Archive> void serialize(Archive &archive, vibroimpact::Axis &axis, unsigned) {
+  archive &axis.name &axis.values &axis.labels &axis.unit &axis.description;
+}
+
+template <class Archive>
+void serialize(Archive &archive, vibroimpact::AnalysisHeader &header, unsigned) {
+  archive &header.name &header.type &header.axes &header.grid;
+}
+
+template <class Archive> void serialize(Archive &archive, vibroimpact::Field &field, unsigned) {
+  archive &field.name &field.unit &field.description &field.dimensions &field.shape &field.values;
+}
+
+template <class Archive>
+void serialize(Archive &archive, vibroimpact::SummaryLine &line, unsigned) {
+  archive &line.name &line.value &line.unit;
+}
+
+template <class Archive> void serialize(Archive &archive, vibroimpact::Matrix &matrix, unsigned) {
+  vibroimpact::Index rows = matrix.rows();
+  vibroimpact::Index columns = matrix.cols();
+  archive &rows &columns;
+  matrix.resize(rows, columns); // keeps the values of the right size, so it serves both ways
+  archive &make_array(matrix.data(), static_cast<std::size_t>(matrix.size()));
+}
+
+template <class Archive> void serialize(Archive &archive, vibroimpact::Motion &motion, unsigned) {
+  archive &motion.time &motion.coordinates &motion.base_displacement;
+}
+
+} // namespace boost::serialization
