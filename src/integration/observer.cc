@@ -48,6 +48,12 @@ Bernstein StepView::displacement(const Projection &projection) const {
                             end_values(projection, layout, *end_).list());
 }
 
+Bernstein StepView::rate(const Projection &projection) const {
+  const StateLayout &layout = equations_->layout();
+  return Bernstein::hermite_rate(length(), end_values(projection, layout, *start_).list(),
+                                 end_values(projection, layout, *end_).list());
+}
+
 // Differences of positions over a short step say nothing of the acceleration any more; then those
 // of the velocities do, and at last the accelerations at the ends alone.
 Bernstein StepView::acceleration(const Projection &projection) const {
@@ -88,9 +94,7 @@ Bernstein StepView::gap(std::size_t contact) const {
 }
 
 Bernstein StepView::gap_rate(std::size_t contact) const {
-  Bernstein rate = gap(contact).derivative();
-  rate *= 1 / length();
-  return rate;
+  return rate(equations_->contacts().pairs()[contact].gap);
 }
 
 Bernstein StepView::internal(Index i) const {
@@ -104,14 +108,14 @@ Bernstein StepView::internal(Index i) const {
 
 Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const {
   Bernstein sum;
-  if (form.gap != 0 || form.gap_rate != 0) {
+  if (form.gap != 0) {
     sum = gap(contact);
-    Bernstein rate = sum.derivative();
     sum *= form.gap;
-    if (form.gap_rate != 0) {
-      rate *= form.gap_rate / length();
-      sum += rate;
-    }
+  }
+  if (form.gap_rate != 0) {
+    Bernstein rate = gap_rate(contact);
+    rate *= form.gap_rate;
+    sum += rate;
   }
   sum += form.constant;
   const Index first = equations_->contacts().pairs()[contact].internal_offset;
@@ -126,9 +130,7 @@ Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const
 
 ContactCurves StepView::contact_curves(std::size_t contact) const {
   const ContactPair &pair = equations_->contacts().pairs()[contact];
-  ContactCurves curves{.gap = gap(contact), .gap_rate = {}, .internal = {}};
-  curves.gap_rate = curves.gap.derivative();
-  curves.gap_rate *= 1 / length();
+  ContactCurves curves{.gap = gap(contact), .gap_rate = gap_rate(contact), .internal = {}};
   for (int i = 0; i < pair.n_internal(); ++i)
     curves.internal.push_back(internal(pair.internal_offset + i));
   return curves;
