@@ -1,6 +1,8 @@
 #include "integration/bernstein.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace vibroimpact {
 
@@ -11,18 +13,17 @@ constexpr int maximum_depth = 52;
 
 // At tau = 0 the k-th derivative of degree n is n! / (n - k)! times the k-th forward difference of
 // the coefficients; at tau = 1 likewise from the other end.
-Bernstein Bernstein::hermite(double h, std::span<const double> start, std::span<const double> end) {
+void Bernstein::set_ends(double h, std::span<const double> start, std::span<const double> end) {
   constexpr int binomial[5][5] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}};
   const int count = static_cast<int>(start.size());
-  Bernstein p;
-  p.degree_ = 2 * count - 1;
-  double left[5], right[5];
+  double left[5];
+  double right[5];
   double factor = 1;
   double sign = 1;
   for (int k = 0; k < count; ++k) {
     left[k] = factor * start[k];
     right[k] = sign * factor * end[k];
-    factor *= h / (p.degree_ - k);
+    factor *= h / (degree_ - k);
     sign = -sign;
   }
   for (int i = 0; i < count; ++i) {
@@ -32,9 +33,33 @@ Bernstein Bernstein::hermite(double h, std::span<const double> start, std::span<
       from_left += binomial[i][k] * left[k];
       from_right += binomial[i][k] * right[k];
     }
-    p.coefficients_[i] = from_left;
-    p.coefficients_[p.degree_ - i] = from_right;
+    coefficients_[i] = from_left;
+    coefficients_[degree_ - i] = from_right;
   }
+}
+
+Bernstein Bernstein::hermite(double h, std::span<const double> start, std::span<const double> end) {
+  Bernstein p;
+  p.degree_ = 2 * static_cast<int>(start.size()) - 1;
+  p.set_ends(h, start, end);
+  return p;
+}
+
+// The coefficient in the middle follows from the mean of all, which is the difference of the values
+// over h. Where that is lost in rounding the others make a polynomial by themselves.
+Bernstein Bernstein::hermite_rate(double h, std::span<const double> start,
+                                  std::span<const double> end) {
+  const double rounding =
+      64 * std::numeric_limits<double>::epsilon() * std::max(std::abs(start[0]), std::abs(end[0]));
+  if (rounding > 1e-9 * h * std::max(std::abs(start[1]), std::abs(end[1])))
+    return hermite(h, start.subspan(1), end.subspan(1));
+  Bernstein p;
+  p.degree_ = 2 * static_cast<int>(start.size()) - 2;
+  p.set_ends(h, start.subspan(1), end.subspan(1));
+  double others = 0;
+  for (int i = 0; i <= p.degree_; ++i)
+    others += p.coefficients_[i];
+  p.coefficients_[p.degree_ / 2] = (p.degree_ + 1) * (end[0] - start[0]) / h - others;
   return p;
 }
 

@@ -20,6 +20,10 @@ public:
 
   /// Degree 2 p - 1 from value and derivatives at both ends of a step of length h: p <= 5 each.
   static Bernstein hermite(double h, std::span<const double> start, std::span<const double> end);
+  /// Derivative by time of that polynomial, exact to the last digit at both ends: where h is short,
+  /// the differences of the coefficients of hermite() would be noise.
+  static Bernstein hermite_rate(double h, std::span<const double> start,
+                                std::span<const double> end);
   /// Quintic with value, rate and acceleration of a motion at both ends of a step of length h.
   static Bernstein quintic(double h, const std::array<double, 3> &start,
                            const std::array<double, 3> &end);
@@ -59,6 +63,7 @@ public:
   double minimum() const;
 
 private:
+  void set_ends(double h, std::span<const double> start, std::span<const double> end);
   Bernstein raised() const;
   void split(Bernstein &left, Bernstein &right) const;
   std::optional<double> first_fall_by_subdivision() const;

@@ -71,7 +71,7 @@ void FlightStepper::restart(double time, const Vector &x) {
   motion_ = &cached_phase().phase->begin(physical_, sources_);
   end_.time = time;
   end_.state = x;
-  motion_->derivatives(0, rows_);
+  motion_->initial_derivatives(rows_);
   fill(end_);
   start_.time = time;
   start_.state = x;

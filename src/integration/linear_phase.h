@@ -40,6 +40,8 @@ public:
   /// Rows at `tau` [s] after the start of the step; column m holds the m-th derivative, m = 0 ...
   /// dense_derivatives.
   virtual void derivatives(double tau, Matrix &rows) = 0;
+  /// The same at the start of the phase, to the last digit: what is zero there comes out as zero.
+  virtual void initial_derivatives(Matrix &rows) = 0;
   /// Rows at several instants after the start of the step, one column each.
   virtual void values(std::span<const double> instants, Matrix &rows) = 0;
   /// The next step starts `tau` later.

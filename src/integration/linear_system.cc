@@ -125,6 +125,19 @@ void LinearSystem::add_form(const Equations &equations, std::size_t contact, con
   }
 }
 
+void LinearSystem::differentiate(Matrix &rows) const {
+  for (Index j = 1; j < rows.cols(); ++j) {
+    auto next = rows.col(j).head(size());
+    next.noalias() = matrix_ * rows.col(j - 1).head(size());
+    if (j == 1)
+      next += constant_;
+    for (std::size_t k = 0; k < loads_.size(); ++k) {
+      const double *s = &rows(size() + 3 * static_cast<Index>(k), j - 1);
+      next += s[0] * loads_[k].value + s[1] * loads_[k].rate + s[2] * loads_[k].acceleration;
+    }
+  }
+}
+
 void LinearSystem::decompose() {
   const Vector scale = balance(matrix_);
   const Matrix balanced = scale.cwiseInverse().asDiagonal() * matrix_ * scale.asDiagonal();

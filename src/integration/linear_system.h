@@ -46,6 +46,11 @@ public:
   const Matrix &basis() const { return basis_; }     ///< W
   const Matrix &inverse() const { return inverse_; } ///< W^-1
 
+  /// y and its first derivatives, one column of `rows` each, from the equations themselves; `rows`
+  /// holds derivatives of y, then of s, s', s'' of each source, which must be filled in already,
+  /// and y in column 0.
+  void differentiate(Matrix &rows) const;
+
   /// The particular solution r exp(e t) for the input g exp(e t), e with imaginary part >= 0, a
   /// real input when it is zero. False in resonance: e so near an eigenvalue that the solution is
   /// lost in rounding, or does not exist.

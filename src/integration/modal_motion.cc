@@ -14,6 +14,7 @@ public:
   bool begin(const Vector &y, std::span<const ExponentialForm> sources) override;
   double natural_step() override;
   void derivatives(double tau, Matrix &rows) override;
+  void initial_derivatives(Matrix &rows) override;
   void values(std::span<const double> instants, Matrix &rows) override;
   void move(double tau) override;
 
@@ -53,7 +54,7 @@ private:
   Matrix columns_;    // rows x columns of all groups
   Matrix magnitudes_; // n + internal states + sources by groups
   Vector inverse_tolerance_, weights10_, weights8_, bound_;
-  Vector modal_, rest_;
+  Vector initial_, modal_, rest_;
   Matrix amplitudes_;
   std::vector<Complex> factors_;
   double factors_at_ = -1; // the tau that factors_ are for
@@ -172,6 +173,7 @@ bool ModalMotion::begin(const Vector &y, std::span<const ExponentialForm> source
     return false;
   factors_at_ = -1;
   const std::size_t n_modes = system_.modes().size();
+  initial_ = y;
   rest_ = y;
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     Group &group = groups_[n_modes + i];
@@ -250,6 +252,12 @@ void ModalMotion::derivatives(double tau, Matrix &rows) {
   }
   factors_at_ = tau;
   rows.noalias() = columns_ * amplitudes_;
+}
+
+void ModalMotion::initial_derivatives(Matrix &rows) {
+  derivatives(0, rows);
+  rows.col(0).head(initial_.size()) = initial_;
+  system_.differentiate(rows);
 }
 
 void ModalMotion::values(std::span<const double> instants, Matrix &rows) {

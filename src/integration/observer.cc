@@ -60,9 +60,7 @@ Bernstein StepView::velocity(const Projection &projection) const {
   if (rounding * std::max(std::abs(a[0]), std::abs(b[0])) >
       1e-10 * h * std::max(std::abs(a[1]), std::abs(b[1])))
     return Bernstein::hermite(h, start.list().subspan(1), end.list().subspan(1));
-  Bernstein rate = Bernstein::hermite(h, start.list(), end.list()).derivative();
-  rate *= 1 / h;
-  return rate;
+  return Bernstein::hermite_rate(h, start.list(), end.list());
 }
 
 // Differences of positions over a short step say nothing of the acceleration any more; then those

@@ -31,7 +31,7 @@ public:
   /// Displacement seen by a projection, as a polynomial in tau = (t - start)/length: a quintic, or
   /// of degree 9 where the method knows higher derivatives at the ends.
   Bernstein displacement(const Projection &projection) const;
-  /// Its time derivative.
+  /// Its time derivative, exact at both ends.
   Bernstein velocity(const Projection &projection) const;
   /// Its second time derivative, from the equations at both ends and the displacement between.
   Bernstein acceleration(const Projection &projection) const;

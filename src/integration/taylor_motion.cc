@@ -20,6 +20,9 @@ public:
   bool begin(const Vector &y, std::span<const ExponentialForm> sources) override;
   double natural_step() override;
   void derivatives(double tau, Matrix &rows) override;
+  void initial_derivatives(Matrix &rows) override {
+    rows = series_.leftCols(dense_derivatives + 1);
+  }
   void values(std::span<const double> instants, Matrix &rows) override;
   void move(double tau) override;
 
@@ -75,19 +78,8 @@ void TaylorMotion::differentiate_sources() {
 void TaylorMotion::expand(const Vector &y) {
   series_.resize(system_.size() + 3 * static_cast<Index>(sources_.size()), terms);
   differentiate_sources();
-  auto motion = series_.topRows(system_.size());
-  motion.col(0) = y;
-  for (Index j = 1; j < terms; ++j) {
-    motion.col(j).noalias() = system_.matrix() * motion.col(j - 1);
-    if (j == 1)
-      motion.col(1) += system_.constant();
-    for (std::size_t k = 0; k < sources_.size(); ++k) {
-      const LinearSystem::Load &load = system_.loads()[k];
-      const Index row = system_.size() + 3 * static_cast<Index>(k);
-      motion.col(j) += series_(row, j - 1) * load.value + series_(row + 1, j - 1) * load.rate +
-                       series_(row + 2, j - 1) * load.acceleration;
-    }
-  }
+  series_.col(0).head(y.size()) = y;
+  system_.differentiate(series_);
 }
 
 // Bound of a derivative over a step from `count` derivatives at its start.

@@ -189,16 +189,18 @@ double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) c
   const AffineForm &form = guard_of(equations_, crossing.contact, crossing.guard).indicator;
   const Bernstein indicator = view.indicator(crossing.contact, form);
   crossing.residual = std::abs(indicator.end());
-  crossing.rate = std::abs(indicator.derivative().end() / view.length());
+  crossing.rate = indicator.derivative().end() / view.length();
   if (std::abs(indicator.end()) <= equations_.rounding(crossing.contact, form, view.end_state()))
     return 0;
-  return std::abs(indicator.end() / (indicator.derivative().end() / view.length()));
+  return std::abs(indicator.end() / crossing.rate);
 }
 
 // Shortens the step until it ends at the first crossing. False: the crossing was an artefact of the
 // longer step's polynomial, and the step as it now stands is free of changes.
 bool Trajectory::locate(Crossing &crossing) {
   constexpr int maximum_corrections = 60;
+  const double limit = steppers_.present().time(); // up to here the step is good
+  int extensions = 0;
   for (int i = 0; i < maximum_corrections; ++i) {
     const double start = steppers_.present().previous_time();
     const double instant = start + crossing.tau * (steppers_.present().time() - start);
@@ -211,9 +213,8 @@ bool Trajectory::locate(Crossing &crossing) {
       steppers_.present().undo();
       return true;
     }
-    if (steppers_.present().time() - instant > 0) {
+    if (instant != steppers_.present().time())
       steppers_.present().shorten(instant);
-    }
     const StepView shorter = view();
     Crossing earlier = crossing;
     const bool inside = find_crossing(shorter, earlier);
@@ -225,9 +226,12 @@ bool Trajectory::locate(Crossing &crossing) {
       crossing = candidate;
       return true;
     }
-    if (!inside)
+    const double ahead = steppers_.present().time() + uncertainty;
+    if (!inside && (++extensions > 2 || !(candidate.rate < 0 && ahead <= limit)))
       return false; // not there yet: the next step will meet it
-    crossing = earlier;
+    crossing = candidate;
+    if (!inside)
+      crossing.tau = 1 + uncertainty / shorter.length();
   }
   throw NumericalError("a contact change near t = " + std::to_string(steppers_.present().time()) +
                        " s could not be located to the event tolerance");
@@ -295,7 +299,7 @@ void Trajectory::note_zero_guards(const Crossing &crossing, const AffineForm &pa
   Vector rates_at_start(state.size());
   equations_.rates(time(), ConstVectorView(state.data(), state.size()),
                    VectorView(rates_at_start.data(), rates_at_start.size()));
-  const double delay = crossing.rate > 0 ? crossing.residual / crossing.rate : 0;
+  const double delay = crossing.rate != 0 ? crossing.residual / std::abs(crossing.rate) : 0;
   const LocalState local =
       equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
   // The rate of an affine form is the form of the rates.

@@ -57,7 +57,7 @@ private:
     std::size_t contact = 0;
     std::size_t guard = 0;
     double residual = 0; ///< |indicator| left where it was located
-    double rate = 0;     ///< |its rate| there [1/s]
+    double rate = 0;     ///< its rate there [1/s]
   };
 
   /// A guard that is zero up to a remainder when its mode begins.
