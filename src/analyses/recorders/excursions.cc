@@ -30,9 +30,14 @@ void Extent::include(double value) {
   maximum = std::max(maximum, value);
 }
 
+// Most steps stay within what was seen before, as their coefficients tell at once.
 void Extent::include(const Bernstein &polynomial) {
-  minimum = std::min(minimum, polynomial.minimum());
-  maximum = std::max(maximum, polynomial.maximum());
+  if (polynomial.lower_bound() < minimum)
+    minimum = std::min(minimum, polynomial.minimum());
+  Bernstein negative = polynomial;
+  negative *= -1;
+  if (-negative.lower_bound() > maximum)
+    maximum = std::max(maximum, polynomial.maximum());
 }
 
 double Extent::peak_to_peak() const { return maximum >= minimum ? maximum - minimum : nan; }

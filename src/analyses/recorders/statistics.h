@@ -1,7 +1,7 @@
 // Mean, root mean square and root mean square about the mean of a motion over a window.
 //
 // Integrals over time, by quadrature that is exact for the polynomials of the dense output and
-// of seven points per step for contact forces, which may be powers.
+// of ten points per step for contact forces, which may be powers.
 #pragma once
 
 #include "analyses/recorder.h"

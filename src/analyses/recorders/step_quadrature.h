@@ -1,4 +1,4 @@
-// Gauss-Legendre nodes on a step: exact for polynomials up to degree 13, and so for squares of what
+// Gauss-Legendre nodes on a step: exact for polynomials up to degree 19, and so for squares of what
 // the dense output gives.
 #pragma once
 
@@ -13,13 +13,13 @@ struct QuadratureNode {
   double weight = 0; ///< the weights add up to 1
 };
 
-inline const std::array<QuadratureNode, 7> &step_nodes() {
-  static const std::array<QuadratureNode, 7> nodes = [] {
-    using Rule = boost::math::quadrature::gauss<double, 7>;
-    std::array<QuadratureNode, 7> list{};
-    for (std::size_t i = 0; i < 4; ++i) { // the rule holds the half with x >= 0, 0 first
-      list[3 + i] = {(1 + Rule::abscissa()[i]) / 2, Rule::weights()[i] / 2};
-      list[3 - i] = {(1 - Rule::abscissa()[i]) / 2, Rule::weights()[i] / 2};
+inline const std::array<QuadratureNode, 10> &step_nodes() {
+  static const std::array<QuadratureNode, 10> nodes = [] {
+    using Rule = boost::math::quadrature::gauss<double, 10>;
+    std::array<QuadratureNode, 10> list{};
+    for (std::size_t i = 0; i < 5; ++i) { // the rule holds the half with x > 0
+      list[5 + i] = {(1 + Rule::abscissa()[i]) / 2, Rule::weights()[i] / 2};
+      list[4 - i] = {(1 - Rule::abscissa()[i]) / 2, Rule::weights()[i] / 2};
     }
     return list;
   }();

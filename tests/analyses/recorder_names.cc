@@ -1,0 +1,70 @@
+// All recorders together: no two of them give a result the same name, and none gives a result the
+// name of a group of others, which no HDF5 file could hold.
+#include "analyses/recorders.h"
+#include "contact/laws/hunt_crossley.h"
+#include "contact/laws/relaxing_stop.h"
+#include "support/recorded_windows.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <set>
+
+namespace vibroimpact {
+namespace {
+
+// A block on a shaken base between a relaxing stop and one that remembers its approach speed, with
+// a connection to the base.
+System busy_system() {
+  Model model({testing::single_mass("block", 1, 100, 1)});
+  model.add_base_motion("floor", std::make_shared<Harmonic>(Given::displacement, 0.01, 8, 0), {0},
+                        Vector3::UnitX());
+  model.add_connection({.name = "link",
+                        .side_a = "block.head",
+                        .side_b = "base",
+                        .elongation = model.displacement({}, -Vector3::UnitX(), false),
+                        .damping = 0.5});
+  ContactPair right = testing::contact_along_x(model, "block.head", "", 0.005,
+                                               std::make_shared<RelaxingStop>(50, 3));
+  right.name = "right";
+  ContactPair left = testing::contact_along_x(
+      model, "block.head", "", 0.005,
+      HuntCrossley::with_dimensionless_damping({.stiffness = 1e4, .exponent = 1.5}, 0.3, 1e-3));
+  left.name = "left";
+  left.gap.row *= -1;
+  return testing::system_of(std::move(model), ContactSet({right, left}));
+}
+
+PointResult all_recorded() {
+  auto root = std::make_shared<parameters::Section>("file", "A file.");
+  declare_recorders(*root);
+  const std::string names = "excursions, statistics, impacts, energy, forces, quasi static, "
+                            "history, section, regime, lyapunov, spectrum";
+  const auto set =
+      parameters::ParameterSet::parse(root, "set Record = " + names + "\n", "test.prm", false);
+  const System system = busy_system();
+  Trajectory trajectory(system.model, system.contacts, system.integration);
+  trajectory.start(0, system.initial.displacement, system.initial.velocity);
+  WindowRecording recording(read_recorders(set->root(), {}), system);
+  recording.run(periods_window(0, 2 * std::numbers::pi / 8, 40), trajectory);
+  PointResult result;
+  recording.add_fields(result);
+  return result;
+}
+
+TEST(RecorderNamesTest, EveryResultHasANameOfItsOwn) {
+  const PointResult result = all_recorded();
+  std::set<std::string> datasets, groups;
+  for (const Field &field : result.fields) {
+    EXPECT_TRUE(datasets.insert(field.name).second) << field.name;
+    for (std::size_t at = field.name.find('/'); at != std::string::npos;
+         at = field.name.find('/', at + 1))
+      groups.insert(field.name.substr(0, at));
+  }
+  EXPECT_GT(datasets.size(), 100u);
+  for (const std::string &name : datasets)
+    EXPECT_EQ(groups.count(name), 0u) << name << " is a result and a group";
+}
+
+} // namespace
+} // namespace vibroimpact
