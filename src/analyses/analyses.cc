@@ -5,6 +5,8 @@
 #include "analyses/grid.h"
 #include "analyses/identify.h"
 #include "analyses/modal.h"
+#include "analyses/recorders.h"
+#include "analyses/response.h"
 #include "analyses/stepped_sweep.h"
 #include "analyses/transient.h"
 
@@ -18,13 +20,15 @@ struct Entry {
   const char *type;
   void (*declare)(parameters::Section &analysis);
   std::shared_ptr<const Analysis> (*create)(const parameters::Values &analysis);
+  bool records = false; ///< has recorders
 };
 
 constexpr Entry entries[] = {
     {"modal", Modal::declare, Modal::create},
-    {"transient", Transient::declare, Transient::create},
-    {"stepped sweep", SteppedSweep::declare, SteppedSweep::create},
+    {"transient", Transient::declare, Transient::create, true},
+    {"stepped sweep", SteppedSweep::declare, SteppedSweep::create, true},
     {"frequency response", FrequencyResponse::declare, FrequencyResponse::create},
+    {"response", Response::declare, Response::create, true},
     {"identify", Identify::declare, Identify::create},
 };
 
@@ -40,6 +44,7 @@ void declare_analyses(parameters::Section &root) {
   types.emplace_back(grid_type);
   analysis.choice("Type", "transient", types, "What is computed.");
   declare_selection(analysis, "all");
+  declare_recorders(analysis);
   for (const Entry &entry : entries)
     entry.declare(analysis);
   declare_grid(analysis);
@@ -48,8 +53,11 @@ void declare_analyses(parameters::Section &root) {
 std::shared_ptr<const Analysis> create_analysis(const parameters::Values &analysis) {
   const std::string type = analysis.choice("Type");
   for (const Entry &entry : entries)
-    if (type == entry.type)
+    if (type == entry.type) {
+      if (!entry.records && analysis.given("Record"))
+        analysis.reject("Record", "nothing: this type of analysis has no recorders.");
       return entry.create(analysis);
+    }
   throw std::logic_error("analysis type without an entry: " + type);
 }
 

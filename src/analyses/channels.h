@@ -7,6 +7,7 @@
 
 #include "model/model.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,12 @@ struct Channel {
   char axis = 'x';
   Projection relative; ///< displacement relative to the base
   Projection absolute; ///< displacement in space
+
+  /// Does a moving base carry the point along this axis?
+  bool carried() const {
+    return std::any_of(absolute.carrier.begin(), absolute.carrier.end(),
+                       [](double carrier) { return carrier != 0; });
+  }
 };
 
 /// All points of the model along all axes on which some coordinate moves them by more than 1e-12 of

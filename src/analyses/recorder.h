@@ -1,9 +1,11 @@
 // What is kept of a motion while it is recorded: excursions, statistics, impacts, sections,
-// spectra, character, ... Each recorder is one file pair and one line in recorders.cc.
+// spectra, character, ... Each recorder is one file pair in recorders/ and one line in
+// recorders.cc.
 //
-// An analysis that lets a motion settle and then watches it creates the recorders its section
-// names, tells them where the window begins, integrates one forcing period after the other (so that
-// a state is exact at each period's end) and lets them turn what they saw into fields.
+// An analysis that lets a motion settle and then watches it hands the window to a WindowRecording
+// (window_recording.h): it creates the recorders that the key Record names, tells them where the
+// window begins, integrates one forcing period after the other (so that a state is exact at each
+// period's end), tells them where it ends, and lets them turn what they saw into fields.
 #pragma once
 
 #include "analyses/system.h"
@@ -21,6 +23,8 @@ struct Window {
   double end = 0;    ///< [s]
   double period = 0; ///< of the excitation [s]; 0 when the window is not divided into periods
   long cycles = 0;   ///< periods in the window; 0 when it is not divided
+
+  double length() const { return end - start; }
 };
 
 class Recorder : public Observer {
@@ -31,19 +35,22 @@ public:
   virtual void begin(const Window & /*window*/, const Trajectory & /*trajectory*/) {}
   /// The trajectory stands exactly at the end of forcing period `cycle` (1, 2, ... Window::cycles).
   virtual void period_end(long /*cycle*/, const Trajectory & /*trajectory*/) {}
+  /// The window is over: the trajectory stands at its end. Called once, after all period_end().
+  virtual void end(const Trajectory & /*trajectory*/) {}
 
-  /// Fields and summary lines of what was seen between the window's start and now.
+  /// Fields and summary lines of what was seen between the window's start and its end.
   virtual void add_fields(PointResult &result) const = 0;
 };
 
-/// Makes the recorder of one point of an analysis. The system outlives the recorder.
+/// Makes the recorder of one point of an analysis. The system outlives the recorder. InputError
+/// when the options do not fit the system.
 using RecorderFactory = std::function<std::unique_ptr<Recorder>(const System &system)>;
 
 /// A kind of recorder as the parameter file knows it.
 struct RecorderKind {
   const char *name;        ///< as in the key Record: "excursions"
-  const char *description; ///< one sentence for the manual
-  /// Declares the subsection of its options, or nothing.
+  const char *description; ///< a few words for the manual: "extreme values"
+  /// Declares the subsection of its options in the section of the analysis, or nothing.
   void (*declare)(parameters::Section &analysis);
   /// Reads the options. InputError when they cannot be used.
   RecorderFactory (*create)(const parameters::Values &analysis);

@@ -1,10 +1,9 @@
 #include "analyses/stepped_sweep.h"
 
-#include "analyses/excursions.h"
 #include "analyses/fields.h"
 #include "analyses/swept_system.h"
+#include "analyses/window_recording.h"
 #include "common/error.h"
-#include "integration/impact_log.h"
 
 #include <optional>
 
@@ -134,7 +133,8 @@ std::shared_ptr<const Analysis> SteppedSweep::create(const parameters::Values &a
                     .recorded = values.integer("Recorded cycles"),
                     .excitation = values.text("Excitation"),
                     .jump_tolerance = values.quantity("Jump tolerance"),
-                    .jump_threshold = values.quantity("Jump threshold")};
+                    .jump_threshold = values.quantity("Jump threshold"),
+                    .recorders = read_recorders(analysis, {"excursions", "impacts"})};
   if (settings.jump_tolerance > 0 && settings.directions == Directions::independent)
     values.reject("Jump tolerance", "0 with Start = initial conditions: only a state that is "
                                     "carried over can jump.");
@@ -200,6 +200,7 @@ void SteppedSweep::check(const System &system) const {
                      "harmonic or ramped harmonic.");
   Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
+  const WindowRecording recording(settings_.recorders, system);
 }
 
 std::vector<std::vector<parameters::Override>> SteppedSweep::variants() const {
@@ -214,23 +215,17 @@ PointResult SteppedSweep::compute(const Step &step, SweptSystem &swept, const Mo
                                   SettledMotion &settled) const {
   const System &system = swept.system();
   Trajectory &trajectory = swept.trajectory();
-  ImpactLog log(system.contacts, 0);
-  Excursions excursions(system);
+  WindowRecording recording(settings_.recorders, system);
+  Observers nobody({});
   PointResult result{.index = step.index()};
   trajectory.start(from);
-  settled = settle(trajectory, swept.period(), swept.scale(), settings_.settling, log);
-  log.clear();
-  Observers recording({&log, &excursions});
-  trajectory.advance(static_cast<double>(settled.cycles + settings_.recorded) * swept.period(),
-                     recording);
+  settled = settle(trajectory, swept.period(), swept.scale(), settings_.settling, nobody);
+  recording.run(periods_window(static_cast<double>(settled.cycles) * swept.period(),
+                               swept.period(), settings_.recorded),
+                trajectory);
   settled.state = {.time = 0, .physical = trajectory.motion_state().physical};
 
-  excursions.add_fields(result);
-  for (std::size_t c = 0; c < system.contacts.size(); ++c)
-    result.fields.push_back(
-        scalar_field("contact/" + system.contacts.pairs()[c].name + "/impacts_per_period",
-                     static_cast<double>(log.begun(c)) / static_cast<double>(settings_.recorded),
-                     "1", "impacts begun per forcing period"));
+  recording.add_fields(result);
   add_settling(result, settled);
   result.fields.push_back(state_field(state, settled.state.physical, "state at the end"));
   add_accuracy(result, trajectory.accuracy(), system.integration);

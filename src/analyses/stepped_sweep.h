@@ -12,6 +12,7 @@
 
 #include "analyses/analysis.h"
 #include "analyses/jump_search.h"
+#include "analyses/recorders.h"
 #include "analyses/settling.h"
 #include "analyses/swept_parameter.h"
 
@@ -35,6 +36,7 @@ public:
     std::string excitation;    ///< empty: the only one
     double jump_tolerance = 0; ///< width of a bracket over the largest swept value; 0: no search
     double jump_threshold = 0; ///< smallest relative difference of states that is a jump
+    std::vector<RecorderFactory> recorders = default_recorders();
   };
   explicit SteppedSweep(Settings settings) : settings_(std::move(settings)) {}
 

@@ -2,6 +2,7 @@
 
 #include "analyses/fields.h"
 #include "analyses/motion_recorder.h"
+#include "analyses/window_recording.h"
 #include "common/error.h"
 
 #include <algorithm>
@@ -37,7 +38,8 @@ std::shared_ptr<const Analysis> Transient::create(const parameters::Values &anal
                     .recorded_pulses = static_cast<std::size_t>(values.integer("Recorded pulses")),
                     .listed_impacts = static_cast<std::size_t>(values.integer("Listed impacts")),
                     .frames = static_cast<std::size_t>(values.integer("Frames")),
-                    .first_frame = values.quantity("First frame")};
+                    .first_frame = values.quantity("First frame"),
+                    .recorders = read_recorders(analysis, {})};
   settings.sampling_interval = values.has("Sampling interval")
                                    ? values.quantity("Sampling interval")
                                    : settings.duration / 1000;
@@ -58,6 +60,7 @@ Workload Transient::workload(const System & /*system*/) const {
 void Transient::check(const System &system) const {
   Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
+  const WindowRecording recording(settings_.recorders, system);
 }
 
 PointResult Transient::compute(const System &system) const {
@@ -72,10 +75,12 @@ PointResult Transient::compute(const System &system) const {
                          static_cast<double>(std::max<std::size_t>(settings_.frames - 1, 1)));
   FrameRecorder pictures(system.model, frames);
   Observers observers({&log, &recorder, &pictures});
+  WindowRecording recording(settings_.recorders, system);
   PointResult result;
   try {
     trajectory.start(0, system.initial.displacement, system.initial.velocity);
-    trajectory.advance(settings_.duration, observers);
+    recording.run({.start = 0, .end = settings_.duration}, trajectory, observers);
+    recording.add_fields(result, "recorded/");
   } catch (const NumericalError &error) {
     result.status = Status::failed;
     result.reason = error.what();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyses/analysis.h"
+#include "analyses/recorders.h"
 
 namespace vibroimpact {
 
@@ -14,8 +15,9 @@ public:
     std::size_t listed_impacts = 0;         ///< impacts in the summary
     std::size_t frames = 0;                 ///< pictures of the meshes
     double first_frame = 0, last_frame = 0; ///< [s]
+    std::vector<RecorderFactory> recorders; ///< of the whole motion
   };
-  explicit Transient(Settings settings) : settings_(settings) {}
+  explicit Transient(Settings settings) : settings_(std::move(settings)) {}
 
   static void declare(parameters::Section &analysis);
   static std::shared_ptr<const Analysis> create(const parameters::Values &analysis);

@@ -89,6 +89,12 @@ Bernstein &Bernstein::operator+=(double constant) {
   return *this;
 }
 
+void Bernstein::clear_start(double negligible) {
+  coefficients_[0] = 0;
+  for (int i = 1; i <= degree_ && std::abs(coefficients_[i]) <= negligible; ++i)
+    coefficients_[i] = 0;
+}
+
 double Bernstein::lower_bound() const {
   return *std::min_element(coefficients_.begin(), coefficients_.begin() + degree_ + 1);
 }
@@ -123,9 +129,20 @@ int Bernstein::sign_changes() const {
   return changes;
 }
 
+// p(tau) / tau for a polynomial that is zero at the start.
+Bernstein Bernstein::without_zero_at_start() const {
+  Bernstein quotient;
+  quotient.degree_ = degree_ - 1;
+  for (int i = 0; i < degree_; ++i)
+    quotient.coefficients_[i] = coefficients_[i + 1] * degree_ / (i + 1);
+  return quotient;
+}
+
 // The only zero of a polynomial that starts positive and has one sign change: bisection with
 // Newton steps where these stay inside the bracket.
 double Bernstein::falling_zero() const {
+  if (coefficients_[0] == 0)
+    return without_zero_at_start().falling_zero();
   const Bernstein slope = derivative();
   double lower = 0;
   double upper = 1;

@@ -40,8 +40,9 @@ public:
 
   Bernstein &operator+=(double constant);
 
-  /// Takes the value at the start for an exact zero.
-  void clear_start() { coefficients_[0] = 0; }
+  /// Takes the value at the start for an exact zero, and with it all leading coefficients up to the
+  /// size `negligible`: the sign right after the start is not decided by errors of that size.
+  void clear_start(double negligible = 0);
 
   /// Smallest tau in [0, 1] at which the polynomial passes from positive to negative; 0 when it is
   /// negative from the start on (also right after a zero at the start).
@@ -59,6 +60,7 @@ private:
   void split(Bernstein &left, Bernstein &right) const;
   int sign_after_start() const;
   int sign_changes() const;
+  Bernstein without_zero_at_start() const;
   double falling_zero() const;
   void collect_maximum(double &best) const;
 

@@ -40,6 +40,21 @@ Bernstein StepView::displacement(const Projection &projection) const {
       end_values(projection, *equations_, end_, *end_state_, *end_rates_));
 }
 
+// Over a short step differences of positions are rounding alone; then the velocities at the ends
+// say more.
+Bernstein StepView::velocity(const Projection &projection) const {
+  const auto a = end_values(projection, *equations_, start_, *start_state_, *start_rates_);
+  const auto b = end_values(projection, *equations_, end_, *end_state_, *end_rates_);
+  const double h = length();
+  const double rounding = 64 * std::numeric_limits<double>::epsilon();
+  if (rounding * std::max(std::abs(a[0]), std::abs(b[0])) >
+      1e-10 * h * std::max(std::abs(a[1]), std::abs(b[1])))
+    return Bernstein::cubic(h, {a[1], a[2]}, {b[1], b[2]});
+  Bernstein rate = Bernstein::quintic(h, a, b).derivative();
+  rate *= 1 / h;
+  return rate;
+}
+
 // Differences of positions over a short step say nothing of the acceleration any more; then those
 // of the velocities do, and at last the accelerations at the ends alone.
 Bernstein StepView::acceleration(const Projection &projection) const {
@@ -74,27 +89,32 @@ Bernstein StepView::gap(std::size_t contact) const {
 }
 
 Bernstein StepView::gap_rate(std::size_t contact) const {
-  Bernstein rate = gap(contact).derivative();
-  rate *= 1 / length();
-  return rate;
+  return velocity(equations_->contacts().pairs()[contact].gap);
+}
+
+Bernstein StepView::first_order_state(Index place) const {
+  return Bernstein::cubic(length(), {(*start_state_)[place], (*start_rates_)[place]},
+                          {(*end_state_)[place], (*end_rates_)[place]});
 }
 
 Bernstein StepView::internal(Index i) const {
-  const Index z = equations_->layout().internal() + i;
-  return Bernstein::cubic(length(), {(*start_state_)[z], (*start_rates_)[z]},
-                          {(*end_state_)[z], (*end_rates_)[z]});
+  return first_order_state(equations_->layout().internal() + i);
+}
+
+Bernstein StepView::drive(Index i) const {
+  return first_order_state(equations_->layout().drive() + i);
 }
 
 Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const {
   Bernstein sum;
-  if (form.gap != 0 || form.gap_rate != 0) {
+  if (form.gap != 0) {
     sum = gap(contact);
-    Bernstein rate = sum.derivative();
     sum *= form.gap;
-    if (form.gap_rate != 0) {
-      rate *= form.gap_rate / length();
-      sum += rate;
-    }
+  }
+  if (form.gap_rate != 0) {
+    Bernstein rate = gap_rate(contact);
+    rate *= form.gap_rate;
+    sum += rate;
   }
   sum += form.constant;
   const Index first = equations_->contacts().pairs()[contact].internal_offset;
@@ -109,9 +129,7 @@ Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const
 
 ContactCurves StepView::contact_curves(std::size_t contact) const {
   const ContactPair &pair = equations_->contacts().pairs()[contact];
-  ContactCurves curves{.gap = gap(contact), .gap_rate = {}, .internal = {}};
-  curves.gap_rate = curves.gap.derivative();
-  curves.gap_rate *= 1 / length();
+  ContactCurves curves{.gap = gap(contact), .gap_rate = gap_rate(contact), .internal = {}};
   for (int i = 0; i < pair.n_internal(); ++i)
     curves.internal.push_back(internal(pair.internal_offset + i));
   return curves;

@@ -30,6 +30,8 @@ public:
 
   /// Displacement seen by a projection, as a quintic in tau = (t - start)/length.
   Bernstein displacement(const Projection &projection) const;
+  /// Its time derivative.
+  Bernstein velocity(const Projection &projection) const;
   /// Its second time derivative, from the equations at both ends and the displacement between.
   Bernstein acceleration(const Projection &projection) const;
   /// One coordinate.
@@ -39,6 +41,8 @@ public:
   /// Time derivative of the gap.
   Bernstein gap_rate(std::size_t contact) const;
   Bernstein internal(Index i) const;
+  /// Torque of a motor.
+  Bernstein drive(Index i) const;
   Bernstein indicator(std::size_t contact, const AffineForm &form) const;
 
   ContactCurves contact_curves(std::size_t contact) const;
@@ -48,6 +52,8 @@ public:
   double force(std::size_t contact, double tau) const;
 
 private:
+  Bernstein first_order_state(Index place) const;
+
   const Equations *equations_;
   double start_;
   double end_;
@@ -66,6 +72,8 @@ struct ContactEvent {
   double gap = 0;      ///< [m]
   double gap_rate = 0; ///< [m/s]
   const Vector *state = nullptr;
+  const Vector *before = nullptr; ///< the state before the resets of the guard
+  const Guard *guard = nullptr;   ///< that was passed
   const StateLayout *layout = nullptr; ///< of the state
 };
 

@@ -71,7 +71,6 @@ void Trajectory::begin_phase(double time, const Vector &state) {
   start_rates_.resize(state.size());
   equations_.rates(time, ConstVectorView(state.data(), state.size()),
                    VectorView(start_rates_.data(), start_rates_.size()));
-  phase_start_ = true;
 }
 
 void Trajectory::refuse_penetration(double time, const Vector &state) const {
@@ -138,6 +137,8 @@ void Trajectory::start(const MotionState &from) {
   initial_energy_ =
       equations_.stored_energy(from.time, ConstVectorView(state.data(), state.size()));
   begin_phase(from.time, state);
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
+    note_zero_guards({.contact = c}, {}, state);
 }
 
 MotionState Trajectory::motion_state() const {
@@ -158,16 +159,42 @@ void Trajectory::evaluate_end() {
                    VectorView(end_rates_.data(), end_rates_.size()));
 }
 
+// A guard that was zero when its mode began counts from there, without the remainder that the
+// location of that instant has left; otherwise a short first step would see the remainder as a
+// change of its own.
+Bernstein Trajectory::indicator(const StepView &view, std::size_t contact,
+                                std::size_t guard) const {
+  Bernstein curve = view.indicator(contact, guard_of(equations_, contact, guard).indicator);
+  for (const ZeroGuard &zero : zero_at_start_)
+    if (zero.contact == contact && zero.guard == guard) {
+      curve += zero.remainder;
+      curve.clear_start(negligible(guard_of(equations_, contact, guard).indicator));
+    }
+  return curve;
+}
+
+// Error of an indicator that the absolute tolerance of the integration allows.
+double Trajectory::negligible(const AffineForm &form) const {
+  const double highest = std::max(1.0, equations_.model().highest_frequency());
+  double sum = std::abs(form.gap) + std::abs(form.gap_rate) * highest;
+  for (const double coefficient : form.internal)
+    sum += std::abs(coefficient);
+  return settings_.absolute_tolerance * sum;
+}
+
+void Trajectory::forget_grown_guards() {
+  const StepView step = view();
+  std::erase_if(zero_at_start_, [&](const ZeroGuard &zero) {
+    const AffineForm &form = guard_of(equations_, zero.contact, zero.guard).indicator;
+    return step.indicator(zero.contact, form).end() > negligible(form);
+  });
+}
+
 bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {
   bool found = false;
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
     for (std::size_t g = 0; g < guard_count(equations_, c); ++g) {
-      Bernstein indicator = view.indicator(c, guard_of(equations_, c, g).indicator);
-      const bool zero = phase_start_ && std::find(zero_at_start_.begin(), zero_at_start_.end(),
-                                                  std::pair(c, g)) != zero_at_start_.end();
-      if (zero)
-        indicator.clear_start();
-      const std::optional<double> tau = indicator.first_fall();
+      const std::optional<double> tau = indicator(view, c, g).first_fall();
       if (tau && (!found || *tau < crossing.tau)) {
         crossing = {.tau = *tau, .contact = c, .guard = g};
         found = true;
@@ -233,6 +260,7 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
   const ContactPair &pair = equations_.contacts().pairs()[contact];
   const LocalState local =
       equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
+  const Vector before = state;
   ContactEvent event{.time = time(),
                      .contact = contact,
                      .from = equations_.modes()[contact],
@@ -240,6 +268,8 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
                      .gap = local.gap,
                      .gap_rate = local.gap_rate,
                      .state = &state,
+                     .before = &before,
+                     .guard = &passed,
                      .layout = &layout()};
   const double held = equations_.contact_energy(contact, event.from, local);
   std::vector<double> fresh;
@@ -273,10 +303,8 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
   const AffineForm passed = guard_of(equations_, first.contact, first.guard).indicator;
   change_mode(first.contact, first.guard, state, observer);
   begin_phase(time(), state);
-  if (stuck)
-    std::erase_if(zero_at_start_, [&](const auto &entry) { return entry.first == first.contact; });
-  else
-    zero_at_start_.clear();
+  std::erase_if(zero_at_start_,
+                [&](const ZeroGuard &zero) { return zero.contact == first.contact; });
   note_zero_guards(first, passed, state);
 }
 
@@ -304,7 +332,8 @@ void Trajectory::note_zero_guards(const Crossing &crossing, const AffineForm &pa
                                    proportion(form, passed) * crossing.residual,
                                    equations_.rounding(contact, form, state)});
     if (std::abs(form(local)) <= noise)
-      zero_at_start_.emplace_back(contact, g);
+      zero_at_start_.push_back(
+          {.contact = contact, .guard = g, .remainder = std::max(0.0, -form(local))});
   }
 }
 
@@ -320,8 +349,6 @@ void Trajectory::pass_source_break() {
   step_of_modes_[equations_.modes()] = stepper_.natural_step();
   const Vector state = stepper_.state();
   begin_phase(instant, state);
-  if (instant - last_event_time_ > time_tolerance())
-    zero_at_start_.clear();
 }
 
 void Trajectory::advance(double end, Observer &observer) {
@@ -340,11 +367,12 @@ void Trajectory::advance(double end, Observer &observer) {
     const bool changes = find_crossing(view(), crossing) && locate(crossing);
     if (stepper_.time() > stepper_.previous_time())
       observer.step(view());
-    phase_start_ = false;
     if (changes) {
       change_modes(crossing, observer);
       continue;
     }
+    if (!zero_at_start_.empty())
+      forget_grown_guards();
     std::swap(start_rates_, end_rates_);
   }
 }

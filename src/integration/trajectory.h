@@ -61,6 +61,16 @@ private:
     double rate = 0;     ///< |its rate| there [1/s]
   };
 
+  /// A guard that is zero up to a remainder when its mode begins.
+  struct ZeroGuard {
+    std::size_t contact = 0;
+    std::size_t guard = 0;
+    double remainder = 0; ///< by which it is below zero
+  };
+
+  double negligible(const AffineForm &form) const;
+  void forget_grown_guards();
+  Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
   void begin_phase(double time, const Vector &state);
   bool at_source_break() const;
   void pass_source_break();
@@ -89,9 +99,8 @@ private:
   long events_at_once_ = 0; ///< events without progress in time
   double last_event_time_ = 0;
   double event_residual_ = 0;
-  /// Guards that are zero at the start of the phase, as contact and guard.
-  std::vector<std::pair<std::size_t, std::size_t>> zero_at_start_;
-  bool phase_start_ = false;
+  /// Guards that were zero at the start of the phase and have not grown beyond that yet.
+  std::vector<ZeroGuard> zero_at_start_;
   std::map<std::vector<int>, double> step_of_modes_; ///< trial step that suited last time
 };
 

@@ -1,5 +1,6 @@
 // A stop with a compression of its own: pushed in, let go, hit again before it has recovered.
 #include "contact/laws/relaxing_stop.h"
+#include "integration/equilibrium.h"
 #include "integration/impact_log.h"
 #include "integration/trajectory.h"
 #include "support/law_checks.h"
@@ -90,7 +91,11 @@ TEST(RelaxingStopTest, InitialModes) {
   EXPECT_EQ(mode(-1e-3, 0.5, 1e-3 * (1 + 1e-15)), 2); // 80 N of the spring, -100 N of the dashpot
   EXPECT_EQ(mode(-0.5e-3, -0.1, 1e-3), 0);
   EXPECT_EQ(mode(0, 0, 0), 0);
-  EXPECT_EQ(mode(-1e-3, 0, 0), 0); // the guard takes it over
+  EXPECT_EQ(mode(-1e-3, 0, 0), 0); // the guard takes it over:
+  const std::vector<double> fresh = {0.0};
+  const SettledMode settled = settle(law, {.gap = -1e-3, .gap_rate = 0, .internal = fresh});
+  EXPECT_EQ(settled.mode, 1);
+  EXPECT_EQ(settled.internal, std::vector<double>{1e-3});
 }
 
 // Pressed against the stop from the start: at rest where spring and stop balance, z is the overlap.
@@ -108,6 +113,15 @@ TEST(RelaxingStopTest, PressedFromTheStart) {
   EXPECT_NEAR(trajectory.state()[2], 0.2e-3, 1e-12);
   EXPECT_TRUE(log.impacts(0).empty());
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-10);
+}
+
+// A load presses the mass into the stop: 2e4 q + 8e4 (q - 1 mm) = 60 N.
+TEST(RelaxingStopTest, CarriesAStaticLoad) {
+  const Model model({testing::single_mass("block", mass, 2e4, 0)});
+  const ContactSet contacts({testing::contact_along_x(
+      model, "block.head", "", 1e-3, std::make_shared<RelaxingStop>(stiffness, 200))});
+  const Equilibrium found = static_equilibrium(model, contacts, Vector::Constant(1, 60.0));
+  EXPECT_NEAR(found.displacement[0], 1.4e-3, 1e-15);
 }
 
 TEST(RelaxingStopTest, NamesItsState) {

@@ -125,5 +125,13 @@ TEST(BernsteinTest, SumRaisesTheDegree) {
   EXPECT_NEAR(sum(0.37), cubic(0.37) + 0.27 * 0.17 * 0.07 * -0.03 * -0.13, 1e-15);
 }
 
+// A bounce within one step: from an exact zero up and down again, tau (0.4 - tau).
+TEST(BernsteinTest, FallsAgainAfterAnExactZeroAtTheStart) {
+  Bernstein parabola = Bernstein::quintic(1, {0, 0.4, -2}, {-0.6, -1.6, -2});
+  parabola.clear_start();
+  ASSERT_TRUE(parabola.first_fall());
+  EXPECT_NEAR(*parabola.first_fall(), 0.4, 1e-15);
+}
+
 } // namespace
 } // namespace vibroimpact

@@ -2,6 +2,7 @@
 // sides still overlap: it changes from contact to separating, and must not change back and forth.
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/linear_penalty.h"
 #include "contact/restitution_relation.h"
 #include "integration/impact_log.h"
 #include "integration/trajectory.h"
@@ -48,6 +49,22 @@ TEST(SeparatingContact, StiffStopEndsOnceForEverySpeed) {
     ASSERT_EQ(log.impacts(0).size(), 1U) << speed << " m/s";
     EXPECT_EQ(trajectory.accuracy().events, 3) << speed << " m/s";
   }
+}
+
+// A base pushes a mass onto a stop fixed in space: the bounces die out, each lower than the last.
+TEST(SeparatingContact, DyingBouncesGoOn) {
+  Model model({testing::single_mass("block", 2, 1800, 3)});
+  model.add_base_motion("ground", std::make_shared<Harmonic>(Given::displacement, 10, 0.2, 0), {0},
+                        Vector3::UnitX());
+  const ContactSet contacts({testing::contact_along_x(model, "block.head", "", 0.3,
+                                                      std::make_shared<LinearPenalty>(1e6))});
+  Trajectory trajectory(model, contacts, {});
+  ImpactLog log(contacts, 0);
+  trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
+  ASSERT_NO_THROW(trajectory.advance(1.5, log));
+  ASSERT_GT(log.impacts(0).size(), 10U);
+  EXPECT_LT(log.impacts(0).back().approach_speed, log.impacts(0).front().approach_speed);
+  EXPECT_LT(trajectory.accuracy().energy_residual, 1e-8);
 }
 
 } // namespace

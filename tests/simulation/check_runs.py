@@ -165,8 +165,8 @@ class Runs(unittest.TestCase):
         record = self.folder / "push.csv"
         record.write_text("0,0\n0.5,3\n1,0\n")
         recorded = self.folder / "recorded.prm"
-        text = self.file.read_text().replace("subsection Stepped sweep",
-                                             "subsection Stepped sweep\n    set Excitation = shaker")
+        sweep = "subsection Stepped sweep\n"
+        text = self.file.read_text().replace(sweep, sweep + "    set Excitation = shaker\n")
         recorded.write_text(text + """
 subsection Excitation record
   set Type = force

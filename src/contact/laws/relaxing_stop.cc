@@ -1,6 +1,5 @@
 #include "contact/laws/relaxing_stop.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace vibroimpact {
@@ -62,23 +61,22 @@ std::vector<InternalState> RelaxingStop::internal_states() const {
                "when uncompressed"}};
 }
 
-// A motion may go on from within a contact, where the distance gap + z is zero up to the error of
-// the integration. A stop that is overlapped without being compressed is taken over by the guard of
-// "open", which sets z.
+// A motion may go on from within a contact or from a release, where the distance gap + z is zero up
+// to the error of the integration. A stop that is overlapped without being compressed so far is
+// taken over by the guard of "open", which sets z.
 int RelaxingStop::initial_mode(const LocalState &state) const {
   constexpr double integration_error = 1e-9; // relative
   const double compression = state.internal[0];
   if (compression <= 0 || std::abs(state.gap + compression) > integration_error * compression)
     return open;
-  return -stiffness_ * state.gap - damping_constant_ * state.gap_rate > 0 ? contact : leaving;
+  return stiffness_ * state.gap + damping_constant_ * state.gap_rate < 0 ? contact : leaving;
 }
 
 void RelaxingStop::evaluate(int mode, const LocalState &state, LawResponse &response) const {
   const bool pushed = mode == contact;
-  // An overlap at the start, before the guard of "open" has seen it, is a compression already.
-  const double compression = pushed ? -state.gap : std::max(state.internal[0], -state.gap);
+  const double compression = pushed ? -state.gap : state.internal[0];
   const double recovery = stiffness_ / damping_constant_;
-  const double rate = pushed ? -state.gap_rate : -recovery * state.internal[0];
+  const double rate = pushed ? -state.gap_rate : -recovery * compression;
   response.force = pushed ? stiffness_ * compression + damping_constant_ * rate : 0;
   response.force_by_gap = pushed ? -stiffness_ : 0;
   response.force_by_gap_rate = pushed ? -damping_constant_ : 0;

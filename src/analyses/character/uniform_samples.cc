@@ -1,0 +1,27 @@
+#include "analyses/character/uniform_samples.h"
+
+#include <algorithm>
+
+namespace vibroimpact {
+
+UniformSamples::UniformSamples(std::vector<ObservedSignal> signals, double start, double interval,
+                               std::size_t count)
+    : signals_(std::move(signals)), start_(start), interval_(interval), count_(count),
+      values_(signals_.size()) {}
+
+void UniformSamples::step(const StepView &view) {
+  std::vector<double> positions;
+  for (; next_ < count_; ++next_) {
+    const double instant = start_ + static_cast<double>(next_) * interval_;
+    if (instant > view.end())
+      break;
+    positions.push_back(std::clamp((instant - view.start()) / view.length(), 0.0, 1.0));
+  }
+  for (std::size_t s = 0; s < signals_.size() && !positions.empty(); ++s) {
+    const StepFunction function = signals_[s].along(view);
+    for (const double tau : positions)
+      values_[s].push_back(function(tau));
+  }
+}
+
+} // namespace vibroimpact

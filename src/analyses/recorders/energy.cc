@@ -1,0 +1,167 @@
+#include "analyses/recorders/energy.h"
+
+#include "analyses/fields.h"
+#include "analyses/recorders/step_quadrature.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace vibroimpact {
+
+namespace {
+
+Projection without_base(Projection projection) {
+  std::fill(projection.carrier.begin(), projection.carrier.end(), 0.0);
+  return projection;
+}
+
+// Integral of the square of the rate of a displacement.
+double squared_rate(const Bernstein &displacement, double length) {
+  const Bernstein rate = displacement.derivative();
+  double sum = 0;
+  for (const QuadratureNode &node : step_nodes())
+    sum += node.weight * rate(node.tau) * rate(node.tau);
+  return sum / length;
+}
+
+double dissipated_by(const Model &model, std::size_t b, const StepView &view) {
+  const ReducedBody &body = *model.bodies()[b];
+  if (body.damping.isZero(0))
+    return 0;
+  std::vector<Bernstein> rates;
+  for (Index j = 0; j < body.size(); ++j)
+    rates.push_back(view.coordinate(model.offset(b) + j).derivative());
+  double sum = 0;
+  Vector velocity(body.size());
+  for (const QuadratureNode &node : step_nodes()) {
+    for (Index j = 0; j < body.size(); ++j)
+      velocity[j] = rates[static_cast<std::size_t>(j)](node.tau);
+    sum += node.weight * velocity.dot(body.damping * velocity);
+  }
+  return sum / view.length();
+}
+
+double motor_work(const Rotor &rotor, const StepView &view) {
+  if (!rotor.motor)
+    return 0;
+  const Bernstein torque = view.drive(rotor.motor->drive);
+  const Bernstein speed = view.coordinate(rotor.angle).derivative();
+  double work = 0;
+  for (const QuadratureNode &node : step_nodes())
+    work += node.weight * torque(node.tau) * speed(node.tau);
+  return work;
+}
+
+double total(const std::vector<double> &parts) {
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
+}
+
+} // namespace
+
+Energy::Energy(const System &system)
+    : system_(system), by_body_(system.model.bodies().size(), 0),
+      by_connection_(system.model.connections().size(), 0),
+      by_motor_(system.model.rotors().list().size(), 0) {}
+
+void Energy::declare(parameters::Section & /*analysis*/) {}
+
+RecorderFactory Energy::create(const parameters::Values & /*analysis*/) {
+  return [](const System &system) { return std::make_unique<Energy>(system); };
+}
+
+// What linear springs to a moving base hold beyond the energy of the motion relative to the base.
+double Energy::energy_beyond(const Trajectory &trajectory) const {
+  const ConstVectorView q(trajectory.state().data(), system_.model.size());
+  const double time = trajectory.equations().source_time(trajectory.time());
+  double energy = 0;
+  for (const Connection &spring : system_.model.connections()) {
+    const double whole = system_.model.value(spring.elongation, time, q);
+    const double relative = spring.elongation.row.dot(q);
+    energy += spring.stiffness * (whole * whole - relative * relative) / 2;
+  }
+  return energy;
+}
+
+double Energy::stored_energy(const Trajectory &trajectory) const {
+  const ConstVectorView x(trajectory.state().data(), trajectory.state().size());
+  return trajectory.equations().stored_energy(trajectory.time(), x) + energy_beyond(trajectory);
+}
+
+void Energy::begin(const Window &window, const Trajectory &trajectory) {
+  window_ = window;
+  first_state_ = trajectory.state();
+  first_energy_ = stored_energy(trajectory);
+  base_work_ = -energy_beyond(trajectory);
+}
+
+void Energy::add_connection(std::size_t connection, const StepView &view) {
+  const Connection &dashpot = system_.model.connections()[connection];
+  if (dashpot.damping == 0)
+    return;
+  const double whole =
+      dashpot.damping * squared_rate(view.displacement(dashpot.elongation), view.length());
+  by_connection_[connection] += whole;
+  base_work_ +=
+      whole - dashpot.damping *
+                  squared_rate(view.displacement(without_base(dashpot.elongation)), view.length());
+}
+
+void Energy::step(const StepView &view) {
+  for (std::size_t b = 0; b < by_body_.size(); ++b)
+    by_body_[b] += dissipated_by(system_.model, b, view);
+  for (std::size_t c = 0; c < by_connection_.size(); ++c)
+    add_connection(c, view);
+  for (std::size_t r = 0; r < by_motor_.size(); ++r)
+    by_motor_[r] += motor_work(system_.model.rotors().list()[r], view);
+}
+
+void Energy::end(const Trajectory &trajectory) {
+  last_state_ = trajectory.state();
+  last_energy_ = stored_energy(trajectory);
+  base_work_ += energy_beyond(trajectory);
+}
+
+void Energy::add_work(PointResult &result, const std::string &path, double work,
+                      const std::string &meaning) const {
+  result.fields.push_back(scalar_field(path, work, "J", meaning + " in the recorded window"));
+  if (window_.cycles > 0)
+    result.fields.push_back(scalar_field(path + "_per_period",
+                                         work / static_cast<double>(window_.cycles), "J",
+                                         meaning + ", mean of the forcing periods"));
+}
+
+void Energy::add_fields(PointResult &result) const {
+  const StateLayout layout{.n = system_.model.size(),
+                           .n_internal = system_.contacts.n_internal(),
+                           .n_drive = system_.model.n_drive(),
+                           .n_contacts = static_cast<Index>(system_.contacts.size())};
+  const Vector change = last_state_ - first_state_;
+  const double input = change[layout.input_work()] + base_work_;
+  const double damping = total(by_body_) + total(by_connection_);
+  double contacts = 0;
+  for (std::size_t c = 0; c < system_.contacts.size(); ++c) {
+    const double work = change[layout.contact_work(static_cast<Index>(c))];
+    contacts += work;
+    add_work(result, "contact/" + system_.contacts.pairs()[c].name + "/dissipated_energy", work,
+             "energy lost in the contact");
+  }
+  for (std::size_t b = 0; b < by_body_.size(); ++b)
+    add_work(result, "body/" + system_.model.bodies()[b]->name + "/dissipated_energy", by_body_[b],
+             "energy lost by the damping of the body");
+  for (std::size_t c = 0; c < by_connection_.size(); ++c)
+    add_work(result, "connection/" + system_.model.connections()[c].name + "/dissipated_energy",
+             by_connection_[c], "energy lost in the connection");
+  for (std::size_t r = 0; r < by_motor_.size(); ++r)
+    add_work(result, "rotor/" + system_.model.rotors().list()[r].name + "/motor_work", by_motor_[r],
+             "work of the motor");
+  add_work(result, "energy/input_work", input, "work of loads, moving bases and motors");
+  add_work(result, "energy/damping_work", damping, "energy lost by bodies and connections");
+  add_work(result, "energy/contact_work", contacts, "energy lost in contacts");
+  const double stored = last_energy_ - first_energy_;
+  result.fields.push_back(
+      scalar_field("energy/stored_change", stored, "J", "stored energy at the end less the start"));
+  result.fields.push_back(scalar_field("energy/residual", stored - input + damping + contacts, "J",
+                                       "what the balance leaves over"));
+}
+
+} // namespace vibroimpact

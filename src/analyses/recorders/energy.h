@@ -1,0 +1,47 @@
+// Where the energy of a motion goes in a window: work of the loads, what each body, connection and
+// contact dissipates, and what the balance leaves over.
+//
+// Kinetic energy and the work of a moving base count in the frame of the base. Over whole periods
+// of a steady motion that work equals the one in space: F_base s' and -B s'' v differ by the rate
+// of B v s' + M s'^2/2, which repeats.
+#pragma once
+
+#include "analyses/recorder.h"
+
+#include <vector>
+
+namespace vibroimpact {
+
+class Energy : public Recorder {
+public:
+  explicit Energy(const System &system);
+
+  static void declare(parameters::Section &analysis);
+  static RecorderFactory create(const parameters::Values &analysis);
+
+  void begin(const Window &window, const Trajectory &trajectory) override;
+  void step(const StepView &view) override;
+  void end(const Trajectory &trajectory) override;
+  /// energy/input_work, /damping_work, /contact_work, /stored_change, /residual (stored change less
+  /// input plus losses), dissipated_energy of every body, connection and contact, and motor_work of
+  /// every rotor [J]; all works also per period where the window has periods.
+  void add_fields(PointResult &result) const override;
+
+private:
+  void add_work(PointResult &result, const std::string &path, double work,
+                const std::string &meaning) const;
+  double energy_beyond(const Trajectory &trajectory) const;
+  double stored_energy(const Trajectory &trajectory) const;
+  void add_connection(std::size_t connection, const StepView &view);
+
+  const System &system_;
+  Window window_;
+  Vector first_state_, last_state_;
+  double first_energy_ = 0, last_energy_ = 0;
+  std::vector<double> by_body_, by_connection_, by_motor_; ///< [J]
+  /// What connections to a moving base take in beyond the input work of the equations, which counts
+  /// only the motion relative to the base [J].
+  double base_work_ = 0;
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,124 @@
+#include "analyses/recorders/force_quantities.h"
+
+#include <Eigen/QR>
+
+namespace vibroimpact {
+
+namespace {
+
+// The cube of a curve, from its value and derivatives at both ends.
+Bernstein cube(const Bernstein &curve) {
+  const Bernstein slope = curve.derivative();
+  const Bernstein bend = slope.derivative();
+  const auto at = [](double p, double p1, double p2) {
+    return std::array<double, 3>{p * p * p, 3 * p * p * p1, 6 * p * p1 * p1 + 3 * p * p * p2};
+  };
+  return Bernstein::quintic(1, at(curve.start(), slope.start(), bend.start()),
+                            at(curve.end(), slope.end(), bend.end()));
+}
+
+Bernstein tension(const Connection &connection, const StepView &view) {
+  const Bernstein elongation = view.displacement(connection.elongation);
+  Bernstein sum = elongation;
+  sum *= connection.stiffness;
+  Bernstein rate = elongation.derivative();
+  rate *= connection.damping / view.length();
+  sum += rate;
+  if (connection.cubic_stiffness != 0) {
+    Bernstein cubic = cube(elongation);
+    cubic *= connection.cubic_stiffness;
+    sum += cubic;
+  }
+  return sum;
+}
+
+// Does it lead from a point of the body to the base or the ground?
+bool supports(const Connection &connection, const Model &model, std::size_t body,
+              PointReference &point) {
+  return (connection.side_b == "base" || connection.side_b == "ground") &&
+         model.find_point(connection.side_a, point) && point.body == body;
+}
+
+// The direction of a support, from how the elongation sees the point's displacement; what cannot
+// move counts as zero.
+Vector3 direction_of(const Connection &connection, const Model &model,
+                     const PointReference &point) {
+  const ReducedBody &body = *model.bodies()[point.body];
+  const Matrix rows = body.points[point.point].rows.topRows(3).transpose();
+  const Vector seen =
+      -connection.elongation.row.segment(model.offset(point.body), body.size()).transpose();
+  return rows.completeOrthogonalDecomposition().solve(seen);
+}
+
+struct BaseForce {
+  Projection by_displacement, by_velocity, by_base; ///< the last one for accelerations
+  std::vector<std::pair<double, Connection>> supports;
+
+  Bernstein along(const StepView &view) const {
+    Bernstein sum = view.displacement(by_displacement);
+    Bernstein rate = view.displacement(by_velocity).derivative();
+    rate *= 1 / view.length();
+    sum += rate;
+    sum += view.acceleration(by_base);
+    for (const auto &[factor, connection] : supports) {
+      Bernstein part = tension(connection, view);
+      part *= factor;
+      sum += part;
+    }
+    return sum;
+  }
+};
+
+Projection nothing(const Model &model) {
+  return {.row = RowVector::Zero(model.size()),
+          .carrier = std::vector<double>(model.sources().size(), 0)};
+}
+
+BaseForce base_force(const Model &model, std::size_t b, int axis) {
+  const ReducedBody &body = *model.bodies()[b];
+  const Vector weight = body.base_participation.col(axis).cwiseQuotient(body.mass);
+  BaseForce force{nothing(model), nothing(model), nothing(model), {}};
+  force.by_displacement.row.segment(model.offset(b), body.size()) =
+      weight.cwiseProduct(body.stiffness).transpose();
+  force.by_velocity.row.segment(model.offset(b), body.size()) = weight.transpose() * body.damping;
+  const double left = body.total_mass[axis] - weight.dot(body.base_participation.col(axis));
+  const Projection moved = model.displacement({.body = b, .point = 0}, Vector3::Unit(axis), true);
+  for (std::size_t k = 0; k < model.sources().size(); ++k)
+    force.by_base.carrier[k] = -left * moved.carrier[k];
+  for (const Connection &connection : model.connections())
+    if (PointReference point; supports(connection, model, b, point))
+      if (const double n = direction_of(connection, model, point)[axis]; n != 0)
+        force.supports.emplace_back(-n, connection);
+  return force;
+}
+
+} // namespace
+
+std::vector<WatchedQuantity> connection_forces(const Model &model) {
+  std::vector<WatchedQuantity> list;
+  for (const Connection &connection : model.connections())
+    list.push_back({"connection/" + connection.name + "/force", "force", "N",
+                    "tension, > 0 pulls the ends together",
+                    [connection](const StepView &view) { return tension(connection, view); }});
+  return list;
+}
+
+std::vector<WatchedQuantity> base_forces(const Model &model) {
+  std::vector<WatchedQuantity> list;
+  for (std::size_t b = 0; b < model.bodies().size(); ++b)
+    for (int axis = 0; axis < 3; ++axis) {
+      const ReducedBody &body = *model.bodies()[b];
+      if (body.points.empty() || body.base_participation.col(axis).cwiseAbs().maxCoeff() <=
+                                     1e-12 * body.base_participation.cwiseAbs().maxCoeff())
+        continue;
+      const std::string name(1, static_cast<char>('x' + axis));
+      list.push_back({"body/" + body.name + "/base_force_" + name, "force", "N",
+                      "force on the base along " + name,
+                      [force = base_force(model, b, axis)](const StepView &view) {
+                        return force.along(view);
+                      }});
+    }
+  return list;
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,118 @@
+#include "analyses/recorders/forces.h"
+
+#include "analyses/channels.h"
+#include "analyses/fields.h"
+#include "analyses/recorders/force_quantities.h"
+
+#include <limits>
+
+namespace vibroimpact {
+
+namespace {
+
+// The motion of the base alone.
+Projection base_of(Projection absolute) {
+  absolute.row.setZero();
+  return absolute;
+}
+
+// Time history of a source as a quintic along the step.
+Bernstein history(const Source &source, const StepView &view) {
+  const auto at = [&](double time) {
+    const double instant = view.equations().source_time(time);
+    return std::array<double, 3>{source.function->value(instant), source.function->rate(instant),
+                                 source.function->acceleration(instant)};
+  };
+  return Bernstein::quintic(view.length(), at(view.start()), at(view.end()));
+}
+
+// Index of the only force that varies in time, or the number of sources.
+std::size_t single_force(const Model &model) {
+  const std::size_t none = model.sources().size();
+  std::size_t found = none;
+  for (std::size_t k = 0; k < none; ++k) {
+    const Source &source = model.sources()[k];
+    if (source.function->highest_frequency() == 0)
+      continue;
+    if (source.load.isZero(0) || !source.inertial_load.isZero(0) || found != none)
+      return none;
+    found = k;
+  }
+  return found;
+}
+
+} // namespace
+
+Forces::Forces(const System &system) {
+  for (WatchedQuantity &quantity : connection_forces(system.model))
+    forces_.push_back({.quantity = std::move(quantity)});
+  for (WatchedQuantity &quantity : base_forces(system.model))
+    forces_.push_back({.quantity = std::move(quantity)});
+  add_ratios_of_points(system.model);
+  add_ratios_of_forces(system.model);
+}
+
+void Forces::add_ratios_of_points(const Model &model) {
+  for (const Channel &channel : observed_channels(model)) {
+    if (!channel.carried())
+      continue;
+    const std::string base = "point/" + channel.point + "/";
+    const Projection whole = channel.absolute;
+    const Projection carrier = base_of(channel.absolute);
+    ratios_.push_back({.path = base + "displacement_" + channel.axis,
+                       .meaning = "absolute displacement over that of the base",
+                       .output = [whole](const StepView &v) { return v.displacement(whole); },
+                       .input = [carrier](const StepView &v) { return v.displacement(carrier); }});
+    ratios_.push_back({.path = base + "acceleration_" + channel.axis,
+                       .meaning = "absolute acceleration over that of the base",
+                       .output = [whole](const StepView &v) { return v.acceleration(whole); },
+                       .input = [carrier](const StepView &v) { return v.acceleration(carrier); }});
+  }
+}
+
+void Forces::add_ratios_of_forces(const Model &model) {
+  const std::size_t source = single_force(model);
+  if (source == model.sources().size())
+    return;
+  for (WatchedQuantity &force : base_forces(model))
+    ratios_.push_back({.path = force.path,
+                       .meaning = "force on the base over the applied force",
+                       .output = std::move(force.curve),
+                       .input = [&model, source](const StepView &v) {
+                         return history(model.sources()[source], v);
+                       }});
+}
+
+void Forces::declare(parameters::Section & /*analysis*/) {}
+
+RecorderFactory Forces::create(const parameters::Values & /*analysis*/) {
+  return [](const System &system) { return std::make_unique<Forces>(system); };
+}
+
+void Forces::step(const StepView &view) {
+  for (Watched &force : forces_) {
+    const Bernstein curve = force.quantity.curve(view);
+    force.extent.include(curve);
+    force.average.add(curve, view.length());
+  }
+  for (Ratio &ratio : ratios_) {
+    ratio.output_extent.include(ratio.output(view));
+    ratio.input_extent.include(ratio.input(view));
+  }
+}
+
+void Forces::add_fields(PointResult &result) const {
+  for (const Watched &force : forces_) {
+    add_extent(result, force.quantity, force.extent);
+    add_average(result, force.quantity.path, force.quantity.unit, force.average);
+  }
+  for (const Ratio &ratio : ratios_) {
+    const double input = ratio.input_extent.peak_to_peak();
+    result.fields.push_back(scalar_field(ratio.path + "/transmissibility",
+                                         input > 0 ? ratio.output_extent.peak_to_peak() / input
+                                                   : std::numeric_limits<double>::quiet_NaN(),
+                                         "1", ratio.meaning + ", amplitudes"));
+  }
+}
+
+} // namespace vibroimpact

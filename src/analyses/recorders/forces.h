@@ -1,0 +1,45 @@
+// Forces that are passed on in a window, and how much of the excitation they pass on.
+//
+// Amplitudes are half the peak-to-peak values. Transmissibility is the ratio of the absolute
+// displacement or acceleration of a point to that of its base where a base moves, and of the force
+// on the base to the applied force where a single force varies in time.
+#pragma once
+
+#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/statistics.h"
+
+namespace vibroimpact {
+
+class Forces : public Recorder {
+public:
+  explicit Forces(const System &system);
+
+  static void declare(parameters::Section &analysis);
+  static RecorderFactory create(const parameters::Values &analysis);
+
+  void step(const StepView &view) override;
+  /// Extreme values, mean and root mean squares of connection/NAME/force and
+  /// body/NAME/base_force_x; transmissibility below point/BODY.POINT/displacement_x and
+  /// /acceleration_x, and below body/NAME/base_force_x.
+  void add_fields(PointResult &result) const override;
+
+private:
+  struct Watched {
+    WatchedQuantity quantity;
+    Extent extent{};
+    TimeAverage average{};
+  };
+  /// One amplitude over another.
+  struct Ratio {
+    std::string path, meaning;
+    std::function<Bernstein(const StepView &view)> output, input;
+    Extent output_extent{}, input_extent{};
+  };
+  void add_ratios_of_points(const Model &model);
+  void add_ratios_of_forces(const Model &model);
+
+  std::vector<Watched> forces_;
+  std::vector<Ratio> ratios_;
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,41 @@
+// Time histories of what a recorder can watch, sampled in the window.
+#pragma once
+
+#include "analyses/recorder.h"
+#include "analyses/recorders/watched_quantities.h"
+
+#include <vector>
+
+namespace vibroimpact {
+
+class History : public Recorder {
+public:
+  struct Settings {
+    WatchedSelection selection;
+    long samples_per_period = 0;
+    double interval = 0; ///< [s]; 0: by the samples per period, or a thousandth of the window
+  };
+  History(Settings settings, const System &system);
+
+  static void declare(parameters::Section &analysis);
+  static RecorderFactory create(const parameters::Values &analysis);
+
+  /// NumericalError when the window is too long for the interval.
+  void begin(const Window &window, const Trajectory &trajectory) override;
+  void step(const StepView &view) override;
+  /// history/PATH along history_time for every quantity; a sample at a contact change is that
+  /// before it.
+  void add_fields(PointResult &result) const override;
+
+private:
+  Settings settings_;
+  const ContactSet &contacts_;
+  std::vector<WatchedQuantity> quantities_;
+  bool forces_watched_;
+  std::vector<double> instants_;
+  std::size_t next_ = 0;
+  std::vector<std::vector<double>> values_;
+  std::vector<std::vector<double>> forces_; ///< per contact
+};
+
+} // namespace vibroimpact

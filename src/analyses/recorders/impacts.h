@@ -1,0 +1,38 @@
+// Figures of the impacts in a window: how many, how hard, how long.
+//
+// Counts are of impacts that begin in the window. The figures of whole impacts (impulse, duration,
+// peak force, penetration) are of those that also end in it; the share of the time in contact and
+// the approach speeds lack none.
+#pragma once
+
+#include "analyses/recorder.h"
+#include "integration/impact_log.h"
+
+#include <vector>
+
+namespace vibroimpact {
+
+class Impacts : public Recorder {
+public:
+  explicit Impacts(const System &system);
+
+  static void declare(parameters::Section &analysis);
+  static RecorderFactory create(const parameters::Values &analysis);
+
+  void begin(const Window &window, const Trajectory &trajectory) override;
+  void step(const StepView &view) override;
+  void event(const ContactEvent &event) override;
+  /// For every contact C: contact/C/impacts, /impacts_per_period (where the window has periods),
+  /// /contact_fraction, and mean, minimum and maximum of /approach_speed, /impulse, /peak_force,
+  /// /contact_duration, /penetration; these are NaN without an impact.
+  void add_fields(PointResult &result) const override;
+
+private:
+  const ContactSet &contacts_;
+  Window window_;
+  ImpactLog log_;
+  std::vector<double> time_in_contact_;              ///< [s]
+  std::vector<std::vector<double>> approach_speeds_; ///< per contact [m/s]
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,40 @@
+// What the excitation would do if it were frozen at its peak: the static displacements under it,
+// contacts and cubic springs included.
+//
+// The peak is the instant of the window at which the varying part f of the loads is largest in the
+// norm f^T m^-1 f; base motions count by their inertial load, dashpots not at all. The equilibria
+// under the constant loads plus f and minus f give the two values of every point.
+#pragma once
+
+#include "analyses/channels.h"
+#include "analyses/recorder.h"
+
+#include <vector>
+
+namespace vibroimpact {
+
+class QuasiStatic : public Recorder {
+public:
+  explicit QuasiStatic(const System &system);
+
+  static void declare(parameters::Section &analysis);
+  static RecorderFactory create(const parameters::Values &analysis);
+
+  void begin(const Window &window, const Trajectory &trajectory) override;
+  void step(const StepView &view) override;
+  /// NumericalError when nothing balances the load.
+  void end(const Trajectory &trajectory) override;
+  /// point/BODY.POINT/quasi_static_displacement_x/minimum and /maximum, relative to the base [m].
+  void add_fields(PointResult &result) const override;
+
+private:
+  void consider(double time);
+  double size(double time) const;
+
+  const System &system_;
+  Window window_;
+  double peak_time_ = 0, peak_size_ = -1, longest_step_ = 0;
+  std::vector<Vector> displacements_; ///< under both signs
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,190 @@
+#include "analyses/recorders/regime.h"
+
+#include "analyses/fields.h"
+#include "analyses/steadiness.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace vibroimpact {
+
+namespace {
+
+constexpr const char *section_name = "Regime";
+/// Components that move less than this part of the largest of their kind count by that instead.
+constexpr double smallest_relative_scale = 1e-3;
+
+bool in_contact(const System &system, std::size_t contact, int mode) {
+  return system.contacts.pairs()[contact].law->modes()[static_cast<std::size_t>(mode)].in_contact;
+}
+
+void put(PointResult &result, const std::string &name, double value, const std::string &unit,
+         const std::string &description) {
+  result.fields.push_back(scalar_field("regime/" + name, value, unit, description));
+  std::string line = "regime." + name;
+  for (char &c : line)
+    c = c == '/' ? '.' : c;
+  result.summary.push_back({.name = line, .value = value, .unit = unit});
+}
+
+} // namespace
+
+RegimeRecorder::RegimeRecorder(const System &system, RegimeSettings settings)
+    : system_(system), settings_(std::move(settings)), impacts_(system.contacts.size(), 0) {
+  if (settings_.exponent)
+    exponent_.emplace(LyapunovSettings{});
+}
+
+void RegimeRecorder::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  analysis
+      .subsection(section_name, "Regime (kT, n, m): the repetition of the motion and the impacts "
+                                "in it.")
+      .integer("Longest repetition", "16", Range{.lower = 1, .upper = 1e6}, "k",
+               "Longest repetition looked for, in forcing periods; only those that fit twice into "
+               "the recorded window are.")
+      .quantity("Repetition tolerance", "1e-7", dimension::none,
+                Range{.lower = 0, .upper = 1, .lower_open = true}, "",
+                "Largest difference between states a repetition apart, relative to the scales.")
+      .quantities("Scales", "", dimension::any, range::positive, "s_j",
+                  "Sizes in SI that count as one, one number for each coordinate, then each "
+                  "velocity, then each internal state of contacts and torque; empty: half the "
+                  "peak-to-peak range of each during the window.",
+                  0, 1000000)
+      .boolean("Exponent", "true",
+               "Compute the largest Lyapunov exponent, which tells quasi-periodic from chaotic "
+               "motions.")
+      .quantity("Exponent threshold", "0.02", dimension::none, range::positive, "",
+                "Exponent times forcing period above which a motion counts as chaotic.");
+}
+
+RecorderFactory RegimeRecorder::create(const parameters::Values &analysis) {
+  const parameters::Values values = analysis.subsection(section_name);
+  const RegimeSettings settings{.longest = values.integer("Longest repetition"),
+                                .tolerance = values.quantity("Repetition tolerance"),
+                                .scales = values.quantities("Scales"),
+                                .exponent = values.boolean("Exponent"),
+                                .exponent_threshold = values.quantity("Exponent threshold")};
+  return [settings, values](const System &system) -> std::unique_ptr<Recorder> {
+    const auto size =
+        2 * system.model.size() + system.contacts.n_internal() + system.model.n_drive();
+    if (!settings.scales.empty() && static_cast<Index>(settings.scales.size()) != size)
+      values.reject("Scales", std::to_string(size) + " numbers, one for each state, or none.");
+    return std::make_unique<RegimeRecorder>(system, settings);
+  };
+}
+
+void RegimeRecorder::begin(const Window &window, const Trajectory &trajectory) {
+  period_ = window.period;
+  layout_ = trajectory.layout();
+  const double forcing = period_ > 0 ? 2 * std::numbers::pi / period_ : 1;
+  const Vector reach = state_scale(trajectory.equations(), forcing);
+  reach_ = (reach.array() > 0).select(reach, 1);
+  states_.push_back(trajectory.motion_state().physical);
+  smallest_ = largest_ = states_.front();
+  if (exponent_)
+    exponent_->begin(window, trajectory);
+}
+
+void RegimeRecorder::step(const StepView &view) {
+  const auto physical = view.end_state().head(layout_.physical_size());
+  smallest_ = smallest_.cwiseMin(physical);
+  largest_ = largest_.cwiseMax(physical);
+  if (exponent_)
+    exponent_->step(view);
+}
+
+void RegimeRecorder::event(const ContactEvent &event) {
+  if (!in_contact(system_, event.contact, event.from) &&
+      in_contact(system_, event.contact, event.to))
+    ++impacts_[event.contact];
+  if (exponent_)
+    exponent_->event(event);
+}
+
+void RegimeRecorder::period_end(long /*cycle*/, const Trajectory &trajectory) {
+  states_.push_back(trajectory.motion_state().physical);
+  if (exponent_)
+    exponent_->period_end(trajectory.time());
+}
+
+// A component at rest has no range of its own; what it does is then judged by the largest range of
+// its kind.
+Vector RegimeRecorder::scales() const {
+  if (!settings_.scales.empty())
+    return ConstVectorView(settings_.scales.data(), static_cast<Index>(settings_.scales.size()));
+  Vector half = 0.5 * (largest_ - smallest_).cwiseProduct(reach_);
+  const auto raise = [&half](Index first, Index count) {
+    if (count == 0)
+      return;
+    const double largest = half.segment(first, count).maxCoeff();
+    const double floor = largest > 0 ? smallest_relative_scale * largest : 1;
+    half.segment(first, count) = half.segment(first, count).cwiseMax(floor);
+  };
+  raise(0, layout_.n);
+  raise(layout_.velocity(), layout_.n);
+  raise(layout_.internal(), layout_.n_internal);
+  raise(layout_.drive(), layout_.n_drive);
+  return half.cwiseQuotient(reach_);
+}
+
+StroboscopicPoints RegimeRecorder::points() const {
+  std::vector<Index> angles;
+  for (const Rotor &rotor : system_.model.rotors().list())
+    angles.push_back(rotor.angle);
+  return {states_, scales(), angles};
+}
+
+Regime RegimeRecorder::classify(const Repetition &repetition, const Approach &approach) const {
+  if (repetition.multiple > 0)
+    return Regime::periodic;
+  const double growth = exponent_ ? exponent_->exponent() * period_ : 0;
+  if (exponent_ && growth > settings_.exponent_threshold)
+    return Regime::chaotic;
+  // Deviations that shrink leave nothing but a motion that repeats.
+  if (approach.multiple > 0 || (exponent_ && growth < -settings_.exponent_threshold))
+    return Regime::settling;
+  return exponent_ ? Regime::quasi_periodic : Regime::aperiodic;
+}
+
+// Impacts at the very end of a period may fall on either side of it: the mean over all repetitions
+// in the window, rounded, is the count of each.
+void RegimeRecorder::add_impacts(PointResult &result, long multiple) const {
+  const auto cycles = static_cast<double>(states_.size() - 1);
+  for (std::size_t c = 0; c < impacts_.size(); ++c) {
+    const std::string &name = system_.contacts.pairs()[c].name;
+    const double per_period = static_cast<double>(impacts_[c]) / cycles;
+    put(result, "impacts_per_period/" + name, per_period, "1", "impacts begun per forcing period");
+    put(result, "impacts_per_repetition/" + name,
+        multiple > 0 ? std::round(per_period * static_cast<double>(multiple))
+                     : std::numeric_limits<double>::quiet_NaN(),
+        "1", "impacts until the motion repeats; NaN when it does not");
+  }
+}
+
+void RegimeRecorder::add_fields(PointResult &result) const {
+  const StroboscopicPoints points = this->points();
+  const Repetition repetition = find_repetition(points, settings_.longest, settings_.tolerance);
+  const Approach approach =
+      repetition.multiple > 0 ? Approach{} : find_approach(points, settings_.longest);
+  put(result, "class", static_cast<double>(classify(repetition, approach)), "1",
+      "0 does not repeat, 1 periodic, 2 settling towards a periodic motion, 3 quasi-periodic, "
+      "4 chaotic");
+  put(result, "period_multiple", static_cast<double>(repetition.multiple), "1",
+      "forcing periods after which the motion repeats; 0 when it does not");
+  put(result, "difference", repetition.difference, "1",
+      "largest relative difference of states a repetition apart; without one the smallest of all");
+  put(result, "longest_searched", static_cast<double>(repetition.searched), "1",
+      "longest repetition looked for, in forcing periods");
+  put(result, "approached_multiple", static_cast<double>(approach.multiple), "1",
+      "forcing periods of the repetition the motion approaches; 0 when none is recognised");
+  put(result, "remaining", approach.multiple > 0 ? approach.remaining : 0, "1",
+      "estimated relative distance to that motion at the end of the window");
+  if (exponent_) {
+    put(result, "exponent", exponent_->exponent(), "1/s", "largest Lyapunov exponent");
+    put(result, "exponent_error", exponent_->standard_error(), "1/s", "standard error of it");
+  }
+  add_impacts(result, repetition.multiple);
+}
+
+} // namespace vibroimpact

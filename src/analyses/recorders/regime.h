@@ -1,0 +1,62 @@
+// The regime (kT, n, m) of a motion: after how many forcing periods it repeats and how often each
+// contact is hit in that time; where it does not repeat, whether it is still settling,
+// quasi-periodic or chaotic.
+#pragma once
+
+#include "analyses/character/repetition.h"
+#include "analyses/recorder.h"
+#include "analyses/recorders/lyapunov.h"
+
+#include <map>
+#include <optional>
+
+namespace vibroimpact {
+
+enum class Regime : int {
+  aperiodic = 0,      ///< does not repeat; no exponent was computed
+  periodic = 1,       ///< repeats after period_multiple forcing periods
+  settling = 2,       ///< still approaches a motion that repeats
+  quasi_periodic = 3, ///< does not repeat, deviations neither grow nor shrink
+  chaotic = 4         ///< deviations grow exponentially
+};
+
+struct RegimeSettings {
+  long longest = 16;                ///< [periods]
+  double tolerance = 1e-7;          ///< of the repetition, relative to the scales
+  std::vector<double> scales{};     ///< [SI] of the states; empty: from the motion
+  bool exponent = true;             ///< carry the variational equation along
+  double exponent_threshold = 0.02; ///< per forcing period
+};
+
+class RegimeRecorder : public Recorder {
+public:
+  /// The system must outlive it.
+  RegimeRecorder(const System &system, RegimeSettings settings);
+
+  static void declare(parameters::Section &analysis);
+  static RecorderFactory create(const parameters::Values &analysis);
+
+  void begin(const Window &window, const Trajectory &trajectory) override;
+  void step(const StepView &view) override;
+  void event(const ContactEvent &event) override;
+  void period_end(long cycle, const Trajectory &trajectory) override;
+  void add_fields(PointResult &result) const override;
+
+private:
+  Vector scales() const;
+  StroboscopicPoints points() const;
+  Regime classify(const Repetition &repetition, const Approach &approach) const;
+  void add_impacts(PointResult &result, long multiple) const;
+
+  const System &system_;
+  RegimeSettings settings_;
+  double period_ = 0;
+  StateLayout layout_;
+  Vector reach_;               ///< makes coordinates of different bodies comparable
+  Vector smallest_, largest_;  ///< of the physical state over the window
+  std::vector<Vector> states_; ///< at the period ends, the window's start included
+  std::vector<long> impacts_;  ///< begun in the window, per contact
+  std::optional<LyapunovExponent> exponent_;
+};
+
+} // namespace vibroimpact

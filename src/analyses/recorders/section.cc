@@ -1,0 +1,179 @@
+#include "analyses/recorders/section.h"
+
+#include "analyses/character/zeros.h"
+#include "analyses/fields.h"
+#include "analyses/observed_signal.h"
+
+#include <cmath>
+
+namespace vibroimpact {
+
+namespace {
+
+constexpr const char *section_name = "Section";
+constexpr std::size_t period_section = 0;
+
+bool in_contact(const System &system, std::size_t contact, int mode) {
+  return system.contacts.pairs()[contact].law->modes()[static_cast<std::size_t>(mode)].in_contact;
+}
+
+} // namespace
+
+SectionRecorder::SectionRecorder(const System &system, SectionSettings settings)
+    : system_(system), settings_(std::move(settings)) {
+  new_section("period", "sample_period", "at the end of a forcing period");
+  for (const std::size_t c : settings_.onsets) {
+    const std::string &name = system.contacts.pairs()[c].name;
+    new_section("onset/" + name, "sample_onset_" + name, "where contact " + name + " begins");
+  }
+  for (const std::size_t c : settings_.gap_extrema) {
+    const std::string &name = system.contacts.pairs()[c].name;
+    gap_rates_.push_back({.samples = new_section("gap_extremum/" + name, "sample_gap_" + name,
+                                                 "at an extremum of the gap of " + name)});
+  }
+  for (std::size_t k = 0; settings_.extrema && k < settings_.channels.size(); ++k) {
+    const std::string name =
+        settings_.channels[k].point + "/displacement_" + settings_.channels[k].axis;
+    const std::string flat = settings_.channels[k].point + "_" + settings_.channels[k].axis;
+    channel_rates_.push_back({.samples = new_section("extremum/" + name, "sample_extremum_" + flat,
+                                                     "at an extremum of " + name)});
+  }
+}
+
+void SectionRecorder::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  Section &section = analysis.subsection(
+      section_name, "Sections of the motion: displacements and velocities relative to the base at "
+                    "the end of each forcing period, and where a surface is passed.");
+  declare_points(section);
+  section
+      .names("Contact onsets", "none",
+             "Contacts whose onset is a further section: all, none, or their names.")
+      .names("Gap extrema", "none",
+             "Contacts whose extrema of the gap are a further section: all, none, or their names.")
+      .boolean("Extrema", "false",
+               "Makes the extrema of each watched displacement a further section.")
+      .integer("Maximum samples", "10000", Range{.lower = 1, .upper = 1e8}, "",
+               "Samples kept of each section, the first ones.");
+}
+
+RecorderFactory SectionRecorder::create(const parameters::Values &analysis) {
+  const parameters::Values values = analysis.subsection(section_name);
+  return [values](const System &system) -> std::unique_ptr<Recorder> {
+    SectionSettings settings{.channels = chosen_channels(values, system),
+                             .onsets = chosen_contacts(values, "Contact onsets", system),
+                             .gap_extrema = chosen_contacts(values, "Gap extrema", system),
+                             .extrema = values.boolean("Extrema"),
+                             .maximum_samples =
+                                 static_cast<std::size_t>(values.integer("Maximum samples"))};
+    if (settings.channels.empty())
+      values.reject("Points", "at least one point.");
+    return std::make_unique<SectionRecorder>(system, std::move(settings));
+  };
+}
+
+std::size_t SectionRecorder::new_section(const std::string &name, const std::string &dimension,
+                                         const std::string &description) {
+  const std::vector<std::vector<double>> empty(settings_.channels.size());
+  sections_.push_back({.name = name,
+                       .dimension = dimension,
+                       .description = description,
+                       .time = {},
+                       .displacement = empty,
+                       .velocity = empty});
+  return sections_.size() - 1;
+}
+
+bool SectionRecorder::full(Samples &samples) const {
+  const bool full = samples.time.size() >= settings_.maximum_samples;
+  samples.left_out += full ? 1 : 0;
+  return full;
+}
+
+void SectionRecorder::add_state(Samples &samples, double time, const Vector &state) const {
+  if (full(samples))
+    return;
+  samples.time.push_back(time);
+  for (std::size_t k = 0; k < settings_.channels.size(); ++k) {
+    const RowVector &row = settings_.channels[k].relative.row;
+    samples.displacement[k].push_back(row.dot(state.head(layout_.n)));
+    samples.velocity[k].push_back(row.dot(state.segment(layout_.velocity(), layout_.n)));
+  }
+}
+
+void SectionRecorder::add_point(Samples &samples, const StepView &view, double tau) const {
+  if (full(samples))
+    return;
+  samples.time.push_back(view.start() + tau * view.length());
+  for (std::size_t k = 0; k < settings_.channels.size(); ++k) {
+    const Bernstein displacement = view.displacement(settings_.channels[k].relative);
+    samples.displacement[k].push_back(displacement(tau));
+    samples.velocity[k].push_back(displacement.derivative()(tau) / view.length());
+  }
+}
+
+void SectionRecorder::begin(const Window &window, const Trajectory &trajectory) {
+  start_ = window.start;
+  period_ = window.period;
+  layout_ = trajectory.layout();
+}
+
+// A rate that jumps through zero at a contact change makes an extremum at the start of the step.
+void SectionRecorder::add_zeros(RateSection &section, const StepView &view, const Bernstein &rate) {
+  if (rate.start() * section.last_rate < 0)
+    add_point(sections_[section.samples], view, 0);
+  for (const double tau : sign_changes(rate))
+    add_point(sections_[section.samples], view, tau);
+  section.last_rate = rate.end();
+}
+
+void SectionRecorder::step(const StepView &view) {
+  for (std::size_t i = 0; i < gap_rates_.size(); ++i)
+    add_zeros(gap_rates_[i], view, view.gap_rate(settings_.gap_extrema[i]));
+  for (std::size_t k = 0; k < channel_rates_.size(); ++k)
+    add_zeros(channel_rates_[k], view,
+              view.displacement(settings_.channels[k].relative).derivative());
+}
+
+void SectionRecorder::event(const ContactEvent &event) {
+  for (std::size_t i = 0; i < settings_.onsets.size(); ++i)
+    if (settings_.onsets[i] == event.contact && !in_contact(system_, event.contact, event.from) &&
+        in_contact(system_, event.contact, event.to))
+      add_state(sections_[period_section + 1 + i], event.time, *event.state);
+}
+
+void SectionRecorder::period_end(long /*cycle*/, const Trajectory &trajectory) {
+  add_state(sections_[period_section], trajectory.time(), trajectory.state());
+}
+
+void SectionRecorder::add_samples(PointResult &result, const Samples &samples) const {
+  const std::string base = "section/" + samples.name + "/";
+  const auto add = [&](const std::string &name, const std::vector<double> &values,
+                       const std::string &unit, const std::string &what) {
+    result.fields.push_back(series_field(base + name, samples.dimension, values, unit,
+                                         what + " " + samples.description));
+  };
+  add("time", samples.time, "s", "time");
+  if (period_ > 0) {
+    std::vector<double> phase;
+    for (const double time : samples.time)
+      phase.push_back((time - start_) / period_ - std::floor((time - start_) / period_));
+    add("phase", phase, "1", "part of the forcing period since the last forcing phase zero");
+  }
+  for (std::size_t k = 0; k < settings_.channels.size(); ++k) {
+    const Channel &channel = settings_.channels[k];
+    const std::string point = "point/" + channel.point + "/";
+    add(point + "displacement_" + channel.axis, samples.displacement[k], "m", "displacement");
+    add(point + "velocity_" + channel.axis, samples.velocity[k], "m/s", "velocity");
+  }
+  result.fields.push_back(scalar_field(base + "left_out", static_cast<double>(samples.left_out),
+                                       "1", "samples beyond the maximum number"));
+}
+
+void SectionRecorder::add_fields(PointResult &result) const {
+  for (const Samples &samples : sections_)
+    if (period_ > 0 || &samples != &sections_[period_section])
+      add_samples(result, samples);
+}
+
+} // namespace vibroimpact

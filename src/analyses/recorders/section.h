@@ -1,0 +1,67 @@
+// Sections of the motion: states of chosen channels at the ends of forcing periods (stroboscopic,
+// Poincare points), at the onset of contacts, and at extrema of channels and gaps.
+#pragma once
+
+#include "analyses/channels.h"
+#include "analyses/recorder.h"
+
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+struct SectionSettings {
+  std::vector<Channel> channels{};        ///< that are sampled
+  std::vector<std::size_t> onsets{};      ///< contacts whose onset is a section
+  std::vector<std::size_t> gap_extrema{}; ///< contacts whose gap's extrema are
+  bool extrema = false;                 ///< whether those of each channel are
+  std::size_t maximum_samples = 0;      ///< of each section
+};
+
+class SectionRecorder : public Recorder {
+public:
+  /// The system must outlive it.
+  SectionRecorder(const System &system, SectionSettings settings);
+
+  static void declare(parameters::Section &analysis);
+  static RecorderFactory create(const parameters::Values &analysis);
+
+  void begin(const Window &window, const Trajectory &trajectory) override;
+  void step(const StepView &view) override;
+  void event(const ContactEvent &event) override;
+  void period_end(long cycle, const Trajectory &trajectory) override;
+  void add_fields(PointResult &result) const override;
+
+private:
+  // The samples of one section.
+  struct Samples {
+    std::string name;      ///< path below "section/"
+    std::string dimension; ///< "sample_period"
+    std::string description;
+    std::vector<double> time;
+    std::vector<std::vector<double>> displacement, velocity; ///< [channel][sample]
+    long left_out = 0;
+  };
+  // A surface through zeros of a rate, inside the steps or jumped over between them.
+  struct RateSection {
+    std::size_t samples = 0; ///< index of its Samples
+    double last_rate = 0;    ///< at the end of the step before
+  };
+
+  std::size_t new_section(const std::string &name, const std::string &dimension,
+                          const std::string &description);
+  bool full(Samples &samples) const;
+  void add_state(Samples &samples, double time, const Vector &state) const;
+  void add_point(Samples &samples, const StepView &view, double tau) const;
+  void add_zeros(RateSection &section, const StepView &view, const Bernstein &rate);
+  void add_samples(PointResult &result, const Samples &samples) const;
+
+  const System &system_;
+  SectionSettings settings_;
+  double start_ = 0, period_ = 0;
+  StateLayout layout_;
+  std::vector<Samples> sections_; ///< period ends, onsets, extrema of gaps, of channels
+  std::vector<RateSection> gap_rates_, channel_rates_;
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,124 @@
+#include "analyses/recorders/spectrum.h"
+
+#include "analyses/character/fourier.h"
+#include "analyses/fields.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace vibroimpact {
+
+namespace {
+constexpr const char *section_name = "Spectrum";
+} // namespace
+
+void SpectrumRecorder::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  Section &section =
+      analysis.subsection(section_name, "Amplitude spectra of the recorded window, and amplitudes "
+                                        "and phases of the orders of the forcing frequency.");
+  declare_signals(section);
+  section
+      .integer("Samples per cycle", "256", Range{.lower = 4, .upper = 1e7}, "",
+               "Samples in a forcing period; in a window without periods, in all of it.")
+      .choice("Window", "none", {"none", "hann"},
+              "Weights of the samples: none for whole periods, hann for other windows.")
+      .integer("Orders", "10", Range{.lower = 1, .upper = 1000}, "",
+               "Orders of the forcing frequency whose amplitude and phase are integrated.")
+      .quantity("Highest order", "20", dimension::none, range::positive, "",
+                "Lines of the spectrum above this multiple of the forcing frequency are left out.");
+}
+
+RecorderFactory SpectrumRecorder::create(const parameters::Values &analysis) {
+  const parameters::Values values = analysis.subsection(section_name);
+  const SpectrumSettings settings{.samples_per_cycle = values.integer("Samples per cycle"),
+                                  .orders = values.integer("Orders"),
+                                  .highest_order = values.quantity("Highest order"),
+                                  .window = values.choice("Window")};
+  return [settings, values](const System &system) -> std::unique_ptr<Recorder> {
+    return std::make_unique<SpectrumRecorder>(chosen_signals(values, system), settings);
+  };
+}
+
+void SpectrumRecorder::begin(const Window &window, const Trajectory & /*trajectory*/) {
+  period_ = window.cycles > 0 ? window.period : 0;
+  count_ = static_cast<std::size_t>(std::max(window.cycles, 1L) * settings_.samples_per_cycle);
+  const double interval = (window.end - window.start) / static_cast<double>(count_);
+  samples_.emplace(signals_, window.start, interval, count_);
+  if (period_ > 0)
+    orders_.emplace(window.start, 2 * std::numbers::pi / period_,
+                    static_cast<std::size_t>(settings_.orders), signals_.size());
+}
+
+void SpectrumRecorder::step(const StepView &view) {
+  samples_->step(view);
+  if (!orders_)
+    return;
+  std::vector<StepFunction> functions;
+  for (const ObservedSignal &signal : signals_)
+    functions.push_back(signal.along(view));
+  orders_->add(view.start(), view.length(), functions);
+}
+
+double SpectrumRecorder::line_spacing() const {
+  return 1 / (static_cast<double>(count_) * samples_->interval());
+}
+
+void SpectrumRecorder::add_orders(PointResult &result) const {
+  std::vector<double> orders;
+  for (long j = 1; j <= settings_.orders; ++j)
+    orders.push_back(static_cast<double>(j));
+  result.fields.push_back(
+      series_field("order", "order", orders, "1", "multiple of the forcing frequency"));
+  for (std::size_t s = 0; s < signals_.size(); ++s) {
+    const ObservedSignal &signal = signals_[s];
+    std::vector<double> amplitude, phase;
+    for (long j = 1; j <= settings_.orders; ++j) {
+      amplitude.push_back(orders_->amplitude(s, static_cast<std::size_t>(j)));
+      phase.push_back(orders_->phase(s, static_cast<std::size_t>(j)));
+    }
+    result.fields.push_back(series_field("order_amplitude/" + signal.name, "order", amplitude,
+                                         signal.unit,
+                                         "amplitude of an order of the " + signal.description));
+    result.fields.push_back(series_field("order_phase/" + signal.name, "order", phase, "rad",
+                                         "phase of the cosine of an order at forcing phase zero"));
+    result.fields.push_back(scalar_field("mean/" + signal.name, orders_->mean(s), signal.unit,
+                                         "mean of the " + signal.description));
+  }
+}
+
+void SpectrumRecorder::add_lines(PointResult &result) const {
+  const std::vector<double> weights = taper(settings_.window, count_);
+  std::vector<double> frequency;
+  for (std::size_t j = 0; j <= count_ / 2; ++j)
+    frequency.push_back(static_cast<double>(j) * line_spacing());
+  if (period_ > 0)
+    std::erase_if(frequency,
+                  [&](double f) { return f * period_ > settings_.highest_order + 1e-9; });
+  const auto lines = static_cast<std::ptrdiff_t>(frequency.size());
+  std::vector<double> order;
+  for (std::size_t j = 0; period_ > 0 && j < frequency.size(); ++j)
+    order.push_back(frequency[j] * period_);
+  result.fields.push_back(series_field("spectrum/frequency", "spectrum_frequency", frequency, "Hz",
+                                       "frequency of a line"));
+  if (period_ > 0)
+    result.fields.push_back(series_field("spectrum/order", "spectrum_frequency", order, "1",
+                                         "frequency of a line over forcing frequency"));
+  for (std::size_t s = 0; s < signals_.size(); ++s) {
+    if (samples_->values(s).size() != count_)
+      continue; // the motion ended early
+    const std::vector<double> amplitudes = amplitude_spectrum(samples_->values(s), weights);
+    result.fields.push_back(series_field("spectrum/" + signals_[s].name, "spectrum_frequency",
+                                         {amplitudes.begin(), amplitudes.begin() + lines},
+                                         signals_[s].unit,
+                                         "amplitude of the " + signals_[s].description));
+  }
+}
+
+void SpectrumRecorder::add_fields(PointResult &result) const {
+  if (orders_)
+    add_orders(result);
+  add_lines(result);
+}
+
+} // namespace vibroimpact

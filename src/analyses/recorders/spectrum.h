@@ -1,0 +1,47 @@
+// Spectra of the recorded window: amplitudes over frequency from equally spaced samples, and the
+// amplitudes of the orders of the forcing frequency from exact Fourier integrals.
+#pragma once
+
+#include "analyses/character/order_integrals.h"
+#include "analyses/character/uniform_samples.h"
+#include "analyses/recorder.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+struct SpectrumSettings {
+  long samples_per_cycle = 256; ///< without periods: samples of the window
+  long orders = 10;
+  double highest_order = 0; ///< lines beyond it are left out; 0: none is
+  std::string window = "none";
+};
+
+class SpectrumRecorder : public Recorder {
+public:
+  SpectrumRecorder(std::vector<ObservedSignal> signals, SpectrumSettings settings)
+      : signals_(std::move(signals)), settings_(std::move(settings)) {}
+
+  static void declare(parameters::Section &analysis);
+  static RecorderFactory create(const parameters::Values &analysis);
+
+  void begin(const Window &window, const Trajectory &trajectory) override;
+  void step(const StepView &view) override;
+  void add_fields(PointResult &result) const override;
+
+private:
+  void add_orders(PointResult &result) const;
+  void add_lines(PointResult &result) const;
+  double line_spacing() const;
+
+  std::vector<ObservedSignal> signals_;
+  SpectrumSettings settings_;
+  double period_ = 0;
+  std::size_t count_ = 0;
+  std::optional<UniformSamples> samples_;
+  std::optional<OrderIntegrals> orders_; ///< only with periods
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,61 @@
+// Mean, root mean square and root mean square about the mean of a motion over a window.
+//
+// Integrals over time, by quadrature that is exact for the polynomials of the dense output and
+// of seven points per step for contact forces, which may be powers.
+#pragma once
+
+#include "analyses/recorder.h"
+#include "analyses/recorders/watched_quantities.h"
+
+#include <boost/accumulators/accumulators.hpp>
+#include <boost/accumulators/statistics/stats.hpp>
+#include <boost/accumulators/statistics/weighted_mean.hpp>
+#include <boost/accumulators/statistics/weighted_variance.hpp>
+
+#include <vector>
+
+namespace vibroimpact {
+
+/// Time averages: values weighted by the time they stand for.
+class TimeAverage {
+public:
+  /// One step of the given length [s].
+  void add(const Bernstein &curve, double length);
+  void add(double value, double weight) { moments_(value, boost::accumulators::weight = weight); }
+
+  double mean() const { return boost::accumulators::weighted_mean(moments_); }
+  double mean_square() const;
+  double rms() const;
+  double rms_about_mean() const;
+
+private:
+  boost::accumulators::accumulator_set<
+      double,
+      boost::accumulators::stats<boost::accumulators::tag::immediate_weighted_mean,
+                                 boost::accumulators::tag::weighted_variance>,
+      double>
+      moments_;
+};
+
+/// PATH/mean, /rms, /rms_about_mean of a quantity as scalar fields.
+void add_average(PointResult &result, const std::string &path, const std::string &unit,
+                 const TimeAverage &average);
+
+class Statistics : public Recorder {
+public:
+  Statistics(const WatchedSelection &selection, const System &system);
+
+  static void declare(parameters::Section &analysis);
+  static RecorderFactory create(const parameters::Values &analysis);
+
+  void step(const StepView &view) override;
+  void add_fields(PointResult &result) const override;
+
+private:
+  const ContactSet &contacts_;
+  std::vector<WatchedQuantity> quantities_;
+  std::vector<TimeAverage> averages_;
+  std::vector<TimeAverage> forces_; ///< per contact; empty when not watched
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,222 @@
+#include "analyses/recorders/time_frequency.h"
+
+#include "analyses/fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vibroimpact {
+
+namespace {
+
+constexpr const char *wavelet_section = "Wavelet";
+constexpr const char *spectrogram_section = "Spectrogram";
+
+UniformSamples sample(const std::vector<ObservedSignal> &signals, const Window &window,
+                      double interval) {
+  const double intervals = std::floor((window.end - window.start) / interval * (1 + 1e-12));
+  return {signals, window.start, interval, static_cast<std::size_t>(intervals) + 1};
+}
+
+// Equally spaced sample numbers from the first to the last of `samples`.
+std::vector<std::size_t> picked(std::size_t samples, long instants) {
+  std::vector<std::size_t> numbers;
+  const auto wanted = std::min(static_cast<std::size_t>(instants), samples);
+  for (std::size_t i = 0; i < wanted; ++i)
+    numbers.push_back(wanted > 1 ? i * (samples - 1) / (wanted - 1) : 0);
+  return numbers;
+}
+
+Field time_field(const std::string &name, double start, double interval,
+                 const std::vector<std::size_t> &numbers) {
+  std::vector<double> times;
+  for (const std::size_t number : numbers)
+    times.push_back(start + static_cast<double>(number) * interval);
+  return series_field(name, name, times, "s", "time");
+}
+
+Field map_field(const std::string &name, const std::vector<std::string> &dimensions,
+                const std::vector<std::size_t> &shape, std::vector<double> values,
+                const ObservedSignal &signal) {
+  return {.name = name + "/" + signal.name,
+          .unit = signal.unit,
+          .description = "amplitude of the " + signal.description,
+          .dimensions = dimensions,
+          .shape = shape,
+          .values = std::move(values)};
+}
+
+double hertz(const parameters::Values &values, const std::string &key) {
+  return values.quantity(key) / (2 * std::numbers::pi);
+}
+
+// Above the Nyquist frequency nothing can be told apart.
+void require_sampling(const parameters::Values &values, double highest) {
+  values.require("Sampling interval");
+  if (values.quantity("Sampling interval") * highest > 0.5)
+    values.reject("Sampling interval", "at most half a period of the highest frequency.");
+}
+
+std::vector<double> logarithmic(double first, double last, long number) {
+  std::vector<double> values;
+  for (long i = 0; i < number; ++i)
+    values.push_back(
+        first * std::pow(last / first, static_cast<double>(i) / static_cast<double>(number - 1)));
+  return values;
+}
+
+Wavelet read_wavelet(const parameters::Values &values) {
+  if (values.choice("Wavelet") == "morlet")
+    return Wavelet::morlet(values.quantity("Morlet centre"));
+  const double centre = values.quantity("Bump centre");
+  const double width = values.quantity("Bump width");
+  if (width >= centre)
+    values.reject("Bump width", "less than Bump centre.");
+  return Wavelet::bump(centre, width);
+}
+
+} // namespace
+
+void WaveletRecorder::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  Section &section = analysis.subsection(
+      wavelet_section, "Continuous wavelet transform over scale frequency and time; a sine of "
+                       "amplitude A shows A on its ridge.");
+  declare_signals(section);
+  section
+      .choice("Wavelet", "bump", {"bump", "morlet"},
+              "Bump: sharper in frequency; Morlet: sharper in time.")
+      .quantity("Bump centre", "5", dimension::none, range::positive, "mu",
+                "Centre frequency of the bump wavelet at scale one.")
+      .quantity("Bump width", "0.6", dimension::none, range::positive, "sigma",
+                "Half width of the bump wavelet's band at scale one.")
+      .quantity("Morlet centre", "6", dimension::none, Range{.lower = 5}, "mu",
+                "Centre frequency of the Morlet wavelet; the larger the sharper in frequency.")
+      .quantity("Lowest frequency", "", dimension::frequency, range::positive, "",
+                "Lowest scale frequency.")
+      .quantity("Highest frequency", "", dimension::frequency, range::positive, "",
+                "Highest scale frequency.")
+      .integer("Frequencies", "100", Range{.lower = 2, .upper = 1e5}, "",
+               "Number of scale frequencies, spaced logarithmically.")
+      .quantity("Sampling interval", "", dimension::time, range::positive, "",
+                "Interval of the samples that are transformed.")
+      .integer("Instants", "500", Range{.lower = 2, .upper = 1e7}, "",
+               "Number of instants of the result.");
+}
+
+RecorderFactory WaveletRecorder::create(const parameters::Values &analysis) {
+  const parameters::Values values = analysis.subsection(wavelet_section);
+  values.require("Lowest frequency");
+  values.require("Highest frequency");
+  const double lowest = hertz(values, "Lowest frequency");
+  const double highest = hertz(values, "Highest frequency");
+  if (highest <= lowest)
+    values.reject("Highest frequency", "a frequency above Lowest frequency.");
+  require_sampling(values, highest);
+  const WaveletSettings settings{.wavelet = read_wavelet(values),
+                                 .frequencies =
+                                     logarithmic(lowest, highest, values.integer("Frequencies")),
+                                 .interval = values.quantity("Sampling interval"),
+                                 .instants = values.integer("Instants")};
+  return [settings, values](const System &system) -> std::unique_ptr<Recorder> {
+    return std::make_unique<WaveletRecorder>(chosen_signals(values, system), settings);
+  };
+}
+
+void WaveletRecorder::begin(const Window &window, const Trajectory & /*trajectory*/) {
+  start_ = window.start;
+  samples_.emplace(sample(signals_, window, settings_.interval));
+}
+
+void WaveletRecorder::add_fields(PointResult &result) const {
+  const std::vector<double> &scales = settings_.frequencies;
+  const auto numbers = picked(samples_->values(0).size(), settings_.instants);
+  result.fields.push_back(time_field("wavelet_time", start_, settings_.interval, numbers));
+  result.fields.push_back(series_field("scale_frequency", "scale_frequency", scales, "Hz",
+                                       "centre frequency of the wavelet"));
+  std::vector<double> edge;
+  const double decay = settings_.wavelet.decay_periods();
+  std::transform(scales.begin(), scales.end(), std::back_inserter(edge),
+                 [decay](double frequency) { return decay / frequency; });
+  result.fields.push_back(series_field("wavelet_edge", "scale_frequency", edge, "s",
+                                       "closer to the ends of the record its end shows"));
+  for (std::size_t s = 0; s < signals_.size(); ++s) {
+    const WaveletTransform transform(settings_.wavelet, samples_->values(s), settings_.interval,
+                                     scales.front());
+    std::vector<double> values;
+    for (const double frequency : scales) {
+      const auto row = transform.at(frequency);
+      for (const std::size_t number : numbers)
+        values.push_back(std::abs(row[number]));
+    }
+    result.fields.push_back(map_field("wavelet", {"scale_frequency", "wavelet_time"},
+                                      {scales.size(), numbers.size()}, std::move(values),
+                                      signals_[s]));
+  }
+}
+
+void SpectrogramRecorder::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  Section &section = analysis.subsection(
+      spectrogram_section, "Amplitude spectra of short stretches of the motion (Hann window) over "
+                           "frequency and time.");
+  declare_signals(section);
+  section
+      .quantity("Stretch", "", dimension::time, range::positive, "",
+                "Length of a stretch; lines are its reciprocal apart.")
+      .quantity("Highest frequency", "", dimension::frequency, range::positive, "",
+                "Highest frequency of the result.")
+      .quantity("Sampling interval", "", dimension::time, range::positive, "",
+                "Interval of the samples that are transformed.")
+      .integer("Instants", "500", Range{.lower = 2, .upper = 1e7}, "",
+               "Number of stretches, spread equally over the window.");
+}
+
+RecorderFactory SpectrogramRecorder::create(const parameters::Values &analysis) {
+  const parameters::Values values = analysis.subsection(spectrogram_section);
+  values.require("Stretch");
+  values.require("Highest frequency");
+  const double highest = hertz(values, "Highest frequency");
+  require_sampling(values, highest);
+  if (values.quantity("Stretch") < 4 * values.quantity("Sampling interval"))
+    values.reject("Stretch", "at least four sampling intervals.");
+  const SpectrogramSettings settings{.window = values.quantity("Stretch"),
+                                     .interval = values.quantity("Sampling interval"),
+                                     .highest_frequency = highest,
+                                     .instants = values.integer("Instants")};
+  return [settings, values](const System &system) -> std::unique_ptr<Recorder> {
+    return std::make_unique<SpectrogramRecorder>(chosen_signals(values, system), settings);
+  };
+}
+
+void SpectrogramRecorder::begin(const Window &window, const Trajectory & /*trajectory*/) {
+  start_ = window.start;
+  samples_.emplace(sample(signals_, window, settings_.interval));
+}
+
+void SpectrogramRecorder::add_fields(PointResult &result) const {
+  const auto length = static_cast<std::size_t>(std::round(settings_.window / settings_.interval));
+  const double spacing = 1 / (static_cast<double>(length) * settings_.interval);
+  std::vector<double> lines;
+  for (std::size_t j = 0; j <= length / 2; ++j)
+    if (static_cast<double>(j) * spacing <= settings_.highest_frequency * (1 + 1e-12))
+      lines.push_back(static_cast<double>(j) * spacing);
+  const auto numbers = picked(samples_->values(0).size(), settings_.instants);
+  result.fields.push_back(time_field("spectrogram_time", start_, settings_.interval, numbers));
+  result.fields.push_back(series_field("spectrogram_frequency", "spectrogram_frequency", lines,
+                                       "Hz", "frequency of a line"));
+  for (std::size_t s = 0; s < signals_.size(); ++s) {
+    std::vector<double> values(lines.size() * numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto amplitudes = short_time_amplitudes(samples_->values(s), numbers[i], length);
+      for (std::size_t j = 0; j < lines.size(); ++j)
+        values[j * numbers.size() + i] = amplitudes[j];
+    }
+    result.fields.push_back(map_field("spectrogram", {"spectrogram_frequency", "spectrogram_time"},
+                                      {lines.size(), numbers.size()}, std::move(values),
+                                      signals_[s]));
+  }
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,67 @@
+// How the frequencies in a motion change with time: continuous wavelet transform and short-time
+// Fourier spectrogram, for swept-sine runs.
+#pragma once
+
+#include "analyses/character/uniform_samples.h"
+#include "analyses/character/wavelet.h"
+#include "analyses/recorder.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+struct WaveletSettings {
+  Wavelet wavelet;
+  std::vector<double> frequencies; ///< scale frequencies, increasing [Hz]
+  double interval = 0;             ///< between samples [s]
+  long instants = 0;               ///< of the result
+};
+
+class WaveletRecorder : public Recorder {
+public:
+  WaveletRecorder(std::vector<ObservedSignal> signals, WaveletSettings settings)
+      : signals_(std::move(signals)), settings_(std::move(settings)) {}
+
+  static void declare(parameters::Section &analysis);
+  static RecorderFactory create(const parameters::Values &analysis);
+
+  void begin(const Window &window, const Trajectory &trajectory) override;
+  void step(const StepView &view) override { samples_->step(view); }
+  void add_fields(PointResult &result) const override;
+
+private:
+  std::vector<ObservedSignal> signals_;
+  WaveletSettings settings_;
+  double start_ = 0;
+  std::optional<UniformSamples> samples_;
+};
+
+struct SpectrogramSettings {
+  double window = 0;            ///< length [s]
+  double interval = 0;          ///< between samples [s]
+  double highest_frequency = 0; ///< [Hz]
+  long instants = 0;
+};
+
+class SpectrogramRecorder : public Recorder {
+public:
+  SpectrogramRecorder(std::vector<ObservedSignal> signals, SpectrogramSettings settings)
+      : signals_(std::move(signals)), settings_(settings) {}
+
+  static void declare(parameters::Section &analysis);
+  static RecorderFactory create(const parameters::Values &analysis);
+
+  void begin(const Window &window, const Trajectory &trajectory) override;
+  void step(const StepView &view) override { samples_->step(view); }
+  void add_fields(PointResult &result) const override;
+
+private:
+  std::vector<ObservedSignal> signals_;
+  SpectrogramSettings settings_;
+  double start_ = 0;
+  std::optional<UniformSamples> samples_;
+};
+
+} // namespace vibroimpact

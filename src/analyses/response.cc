@@ -1,0 +1,148 @@
+#include "analyses/response.h"
+
+#include "analyses/fields.h"
+#include "analyses/steadiness.h"
+#include "analyses/window_recording.h"
+#include "common/error.h"
+
+#include <numbers>
+
+namespace vibroimpact {
+
+namespace {
+
+constexpr const char *section_name = "Response";
+
+void refuse_both(const parameters::Values &values, const char *time, const char *cycles) {
+  if (values.has(time) && values.given(cycles))
+    values.reject(time, std::string("nothing, or else no ") + cycles + ".");
+}
+
+} // namespace
+
+void Response::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  Section &section = analysis.subsection(
+      section_name, "One motion from the initial conditions: settles, then is recorded.");
+  declare_settling(section);
+  section
+      .quantity("Settling time", "", dimension::time, range::non_negative, "",
+                "Settles for this time, steady or not, instead of Settling cycles.")
+      .integer("Recorded cycles", "10", Range{.lower = 1}, "", "Periods of the recorded window.")
+      .quantity("Recorded time", "", dimension::time, range::positive, "",
+                "Length of the recorded window instead of Recorded cycles.")
+      .text("Excitation", "",
+            "Excitation whose period counts cycles; empty when there is only one with a period.");
+}
+
+std::shared_ptr<const Analysis> Response::create(const parameters::Values &analysis) {
+  const parameters::Values values = analysis.subsection(section_name);
+  refuse_both(values, "Settling time", "Settling cycles");
+  refuse_both(values, "Settling time", "Minimum settling cycles");
+  refuse_both(values, "Recorded time", "Recorded cycles");
+  const bool by_time = values.has("Settling time");
+  return std::make_shared<Response>(
+      Settings{.settling = read_settling(values),
+               .settling_time = by_time ? values.quantity("Settling time") : 0,
+               .by_time = by_time,
+               .cycles = values.integer("Recorded cycles"),
+               .recorded_time = values.has("Recorded time") ? values.quantity("Recorded time") : 0,
+               .excitation = values.text("Excitation"),
+               .recorders = read_recorders(analysis, {"excursions", "impacts"})});
+}
+
+// Of the excitation that counts the cycles; 0 when none is needed.
+double Response::period(const System &system) const {
+  if (!settings_.needs_period())
+    return 0;
+  std::vector<double> periods;
+  for (const Source &source : system.model.sources())
+    if (source.function->period() > 0 &&
+        (settings_.excitation.empty() || source.name == settings_.excitation))
+      periods.push_back(source.function->period());
+  if (periods.size() == 1)
+    return periods[0];
+  if (!settings_.excitation.empty())
+    throw InputError("The excitation " + settings_.excitation +
+                     " that counts the cycles of the response is not active or has no period.");
+  throw InputError("A response that counts cycles needs one excitation with a period, or the key "
+                   "Excitation that says which of several counts; without one give Settling time "
+                   "and Recorded time.");
+}
+
+Workload Response::workload(const System &system) const {
+  const double cycle = period(system);
+  const Window recorded = window(0, cycle);
+  return {.simulated_time =
+              recorded.end + (settings_.by_time
+                                  ? settings_.settling_time
+                                  : static_cast<double>(settings_.settling.maximum) * cycle),
+          .points = 1};
+}
+
+void Response::check(const System &system) const {
+  period(system);
+  Trajectory trajectory(system.model, system.contacts, system.integration);
+  trajectory.start(0, system.initial.displacement, system.initial.velocity);
+  const WindowRecording recording(settings_.recorders, system);
+}
+
+SettledMotion Response::settle_motion(const System &system, Trajectory &trajectory,
+                                      double period) const {
+  Observers nobody({});
+  trajectory.start(0, system.initial.displacement, system.initial.velocity);
+  if (!settings_.by_time)
+    return settle(trajectory, period,
+                  state_scale(trajectory.equations(), 2 * std::numbers::pi / period),
+                  settings_.settling, nobody);
+  if (settings_.settling_time > 0)
+    trajectory.advance(settings_.settling_time, nobody);
+  return {};
+}
+
+Window Response::window(double start, double period) const {
+  return settings_.recorded_time > 0
+             ? Window{.start = start, .end = start + settings_.recorded_time}
+             : periods_window(start, period, settings_.cycles);
+}
+
+PointResult Response::compute(const System &system) const {
+  const double cycle = period(system);
+  Trajectory trajectory(system.model, system.contacts, system.integration);
+  WindowRecording recording(settings_.recorders, system);
+  const SettledMotion settled = settle_motion(system, trajectory, cycle);
+  recording.run(window(trajectory.time(), cycle), trajectory);
+
+  PointResult result;
+  recording.add_fields(result);
+  if (!settings_.by_time) {
+    result.fields.push_back(scalar_field("steady", settled.steady() ? 1 : 0, "1",
+                                         "1 when the motion was judged steady before recording"));
+    result.fields.push_back(scalar_field("period_multiple", static_cast<double>(settled.multiple),
+                                         "1", "forcing periods after which it repeats, 0 unknown"));
+    result.fields.push_back(scalar_field("settling_cycles", static_cast<double>(settled.cycles),
+                                         "1", "forcing periods before recording"));
+  }
+  const Vector state = trajectory.motion_state().physical;
+  result.fields.push_back(series_field("state", "state", {state.begin(), state.end()}, "SI",
+                                       "state at the end: coordinates, their rates, internal "
+                                       "states of contacts, torques of motors"));
+  add_accuracy(result, trajectory.accuracy(), system.integration);
+  return result;
+}
+
+void Response::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
+  if (context.find({})) {
+    context.skip();
+    return;
+  }
+  PointResult result;
+  try {
+    result = compute(system);
+  } catch (const NumericalError &error) {
+    result = {.index = {}, .status = Status::failed, .reason = error.what()};
+  }
+  context.store(std::move(result));
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,44 @@
+// Response: one motion from the initial conditions that settles and is then recorded, by periods of
+// an excitation or by time. Whether it became steady is told; it need not.
+#pragma once
+
+#include "analyses/analysis.h"
+#include "analyses/recorders.h"
+#include "analyses/settling.h"
+
+namespace vibroimpact {
+
+class Response : public Analysis {
+public:
+  struct Settings {
+    SettlingRule settling;    ///< when settling_time is 0
+    double settling_time = 0; ///< [s]
+    bool by_time = false;     ///< settles for settling_time
+    long cycles = 0;          ///< recorded, when recorded_time is 0
+    double recorded_time = 0; ///< [s]
+    std::string excitation;   ///< whose period counts; empty: the only one that has one
+    std::vector<RecorderFactory> recorders = default_recorders();
+
+    bool needs_period() const { return !by_time || recorded_time == 0; }
+  };
+  explicit Response(Settings settings) : settings_(std::move(settings)) {}
+
+  static void declare(parameters::Section &analysis);
+  static std::shared_ptr<const Analysis> create(const parameters::Values &analysis);
+
+  std::string type() const override { return "response"; }
+  std::vector<Axis> axes() const override { return {}; }
+  Workload workload(const System &system) const override;
+  void check(const System &system) const override;
+  void run_line(std::size_t line, System &system, LineContext &context) const override;
+
+private:
+  double period(const System &system) const;
+  SettledMotion settle_motion(const System &system, Trajectory &trajectory, double period) const;
+  Window window(double start, double period) const;
+  PointResult compute(const System &system) const;
+
+  Settings settings_;
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,62 @@
+#include "analyses/window_recording.h"
+
+#include <algorithm>
+
+namespace vibroimpact {
+
+WindowRecording::WindowRecording(const std::vector<RecorderFactory> &factories,
+                                 const System &system) {
+  for (const RecorderFactory &factory : factories)
+    recorders_.push_back(factory(system));
+}
+
+void WindowRecording::run(const Window &window, Trajectory &trajectory) {
+  Observers nobody({});
+  run(window, trajectory, nobody);
+}
+
+void WindowRecording::run(const Window &window, Trajectory &trajectory, Observer &also) {
+  std::vector<Observer *> watching = {&also};
+  for (const auto &recorder : recorders_) {
+    watching.push_back(recorder.get());
+    recorder->begin(window, trajectory);
+  }
+  Observers all(watching);
+  for (long cycle = 1; cycle <= window.cycles; ++cycle) {
+    trajectory.advance(cycle == window.cycles
+                           ? window.end
+                           : window.start + static_cast<double>(cycle) * window.period,
+                       all);
+    for (const auto &recorder : recorders_)
+      recorder->period_end(cycle, trajectory);
+  }
+  if (window.cycles == 0)
+    trajectory.advance(window.end, all);
+  for (const auto &recorder : recorders_)
+    recorder->end(trajectory);
+}
+
+void WindowRecording::add_fields(PointResult &result, const std::string &prefix) const {
+  PointResult seen;
+  for (const auto &recorder : recorders_)
+    recorder->add_fields(seen);
+  std::string line_prefix = prefix;
+  std::replace(line_prefix.begin(), line_prefix.end(), '/', '.');
+  for (Field &field : seen.fields) {
+    field.name = prefix + field.name;
+    result.fields.push_back(std::move(field));
+  }
+  for (SummaryLine &line : seen.summary) {
+    line.name = line_prefix + line.name;
+    result.summary.push_back(std::move(line));
+  }
+}
+
+Window periods_window(double start, double period, long cycles) {
+  return {.start = start,
+          .end = start + static_cast<double>(cycles) * period,
+          .period = period,
+          .cycles = cycles};
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,33 @@
+// Watches a window of a motion with the recorders of an analysis.
+#pragma once
+
+#include "analyses/recorder.h"
+
+#include <memory>
+#include <vector>
+
+namespace vibroimpact {
+
+class WindowRecording {
+public:
+  /// Makes a new set of recorders; the system must outlive them. InputError when options do not fit
+  /// the system.
+  WindowRecording(const std::vector<RecorderFactory> &factories, const System &system);
+
+  /// Integrates from window.start, where the trajectory must stand, to window.end, stopping at the
+  /// end of each period. `also` watches as well. NumericalError.
+  void run(const Window &window, Trajectory &trajectory);
+  void run(const Window &window, Trajectory &trajectory, Observer &also);
+
+  bool empty() const { return recorders_.empty(); }
+  /// What all recorders saw, their fields' names behind `prefix`.
+  void add_fields(PointResult &result, const std::string &prefix = "") const;
+
+private:
+  std::vector<std::unique_ptr<Recorder>> recorders_;
+};
+
+/// A window of `cycles` periods that begins at `start`.
+Window periods_window(double start, double period, long cycles);
+
+} // namespace vibroimpact

@@ -1,0 +1,54 @@
+// Records a window of a motion and finds the figures by name, for tests.
+#pragma once
+
+#include "analyses/window_recording.h"
+#include "support/lumped_models.h"
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace vibroimpact::testing {
+
+/// A system of one model that starts from rest.
+inline System system_of(Model model, ContactSet contacts = {}) {
+  const Index n = model.size();
+  return {.model = std::move(model),
+          .contacts = std::move(contacts),
+          .integration = {.relative_tolerance = 1e-10},
+          .initial = {.displacement = Vector::Zero(n), .velocity = Vector::Zero(n)}};
+}
+
+inline bool has_field(const PointResult &result, const std::string &name) {
+  for (const Field &field : result.fields)
+    if (field.name == name)
+      return true;
+  return false;
+}
+
+inline const Field &field_of(const PointResult &result, const std::string &name) {
+  for (const Field &field : result.fields)
+    if (field.name == name)
+      return field;
+  throw std::logic_error("no field " + name);
+}
+
+inline double value_of(const PointResult &result, const std::string &name) {
+  return field_of(result, name).values.at(0);
+}
+
+/// What one recorder sees in a window from the initial state.
+template <class Kind, class... Options>
+PointResult recorded(const System &system, const Window &window, const Options &...options) {
+  Trajectory trajectory(system.model, system.contacts, system.integration);
+  trajectory.start(window.start, system.initial.displacement, system.initial.velocity);
+  WindowRecording recording(
+      {[&](const System &s) { return std::make_unique<Kind>(options..., s); }}, system);
+  recording.run(window, trajectory);
+  PointResult result;
+  recording.add_fields(result);
+  return result;
+}
+
+} // namespace vibroimpact::testing
