@@ -16,7 +16,8 @@ CONTACT_ROWS = [
     ("gap/minimum", "Smallest gap"),
     ("impacts_per_period", "Impacts per period"),
 ]
-LINES = {"forward": dict(linestyle="-", marker=">"), "backward": dict(linestyle="--", marker="<")}
+LINES = {"forward": dict(linestyle="-", marker=">"), "backward": dict(linestyle="--", marker="<"),
+         "initial conditions": dict(linestyle=":", marker="o")}
 
 
 def figures(results: Results, analysis: Analysis):
@@ -55,9 +56,14 @@ def points_together(analysis: Analysis, quantity: str) -> list[list[str]]:
     return [[point] for point in points] if analysis.grid else [points]
 
 
+def swept_axis(analysis: Analysis) -> str:
+    """The first axis of the sweep itself: frequency, or the key that was swept."""
+    return analysis.axes[len(analysis.grid)]
+
+
 def draw(axes, analysis: Analysis, path: str, case: Case, colour, scale) -> None:
     """Both directions of one field of one case; points that did not settle are hollow."""
-    frequency = analysis.read("frequency").values
+    frequency = analysis.read(swept_axis(analysis)).values
     field = analysis.read(path).values[case.index]
     steady = analysis.read("steady").values[case.index] if analysis.has("steady") else None
     for d, direction in enumerate(analysis.read("direction").values):
@@ -123,5 +129,7 @@ def contact_curves(analysis: Analysis, contact: str, rows):
 
 
 def finish(figure, panels, analysis: Analysis, family, handles) -> None:
-    panels[-1].set_xlabel(f"Frequency ({analysis.read('frequency').unit})")
+    axis = swept_axis(analysis)
+    name = "Frequency" if axis == "frequency" else axis
+    panels[-1].set_xlabel(f"{name} ({analysis.read(axis).unit})")
     explain(figure, panels, analysis, family, handles)

@@ -87,7 +87,7 @@ def datasets(folder):
         if isinstance(item, h5py.Dataset):
             values = item[()]
             found[name] = values.tobytes() if isinstance(values, np.ndarray) else repr(values)
-            if values.dtype == object:
+            if getattr(values, "dtype", None) == object:
                 found[name] = repr(values.tolist())
 
     with h5py.File(folder / "results.h5") as file:
