@@ -9,6 +9,7 @@ usage: study_fixed_step.py PROGRAM SOURCE [--page FILE] [--keep FOLDER]
 """
 import math
 
+import study_figures
 from studies import Study
 
 STEPS = (1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)
@@ -92,16 +93,32 @@ def located(study, tolerance):
     return casing * 1e3, motion["steps"][0, 0]
 
 
+def draw(study, points):
+    """Peak-to-peak over the number of time steps, both ways."""
+    figure, (axes,), colours = study_figures.panels(study, 1)
+    for (name, curve), colour, marker in zip(points.items(), colours, "os"):
+        axes.plot(*zip(*curve), marker + "-", color=colour, label=name)
+    axes.set_xscale("log")
+    axes.set_xlabel("Time steps in 180 s")
+    axes.set_ylabel("Casing,\npeak-to-peak (mm)")
+    axes.legend()
+    study_figures.save(study, figure, "electromechanical-fixed-step.png")
+
+
 def main():
     study = Study(__file__, "method", "step or tolerance", "time steps",
                   "peak-to-peak of the casing, mm")
+    fixed, adaptive = [], []
     for h in STEPS:
         found = travel(h)
         study.row("Runge-Kutta, fixed step", f"{h:g} s", f"{END / h:.0f}",
                   "diverges" if math.isnan(found) else f"{found:.4f}")
+        fixed.append((END / h, found))
     for tolerance in TOLERANCES:
         found, steps = located(study, tolerance)
         study.row("vibroimpact, contact located", tolerance, f"{steps:.0f}", f"{found:.4f}")
+        adaptive.append((steps, found))
+    draw(study, {"fixed step": fixed, "contact located": adaptive})
     study.finish()
 
 
