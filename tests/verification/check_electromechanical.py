@@ -75,7 +75,7 @@ def without_impacts():
         table.add(f"k3 = 0, peak at {frequency} rad/s", wanted, linear[nearest(omega, frequency)],
                   2e-5)
         near = numpy.abs(omega - frequency) < 10
-        table.add("place of this peak, rad/s", frequency, omega[near][linear[near].argmax()], 0,
+        table.add("place of this peak, rad/s", frequency, omega[near][linear[near].argmax()], 1e-9,
                   paper=frequency, absolute=True)
     for frequency, wanted in [(69, 12.918), (102, 14.9345), (103, 4.8338), (137, 20.697),
                               (138, 5.538)]:
@@ -83,7 +83,7 @@ def without_impacts():
     for frequency in (102, 137):
         near = numpy.abs(omega - frequency) < 15
         table.add(f"cubic spring, place of the peak near {frequency} rad/s", frequency,
-                  omega[near][cubic[near].argmax()], 0, paper=frequency, absolute=True)
+                  omega[near][cubic[near].argmax()], 1e-9, paper=frequency, absolute=True)
 
 
 def start_up():
