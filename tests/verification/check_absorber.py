@@ -61,9 +61,7 @@ def periodic_rows(table, rows):
                 table.add_digits(f"{symbol}, {name}", reference, found[i], paper[i])
         repetition = [rows["regime/period_multiple"][case].item()] + [
             rows[f"regime/impacts_per_repetition/{side}"][case].item() for side in ("left", "right")]
-        for symbol, expected, value in zip("knm", regime, repetition):
-            table.add(f"{symbol} of (kT, n, m), {name}", expected, value, 0, paper=expected,
-                      absolute=True)
+        same(table, f"k, n, m, {name}", regime, repetition)
     for case, (name, paper) in PAPER_ONLY.items():
         found = figures(rows, case)
         for i, (symbol, printed) in enumerate(zip(NAMES, paper)):
@@ -88,10 +86,17 @@ def chaotic_rows(table, rows):
 
 
 def impacts(table, rows, case, name):
-    for side, number in (("left", 1), ("right", 2)):
-        table.add(f"impacts per period {side}, {name}", number,
-                  rows[f"contact/{side}/impacts_per_period"][case].item(), 0, paper=number,
-                  absolute=True)
+    found = [rows[f"contact/{side}/impacts_per_period"][case].item() for side in ("left", "right")]
+    same(table, f"impacts per period left, right, {name}", (1, 2), found)
+
+
+def same(table, quantity, wanted, found):
+    """A row of several whole numbers that paper and reference agree on."""
+    good = list(wanted) == found
+    table.failed += not good
+    text = ", ".join(f"{number:g}" for number in wanted)
+    table.rows.append((quantity, text, text, ", ".join(f"{number:g}" for number in found),
+                       "same" if good else "**different**"))
 
 
 def linear_cases(table, results, rows):

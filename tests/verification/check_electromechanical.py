@@ -39,8 +39,6 @@ def clearances():
     table.add("largest contact force, c = 5 mm, N", 71307, lower["normal_force/maximum"][4, 0, 0],
               3e-5)
     table.add("deepest penetration, c = 5 mm, µm", 58.1, -lower["gap/minimum"][4, 0, 0] * 1e6, 1e-3)
-    table.add("longest contact, c = 5 mm, ms", 0.379,
-              lower["contact_duration/maximum"][4, 0, 0] * 1e3, 2e-3)
     table.add("largest Y_t − Y, c = 5 mm, mm", 4.607, 5 - upper["gap/minimum"][4, 0, 0] * 1e3, 2e-4)
     table.add("smallest Y_t − Y, c = 5 mm, mm", -5.058, lower["gap/minimum"][4, 0, 0] * 1e3 - 5,
               2e-4)
@@ -92,9 +90,25 @@ def start_up():
               history["recorded/rotor/rotor/torque/maximum"][()], 1e-4)
 
 
+def time_under_force():
+    """Of the last impact within 40 s: from the first sample of its pulse to the first one without
+    force. The sides stay overlapped for longer, because the stop does not pull."""
+    history = table.run(FILE, "pulses", "Analyses=history",
+                        "Analysis/history/Transient/Duration=40 s",
+                        "Analysis/history/Transient/Recorded pulses=1000")["analysis/history"]
+    pulse = history["contact/lower/pulse"]
+    time, force = pulse["time"][:], pulse["normal_force"][:]
+    ends = numpy.flatnonzero(numpy.isnan(time))
+    last = slice(ends[-2] + 1, ends[-1])
+    released = numpy.flatnonzero(force[last][1:] <= 0)[0] + 1
+    table.add("time under force, c = 5 mm, ms", 0.379,
+              (time[last][released] - time[last][0]) * 1e3, 2e-3)
+
+
 if __name__ == "__main__":
     clearances()
     other_frequency()
     without_impacts()
     start_up()
+    time_under_force()
     table.finish()
