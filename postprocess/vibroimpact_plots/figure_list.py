@@ -4,9 +4,11 @@ A module offers figures(results, analysis), which looks at what an analysis hold
 each figure that fits, its name and a function without arguments that draws it.
 """
 
-from . import bifurcation, cycles, histories, identify, modal, portraits, response_curves, transient
+from . import (bifurcation, cycles, histories, identify, modal, portraits, relative_motion,
+               response_curves, transient)
 
-KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits]
+KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits,
+         relative_motion]
 
 
 def figures(results, analysis):
