@@ -31,7 +31,7 @@ private:
   // A part of the excitation: exponential of a source, constant of a source, or the system's own.
   struct Input {
     std::size_t source = 0;
-    Complex exponent;
+    Complex exponent{};
     bool own = false; // of the system
     bool operator==(const Input &other) const = default;
   };
