@@ -71,6 +71,17 @@ LinearSystem::LinearSystem(const Equations &equations) {
   decompose();
 }
 
+bool LinearSystem::fits(const Equations &equations) const {
+  LinearSystem other;
+  other.assemble(equations);
+  const auto same = [](const Load &a, const Load &b) {
+    return a.value == b.value && a.rate == b.rate && a.acceleration == b.acceleration;
+  };
+  return matrix_.rows() == other.matrix_.rows() && matrix_ == other.matrix_ &&
+         constant_ == other.constant_ &&
+         std::equal(loads_.begin(), loads_.end(), other.loads_.begin(), other.loads_.end(), same);
+}
+
 void LinearSystem::assemble(const Equations &equations) {
   const Model &model = equations.model();
   const Index n = model.size();
