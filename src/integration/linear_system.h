@@ -74,7 +74,9 @@ private:
   bool diagonalizable_ = false;
   std::vector<Mode> modes_;
   Matrix basis_, inverse_;
+  Vector scale_;              ///< of the balanced coordinates
   ComplexVector eigenvalues_; ///< all of them
+  Vector left_sizes_;         ///< norms of the rows of left_ in balanced coordinates
   Eigen::MatrixXcd eigenvectors_, left_;
 };
 

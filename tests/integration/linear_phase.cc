@@ -138,6 +138,25 @@ TEST(LinearPhaseTest, SeveralContactsWithInternalStates) {
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-10);
 }
 
+// While a relaxing stop is pushed in, its compression follows the mass: an eigenvalue of zero,
+// which the constant of the clearance does not drive.
+TEST(LinearPhaseTest, ConstantThatDoesNotDriveAModeAtRest) {
+  const Model model({single_mass("block", 1, 1, 0.2)});
+  const ContactSet contacts(
+      {contact_along_x(model, "block.head", "", 0.25, std::make_shared<RelaxingStop>(5, 1))});
+  Equations equations(model, contacts);
+  equations.set_mode(0, 1);
+  const LinearSystem system(equations);
+  ASSERT_FALSE(system.constant().isZero(0));
+  ComplexVector solution;
+  ASSERT_TRUE(system.response(0, system.constant().cast<Complex>(), solution));
+  EXPECT_LT((system.matrix() * solution.real() + system.constant()).norm(), 1e-14);
+  // A constant that does drive it has no steady solution.
+  ComplexVector load = ComplexVector::Zero(3);
+  load[2] = 1;
+  EXPECT_FALSE(system.response(0, load, solution));
+}
+
 // Dense output inside the steps: coordinates and internal states within the tolerance.
 TEST(LinearPhaseTest, DenseOutputKeepsTheTolerance) {
   class Compare : public Observer {
