@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from matplotlib.lines import Line2D
 
 from . import style
-from .labels import scale_for, value_text
+from .labels import key_label, scale_for, value_text
 from .results import Analysis
 
 LARGEST_LEGEND = 8
@@ -40,7 +40,7 @@ def cases(analysis: Analysis) -> list[Case]:
 
 def name_of_grid(analysis: Analysis) -> str:
     """The last part of each key: "Clearance" of "Contact/heads/Clearance"."""
-    return ", ".join(key.rsplit("/", 1)[-1] for key in analysis.grid)
+    return ", ".join(key_label(key) for key in analysis.grid)
 
 
 def explain(figure, axes, analysis: Analysis, family: list[Case], more_handles=()) -> None:

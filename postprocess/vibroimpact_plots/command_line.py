@@ -1,58 +1,124 @@
-"""vibroimpact-plot [--analysis NAME] [--format png|pdf] [--output FOLDER] RESULTS"""
+"""vibroimpact-plot [options] RESULTS"""
 
 from __future__ import annotations
 
 import argparse
+import fnmatch
 import sys
 from pathlib import Path
 
+from .choice import choose
 from .results import Analysis, ResultError, Results
+
+EPILOG = """--figure may be repeated and takes shell patterns: --figure 'response-contact-*'.
+--at picks points of an axis by their nearest values, in the unit of the figures or in SI:
+--at "Clearance=3 mm, 5 mm" --at frequency=2.4 --at direction=forward."""
 
 
 def main(arguments=None) -> int:
     options = parse(arguments)
     try:
-        draw(options)
+        return draw(options)
     except (ResultError, OSError) as error:
         print(f"vibroimpact-plot: {error}", file=sys.stderr)
         return 1
-    return 0
 
 
 def parse(arguments) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="vibroimpact-plot", description="Draws the figures that fit what a run computed."
+        prog="vibroimpact-plot", description="Draws the figures that fit what a run computed.",
+        epilog=EPILOG,
     )
     parser.add_argument("results", type=Path, help="result folder, or its results.h5")
     parser.add_argument("--analysis", metavar="NAME", help="only this analysis")
-    parser.add_argument("--format", choices=["png", "pdf"], default="png")
+    parser.add_argument("--figure", metavar="PATTERN", action="append",
+                        help="only figures whose name matches")
+    parser.add_argument("--at", metavar="AXIS=VALUES", action="append", default=[],
+                        help="only these points of an axis")
+    parser.add_argument("--angular", action="store_true", help="frequencies in rad/s")
+    parser.add_argument("--list", action="store_true", help="names of the figures, nothing drawn")
+    parser.add_argument("--format", choices=["png", "pdf", "svg"], default="png")
+    parser.add_argument("--dpi", type=float, default=300, help="of pictures (default: 300)")
+    parser.add_argument("--size", type=size, metavar="WxH", help="in inches, such as 6x4")
     parser.add_argument("--output", type=Path, metavar="FOLDER",
                         help="where the figures go (default: figures/ in the result folder)")
     return parser.parse_args(arguments)
 
 
-def draw(options: argparse.Namespace) -> None:
+def size(text: str) -> tuple[float, float]:
+    width, _, height = text.partition("x")
+    try:
+        values = float(width), float(height)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text}: two numbers are wanted, such as 6x4") from None
+    if min(values) < 1:
+        raise argparse.ArgumentTypeError(f"{text}: too small for a figure")
+    return values
+
+
+def draw(options: argparse.Namespace) -> int:
     with Results(options.results) as results:
         chosen = chosen_analyses(results, options.analysis)
+        for analysis in chosen:
+            choose(analysis, options.at)
         # Matplotlib takes a second to load; a wrong name should not have to wait for it.
         import matplotlib.pyplot as plt
 
-        from .figure_list import FIGURES
+        from .labels import ANGULAR
         from .style import SETTINGS
 
-        folder = options.output or results.folder / "figures"
-        folder.mkdir(parents=True, exist_ok=True)
+        ANGULAR["frequencies"] = options.angular
         with plt.rc_context(SETTINGS):
-            for analysis in chosen:
-                if analysis.type not in FIGURES:
-                    print(f"{analysis.name}: no figures for a {analysis.type} analysis yet")
-                    continue
-                for name, figure in FIGURES[analysis.type](results, analysis):
-                    file = folder / f"{name}.{options.format}"
-                    enter_in_list(results.folder, file)
-                    figure.savefig(file)
-                    plt.close(figure)
-                    print(file)
+            wanted = [entry for analysis in chosen
+                      for entry in wanted_figures(results, analysis, options.figure)]
+            if options.figure and not wanted:
+                raise ResultError(f"{results.file}: no figure is called "
+                                  + " or ".join(options.figure) + "; --list tells the names")
+            if options.list:
+                print("\n".join(name for name, _ in wanted))
+                return 0
+            return draw_all(results, wanted, options)
+
+
+def draw_all(results: Results, wanted, options: argparse.Namespace) -> int:
+    """Code 1 when a figure could not be drawn; the others are drawn all the same."""
+    folder = options.output or results.folder / "figures"
+    folder.mkdir(parents=True, exist_ok=True)
+    code = 0
+    for name, function in wanted:
+        try:
+            file = folder / f"{name}.{options.format}"
+            save(function, file, options)
+            enter_in_list(results.folder, file)
+            print(file, flush=True)
+        except Exception as error:  # one figure must not take the others with it
+            code = 1
+            print(f"vibroimpact-plot: {name} cannot be drawn: {type(error).__name__}: {error}",
+                  file=sys.stderr)
+    return code
+
+
+def save(function, file: Path, options: argparse.Namespace) -> None:
+    import matplotlib.pyplot as plt
+
+    try:
+        figure = function()
+        if options.size:
+            figure.set_size_inches(*options.size)
+        figure.savefig(file, dpi=options.dpi)
+    finally:
+        plt.close("all")
+
+
+def wanted_figures(results: Results, analysis: Analysis, patterns):
+    """Names and functions of the figures that match a pattern, or of all."""
+    from .figure_list import figures
+
+    found = list(figures(results, analysis))
+    if not found and not patterns:
+        print(f"{analysis.name}: nothing to draw for a {analysis.type} analysis like this")
+    return [(name, function) for name, function in found
+            if not patterns or any(fnmatch.fnmatch(name, pattern) for pattern in patterns)]
 
 
 def chosen_analyses(results: Results, name) -> list[Analysis]:

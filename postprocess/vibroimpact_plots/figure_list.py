@@ -1,13 +1,15 @@
-"""Which module draws which type of analysis. A new type is one module and one line here.
+"""Which modules draw figures. A new kind of figure is one module and one line here.
 
-A module offers figures(results, analysis), which yields pairs of a name and a figure.
+A module offers figures(results, analysis), which looks at what an analysis holds and yields, for
+each figure that fits, its name and a function without arguments that draws it.
 """
 
-from . import identify, modal, stepped_sweep, transient
+from . import identify, modal, response_curves, transient
 
-FIGURES = {
-    "modal": modal.figures,
-    "transient": transient.figures,
-    "identify": identify.figures,
-    "stepped sweep": stepped_sweep.figures,
-}
+KINDS = [modal, transient, identify, response_curves]
+
+
+def figures(results, analysis):
+    """Names and functions of all figures of an analysis."""
+    for kind in KINDS:
+        yield from kind.figures(results, analysis)

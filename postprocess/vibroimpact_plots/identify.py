@@ -5,6 +5,8 @@ Impacts of all cases of a parameter grid are shown together.
 
 from __future__ import annotations
 
+import functools
+
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -19,21 +21,21 @@ HARD = 0.1  # m/s; slower impacts are disturbed by the rest of the structure
 
 
 def figures(results: Results, analysis: Analysis):
-    """Name and figure, one after the other, for every contact that was identified."""
+    """Name and what draws it, for every contact that was identified."""
     for contact in analysis.members("contact"):
         sheet = Sheet(analysis, contact)
         if not analysis.has(sheet.path("compliance")):
             continue
         base = f"{analysis.name}-{contact}"
-        yield f"{base}-impulse-and-peak", impulse_and_peak(sheet)
-        yield f"{base}-restitution", restitution_over_speed(sheet)
-        yield f"{base}-damping-factor", damping_factor_over_speed(sheet)
-        yield f"{base}-pulses", first_pulses(sheet)
+        yield f"{base}-impulse-and-peak", functools.partial(impulse_and_peak, sheet)
+        yield f"{base}-restitution", functools.partial(restitution_over_speed, sheet)
+        yield f"{base}-damping-factor", functools.partial(damping_factor_over_speed, sheet)
+        yield f"{base}-pulses", functools.partial(first_pulses, sheet)
         if not analysis.grid:
-            yield f"{base}-restitution-map", restitution_map(sheet)
-            yield f"{base}-ratio", restitution_over_ratio(sheet)
+            yield f"{base}-restitution-map", functools.partial(restitution_map, sheet)
+            yield f"{base}-ratio", functools.partial(restitution_over_ratio, sheet)
             if analysis.has(sheet.path("record/force")):
-                yield f"{base}-record", force_record(sheet)
+                yield f"{base}-record", functools.partial(force_record, sheet)
 
 
 class Sheet:

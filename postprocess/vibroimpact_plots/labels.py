@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 PREFIXES = [(1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M"), (1e9, "G")]
 UNITS_WITH_PREFIX = {"m", "s", "N", "J", "W", "m/s", "N s", "N/m", "Pa"}
 TYPESET = {"m/s^2": "m/s²", "rad/s^2": "rad/s²", "N s": "N s"}
+ANGULAR = {"frequencies": False}  # True shows Hz as rad/s; set by the command line
 
 
 @dataclass(frozen=True)
@@ -26,6 +28,8 @@ def scale_for(unit: str, *arrays) -> Scale:
     """The prefix that brings the largest magnitude of the arrays between 1 and 1000."""
     if unit == "1":
         return Scale(1.0, "")
+    if unit == "Hz" and ANGULAR["frequencies"]:
+        return Scale(1 / (2 * np.pi), "rad/s")
     if unit not in UNITS_WITH_PREFIX:
         return Scale(1.0, TYPESET.get(unit, unit))
     largest = max((np.nanmax(np.abs(a), initial=0.0) for a in map(finite, arrays)), default=0.0)
@@ -61,3 +65,17 @@ def value_text(value, unit: str) -> str:
         return value
     scale = scale_for(unit, [value])
     return f"{float(value) / scale.factor:.4g} {scale.unit}".strip()
+
+
+GREEK = {"alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda",
+         "mu", "nu", "xi", "rho", "sigma", "tau", "phi", "varphi", "chi", "psi", "omega"}
+
+
+def key_label(path: str) -> str:
+    """Name of a key as it is read: "Clearance" of Contact/heads/Clearance; symbols are typeset."""
+    name = path.rsplit("/", 1)[-1]
+    match = re.fullmatch(r"([A-Za-z]+?)_?(\d*)", name)
+    if match and (match[1] in GREEK or len(match[1]) == 1):
+        stem = "\\" + match[1] if match[1] in GREEK else match[1]
+        return f"${stem}_{{{match[2]}}}$" if match[2] else f"${stem}$"
+    return name[:1].upper() + name[1:]

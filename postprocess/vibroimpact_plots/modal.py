@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 
 from . import style
@@ -12,10 +14,12 @@ MOST_MODES = 7
 
 
 def figures(results: Results, analysis: Analysis):
-    """One figure per body: name and figure."""
+    """One figure per body: name and what draws it."""
+    if analysis.type != "modal":
+        return
     for body in results.bodies():
         if body.has("shapes"):
-            yield f"{analysis.name}-{body.name}", shapes_of(body)
+            yield f"{analysis.name}-{body.name}", functools.partial(shapes_of, body)
 
 
 def shapes_of(body: Body):

@@ -8,6 +8,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from .parameters_text import sections
+
 
 class ResultError(Exception):
     """The results cannot be read or do not hold what was asked for; the message is complete."""
@@ -31,11 +33,13 @@ def read_array(dataset: h5py.Dataset) -> Array:
 class Analysis:
     """One analysis: outer axes (grid axes first), and fields by their path."""
 
-    def __init__(self, group: h5py.Group):
+    def __init__(self, group: h5py.Group, parameters: dict | None = None):
         self._group = group
         self.name = group.name.rsplit("/", 1)[-1]
         self.type = str(group.attrs["type"])
         self.grid = [str(key) for key in group.attrs.get("grid", [])]
+        self.parameters = parameters or {}
+        self.chosen: dict[str, list[int]] = {}  # indices along an axis, of the axes with a choice
 
     @property
     def axes(self) -> list[str]:
@@ -58,6 +62,36 @@ class Analysis:
         """Names in a group below the analysis, in the order of the file; empty without it."""
         group = self._group.get(path)
         return list(group) if isinstance(group, h5py.Group) else []
+
+    def fields(self, path: str) -> list[str]:
+        """Paths of all datasets below a group, without coordinates."""
+        group = self._group.get(path)
+        if not isinstance(group, h5py.Group):
+            return []
+        found: list[str] = []
+        group.visititems(lambda name, item: found.append(f"{path}/{name}")
+                         if isinstance(item, h5py.Dataset) and not h5py.h5ds.is_scale(item.id)
+                         else None)
+        return found
+
+    def dimensions(self, path: str) -> list[str]:
+        """Names of the dimensions of a field."""
+        return [dimension.label for dimension in self._group[path].dims]
+
+    def attributes(self, path: str) -> dict:
+        return dict(self._group[path].attrs)
+
+    def coordinate(self, path: str, dimension: str) -> Array:
+        """Coordinates along a dimension of a field: the scale of that name in its group or above.
+        A field of the same name beside the field itself, one row for each point, comes first."""
+        folder = path.rsplit("/", 1)[0] if "/" in path else ""
+        while True:
+            place = f"{folder}/{dimension}" if folder else dimension
+            if self.has(place):
+                return self.read(place)
+            if not folder:
+                raise ResultError(f"{self.name}: {path} has no coordinates {dimension}")
+            folder = folder.rsplit("/", 1)[0] if "/" in folder else ""
 
 
 class Body:
@@ -100,8 +134,14 @@ class Results:
     def folder(self) -> Path:
         return self.file.parent
 
+    @property
+    def parameters(self) -> dict:
+        """The stored parameters, as sections() gives them."""
+        return sections(str(self._file.attrs.get("parameters", "")))
+
     def analyses(self) -> list[Analysis]:
-        return [Analysis(group) for group in self._file.get("analysis", {}).values()]
+        parameters = self.parameters
+        return [Analysis(group, parameters) for group in self._file.get("analysis", {}).values()]
 
     def bodies(self) -> list[Body]:
         return [Body(group) for group in self._file.get("body", {}).values()]

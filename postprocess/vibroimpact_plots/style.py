@@ -7,6 +7,7 @@ import matplotlib
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
 from matplotlib.cm import ScalarMappable  # noqa: E402
 from matplotlib.colors import Normalize  # noqa: E402
 
@@ -81,3 +82,27 @@ def colour_bar(figure, axes, values, label: str) -> None:
     shown = matplotlib.colors.ListedColormap([sequence(0.92 * i / 255) for i in range(256)])
     mappable = ScalarMappable(Normalize(min(values), max(values)), shown)
     figure.colorbar(mappable, ax=axes, label=label, pad=0.015)
+
+
+def is_logarithmic(values) -> bool:
+    """Whether coordinates are spaced by equal factors rather than equal steps, over a wide range."""
+    values = np.asarray(values, dtype=float)
+    if len(values) < 3 or np.any(values <= 0) or values.max() < 5 * values.min():
+        return False
+    steps, factors = np.diff(values), np.diff(np.log(values))
+    return np.ptp(factors) / abs(factors.mean()) < 0.5 * np.ptp(steps) / abs(steps.mean())
+
+
+def panel_grid(count: int, columns: int = 3, height: float = 2.0):
+    """Panels side by side and below each other that share both axes; unused ones are removed."""
+    columns = min(columns, count)
+    rows = -(-count // columns)
+    figure, axes = plt.subplots(
+        rows, columns, figsize=(WIDTH if columns > 1 else 4.2, 0.7 + height * rows),
+        sharex=True, sharey=True, squeeze=False,
+    )
+    for unused in axes.flat[count:]:
+        unused.remove()
+    for unused in range(count, rows * columns):
+        axes.flat[unused - columns].xaxis.set_tick_params(labelbottom=True)
+    return figure, list(axes.flat[:count])

@@ -2,36 +2,42 @@
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 from matplotlib.lines import Line2D
 
 from . import style
 from .cases import cases, explain
-from .labels import quantity_label, scale_for, value_text
+from .labels import key_label, quantity_label, scale_for, value_text
 from .results import Analysis, Array, Results
 
 
 
 def figures(results: Results, analysis: Analysis):
-    """Name and figure, one after the other."""
+    """Name of each figure and what draws it."""
+    if analysis.type != "transient":
+        return
     for contact in analysis.members("contact"):
         if analysis.has(f"contact/{contact}/normal_force"):
-            yield f"{analysis.name}-contact-{contact}", contact_history(analysis, contact)
-            swept = along_the_grid(analysis, contact)
-            if swept is not None:
-                yield f"{analysis.name}-along-the-grid-{contact}", swept
-            first = close_up(analysis, contact)
-            if first is not None:
-                yield f"{analysis.name}-first-impact-{contact}", first
+            yield (f"{analysis.name}-contact-{contact}",
+                   functools.partial(contact_history, analysis, contact))
+            if swept_key(analysis, contact) is not None:
+                yield (f"{analysis.name}-along-the-grid-{contact}",
+                       functools.partial(along_the_grid, analysis, contact))
+            if first_pulses(analysis, contact):
+                yield (f"{analysis.name}-first-impact-{contact}",
+                       functools.partial(close_up, analysis, contact))
     for point in analysis.members("point"):
         quantities = analysis.members(f"point/{point}")
         if quantities:
-            yield f"{analysis.name}-motion-{point}", motion(analysis, point, quantities)
+            yield (f"{analysis.name}-motion-{point}",
+                   functools.partial(motion, analysis, point, quantities))
         for quantity in quantities:
             velocity = quantity.replace("displacement", "velocity")
             if quantity.startswith("displacement") and velocity in quantities:
                 yield (f"{analysis.name}-phase-{point}-{quantity[-1]}",
-                       phase_portrait(analysis, point, quantity, velocity))
+                       functools.partial(phase_portrait, analysis, point, quantity, velocity))
 
 
 def of_case(array: Array, analysis: Analysis, index: tuple) -> np.ndarray:
@@ -39,18 +45,23 @@ def of_case(array: Array, analysis: Analysis, index: tuple) -> np.ndarray:
     return array.values if array.values.ndim == 1 else array.values[index]
 
 
+def swept_key(analysis: Analysis, contact: str):
+    """Number of the grid axis against which the first impacts are drawn, or None unless the grid
+    has one key with numbers, at least three of them; a second key may have names."""
+    keys = [analysis.read(name).values for name in analysis.grid_axes]
+    swept = [i for i, values in enumerate(keys) if values.dtype.kind == "f"]
+    fits = len(keys) in (1, 2) and len(swept) == 1 and len(keys[swept[0]]) >= 3
+    return swept[0] if fits and analysis.has(f"contact/{contact}/impact/peak_force") else None
+
+
 def along_the_grid(analysis: Analysis, contact: str):
-    """Peak force, duration and restitution of the first impact against the swept key, or None
-    unless the grid has one key with numbers. A second key, with names, gives a family of curves."""
+    """Peak force, duration and restitution of the first impact against the swept key; a second
+    key, with names, gives a family of curves."""
     table = f"contact/{contact}/impact/"
     keys = [analysis.read(name) for name in analysis.grid_axes]
-    swept = [i for i, key in enumerate(keys) if key.values.dtype.kind == "f"]
-    if len(keys) not in (1, 2) or len(swept) != 1 or not analysis.has(table + "peak_force"):
-        return None
-    key = keys[swept[0]]
-    if len(key.values) < 3:
-        return None
-    family = [k for i, k in enumerate(keys) if i != swept[0]]
+    number = swept_key(analysis, contact)
+    key = keys[number]
+    family = [k for i, k in enumerate(keys) if i != number]
     names = [value_text(v, family[0].unit) for v in family[0].values] if family else [None]
     x_scale = scale_for(key.unit, key.values)
     figure, panels = style.panels(3)
@@ -59,7 +70,7 @@ def along_the_grid(analysis: Analysis, contact: str):
         field = analysis.read(table + name)
         first = field.values[..., 0] if field.values.ndim > len(keys) else field.values
         scale = scale_for(field.unit, first)
-        curves = np.moveaxis(first, swept[0], -1).reshape(len(names), -1)
+        curves = np.moveaxis(first, number, -1).reshape(len(names), -1)
         for curve, text, colour in zip(curves, names, style.colours_along(len(names))):
             axes.plot(key.values / x_scale.factor, curve / scale.factor, "o-", color=colour,
                       label=text)
@@ -67,16 +78,11 @@ def along_the_grid(analysis: Analysis, contact: str):
         if np.all(key.values > 0) and key.values.max() > 20 * key.values.min():
             axes.set_xscale("log")
     panels[0].set_title(f"First impact of contact {contact}")
-    panels[-1].set_xlabel(x_scale.label(name_of_key(analysis.grid[swept[0]])))
+    panels[-1].set_xlabel(x_scale.label(key_label(analysis.grid[number])))
     if family:
         style.legend_beside(panels[0], panels[0].get_lines(),
-                            name_of_key(analysis.grid[1 - swept[0]]))
+                            key_label(analysis.grid[1 - number]))
     return figure
-
-
-def name_of_key(path: str) -> str:
-    """"Clearance" of "Contact/heads/Clearance"."""
-    return path.rsplit("/", 1)[-1].capitalize()
 
 
 def draw(axes, analysis, x: Array, y: Array, x_scale, y_scale, shift=0.0) -> None:
@@ -165,8 +171,8 @@ def pulses(analysis: Analysis, contact: str, index: tuple):
                  for name in ("time", "normal_force", "gap"))
 
 
-def close_up(analysis: Analysis, contact: str):
-    """Force and gap during the first recorded impact of every case, or None without one."""
+def first_pulses(analysis: Analysis, contact: str):
+    """Case, time, force and gap of the first recorded impact of every case that has one."""
     shown = []
     for case in cases(analysis):
         time, force, gap = pulses(analysis, contact, case.index)
@@ -174,8 +180,12 @@ def close_up(analysis: Analysis, contact: str):
             end = np.flatnonzero(~np.isfinite(time))
             last = end[0] if end.size else time.size
             shown.append((case, time[:last], force[:last], gap[:last]))
-    if not shown:
-        return None
+    return shown
+
+
+def close_up(analysis: Analysis, contact: str):
+    """Force and gap during the first recorded impact of every case."""
+    shown = first_pulses(analysis, contact)
     time_scale = scale_for("s", np.concatenate([t - t[0] for _, t, _, _ in shown]))
     figure, panels = style.panels(2)
     for axes, unit, label, k in zip(panels, ["N", "m"], ["Contact force", "Gap"], [2, 3]):

@@ -220,8 +220,8 @@ PointResult SteppedSweep::compute(const Step &step, SweptSystem &swept, const Mo
   PointResult result{.index = step.index()};
   trajectory.start(from);
   settled = settle(trajectory, swept.period(), swept.scale(), settings_.settling, nobody);
-  recording.run(periods_window(static_cast<double>(settled.cycles) * swept.period(),
-                               swept.period(), settings_.recorded),
+  recording.run(periods_window(static_cast<double>(settled.cycles) * swept.period(), swept.period(),
+                               settings_.recorded),
                 trajectory);
   settled.state = {.time = 0, .physical = trajectory.motion_state().physical};
 

@@ -1,0 +1,44 @@
+"""The points of the outer axes that --at picks."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from .parameters_text import number
+from .results import Analysis, ResultError
+
+
+def choose(analysis: Analysis, wishes: list[str]) -> None:
+    """Enters the indices of the chosen points into the analysis; axes it does not have are left
+    to the other analyses."""
+    for wish in wishes:
+        name, equals, values = wish.partition("=")
+        if not equals or not values.strip():
+            raise ResultError(f"--at {wish}: AXIS=VALUES is wanted")
+        for axis in analysis.axes:
+            if is_called(axis, name.strip()):
+                indices = [index_of(analysis, axis, value.strip()) for value in values.split(",")]
+                analysis.chosen[axis] = sorted(set(indices))
+
+
+def is_called(axis: str, name: str) -> bool:
+    """By its full name or the last part of it, in any case."""
+    names = (axis, axis.replace(".", "/"), axis.rsplit(".", 1)[-1])
+    return name.lower() in [candidate.lower() for candidate in names]
+
+
+def index_of(analysis: Analysis, axis: str, text: str) -> int:
+    coordinate = analysis.read(axis)
+    if coordinate.values.dtype.kind != "f":
+        known = [str(value) for value in coordinate.values]
+        if text not in known:
+            raise ResultError(f"--at {axis}={text}: there are {', '.join(known)}")
+        return known.index(text)
+    value = number(text, {})
+    if value is None:
+        raise ResultError(f"--at {axis}={text}: not a number")
+    if coordinate.unit == "Hz" and any(c.isalpha() for c in text.replace("e", "")):
+        value /= 2 * math.pi  # units of frequencies are read as rad/s
+    return int(np.nanargmin(np.abs(coordinate.values - value)))

@@ -1,0 +1,191 @@
+"""How the points of an analysis become curves: the axis along which they run, both directions of a
+sweep, and the family of the other axes.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import style
+from .labels import key_label, scale_for, value_text
+from .parameters_text import followers
+from .results import Analysis, Array
+
+LARGEST_FAMILY = 40
+MOST_SHOWN = 6
+DIRECTION = "direction"
+
+
+@dataclass(frozen=True)
+class Case:
+    """One member of a family: its index by the names of its axes, colour and description."""
+
+    index: dict
+    colour: object
+    text: str
+
+
+@dataclass(frozen=True)
+class Layout:
+    """`along` is None when no numerical axis has two points."""
+
+    analysis: Analysis
+    along: str | None
+    family: list[str]
+
+    @property
+    def directions(self) -> list[str]:
+        if DIRECTION not in self.analysis.axes:
+            return [""]
+        names = self.analysis.read(DIRECTION).values
+        return [str(names[i]) for i in kept(self.analysis, DIRECTION)]
+
+    def cases(self) -> list[Case]:
+        indices = list(itertools.product(*[kept(self.analysis, name) for name in self.family]))
+        texts = distinct([describe(self.analysis, dict(zip(self.family, index)))
+                          for index in indices])
+        colours = style.colours_along(len(indices))
+        return [Case(dict(zip(self.family, index)), colour, text)
+                for index, colour, text in zip(indices, colours, texts)]
+
+    @property
+    def family_name(self) -> str:
+        return ", ".join(axis_name(self.analysis, name) for name in self.family)
+
+    def coordinates(self) -> np.ndarray:
+        return self.analysis.read(self.along).values[kept(self.analysis, self.along)]
+
+    def curve(self, path: str, case: Case, direction: str) -> np.ndarray:
+        """Values along the axis in SI; further dimensions of the field follow."""
+        return self.pick(self.analysis.read(path).values, case, direction)
+
+    def pick(self, values: np.ndarray, case: Case, direction: str) -> np.ndarray:
+        index = []
+        for name in self.analysis.axes:
+            if name == self.along:
+                index.append(kept(self.analysis, name))
+            elif name == DIRECTION:
+                index.append(list(self.analysis.read(DIRECTION).values).index(direction))
+            else:
+                index.append(case.index.get(name, kept(self.analysis, name)[0]))
+        return values[tuple(index)]
+
+
+def kept(analysis: Analysis, axis: str) -> list[int]:
+    """Indices along an outer axis that are drawn: all, unless some were chosen."""
+    return analysis.chosen.get(axis) or list(range(len(analysis.read(axis).values)))
+
+
+def layout_of(analysis: Analysis) -> Layout:
+    """Curves run along the swept axis of a sweep; else along the longest numerical grid axis."""
+    long = [name for name in analysis.axes if name != DIRECTION and len(kept(analysis, name)) > 1]
+    numerical = [name for name in long if analysis.read(name).values.dtype.kind == "f"]
+    own = [name for name in numerical if name not in analysis.grid_axes]
+    longest = sorted(numerical, key=lambda name: -len(kept(analysis, name)))
+    along = next(iter(own + longest), None)
+    return Layout(analysis, along, [name for name in long if name != along])
+
+
+def distinct(texts: list[str]) -> list[str]:
+    """Numbers behind texts that occur more than once."""
+    return [f"{text} ({texts[:i + 1].count(text)})" if texts.count(text) > 1 else text
+            for i, text in enumerate(texts)]
+
+
+def grid_key(analysis: Analysis, axis: str) -> str:
+    """Path of the key behind a grid axis."""
+    return analysis.grid[analysis.grid_axes.index(axis)]
+
+
+def following(analysis: Analysis, axis: str) -> list[tuple[str, list[str]]]:
+    """Keys that change together with a grid axis and take more than one value."""
+    if axis not in analysis.grid_axes:
+        return []
+    keys = followers(analysis.parameters, analysis.name, grid_key(analysis, axis))
+    return [(path, values) for path, values in keys if len(set(values)) > 1]
+
+
+def axis_name(analysis: Analysis, axis: str) -> str:
+    """Name of a key without its sections; with the keys that follow it when one of them is needed
+    to tell the values apart."""
+    if axis not in analysis.grid_axes:
+        return "Frequency" if axis == "frequency" else key_label(axis.replace(".", "/"))
+    names = [grid_key(analysis, axis)]
+    if repeats(analysis, axis):
+        names += [path for path, _ in following(analysis, axis)]
+    return ", ".join(key_label(name) for name in names)
+
+
+def repeats(analysis: Analysis, axis: str) -> bool:
+    values = list(analysis.read(axis).values)
+    return len(set(values)) < len(values)
+
+
+def describe(analysis: Analysis, index: dict) -> str:
+    """The coordinates of a point in words: "3 mm, 2.4 Hz"."""
+    parts = []
+    for axis, number in index.items():
+        coordinate = analysis.read(axis)
+        parts.append(value_text(coordinate.values[number], coordinate.unit))
+        if repeats(analysis, axis):
+            parts += [values[number] for _, values in following(analysis, axis)]
+    return ", ".join(parts)
+
+
+def title_of(analysis: Analysis, index: dict) -> str:
+    """As a title: "Clearance 3 mm, frequency 2.4 Hz"."""
+    parts = []
+    for axis in index:
+        if len(analysis.read(axis).values) > 1:
+            name = axis_name(analysis, axis)
+            parts.append(f"{name} {describe(analysis, {axis: index[axis]})}".removeprefix(
+                "direction "))
+    return ", ".join(parts)
+
+
+@dataclass(frozen=True)
+class Place:
+    """A point whose motion is drawn by itself: index by axis, without the direction of a sweep."""
+
+    index: dict
+    text: str
+
+    def pick(self, analysis: Analysis, array: Array, direction: str) -> np.ndarray:
+        """Values at the point; a coordinate that all points share has no outer axes."""
+        if array.values.ndim <= 1 and analysis.axes:
+            return array.values
+        where = []
+        for name in analysis.axes:
+            if name == DIRECTION:
+                where.append(list(analysis.read(DIRECTION).values).index(direction))
+            else:
+                where.append(self.index[name])
+        return array.values[tuple(where)]
+
+
+def places(analysis: Analysis, most: int = MOST_SHOWN) -> list[Place]:
+    """Points to be drawn by themselves: those that were chosen, or at most `most` of all, spread
+    evenly over each axis."""
+    axes = [name for name in analysis.axes if name != DIRECTION]
+    indices = [kept(analysis, name) for name in axes]
+    spread = [i if name in analysis.chosen else thinned(i, most) for name, i in zip(axes, indices)]
+    points = list(itertools.product(*spread))
+    if not analysis.chosen:
+        points = [points[i] for i in thinned(list(range(len(points))), most)]
+    return [Place(dict(zip(axes, point)), title_of(analysis, dict(zip(axes, point))))
+            for point in points]
+
+
+def thinned(indices: list[int], most: int) -> list[int]:
+    if len(indices) <= most:
+        return indices
+    return [indices[round(i * (len(indices) - 1) / (most - 1))] for i in range(most)]
+
+
+def axis_scale(analysis: Analysis, axis: str):
+    """Scale of the coordinates of an outer axis."""
+    array = analysis.read(axis)
+    return scale_for(array.unit, array.values[kept(analysis, axis)])

@@ -1,0 +1,169 @@
+"""Which curves belong together in a figure: one sheet for each kind of measure of a quantity."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from .labels import quantity_label, words
+from .results import Analysis
+
+MAIN = ["peak_to_peak_excursion", "peak_excursion"]  # the first that is there is drawn
+PEAKS = [("peak_excursion", "peak excursion"), ("maximum", "maximum"), ("minimum", "minimum")]
+AVERAGES = [("rms", "rms"), ("rms_about_mean", "rms about mean"), ("mean", "mean")]
+HARMONIC = [("amplitude", "amplitude"), ("phase", "phase")]
+CONTACT = [
+    ("normal_force/maximum", "Largest contact force"),
+    ("gap/minimum", "Smallest gap"),
+    ("impacts_per_period", "Impacts per period"),
+    ("contact_fraction", "Share of time\nin contact"),
+]
+IMPACTS = [
+    ("approach_speed/maximum", "Largest\napproach speed"),
+    ("impulse/maximum", "Largest impulse"),
+    ("contact_duration/maximum", "Longest contact"),
+    ("penetration/maximum", "Largest penetration"),
+    ("dissipated_energy_per_period", "Energy lost\nper period"),
+]
+ENERGY = [
+    ("energy/input_work_per_period", "input"),
+    ("energy/damping_work_per_period", "damping"),
+    ("energy/contact_work_per_period", "contacts"),
+]
+REGIME = [
+    ("regime/class", "Character"),
+    ("regime/period_multiple", "Periods until\nit repeats"),
+    ("regime/exponent", "Largest Lyapunov\nexponent"),
+    ("lyapunov/exponent", "Largest Lyapunov\nexponent"),
+]
+ORDERS = 4
+
+
+@dataclass(frozen=True)
+class Panel:
+    """One pair of axes: label, and for each curve its path and name."""
+
+    label: str
+    curves: list[tuple[str, str]]
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """One figure."""
+
+    name: str
+    title: str
+    panels: list[Panel] = field(default_factory=list)
+
+
+def sheets(analysis: Analysis, root: str, separate: bool) -> list[Sheet]:
+    """All figures of curves for the fields below `root` ("" or "recorded/"). `separate`: one curve
+    in a panel, because colours are needed for a family."""
+    found = [*of_points(analysis, root, separate)]
+    for kind in ("connection", "body", "rotor"):
+        for name in analysis.members(f"{root}{kind}"):
+            for quantity in analysis.members(f"{root}{kind}/{name}"):
+                found += of_quantity(analysis, f"{root}{kind}/{name}/{quantity}",
+                                     f"{kind}-{name}-{dashed(quantity)}",
+                                     f"{kind.capitalize()} {name}")
+    for name in analysis.members(f"{root}contact"):
+        found += of_contact(analysis, f"{root}contact/{name}", name)
+    found.append(Sheet("energy", "", [Panel("Energy per period", there(analysis, ENERGY, root))]))
+    found.append(rows_sheet(analysis, "regime", "", root, REGIME))
+    found += orders(analysis, root)
+    return [split(sheet) if separate else sheet for sheet in found
+            if any(panel.curves for panel in sheet.panels)]
+
+
+def dashed(name: str) -> str:
+    return name.replace("_", "-")
+
+
+def there(analysis: Analysis, rows, root: str) -> list[tuple[str, str]]:
+    return [(root + path, text) for path, text in rows if analysis.has(root + path)]
+
+
+def rows_sheet(analysis: Analysis, name: str, title: str, root: str, rows) -> Sheet:
+    """A panel for each of the fields that are there."""
+    return Sheet(name, title, [Panel(label, [(path, "")])
+                               for path, label in there(analysis, rows, root)])
+
+
+def split(sheet: Sheet) -> Sheet:
+    """One curve in each panel."""
+    panels = [Panel(panel.label + (f",\n{text}" if text and len(panel.curves) > 1 else ""),
+                    [(path, text)])
+              for panel in sheet.panels for path, text in panel.curves]
+    return Sheet(sheet.name, sheet.title, panels)
+
+
+def of_points(analysis: Analysis, root: str, separate: bool) -> list[Sheet]:
+    """Excursions, averages, transmissibility and harmonic response of all points together, or of
+    each by itself."""
+    points = analysis.members(f"{root}point")
+    quantities = list(dict.fromkeys(
+        quantity for point in points for quantity in analysis.members(f"{root}point/{point}")))
+    groups = [[point] for point in points] if separate else [points]
+    found = []
+    for quantity in quantities:
+        for group in groups:
+            suffix = f"-{group[0]}" if separate else ""
+            title = f"Point {group[0]}" if separate else ""
+            label = quantity_label(quantity)
+
+            def sheet(kind, measures):
+                panels = [Panel(f"{label},\n{text}", there(
+                    analysis, [(f"point/{point}/{quantity}/{measure}", point) for point in group],
+                    root)) for measure, text in measures]
+                return Sheet(dashed(quantity) + kind + suffix, title,
+                             [panel for panel in panels if panel.curves])
+
+            found += [sheet("", main_of(analysis, root, group, quantity)),
+                      sheet("-peaks", PEAKS), sheet("-averages", AVERAGES),
+                      sheet("-transmissibility", [("transmissibility", "transmissibility")]),
+                      sheet("-response", HARMONIC)]
+    return found
+
+
+def main_of(analysis: Analysis, root: str, points, quantity: str):
+    """The measure that is drawn first, and its words; a list of one or none."""
+    for measure in MAIN:
+        if any(analysis.has(f"{root}point/{point}/{quantity}/{measure}") for point in points):
+            return [(measure, words(measure))]
+    return []
+
+
+def of_quantity(analysis: Analysis, path: str, name: str, title: str) -> list[Sheet]:
+    """Figures of one quantity of a connection, body or rotor."""
+    label = quantity_label(path.rsplit("/", 1)[-1])
+
+    def sheet(kind, measures):
+        return Sheet(name + kind, title, [Panel(f"{label},\n{text}", [(f"{path}/{measure}", "")])
+                                          for measure, text in measures
+                                          if analysis.has(f"{path}/{measure}")])
+
+    return [sheet("", [("peak_to_peak_excursion", "peak-to-peak excursion"),
+                       ("transmissibility", "transmissibility")]),
+            sheet("-peaks", PEAKS), sheet("-averages", AVERAGES)]
+
+
+def of_contact(analysis: Analysis, path: str, name: str) -> list[Sheet]:
+    title = f"Contact {name}"
+    stop = [(f"internal/{state}/{end}", f"{quantity_label(state)},\n{end}")
+            for state in analysis.members(f"{path}/internal") for end in ("maximum", "minimum")]
+    stop += [(f"stop_position/{end}", f"Stop position,\n{end}") for end in ("maximum", "minimum")]
+    averages = [(f"normal_force/{measure}", f"Contact force,\n{text}")
+                for measure, text in AVERAGES]
+    return [rows_sheet(analysis, f"contact-{name}{kind}", title, f"{path}/", rows)
+            for kind, rows in [("", CONTACT), ("-impacts", IMPACTS), ("-stop", stop),
+                               ("-averages", averages)]]
+
+
+def orders(analysis: Analysis, root: str) -> list[Sheet]:
+    """Amplitudes of the first orders of the forcing frequency, by the path and the number."""
+    return [
+        Sheet("orders-" + dashed(path.split("/", 2)[-1].replace("/", "-")),
+              path.split("order_amplitude/", 1)[1].replace("/", " ").capitalize(),
+              [Panel(f"{quantity_label(path.rsplit('/', 1)[-1])},\namplitude of an order",
+                     [(f"{path}[{order}]", f"order {order + 1}") for order in range(ORDERS)])])
+        for path in analysis.fields(f"{root}order_amplitude")
+    ]

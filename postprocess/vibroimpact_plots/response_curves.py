@@ -1,0 +1,73 @@
+"""Response curves: every measure that a sweep, a response over a grid, a frequency response or a
+recorded transient motion over a grid holds.
+"""
+
+from __future__ import annotations
+
+import functools
+
+from matplotlib.lines import Line2D
+
+from . import style
+from .curves import direction_handles, draw, field_of, finish
+from .labels import scale_for
+from .layout import LARGEST_FAMILY, Layout, layout_of
+from .measures import Panel, Sheet, sheets
+from .results import Analysis, Results
+
+CHARACTERS = ["not repeating", "periodic", "settling", "quasi-periodic", "chaotic"]
+
+
+def figures(results: Results, analysis: Analysis):
+    """Name of each figure and what draws it."""
+    layout = layout_of(analysis)
+    if layout.along is None or len(layout.cases()) > LARGEST_FAMILY:
+        return
+    for root in ("", "recorded/"):
+        for sheet in sheets(analysis, root, separate=bool(layout.family)):
+            yield f"{analysis.name}-{sheet.name}", functools.partial(curve_figure, layout, sheet)
+
+
+def curve_figure(layout: Layout, sheet: Sheet):
+    several = any(len(panel.curves) > 1 for panel in sheet.panels)
+    count = len(sheet.panels)
+    figure, panels = style.panels(count, height=2.6 if count == 1 else 1.9 if count < 4 else 1.5)
+    for axes, panel in zip(panels, sheet.panels):
+        draw_panel(axes, layout, panel, colours_of(sheet))
+    if sheet.title:
+        panels[0].set_title(sheet.title)
+    handles = direction_handles(layout)
+    if several or points_named(sheet):
+        handles = curve_handles(sheet) + handles
+    finish(figure, panels, layout, handles)
+    return figure
+
+
+def points_named(sheet: Sheet) -> bool:
+    return not sheet.title and any(text for panel in sheet.panels for _, text in panel.curves)
+
+
+def colours_of(sheet: Sheet) -> dict:
+    """Colour of each curve of a panel by its name, the same in all panels."""
+    names = dict.fromkeys(text for panel in sheet.panels for _, text in panel.curves)
+    return {name: style.COLOURS[i % len(style.COLOURS)] for i, name in enumerate(names)}
+
+
+def draw_panel(axes, layout: Layout, panel: Panel, colours: dict) -> None:
+    arrays = [field_of(layout.analysis, path) for path, _ in panel.curves]
+    scale = scale_for(arrays[0].unit, *[array.values for array in arrays])
+    for path, text in panel.curves:
+        draw(axes, layout, path,
+             [case.colour if layout.family else colours[text] for case in layout.cases()], scale)
+    axes.set_ylabel(scale.label(panel.label))
+    if panel.curves[0][0].endswith("regime/class"):
+        axes.set_yticks(range(len(CHARACTERS)), CHARACTERS)
+        axes.set_ylim(-0.4, len(CHARACTERS) - 0.6)
+    if panel.curves[0][0].endswith("[0]"):
+        axes.set_yscale("log")
+
+
+def curve_handles(sheet: Sheet) -> list[Line2D]:
+    """Legend entries of the curves of a panel."""
+    return [Line2D([], [], color=colour, label=text)
+            for text, colour in colours_of(sheet).items() if text]
