@@ -57,12 +57,16 @@ run = table.run("bilinear-oscillator.prm", "bilinear-further", "Analyses=motions
 history = run["analysis/motions/history"]
 gap = history["contact/between/gap"][1] * 1e3
 turns = 1 + numpy.flatnonzero(numpy.diff(gap[1:]) * numpy.diff(gap[:-1]) < 0)
-for name, wanted, tolerance in [("highest gap between contacts", 3.19, 6e-3),
-                                ("lowest gap between contacts", 2.87, 6e-3),
+for name, wanted, tolerance in [("first maximum of the gap", 3.19, 6e-3),
+                                ("minimum after it", 2.87, 6e-3),
                                 ("largest gap", 10.66, 6e-3)]:
     value = gap[turns][numpy.argmin(numpy.abs(gap[turns] - wanted))]
     table.add(f"{name} at 2.4 Hz, gap 2 mm, in mm", wanted, value, tolerance, absolute=True)
-table.add("gap at 0.45 of a period, 2.4 Hz, gap 2 mm, in mm", 4.92, gap[450], 6e-3, absolute=True)
+# The gap opens by 0.025 mm in a thousandth of a period there, which is as well as the beginning of
+# the contact is known from samples.
+onset = 1 + numpy.flatnonzero((gap[:-1] > 0) & (gap[1:] <= 0))[0]
+table.add("gap 0.45 of a period after the contact begins, 2.4 Hz, gap 2 mm, in mm", 4.92,
+          gap[onset + 450], 0.026, paper=5, absolute=True)
 samples = history["point/first.mass/absolute_displacement_x"][1][:1000] * 1e3
 orders = 2 * numpy.abs(numpy.fft.rfft(samples)) / len(samples)
 for order, wanted in enumerate((13.411, .942, .405, .224), 1):

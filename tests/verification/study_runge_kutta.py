@@ -47,8 +47,8 @@ def amplitudes(omega, step):
 def main():
     study = Study(__file__, "step, ms", "largest error of A1", "at, Hz", "largest error of A2",
                   "at, Hz")
-    rows = [row for row in study.reference("bilinear-g2.csv") if row["f_hz"] <= 4.8]
-    frequency = numpy.array([row["f_hz"] for row in rows])
+    rows = [row for row in study.reference("bilinear-g2.csv") if row["f"] <= 4.8]
+    frequency = numpy.array([row["f"] for row in rows])
     wanted = numpy.array([[row[key] for row in rows] for key in ("A1f", "A2f")])
     for step in (2e-3, 1e-3, 5e-4, 2.5e-4):
         error = numpy.abs(amplitudes(2 * math.pi * frequency, step) / wanted - 1)
