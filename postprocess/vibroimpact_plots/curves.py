@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 
 from . import style
 from .labels import scale_for
-from .layout import Layout, axis_name, axis_scale
+from .layout import Layout, axis_name
 from .results import Analysis, Array
 
 LARGEST_LEGEND = 8
@@ -35,7 +35,7 @@ def draw(axes, layout: Layout, path: str, colours, scale) -> None:
     """One field; `colours` gives that of each case. Points that did not settle are hollow, curves
     are interrupted at jumps."""
     analysis = layout.analysis
-    x = layout.coordinates() / axis_scale(analysis, layout.along).factor
+    x = layout.coordinates() / layout.scale.factor
     field = field_of(analysis, path).values
     steady = analysis.read("steady").values if analysis.has("steady") else None
     for case, colour in zip(layout.cases(), colours):
@@ -52,11 +52,12 @@ def draw_curve(axes, layout: Layout, case, direction: str, x, y, colour, number:
     jump = jumps(layout, case, direction, x, y)
     breaks = np.flatnonzero(np.isfinite(jump)) if jump is not None else np.array([], int)
     before = breaks + (1 if direction == "backward" else 0)
-    look = dict(LINES.get(direction, LINES[""]))
-    if len(x) <= FEW_POINTS and "marker" not in look:
+    alone = len(layout.directions) == 1
+    look = dict(LINES[""] if alone else LINES.get(direction, LINES[""]))
+    if alone and len(x) <= FEW_POINTS:
         look["marker"] = "o"
     axes.plot(np.insert(x, before, np.nan), np.insert(y, before, np.nan), color=colour,
-              markevery=marked(len(x), number, direction), **look)
+              markevery=None if alone else marked(len(x), number), **look)
     step = -1 if direction == "backward" else 1
     for place in breaks:
         at = jump[place]
@@ -70,17 +71,15 @@ def jumps(layout: Layout, case, direction: str, x, y):
     analysis = layout.analysis
     if not analysis.has("jump_from") or layout.along in analysis.grid_axes:
         return None
-    factor = axis_scale(analysis, layout.along).factor
+    factor = layout.scale.factor
     ends = [layout.pick(analysis.read(name).values, case, direction) / factor
             for name in ("jump_from", "jump_to")]
     return np.where(np.isfinite(y), sum(ends) / 2, np.nan)
 
 
-def marked(count: int, number: int, direction: str):
+def marked(count: int, number: int):
     """First and step of the points with a marker: about ten along a curve, the two directions
     in turn, so that both are seen where they agree."""
-    if not direction:
-        return None
     step = max(1, count // 10)
     return number * (step // 2), step
 
@@ -89,7 +88,7 @@ def direction_handles(layout: Layout) -> list[Line2D]:
     """Legend entries of the directions, of unsettled points and of jumps if there are any."""
     analysis = layout.analysis
     handles = [Line2D([], [], color=GREY, label=direction, **LINES.get(direction, LINES[""]))
-               for direction in layout.directions if direction and len(layout.coordinates()) > 1]
+               for direction in layout.directions if len(layout.directions) > 1]
     if analysis.has("steady") and np.any(analysis.read("steady").values == 0):
         handles.append(Line2D([], [], color=GREY, marker="o", fillstyle="none", linestyle="",
                               label="not settled"))
@@ -101,8 +100,7 @@ def direction_handles(layout: Layout) -> list[Line2D]:
 def finish(figure, panels, layout: Layout, handles) -> None:
     """Name of the axis below, explanation of the family and of the lines on the right."""
     analysis = layout.analysis
-    panels[-1].set_xlabel(axis_scale(analysis, layout.along).label(
-        axis_name(analysis, layout.along)))
+    panels[-1].set_xlabel(layout.scale.label(axis_name(analysis, layout.along)))
     if style.is_logarithmic(layout.coordinates()):
         panels[-1].set_xscale("log")
     explain(figure, panels, layout, handles)

@@ -4,9 +4,9 @@ A module offers figures(results, analysis), which looks at what an analysis hold
 each figure that fits, its name and a function without arguments that draws it.
 """
 
-from . import identify, modal, response_curves, transient
+from . import bifurcation, cycles, histories, identify, modal, portraits, response_curves, transient
 
-KINDS = [modal, transient, identify, response_curves]
+KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits]
 
 
 def figures(results, analysis):

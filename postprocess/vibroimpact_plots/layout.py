@@ -55,6 +55,11 @@ class Layout:
     def family_name(self) -> str:
         return ", ".join(axis_name(self.analysis, name) for name in self.family)
 
+    @property
+    def scale(self):
+        """Of the coordinates along the axis."""
+        return axis_scale(self.analysis, self.along)
+
     def coordinates(self) -> np.ndarray:
         return self.analysis.read(self.along).values[kept(self.analysis, self.along)]
 
@@ -136,13 +141,11 @@ def describe(analysis: Analysis, index: dict) -> str:
 
 
 def title_of(analysis: Analysis, index: dict) -> str:
-    """As a title: "Clearance 3 mm, frequency 2.4 Hz"."""
+    """As a title: "Clearance = 3 mm, Frequency = 2.4 Hz"."""
     parts = []
     for axis in index:
         if len(analysis.read(axis).values) > 1:
-            name = axis_name(analysis, axis)
-            parts.append(f"{name} {describe(analysis, {axis: index[axis]})}".removeprefix(
-                "direction "))
+            parts.append(f"{axis_name(analysis, axis)} = {describe(analysis, {axis: index[axis]})}")
     return ", ".join(parts)
 
 
@@ -167,19 +170,27 @@ class Place:
 
 
 def places(analysis: Analysis, most: int = MOST_SHOWN) -> list[Place]:
-    """Points to be drawn by themselves: those that were chosen, or at most `most` of all, spread
-    evenly over each axis."""
+    """Finished points to be drawn by themselves, at most `most` of all, spread evenly; those that
+    were chosen are drawn all."""
     axes = [name for name in analysis.axes if name != DIRECTION]
-    indices = [kept(analysis, name) for name in axes]
-    spread = [i if name in analysis.chosen else thinned(i, most) for name, i in zip(axes, indices)]
-    points = list(itertools.product(*spread))
+    finished = finished_points(analysis)
+    points = [point for point in itertools.product(*[kept(analysis, name) for name in axes])
+              if finished[point]]
     if not analysis.chosen:
-        points = [points[i] for i in thinned(list(range(len(points))), most)]
+        points = thinned(points, most)
     return [Place(dict(zip(axes, point)), title_of(analysis, dict(zip(axes, point))))
             for point in points]
 
 
-def thinned(indices: list[int], most: int) -> list[int]:
+def finished_points(analysis: Analysis) -> np.ndarray:
+    """Whether a point was computed, in one direction at least."""
+    finished = analysis.read("status").values == 0
+    if DIRECTION in analysis.axes:
+        return np.any(finished, axis=analysis.axes.index(DIRECTION))
+    return finished
+
+
+def thinned(indices: list, most: int) -> list:
     if len(indices) <= most:
         return indices
     return [indices[round(i * (len(indices) - 1) / (most - 1))] for i in range(most)]

@@ -162,7 +162,7 @@ def orders(analysis: Analysis, root: str) -> list[Sheet]:
     """Amplitudes of the first orders of the forcing frequency, by the path and the number."""
     return [
         Sheet("orders-" + dashed(path.split("/", 2)[-1].replace("/", "-")),
-              path.split("order_amplitude/", 1)[1].replace("/", " ").capitalize(),
+              " ".join(path.split("order_amplitude/", 1)[1].split("/")[:2]).capitalize(),
               [Panel(f"{quantity_label(path.rsplit('/', 1)[-1])},\namplitude of an order",
                      [(f"{path}[{order}]", f"order {order + 1}") for order in range(ORDERS)])])
         for path in analysis.fields(f"{root}order_amplitude")

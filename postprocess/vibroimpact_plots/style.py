@@ -10,6 +10,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.cm import ScalarMappable  # noqa: E402
 from matplotlib.colors import Normalize  # noqa: E402
+from matplotlib.ticker import MaxNLocator  # noqa: E402
 
 WIDTH = 6.3  # inches, a page's text width
 PANEL_HEIGHT = 1.9
@@ -18,6 +19,7 @@ PANEL_HEIGHT = 1.9
 # yellow is left out, it is too light for a line.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
 SEQUENCE = "viridis"
+DIRECTION_LINES = ["-", "--"]
 
 SETTINGS = {
     "font.family": "STIXGeneral",
@@ -93,16 +95,33 @@ def is_logarithmic(values) -> bool:
     return np.ptp(factors) / abs(factors.mean()) < 0.5 * np.ptp(steps) / abs(steps.mean())
 
 
-def panel_grid(count: int, columns: int = 3, height: float = 2.0):
-    """Panels side by side and below each other that share both axes; unused ones are removed."""
+def panel_grid(count: int, columns: int = 3, height: float = 2.0, share: bool = True):
+    """Panels side by side and below each other that may share both axes; unused ones are removed."""
     columns = min(columns, count)
     rows = -(-count // columns)
     figure, axes = plt.subplots(
         rows, columns, figsize=(WIDTH if columns > 1 else 4.2, 0.7 + height * rows),
-        sharex=True, sharey=True, squeeze=False,
+        sharex=share, sharey=share, squeeze=False,
     )
+    for used in axes.flat[:count]:
+        used.xaxis.set_major_locator(MaxNLocator(4 if columns > 1 else 7))
     for unused in axes.flat[count:]:
         unused.remove()
     for unused in range(count, rows * columns):
         axes.flat[unused - columns].xaxis.set_tick_params(labelbottom=True)
     return figure, list(axes.flat[:count])
+
+
+def upper_right(panels):
+    """The last panel of the first row of a grid, beside which a legend has room."""
+    return [axes for axes in panels if axes.get_subplotspec().is_first_row()][-1]
+
+
+def label_grid(panels, x_label: str, y_label: str) -> None:
+    """Labels of a grid of panels at its left and lower edge."""
+    columns = max(axes.get_subplotspec().colspan.stop for axes in panels)
+    for number, axes in enumerate(panels):
+        if axes.get_subplotspec().is_first_col():
+            axes.set_ylabel(y_label)
+        if number + columns >= len(panels):
+            axes.set_xlabel(x_label)

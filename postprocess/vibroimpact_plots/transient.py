@@ -9,7 +9,10 @@ from matplotlib.lines import Line2D
 
 from . import style
 from .cases import cases, explain
+from .histories import shade
 from .labels import key_label, quantity_label, scale_for, value_text
+from .layout import places
+from .motions import Motion
 from .results import Analysis, Array, Results
 
 
@@ -159,7 +162,18 @@ def draw_peaks(axes, analysis: Analysis, peaks, time_scale, scale) -> Line2D:
 
 def motion(analysis: Analysis, point: str, quantities: list[str]):
     rows = [(f"point/{point}/{quantity}", quantity_label(quantity)) for quantity in quantities]
-    return histories(analysis, rows, f"Point {point}")
+    figure = histories(analysis, rows, f"Point {point}")
+    if not analysis.grid:
+        shade_contacts(figure, analysis)
+    return figure
+
+
+def shade_contacts(figure, analysis: Analysis) -> None:
+    place = places(analysis)[0]
+    time = analysis.read("time")
+    handles = shade(figure.axes, Motion(analysis, "", place, ""), time.values, 0.0,
+                    scale_for(time.unit, time.values))
+    style.legend_beside(figure.axes[0], handles)
 
 
 def pulses(analysis: Analysis, contact: str, index: tuple):
