@@ -40,6 +40,7 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
   declare_initial_conditions(*root);
   declare_integration(*root);
   declare_analyses(*root);
+  derived::declare_derived(*root);
   return root;
 }
 
@@ -203,6 +204,21 @@ Case Simulation::build_case(const Job &job, const std::vector<Override> &overrid
           }};
 }
 
+derived::DerivedQuantities Simulation::derived_quantities(const std::vector<Job> &jobs) const {
+  const Values root = parameters_->root();
+  derived::check_analyses(root);
+  derived::DerivedQuantities quantities;
+  for (const Job &job : jobs) {
+    std::vector<Axis> axes = grid_axes(job.keys, *parameters_);
+    const Values first = parameters_->with(grid_overrides(job.keys, 0))->root();
+    const auto analysis = create_analysis(first.instance("Analysis", job.repeated));
+    for (const Axis &axis : analysis->axes())
+      axes.push_back(axis);
+    quantities.add(root, job.name, axes, job.keys);
+  }
+  return quantities;
+}
+
 void Simulation::log_cost(const Job &job) const {
   const Case first = build_case(job, grid_overrides(job.keys, 0));
   check_case(first);
@@ -212,6 +228,7 @@ void Simulation::log_cost(const Job &job) const {
 
 void Simulation::check() {
   const std::vector<Job> all = jobs();
+  derived_quantities(all);
   reduce_all(all);
   for (const auto &body : bodies(parameters_->root()))
     log::info("body " + body->name + ": " + body_sentence(*body));
@@ -223,6 +240,7 @@ RunSummary Simulation::run(const RunOptions &options) {
   if (options.existing == ExistingFolder::resume)
     resumed_folder_ = options.folder;
   const std::vector<Job> all = jobs();
+  derived::DerivedQuantities derived = derived_quantities(all);
   reduce_all(all);
   for (const Job &job : all)
     check_case(build_case(job, grid_overrides(job.keys, 0)));
@@ -233,7 +251,8 @@ RunSummary Simulation::run(const RunOptions &options) {
   for (const auto &body : bodies(parameters_->root()))
     reduced.push_back(*body);
   FileSink sink(communicator_, folder,
-                run_information(parameters_->echo(), options.command_line, communicator_), reduced);
+                run_information(parameters_->echo(), options.command_line, communicator_), reduced,
+                std::chrono::seconds(60), std::move(derived));
   int rank = 0;
   MPI_Comm_rank(communicator_, &rank);
   if (rank == 0)
@@ -250,6 +269,7 @@ RunSummary Simulation::run(const RunOptions &options) {
     if (total.interrupted)
       break;
   }
+  sink.check_derived();
   return total;
 }
 

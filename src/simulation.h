@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyses/runner.h"
+#include "derived/derived_quantities.h"
 #include "output/run_folder.h"
 #include "parameters/values.h"
 #include "reduction/reduced_body.h"
@@ -56,6 +57,7 @@ private:
   Case build_case(const Job &job, const std::vector<parameters::Override> &overrides) const;
   std::optional<ReducedBody> kept_body(const std::string &fingerprint) const;
   void keep_bodies(RunFolder &folder) const;
+  derived::DerivedQuantities derived_quantities(const std::vector<Job> &jobs) const;
   void log_cost(const Job &job) const;
   std::string file_folder() const;
 

@@ -81,6 +81,7 @@ std::vector<GridKey> read_grid(const parameters::Values &analysis) {
   for (const std::string &name : grid.instances("Key"))
     if (!grid.instance("Key", name).has("Follows")) {
       keys.push_back(read_key(grid.instance("Key", name)));
+      keys.back().name = name;
       leaders.push_back(name);
     }
   if (keys.empty())

@@ -19,6 +19,7 @@ struct GridKey {
   std::vector<std::string> values; ///< as written in the file
   /// Keys that change along with this one: as many values each.
   std::vector<GridKey> followers{};
+  std::string name{}; ///< of its section, "Key NAME"
 };
 
 /// Paths of all keys, followers included.

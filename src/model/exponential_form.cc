@@ -1,6 +1,18 @@
 #include "model/exponential_form.h"
 
+#include <cmath>
+
 namespace vibroimpact {
+
+namespace {
+
+// exp(exponent t), without what a general complex exponential does for nothing.
+std::complex<double> growth(const std::complex<double> &exponent, double t) {
+  const double size = exponent.real() == 0 ? 1 : std::exp(exponent.real() * t);
+  return exponent.imag() == 0 ? size : std::polar(size, exponent.imag() * t);
+}
+
+} // namespace
 
 double ExponentialForm::value(double time) const {
   const double t = time - origin;
@@ -8,7 +20,7 @@ double ExponentialForm::value(double time) const {
   for (std::size_t j = polynomial.size(); j-- > 0;)
     sum = sum * t + polynomial[j];
   for (const Term &term : terms)
-    sum += std::real(term.amplitude * std::exp(term.exponent * t));
+    sum += std::real(term.amplitude * growth(term.exponent, t));
   return sum;
 }
 
@@ -18,7 +30,7 @@ double ExponentialForm::rate(double time) const {
   for (std::size_t j = polynomial.size(); j-- > 1;)
     sum = sum * t + static_cast<double>(j) * polynomial[j];
   for (const Term &term : terms)
-    sum += std::real(term.amplitude * term.exponent * std::exp(term.exponent * t));
+    sum += std::real(term.amplitude * term.exponent * growth(term.exponent, t));
   return sum;
 }
 
@@ -28,7 +40,7 @@ double ExponentialForm::acceleration(double time) const {
   for (std::size_t j = polynomial.size(); j-- > 2;)
     sum = sum * t + static_cast<double>(j * (j - 1)) * polynomial[j];
   for (const Term &term : terms)
-    sum += std::real(term.amplitude * term.exponent * term.exponent * std::exp(term.exponent * t));
+    sum += std::real(term.amplitude * term.exponent * term.exponent * growth(term.exponent, t));
   return sum;
 }
 
@@ -37,7 +49,7 @@ ExponentialForm ExponentialForm::about(double new_origin) const {
   ExponentialForm form = *this;
   form.origin = new_origin;
   for (Term &term : form.terms)
-    term.amplitude *= std::exp(term.exponent * shift);
+    term.amplitude *= growth(term.exponent, shift);
   // Repeated synthetic division: the Taylor coefficients at the new origin.
   for (std::size_t j = 0; j + 1 < polynomial.size(); ++j)
     for (std::size_t i = polynomial.size() - 1; i-- > j;)

@@ -143,12 +143,14 @@ Vector Model::rotor_frame(double time) const {
     for (std::size_t k = 0; k < sources_.size(); ++k) {
       const TimeFunction &function = *sources_[k].function;
       if (rotor.first.carrier[k] != 0 || rotor.second.carrier[k] != 0) {
-        frame[first] += rotor.first.carrier[k] * function.acceleration(time);
-        frame[first + 1] += rotor.second.carrier[k] * function.acceleration(time);
+        const double acceleration = function.acceleration(time);
+        frame[first] += rotor.first.carrier[k] * acceleration;
+        frame[first + 1] += rotor.second.carrier[k] * acceleration;
       }
       if (rotor.field_first[k] != 0 || rotor.field_second[k] != 0) {
-        frame[first] -= rotor.field_first[k] * function.value(time);
-        frame[first + 1] -= rotor.field_second[k] * function.value(time);
+        const double field = function.value(time);
+        frame[first] -= rotor.field_first[k] * field;
+        frame[first + 1] -= rotor.field_second[k] * field;
       }
     }
   }

@@ -48,7 +48,13 @@ void RotorSet::drive_rates(ConstVectorView velocity, ConstVectorView drive,
 
 // H: velocity of the centres of mass = H v.
 Matrix RotorSet::centre_rows(ConstVectorView q) const {
-  Matrix rows(2 * static_cast<Index>(rotors_.size()), q.size());
+  Matrix rows;
+  fill_centre_rows(q, rows);
+  return rows;
+}
+
+void RotorSet::fill_centre_rows(ConstVectorView q, Matrix &rows) const {
+  rows.resize(2 * static_cast<Index>(rotors_.size()), q.size());
   for (std::size_t i = 0; i < rotors_.size(); ++i) {
     const Rotor &rotor = rotors_[i];
     const auto first = 2 * static_cast<Index>(i);
@@ -57,7 +63,6 @@ Matrix RotorSet::centre_rows(ConstVectorView q) const {
     rows(first, rotor.angle) -= rotor.eccentricity * std::sin(q[rotor.angle]);
     rows(first + 1, rotor.angle) += rotor.eccentricity * std::cos(q[rotor.angle]);
   }
-  return rows;
 }
 
 // H' v = -e phi'^2 (cos phi, sin phi)
@@ -83,10 +88,26 @@ Matrix RotorSet::schur(const Vector &mass, const Matrix &rows) const {
 
 void RotorSet::couple(const Vector &mass, ConstVectorView q, ConstVectorView velocity,
                       const Vector &frame, VectorView acceleration) const {
-  const Matrix rows = centre_rows(q);
-  const Vector reaction =
-      schur(mass, rows).ldlt().solve(-(rows * acceleration + frame + curvature(q, velocity)));
-  acceleration += (rows.transpose() * reaction).cwiseQuotient(mass);
+  Scratch &s = scratch_;
+  fill_centre_rows(q, s.rows);
+  s.weighted.resize(s.rows.rows(), s.rows.cols());
+  for (Index j = 0; j < s.rows.cols(); ++j)
+    s.weighted.col(j) = s.rows.col(j) / mass[j];
+  // Products of a few numbers: the general ones take longer to set up than to compute.
+  s.schur = s.weighted.lazyProduct(s.rows.transpose());
+  s.reaction = -s.rows.lazyProduct(acceleration) - frame;
+  for (std::size_t i = 0; i < rotors_.size(); ++i) {
+    const Rotor &rotor = rotors_[i];
+    const auto first = 2 * static_cast<Index>(i);
+    s.schur.diagonal().segment(first, 2).array() += 1 / rotor.mass;
+    const double speed = velocity[rotor.angle];
+    const double outward = rotor.eccentricity * speed * speed;
+    s.reaction[first] += outward * std::cos(q[rotor.angle]);
+    s.reaction[first + 1] += outward * std::sin(q[rotor.angle]);
+  }
+  s.factor.compute(s.schur);
+  s.factor.solveInPlace(s.reaction);
+  acceleration += s.weighted.transpose().lazyProduct(s.reaction);
 }
 
 // With S = 1/m + H D^-1 H^T and R = -S^-1 (H a + c), a = D^-1 F:
@@ -139,12 +160,14 @@ double RotorSet::kinetic_energy(ConstVectorView q, ConstVectorView velocity) con
 
 double RotorSet::input_power(ConstVectorView q, ConstVectorView velocity, ConstVectorView drive,
                              const Vector &frame) const {
-  const Vector centre_velocity = centre_rows(q) * velocity;
   double power = 0;
   for (std::size_t i = 0; i < rotors_.size(); ++i) {
     const Rotor &rotor = rotors_[i];
     const auto first = 2 * static_cast<Index>(i);
-    power -= rotor.mass * frame.segment(first, 2).dot(centre_velocity.segment(first, 2));
+    const double turning = rotor.eccentricity * velocity[rotor.angle];
+    const double along_first = rotor.first.row.dot(velocity) - turning * std::sin(q[rotor.angle]);
+    const double along_second = rotor.second.row.dot(velocity) + turning * std::cos(q[rotor.angle]);
+    power -= rotor.mass * (frame[first] * along_first + frame[first + 1] * along_second);
     if (rotor.motor)
       power += drive[rotor.motor->drive] * velocity[rotor.angle];
   }

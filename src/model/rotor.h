@@ -21,6 +21,8 @@
 
 #include "model/projection.h"
 
+#include <Eigen/Cholesky>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -85,12 +87,21 @@ public:
                      const Vector &frame) const;
 
 private:
+  void fill_centre_rows(ConstVectorView q, Matrix &rows) const;
   Matrix centre_rows(ConstVectorView q) const;
   Vector curvature(ConstVectorView q, ConstVectorView velocity) const;
   Matrix schur(const Vector &mass, const Matrix &rows) const;
 
   std::vector<Rotor> rotors_;
   Index n_drive_ = 0;
+
+  /// Scratch of couple(), which runs in every evaluation of the equations.
+  struct Scratch {
+    Matrix rows, weighted, schur; ///< H, H D^-1, 1/m + H D^-1 H^T
+    Vector reaction;
+    Eigen::LDLT<Matrix> factor;
+  };
+  mutable Scratch scratch_;
 };
 
 } // namespace vibroimpact

@@ -84,6 +84,35 @@ void write_field(Hdf5File &file, const std::string &path, const AssembledField &
   attach_scales(file, path, scales);
 }
 
+using Scales = std::map<std::string, std::string>;
+
+/// Dimensions of its own have the name of the quantity behind theirs, for they differ in length.
+void write_own_dimensions(Hdf5File &file, const std::string &group,
+                          const derived::DerivedArray &quantity, Scales &scales) {
+  for (const Axis &axis : quantity.own_dimensions) {
+    const std::string path = group + "/" + axis.name;
+    if (!file.contains(path))
+      write_axis(file, path, axis);
+    scales[axis.name] = path;
+  }
+}
+
+void write_derived(Hdf5File &file, const std::string &group, const derived::DerivedArray &quantity,
+                   Scales scales) {
+  write_own_dimensions(file, group, quantity, scales);
+  const std::string path = group + "/" + quantity.name;
+  file.write(path, quantity.shape, quantity.values);
+  describe(file, path, quantity.unit, quantity.description);
+  file.set_attribute(path, "operation", quantity.operation);
+  if (!quantity.axis.empty())
+    file.set_attribute(path, "axis", link_name(quantity.axis));
+  if (!quantity.axes.empty())
+    file.set_attribute(path, "axes",
+                       link_name(quantity.axes[0]) + " " + link_name(quantity.axes[1]));
+  for (std::size_t d = 0; d < quantity.dimensions.size(); ++d)
+    file.attach_scale(path, d, scales.at(quantity.dimensions[d]));
+}
+
 void write_status(Hdf5File &file, const std::string &group, const Shape &shape,
                   const AnalysisArrays &arrays, const std::vector<std::string> &scales) {
   file.write(group + "/status", shape, arrays.status);
@@ -224,7 +253,8 @@ void write_body(Hdf5File &file, const ReducedBody &body) {
   write_recovery(group, body.recovery);
 }
 
-void write_analysis(Hdf5File &file, const AnalysisHeader &header, const AnalysisArrays &arrays) {
+void write_analysis(Hdf5File &file, const AnalysisHeader &header, const AnalysisArrays &arrays,
+                    const std::vector<derived::DerivedArray> &quantities) {
   const std::string group = "/analysis/" + header.name;
   file.create_group(group);
   file.set_attribute(group, "name", header.name);
@@ -243,6 +273,11 @@ void write_analysis(Hdf5File &file, const AnalysisHeader &header, const Analysis
     for (const AssembledField &field : arrays.fields)
       if (field.over_axes == over_axes)
         write_field(file, group + "/" + field.name, field, outer_scales, scales);
+  Scales all_scales = scales;
+  for (std::size_t a = 0; a < header.axes.size(); ++a)
+    all_scales[header.axes[a].name] = outer_scales[a];
+  for (const derived::DerivedArray &quantity : quantities)
+    write_derived(file, group + "/derived", quantity, all_scales);
 }
 
 } // namespace vibroimpact

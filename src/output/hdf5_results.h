@@ -7,12 +7,14 @@
 //                           damping_ratio, mass, stiffness, effective_mass, base_participation, ...
 //   /analysis/NAME/         attributes: name, type, grid; the outer axes (scales), status, reason,
 //                           and the fields, nested by the slashes of their names
+//   /analysis/NAME/derived/ the derived quantities; attributes operation, axis, axes
 //
 // Every dataset but a scale has a scale on each dimension; the scale is in the group of the dataset
 // or above. Every dataset carries the attributes unit and description.
 #pragma once
 
 #include "common/hdf5_file.h"
+#include "derived/labelled_array.h"
 #include "output/analysis_arrays.h"
 #include "reduction/reduced_body.h"
 
@@ -34,6 +36,7 @@ struct RunInformation {
 
 void write_information(Hdf5File &file, const RunInformation &information);
 void write_body(Hdf5File &file, const ReducedBody &body);
-void write_analysis(Hdf5File &file, const AnalysisHeader &header, const AnalysisArrays &arrays);
+void write_analysis(Hdf5File &file, const AnalysisHeader &header, const AnalysisArrays &arrays,
+                    const std::vector<derived::DerivedArray> &quantities = {});
 
 } // namespace vibroimpact

@@ -2,8 +2,10 @@
 
 #include "common/durable_file.h"
 #include "common/error.h"
+#include "common/log.h"
 #include "output/analysis_arrays.h"
 #include "output/collective.h"
+#include "output/derived_results.h"
 #include "output/summary.h"
 #include "output/vtu_writer.h"
 
@@ -26,9 +28,10 @@ bool same_axes(const AnalysisHeader &one, const AnalysisHeader &other) {
 } // namespace
 
 FileSink::FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation information,
-                   std::vector<ReducedBody> bodies, std::chrono::duration<double> rebuild_interval)
+                   std::vector<ReducedBody> bodies, std::chrono::duration<double> rebuild_interval,
+                   derived::DerivedQuantities derived)
     : communicator_(communicator), folder_(folder), information_(std::move(information)),
-      bodies_(std::move(bodies)), rebuild_interval_(rebuild_interval),
+      bodies_(std::move(bodies)), derived_(std::move(derived)), rebuild_interval_(rebuild_interval),
       next_rebuild_(Clock::now() + std::chrono::duration_cast<Clock::duration>(rebuild_interval)) {
   run_on_all_ranks(communicator_, [this] {
     recorder_ = std::make_unique<Recorder>(folder_.journal_file(rank_in(communicator_)));
@@ -82,32 +85,61 @@ void FileSink::end() {
 void FileSink::rebuild() {
   const Clock::time_point start = Clock::now();
   const std::vector<StoredAnalysis> analyses = read_run(folder_.journal_files());
-  replace_file(folder_.results_file(),
-               [&](const std::filesystem::path &file) { write_results(file, analyses); });
-  replace_file(folder_.summary_file(), summary(analyses));
+  std::vector<std::string> derived_lines;
+  replace_file(folder_.results_file(), [&](const std::filesystem::path &file) {
+    derived_lines = write_results(file, analyses);
+  });
+  replace_file(folder_.summary_file(), summary(analyses, derived_lines));
   // A large file must not keep rank 0 from computing: at most a twentieth of its time goes here.
   const std::chrono::duration<double> took = Clock::now() - start;
   next_rebuild_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                      std::max(rebuild_interval_, 20 * took));
 }
 
-void FileSink::write_results(const std::filesystem::path &file,
-                             const std::vector<StoredAnalysis> &analyses) const {
+std::vector<std::string> FileSink::write_results(const std::filesystem::path &file,
+                                                 const std::vector<StoredAnalysis> &analyses) {
+  std::vector<std::string> derived_lines;
   Hdf5File results = Hdf5File::create(file);
   write_information(results, information_);
   for (const ReducedBody &body : bodies_)
     write_body(results, body);
-  for (const auto &[header, points] : analyses)
-    write_analysis(results, header, assemble(header, points.sequence()));
+  for (const auto &[header, points] : analyses) {
+    const AnalysisArrays arrays = assemble(header, points.sequence());
+    const auto [quantities, problems] =
+        derived_.evaluate(header.name, derivation_source(header, arrays));
+    note_problems(problems);
+    write_analysis(results, header, arrays, quantities);
+    derived_lines.push_back(derived_summary(header, quantities));
+  }
   results.close();
+  return derived_lines;
 }
 
-std::string FileSink::summary(const std::vector<StoredAnalysis> &analyses) const {
+void FileSink::note_problems(const std::vector<std::string> &problems) {
+  for (const std::string &problem : problems)
+    if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end()) {
+      problems_.push_back(problem);
+      log::warning("a derived quantity is left out: " + problem);
+    }
+}
+
+void FileSink::check_derived() const {
+  run_on_first_rank(communicator_, [this] {
+    std::string message;
+    for (const std::string &problem : problems_)
+      message += (message.empty() ? "" : "\n") + problem;
+    if (!problems_.empty())
+      throw InputError(message + "\nEverything else was written.");
+  });
+}
+
+std::string FileSink::summary(const std::vector<StoredAnalysis> &analyses,
+                              const std::vector<std::string> &derived_lines) const {
   std::string text;
   for (const ReducedBody &body : bodies_)
     text += body_summary(body);
-  for (const auto &[header, points] : analyses)
-    text += analysis_summary(header, points.sequence());
+  for (std::size_t a = 0; a < analyses.size(); ++a)
+    text += analysis_summary(analyses[a].header, analyses[a].points.sequence()) + derived_lines[a];
   return text;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/result_sink.h"
+#include "derived/derived_quantities.h"
 #include "output/hdf5_results.h"
 #include "output/record.h"
 #include "output/run_folder.h"
@@ -21,7 +22,8 @@ public:
   /// a journal cannot be opened.
   FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation information,
            std::vector<ReducedBody> bodies,
-           std::chrono::duration<double> rebuild_interval = std::chrono::seconds(60));
+           std::chrono::duration<double> rebuild_interval = std::chrono::seconds(60),
+           derived::DerivedQuantities derived = {});
 
   /// Throws std::logic_error when the analysis was begun before in this run, and InputError when a
   /// resumed folder holds the analysis with other axes.
@@ -33,20 +35,29 @@ public:
   /// Also writes the fields of points that recorded the motion (see vtu_writer.h).
   void end() override;
 
-  /// Rank 0: replaces results.h5 and summary.txt by what all journals hold now.
+  /// Rank 0: replaces results.h5 and summary.txt by what all journals hold now. Warns of derived
+  /// quantities that cannot be computed from the fields there are.
   void rebuild();
+
+  /// Collective, behind the last end(). Throws InputError when the files lack derived quantities.
+  void check_derived() const;
 
 private:
   void register_header(const AnalysisHeader &header);
-  void write_results(const std::filesystem::path &file,
-                     const std::vector<StoredAnalysis> &analyses) const;
-  std::string summary(const std::vector<StoredAnalysis> &analyses) const;
+  /// The lines of the summary about derived quantities, for each analysis.
+  std::vector<std::string> write_results(const std::filesystem::path &file,
+                                         const std::vector<StoredAnalysis> &analyses);
+  std::string summary(const std::vector<StoredAnalysis> &analyses,
+                      const std::vector<std::string> &derived_lines) const;
+  void note_problems(const std::vector<std::string> &problems);
   void write_motion();
 
   MPI_Comm communicator_;
   RunFolder &folder_;
   RunInformation information_;
   std::vector<ReducedBody> bodies_;
+  derived::DerivedQuantities derived_;
+  std::vector<std::string> problems_; ///< of derived quantities, on rank 0
   std::unique_ptr<Recorder> recorder_;
   std::set<std::string> begun_;
   AnalysisHeader header_;

@@ -34,12 +34,17 @@ std::string digits17(double value) {
   return buffer.data();
 }
 
-/// Writes an expression with units and variables as one of plain numbers and the four scales.
+/// No name that a text can hold.
+std::string placeholder(std::size_t argument) { return "X_" + std::to_string(argument) + "_"; }
+
+/// Writes an expression with units and variables as one of plain numbers, the four scales and
+/// placeholders for arguments.
 class Translation {
 public:
-  Translation(const std::string &text, const VariableTable &variables, bool zero_variables_as_one)
+  Translation(const std::string &text, const VariableTable &variables, bool zero_variables_as_one,
+              const std::vector<std::string> &arguments = {})
       : text_(text), variables_(variables), zero_as_one_(zero_variables_as_one),
-        tokens_(tokens_of(text)) {
+        arguments_(arguments), tokens_(tokens_of(text)) {
     while (position_ < tokens_.size())
       translate_next();
     if (!parentheses_.empty())
@@ -117,6 +122,8 @@ private:
   void translate_name(const std::string &name) {
     if (position_ + 1 < tokens_.size() && tokens_[position_ + 1].text == "(") {
       call(name);
+    } else if (contains(arguments_, name)) {
+      append_argument(name);
     } else if (const auto variable = variables_.find(name); variable != variables_.end()) {
       ++position_;
       append_variable(variable->second);
@@ -144,6 +151,13 @@ private:
     open(function);
     position_ += 2;
     after_operand_ = false;
+  }
+
+  void append_argument(const std::string &name) {
+    const auto found = std::find(arguments_.begin(), arguments_.end(), name);
+    formula_ += placeholder(static_cast<std::size_t>(found - arguments_.begin()));
+    after_operand_ = true;
+    ++position_;
   }
 
   void append_variable(const Number &variable) {
@@ -180,6 +194,7 @@ private:
   const std::string &text_;
   const VariableTable &variables_;
   bool zero_as_one_;
+  std::vector<std::string> arguments_;
   std::vector<Token> tokens_;
   std::size_t position_ = 0;
   std::string formula_;
@@ -306,6 +321,35 @@ Number evaluate(const std::string &text, const VariableTable &variables) {
   if (!std::isfinite(number->value))
     throw Refused("'" + text + "' is not a finite number");
   return *number;
+}
+
+struct Function::Parser {
+  std::vector<double> values; ///< of the arguments
+  mu::Parser parser;
+};
+
+Function::Function(const std::string &text, const VariableTable &variables,
+                   const std::vector<std::string> &arguments)
+    : text_(text), parser_(std::make_unique<Parser>()) {
+  const Translation translation(text, variables, false, arguments);
+  parser_->values.resize(arguments.size());
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    parser_->parser.DefineVar(placeholder(i), &parser_->values[i]);
+  for (const char *scale : scale_names)
+    parser_->parser.DefineConst(scale, 1);
+  parser_->parser.SetExpr(translation.formula());
+}
+
+Function::Function(Function &&) noexcept = default;
+Function::~Function() = default;
+
+double Function::operator()(const std::vector<double> &arguments) {
+  std::copy(arguments.begin(), arguments.end(), parser_->values.begin());
+  try {
+    return parser_->parser.Eval();
+  } catch (const mu::ParserError &) {
+    throw Refused("'" + text_ + "' cannot be computed: check its operators and commas");
+  }
 }
 
 std::vector<std::string> used_variables(const std::string &text, const VariableTable &variables) {

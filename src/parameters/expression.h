@@ -4,6 +4,7 @@
 #include "parameters/dimension.h"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -29,6 +30,27 @@ using VariableTable = std::map<std::string, Number>;
 
 /// The value of one number or expression. Throws Refused.
 Number evaluate(const std::string &text, const VariableTable &variables);
+
+/// An expression whose arguments take many values one after the other.
+class Function {
+public:
+  /// `arguments` hide variables of the same names. Throws Refused.
+  Function(const std::string &text, const VariableTable &variables,
+           const std::vector<std::string> &arguments);
+  Function(Function &&) noexcept;
+  Function(const Function &) = delete;
+  Function &operator=(Function &&) = delete;
+  Function &operator=(const Function &) = delete;
+  ~Function();
+
+  /// The arguments in their order, in SI; so is the value. Throws Refused.
+  double operator()(const std::vector<double> &arguments);
+
+private:
+  struct Parser;
+  std::string text_;
+  std::unique_ptr<Parser> parser_;
+};
 
 /// The variables that `text` uses. Text that is no expression gives those whose names stand in it.
 std::vector<std::string> used_variables(const std::string &text, const VariableTable &variables);

@@ -12,7 +12,7 @@ import tempfile
 
 # In the order data flows: a folder may include itself and what stands before it.
 ORDER = ["common", "parameters", "structure", "modes", "reduction", "model", "contact",
-         "integration", "analyses", "output"]
+         "integration", "analyses", "derived", "output"]
 # These two stand beside the flow; they know nothing of what the others do.
 ALLOWED = {"common": {"common"}, "parameters": {"common", "parameters"}}
 # The files above all folders, each with those of its kind that it may include.

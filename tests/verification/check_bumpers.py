@@ -31,6 +31,15 @@ POINTS = [(.7, 2, 1.05, (1.2355375, .7971071, .4572763, .0971071), None),
           (0, 1, 1.4188, (.4075957, .1573106, .2768695, .1573106), None)]
 NAMES = ("η_a", "η_d", "η_F", "η_B")
 
+# delta0, the stiffness with the lowest peak of the acceleration, and the largest values of the
+# upward curve there: beta of the acceleration, eta_a, eta_d, eta_F, eta_B; the paper's beta and
+# values, where its text gives them.
+BEST = [(.7, 2.177, (1.0625, 1.23832, .7960, .4587, .0960), (1.05, None, None, None, None)),
+        (.4, 1.282, (1.1359, .99739, .5513, .5015, .1513), (1.12, 1, None, None, None)),
+        (.1989975, .987, (1.2133, .74288, .3712, .4438, .1722), (1.22, None, None, None, None)),
+        (.0657506, .965, (1.3189, .53132, .2354, .3473, .1697), (1.32, None, None, None, None)),
+        (0, 1.150, (1.4577, .40652, .1505, .2783, .1505), (1.47, .41, .15, .28, .15))]
+
 
 def measures(analysis):
     """eta_a, eta_d, eta_F, eta_B over all points of an analysis."""
@@ -53,6 +62,43 @@ def points(table):
         for name, values, wanted in zip(NAMES, found, backward or ()):
             table.add(f"{name}, δ0 {gap}, λ {stiffness}, β {beta}, downward", wanted,
                       values[case, middle, 1], 1e-6, absolute=True)
+
+
+def best(table):
+    """The peaks of the upward curve at the best stiffness, the one of eta_a between frequencies."""
+    section = "Analysis/upward/Stepped sweep/"
+    for gap, stiffness, wanted, paper in BEST:
+        analysis = table.run("bumpers.prm", f"bumper-best-{gap}", "Analyses=upward",
+                             f"Variables/delta0={gap}", f"Variables/lambda={stiffness}",
+                             "Analysis/upward/Excursions/Quantities="
+                             "displacement, acceleration, gap, normal_force",
+                             f"{section}First frequency={wanted[0] - 0.1} rad/s",
+                             f"{section}Last frequency={wanted[0] + 0.1} rad/s",
+                             f"{section}Points=101")["analysis/upward"]
+        frequency = analysis["frequency"][:] * 2 * math.pi
+        found = [values[:, 0] for values in measures(analysis)]
+        top = int(found[0].argmax())
+        place = f"δ0 {gap}, λ {stiffness}, upward"
+        table.add(f"β of the largest η_a, {place}", wanted[0], frequency[top], 0.003,
+                  paper=paper[0], absolute=True)
+        for name, values, reference, printed in zip(NAMES, found, wanted[1:], paper[1:]):
+            table.add(f"largest {name}, {place}", reference, values.max(), 1e-4, paper=printed,
+                      absolute=True)
+
+
+def coexisting(table):
+    """Two motions at the stiffness below which the paper sees none, and the opened gap."""
+    around = table.run("bumpers.prm", "bumper-coexisting", "Analyses=around",
+                       "Variables/delta0=0.4", "Variables/lambda=1.2",
+                       "Variables/centre=1.2 rad/s")["analysis/around"]
+    acceleration = measures(around)[0]
+    middle = len(acceleration) // 2
+    for direction, name, wanted in [(0, "upward", .8863), (1, "downward", .4005)]:
+        table.add(f"η_a, δ0 0.4, λ 1.2, β 1.2, {name}", wanted, acceleration[middle, direction],
+                  6e-5, absolute=True)
+    cycles = table.run("bumpers.prm", "bumper-cycles", "Analyses=cycles")["analysis/cycles"]
+    table.add("gap at which the mass meets the bumper, δ0 0.0657506, λ 0.1, β 1.1, steady", .349,
+              cycles["contact/right/stop_position/minimum"][0], 6e-4, paper=.34, absolute=True)
 
 
 def curve(table, gap, stiffness):
@@ -81,6 +127,8 @@ def curve(table, gap, stiffness):
 if __name__ == "__main__":
     main = Table(__file__)
     points(main)
+    best(main)
+    coexisting(main)
     for delta0, ratio in [("0.4", "1"), ("0.7", "2"), ("0.0657506", "5")]:
         curve(main, delta0, ratio)
     main.finish()

@@ -1,0 +1,156 @@
+#include "derived/derived_quantities.h"
+
+#include "derived/operation.h"
+#include "parameters/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vibroimpact::derived {
+
+namespace {
+
+using parameters::Values;
+
+const std::vector<std::string> keys_of_operations{
+    "Field", "Along", "Refine", "At",   "Where",     "Expression", "Fields", "Unit",     "Level",
+    "Other", "Take",  "Sense",  "Side", "Tolerance", "Threshold",  "Levels", "Otherwise"};
+
+bool holds(const std::vector<std::string> &list, const std::string &word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+void check_keys(const Values &section, const Operation &wanted) {
+  for (const std::string &key : wanted.required)
+    section.require(key);
+  for (const std::string &key : keys_of_operations)
+    if (section.given(key) && !holds(wanted.required, key) && !holds(wanted.optional, key))
+      section.reject(key, "nothing: the operation " + wanted.name + " has no use for it.");
+}
+
+/// A name that is no outer axis may belong to an inner dimension, which is not known yet; but one
+/// that nearly is an axis is a slip.
+void check_axes(const Values &section, const AxisNames &names) {
+  std::vector<std::string> found;
+  for (const std::string &name : section.names("Along")) {
+    if (names.find(name) == nullptr && !parameters::nearest(name, names.all()).empty())
+      section.require_known("Along", name, names.all());
+    if (holds(found, names.own_name(name)))
+      section.reject("Along", "every axis once.");
+    found.push_back(names.own_name(name));
+  }
+  const bool several =
+      section.choice("Operation") == "maximum" || section.choice("Operation") == "minimum";
+  if (found.size() > 1 && !several)
+    section.reject("Along", "one axis for this operation.");
+}
+
+void check_section(const Values &section, const AxisNames &names) {
+  const Operation &wanted = operation(section.choice("Operation"));
+  check_keys(section, wanted);
+  check_axes(section, names);
+  if (wanted.check != nullptr)
+    wanted.check(section, names);
+}
+
+/// The sign of a NaN depends on how it came about.
+void make_missing_values_equal(std::vector<double> &values) {
+  for (double &value : values)
+    if (std::isnan(value))
+      value = std::numeric_limits<double>::quiet_NaN();
+}
+
+DerivedArray evaluate_one(const Values &section, const std::string &name, const AxisNames &names,
+                          const Source &source, const std::vector<DerivedArray> &earlier) {
+  DerivedArray array = operation(section.choice("Operation"))
+                           .evaluate(Request(section, name, names, source, earlier));
+  array.name = name;
+  array.operation = section.choice("Operation");
+  make_missing_values_equal(array.values);
+  return array;
+}
+
+} // namespace
+
+void declare_derived(parameters::Section &root) {
+  using namespace parameters;
+  std::vector<std::string> names;
+  for (const Operation &known : operations())
+    names.push_back(known.name);
+  root.named_subsection("Derived", "A quantity derived from the results of an analysis, and stored "
+                                   "with them.")
+      .text("From", "", "Name of the analysis.")
+      .choice("Operation", "maximum", names, "What is done.")
+      .text("Description", "", "A sentence about the result; empty means one that is made up.")
+      .text("Field", "",
+            "What it is done to: the path of a field of the analysis, the name of a Derived of the "
+            "same analysis that stands before this one, or an axis.")
+      .names("Along", "",
+             "Axis, for maximum and minimum also several. A swept key also goes by the "
+             "last part of its path and by the name of its section.")
+      .choice("Refine", "none", {"none", "parabola"},
+              "Between points: by the parabola through the extreme value and its neighbours.")
+      .text("At", "", "The field whose value there is wanted.")
+      .text("Where", "",
+            "AXIS = COORDINATE, several of them separated by commas, for example direction = "
+            "forward.")
+      .text("Expression", "", "In the names of Fields and the variables of the file.")
+      .text("Fields", "", "NAME = FIELD, several of them separated by commas.")
+      .text("Unit", "", "Unit of the expression; empty means the SI unit that it gives.")
+      .text("Otherwise", "",
+            "Field in the unit of the expression that stands in where this is no number.")
+      .quantity("Level", "", dimension::any, range::any, "", "Value that is compared with Field.")
+      .text("Other", "", "Field that is compared with Field, instead of Level.")
+      .choice("Take", "first", {"first", "last"}, "Which crossing, where there are several.")
+      .choice("Sense", "any", {"any", "rising", "falling"},
+              "How Field crosses the level or the other field, along the axis.")
+      .choice("Side", "above", {"above", "below"},
+              "On which side of the level or the other field a band lies.")
+      .quantity("Tolerance", "0.01", dimension::none, range::non_negative, "",
+                "Relative difference from which on the two directions of a sweep differ.")
+      .quantity("Threshold", "", dimension::any, range::any, "",
+                "Step of Field from one point to the next that is no jump yet.")
+      .quantities("Levels", "", dimension::any, range::any, "", "Levels of a contour.", 0, 1000);
+}
+
+void check_analyses(const Values &root) {
+  for (const std::string &name : root.instances("Derived")) {
+    const Values section = root.instance("Derived", name);
+    section.require("From");
+    section.require_known("From", section.text("From"), root.instances("Analysis"));
+  }
+}
+
+void DerivedQuantities::add(const Values &root, const std::string &analysis,
+                            const std::vector<Axis> &axes, const std::vector<GridKey> &keys) {
+  Wanted wanted{AxisNames(axes, keys), {}, {}};
+  for (const std::string &name : root.instances("Derived")) {
+    const Values section = root.instance("Derived", name);
+    if (section.text("From") != analysis)
+      continue;
+    check_section(section, wanted.names);
+    wanted.sections.push_back(section);
+    wanted.titles.push_back(name);
+  }
+  if (!wanted.sections.empty())
+    wanted_[analysis] = std::move(wanted);
+}
+
+DerivedQuantities::Result DerivedQuantities::evaluate(const std::string &analysis,
+                                                      const Source &source) const {
+  Result result;
+  const auto found = wanted_.find(analysis);
+  if (found == wanted_.end() || source.arrays.empty())
+    return result;
+  const auto &[names, titles, sections] = found->second;
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    try {
+      result.arrays.push_back(evaluate_one(sections[i], titles[i], names, source, result.arrays));
+    } catch (const InputError &error) {
+      result.problems.emplace_back(error.what());
+    }
+  return result;
+}
+
+} // namespace vibroimpact::derived

@@ -1,0 +1,9 @@
+#include "derived/units_of_fields.h"
+
+namespace vibroimpact::derived {
+
+parameters::Number one(const std::string &unit) {
+  return parameters::evaluate(unit == "1" ? unit : "1 " + unit, {});
+}
+
+} // namespace vibroimpact::derived
