@@ -4,11 +4,24 @@ A module offers figures(results, analysis), which looks at what an analysis hold
 each figure that fits, its name and a function without arguments that draws it.
 """
 
-from . import (bifurcation, cycles, histories, identify, modal, portraits, relative_motion,
-               response_curves, transient)
+from . import (
+    bifurcation,
+    cycles,
+    derived_curves,
+    histories,
+    identify,
+    maps,
+    modal,
+    portraits,
+    relative_motion,
+    response_curves,
+    spectra,
+    time_frequency,
+    transient,
+)
 
-KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits,
-         relative_motion]
+KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits, relative_motion,
+         spectra, time_frequency, maps, derived_curves]
 
 
 def figures(results, analysis):
