@@ -20,8 +20,8 @@ from . import (
     transient,
 )
 
-KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits, relative_motion,
-         spectra, time_frequency, maps, derived_curves]
+KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits,
+         relative_motion, spectra, time_frequency, maps, derived_curves]
 
 
 def figures(results, analysis):
