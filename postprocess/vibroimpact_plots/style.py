@@ -38,7 +38,7 @@ SETTINGS = {
     "ytick.labelsize": 9,
     "xtick.direction": "in",
     "ytick.direction": "in",
-    "xtick.major.pad": 5,  # keeps the labels at a corner apart
+    "xtick.major.pad": 6,  # keeps the labels at a corner apart
     "ytick.major.pad": 5,
     "xtick.top": True,
     "ytick.right": True,
