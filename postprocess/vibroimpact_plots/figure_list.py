@@ -13,6 +13,7 @@ from . import (
     maps,
     modal,
     portraits,
+    relative_motion,
     response_curves,
     spectra,
     time_frequency,
@@ -20,7 +21,7 @@ from . import (
 )
 
 KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits,
-         spectra, time_frequency, maps, derived_curves]
+         relative_motion, spectra, time_frequency, maps, derived_curves]
 
 
 def figures(results, analysis):
