@@ -36,20 +36,23 @@ BranchPoint settle_inside(const BranchPoint &before, const BranchPoint &after,
 
 Jump find_jump(BranchPoint before, BranchPoint after, double width, double threshold,
                const SettleAt &settle_at, const MotionDistance &distance) {
-  // Two motions that do not repeat differ by chance.
-  if (!before.motion.steady() && !after.motion.steady())
-    return {};
   const auto nearer_before = [&](const SettledMotion &motion) {
     return distance(before.motion, motion) <= distance(motion, after.motion);
   };
   const BranchPoint far_end = after;
   for (int restarts = 0; distance(before.motion, after.motion) >= threshold;) {
+    // Two motions that do not repeat differ by chance.
+    if (!before.motion.steady() && !after.motion.steady())
+      return {};
     const bool narrow = is_narrow(before, after, width);
     BranchPoint point = narrow
                             ? BranchPoint{after.value, settle_at(after.value, before.motion.state)}
                             : settle_inside(before, after, settle_at);
     const bool goes_on = nearer_before(point.motion);
-    if (narrow && (!goes_on || restarts++ == most_restarts))
+    // Where one of the two does not repeat, such as at the edge of chaos, there is no branch that
+    // would be worth following in small steps.
+    const bool repeats = before.motion.steady() && after.motion.steady();
+    if (narrow && (!goes_on || !repeats || restarts++ == most_restarts))
       return {.from = before.value, .to = after.value};
     if (narrow && after.value == far_end.value)
       return {.start_on_branch = before.motion.state};
