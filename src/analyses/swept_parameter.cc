@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <boost/algorithm/string.hpp>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace vibroimpact {
@@ -53,9 +53,9 @@ double SweptParameter::magnitude() const {
 }
 
 parameters::Override SweptParameter::at(double value) const {
-  char number[40];
-  std::snprintf(number, sizeof number, "%.17g", value);
-  std::string text = number;
+  char number[32]; // the longest shortest form of a double has 24 characters
+  const std::to_chars_result written = std::to_chars(number, number + sizeof number, value);
+  std::string text(number, written.ptr);
   if (unit.starts_with("1/"))
     text += unit.substr(1);
   else if (unit != "1")

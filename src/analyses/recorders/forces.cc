@@ -16,14 +16,12 @@ Projection base_of(Projection absolute) {
   return absolute;
 }
 
-// Time history of a source as a quintic along the step.
-Bernstein history(const Source &source, const StepView &view) {
-  const auto at = [&](double time) {
-    const double instant = view.equations().source_time(time);
-    return std::array<double, 3>{source.function->value(instant), source.function->rate(instant),
-                                 source.function->acceleration(instant)};
-  };
-  return Bernstein::quintic(view.length(), at(view.start()), at(view.end()));
+// The time history of a source alone.
+Projection history_of(std::size_t source, const Model &model) {
+  Projection history{.row = RowVector::Zero(model.size()), .carrier = {}};
+  history.carrier.assign(model.sources().size(), 0);
+  history.carrier[source] = 1;
+  return history;
 }
 
 // Index of the only force that varies in time, or the number of sources.
@@ -74,13 +72,12 @@ void Forces::add_ratios_of_forces(const Model &model) {
   const std::size_t source = single_force(model);
   if (source == model.sources().size())
     return;
+  const Projection applied = history_of(source, model);
   for (WatchedQuantity &force : base_forces(model))
     ratios_.push_back({.path = force.path,
                        .meaning = "force on the base over the applied force",
                        .output = std::move(force.curve),
-                       .input = [&model, source](const StepView &v) {
-                         return history(model.sources()[source], v);
-                       }});
+                       .input = [applied](const StepView &v) { return v.displacement(applied); }});
 }
 
 void Forces::declare(parameters::Section & /*analysis*/) {}

@@ -14,8 +14,8 @@ struct SectionSettings {
   std::vector<Channel> channels{};        ///< that are sampled
   std::vector<std::size_t> onsets{};      ///< contacts whose onset is a section
   std::vector<std::size_t> gap_extrema{}; ///< contacts whose gap's extrema are
-  bool extrema = false;                 ///< whether those of each channel are
-  std::size_t maximum_samples = 0;      ///< of each section
+  bool extrema = false;                   ///< whether those of each channel are
+  std::size_t maximum_samples = 0;        ///< of each section
 };
 
 class SectionRecorder : public Recorder {
