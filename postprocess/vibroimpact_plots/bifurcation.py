@@ -75,9 +75,16 @@ def draw(axes, layout: Layout, values: np.ndarray, case) -> None:
     x = layout.coordinates() / layout.scale.factor
     for number, direction in enumerate(layout.directions):
         y = layout.pick(values, case, direction)
-        size = point_size(np.isfinite(y).sum()) * (1.0 if number == 0 else 0.65)
+        size = point_size(distinct_count(y)) * (1.0 if number == 0 else 0.65)
         axes.plot(np.repeat(x, y.shape[-1]), y.ravel(), "o", markersize=size, markeredgewidth=0,
                   color=style.COLOURS[number], rasterized=True)
+
+
+def distinct_count(y: np.ndarray) -> int:
+    """Points that are told apart in the figure; a periodic motion passes few places."""
+    known = y[np.isfinite(y)]
+    step = max(np.ptp(known), 1e-300) / 500 if known.size else 1.0
+    return sum(np.unique(np.round(row[np.isfinite(row)] / step)).size for row in y)
 
 
 def point_size(count: int) -> float:

@@ -13,7 +13,6 @@ from .layout import Layout, axis_name
 from .results import Analysis, Array
 
 LARGEST_LEGEND = 8
-GREY = "#555555"
 LINES = {"forward": dict(linestyle="-", marker=">"), "backward": dict(linestyle="--", marker="<"),
          "initial conditions": dict(linestyle=":", marker="o"), "": dict(linestyle="-")}
 FEW_POINTS = 60  # a curve without direction shows every point up to this number
@@ -87,13 +86,13 @@ def marked(count: int, number: int):
 def direction_handles(layout: Layout) -> list[Line2D]:
     """Legend entries of the directions, of unsettled points and of jumps if there are any."""
     analysis = layout.analysis
-    handles = [Line2D([], [], color=GREY, label=direction, **LINES.get(direction, LINES[""]))
+    handles = [Line2D([], [], color=style.GREY, label=direction, **LINES.get(direction, LINES[""]))
                for direction in layout.directions if len(layout.directions) > 1]
     if analysis.has("steady") and np.any(analysis.read("steady").values == 0):
-        handles.append(Line2D([], [], color=GREY, marker="o", fillstyle="none", linestyle="",
+        handles.append(Line2D([], [], color=style.GREY, marker="o", fillstyle="none", linestyle="",
                               label="not settled"))
     if analysis.has("jump_from") and np.any(np.isfinite(analysis.read("jump_from").values)):
-        handles.append(Line2D([], [], color=GREY, linestyle=":", linewidth=0.9, label="jump"))
+        handles.append(Line2D([], [], color=style.GREY, linestyle=":", linewidth=0.9, label="jump"))
     return handles
 
 
@@ -111,7 +110,8 @@ def explain(figure, panels, layout: Layout, handles) -> None:
     family = layout.cases() if layout.family else []
     if len(family) <= LARGEST_LEGEND:
         handles = [Line2D([], [], color=case.colour, label=case.text) for case in family] + handles
-    style.legend_beside(panels[0], handles, layout.family_name or None)
+    listed = layout.family and len(family) <= LARGEST_LEGEND
+    style.legend_beside(panels[0], handles, layout.family_name if listed else None)
     if len(family) > LARGEST_LEGEND:
         colour_bar(figure, panels, layout, family)
 

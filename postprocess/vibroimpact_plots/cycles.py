@@ -110,7 +110,7 @@ def cycles(entries, curve, x_label: str, y_label: str):
             if pair:
                 axes.plot(pair[0] / x_scale.factor, pair[1] / y_scale.factor,
                           color=style.COLOURS[number], linestyle=style.DIRECTION_LINES[number])
-        axes.set_title(text)
+        style.panel_title(axes, text, panels)
     style.label_grid(panels, x_scale.label(x_label), y_scale.label(y_label))
     motion = next(motion for _, directions in entries for motion in directions if motion)
     style.legend_beside(style.upper_right(panels), direction_handles(motion.analysis))

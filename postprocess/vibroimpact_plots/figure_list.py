@@ -4,9 +4,23 @@ A module offers figures(results, analysis), which looks at what an analysis hold
 each figure that fits, its name and a function without arguments that draws it.
 """
 
-from . import bifurcation, cycles, histories, identify, modal, portraits, response_curves, transient
+from . import (
+    bifurcation,
+    cycles,
+    derived_curves,
+    histories,
+    identify,
+    maps,
+    modal,
+    portraits,
+    response_curves,
+    spectra,
+    time_frequency,
+    transient,
+)
 
-KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits]
+KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits,
+         spectra, time_frequency, maps, derived_curves]
 
 
 def figures(results, analysis):

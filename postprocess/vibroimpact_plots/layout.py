@@ -134,10 +134,17 @@ def describe(analysis: Analysis, index: dict) -> str:
     parts = []
     for axis, number in index.items():
         coordinate = analysis.read(axis)
-        parts.append(value_text(coordinate.values[number], coordinate.unit))
+        parts.append(point_text(analysis, axis, coordinate.values[number]))
         if repeats(analysis, axis):
             parts += [values[number] for _, values in following(analysis, axis)]
     return ", ".join(parts)
+
+
+def point_text(analysis: Analysis, axis: str, value) -> str:
+    """Zero in the unit of the others: "0 mm"."""
+    if isinstance(value, str) or value != 0:
+        return value_text(value, analysis.read(axis).unit)
+    return f"0 {axis_scale(analysis, axis).unit}".strip()
 
 
 def title_of(analysis: Analysis, index: dict) -> str:

@@ -98,7 +98,7 @@ def prepared(analysis: Analysis, axis: str, groups: list[str], share: bool = Tru
     style.label_grid(panels, scales[0].label(quantity_label(f"displacement_{axis}")),
                      scales[1].label(quantity_label(f"velocity_{axis}")))
     for axes, place in zip(panels, entries):
-        axes.set_title(place.text)
+        style.panel_title(axes, place.text, panels)
     return figure, list(zip(panels, entries)), draw
 
 

@@ -78,6 +78,9 @@ class Analysis:
         """Names of the dimensions of a field."""
         return [dimension.label for dimension in self._group[path].dims]
 
+    def is_coordinate(self, path: str) -> bool:
+        return h5py.h5ds.is_scale(self._group[path].id)
+
     def attributes(self, path: str) -> dict:
         return dict(self._group[path].attrs)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import textwrap
+
 import matplotlib
 
 matplotlib.use("Agg")
@@ -20,6 +22,7 @@ PANEL_HEIGHT = 1.9
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
 SEQUENCE = "viridis"
 DIRECTION_LINES = ["-", "--"]
+GREY = "#555555"
 
 SETTINGS = {
     "font.family": "STIXGeneral",
@@ -70,6 +73,12 @@ def legend_beside(axes, handles=None, title=None) -> None:
         )
 
 
+def legend_below(axes, handles) -> None:
+    """For axes that have a colour bar on the right."""
+    axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.0, -0.17), borderaxespad=0.0,
+                ncols=2)
+
+
 def colours_along(count: int):
     """Colours for an ordered family of curves: the palette for few, a sequence for many."""
     if count <= 3:
@@ -95,13 +104,14 @@ def is_logarithmic(values) -> bool:
     return np.ptp(factors) / abs(factors.mean()) < 0.5 * np.ptp(steps) / abs(steps.mean())
 
 
-def panel_grid(count: int, columns: int = 3, height: float = 2.0, share: bool = True):
+def panel_grid(count: int, columns: int = 3, height: float = 2.0, share: bool = True,
+               share_x: bool = True):
     """Panels side by side and below each other that may share both axes; unused ones are removed."""
     columns = min(columns, count)
     rows = -(-count // columns)
     figure, axes = plt.subplots(
         rows, columns, figsize=(WIDTH if columns > 1 else 4.2, 0.7 + height * rows),
-        sharex=share, sharey=share, squeeze=False,
+        sharex=share and share_x, sharey=share, squeeze=False,
     )
     for used in axes.flat[:count]:
         used.xaxis.set_major_locator(MaxNLocator(4 if columns > 1 else 7))
@@ -110,6 +120,12 @@ def panel_grid(count: int, columns: int = 3, height: float = 2.0, share: bool = 
     for unused in range(count, rows * columns):
         axes.flat[unused - columns].xaxis.set_tick_params(labelbottom=True)
     return figure, list(axes.flat[:count])
+
+
+def panel_title(axes, text: str, panels, **look) -> None:
+    """A title that stays above its own panel of a grid."""
+    columns = max(panel.get_subplotspec().colspan.stop for panel in panels)
+    axes.set_title(textwrap.fill(text, [60, 36, 24][min(columns, 3) - 1]), **look)
 
 
 def upper_right(panels):
