@@ -141,6 +141,8 @@ def order_lines(axes, x, frequency, order) -> None:
     step = max(1, -(-highest // MOST_ORDERS))
     for number in range(1, highest + 1, step):
         axes.plot(x[known], number * forcing, color="white", linewidth=0.4, linestyle=":", alpha=0.6)
-        if number * forcing[0] < axes.get_ylim()[1]:
-            axes.annotate(str(number), (x[known][0], number * forcing[0]), xytext=(2, 1), fontsize=7,
-                          textcoords="offset points", color="white")
+        end = int(np.argmax(forcing))  # where the lines are farthest apart
+        if number * forcing[end] < 0.99 * axes.get_ylim()[1]:
+            axes.annotate(str(number), (x[known][end], number * forcing[end]), color="white",
+                          xytext=(1 if end == 0 else -1, 1), textcoords="offset points", fontsize=7,
+                          ha="left" if end == 0 else "right")

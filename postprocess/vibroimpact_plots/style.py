@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 
 import matplotlib
@@ -37,6 +38,8 @@ SETTINGS = {
     "ytick.labelsize": 9,
     "xtick.direction": "in",
     "ytick.direction": "in",
+    "xtick.major.pad": 6,  # keeps the labels at a corner apart
+    "ytick.major.pad": 5,
     "xtick.top": True,
     "ytick.right": True,
     "axes.linewidth": 0.7,
@@ -125,6 +128,7 @@ def panel_grid(count: int, columns: int = 3, height: float = 2.0, share: bool = 
 def panel_title(axes, text: str, panels, **look) -> None:
     """A title that stays above its own panel of a grid."""
     columns = max(panel.get_subplotspec().colspan.stop for panel in panels)
+    text = re.sub(r" (?==)|(?<==) |(?<=\d) (?=[^\W\d])", "\N{NO-BREAK SPACE}", text)
     axes.set_title(textwrap.fill(text, [60, 36, 24][min(columns, 3) - 1]), **look)
 
 

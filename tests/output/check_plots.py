@@ -11,21 +11,27 @@ PROGRAM = Path(sys.argv[1]).resolve()
 FOLDER = Path(sys.argv[2])
 del sys.argv[1:]
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(PROGRAM.parent))
+sys.path[:0] = [str(PROGRAM.parent), str(Path(__file__).resolve().parent)]
 
-from vibroimpact_plots import cases, labels, style  # noqa: E402
-from vibroimpact_plots.figure_list import FIGURES  # noqa: E402
+from vibroimpact_plots import cases, choice, curves, labels, parameters_text, style  # noqa: E402
+from vibroimpact_plots.figure_list import figures  # noqa: E402
 from vibroimpact_plots.labelled import open_analysis  # noqa: E402
 from vibroimpact_plots.results import Results  # noqa: E402
 
+import h5py  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402  (after style has chosen the backend)
+import numpy as np  # noqa: E402
+
+from plot_examples import write_all  # noqa: E402
 
 FIGURE_NAMES = {
     "modes-left", "modes-right", "release-contact-heads", "release-first-impact-heads",
     "release-motion-left.head", "release-phase-left.head-x", "release-motion-right.head",
-    "release-phase-right.head-x", "response-displacement-x", "response-acceleration-x",
-    "response-contact-heads", "map-displacement-x-left.head", "map-displacement-x-right.head",
-    "map-acceleration-x-left.head", "map-acceleration-x-right.head", "map-contact-heads",
+    "release-phase-right.head-x", "response-displacement-x", "response-displacement-x-peaks",
+    "response-acceleration-x", "response-contact-heads", "map-displacement-x-left.head",
+    "map-displacement-x-right.head", "map-displacement-x-peaks-left.head",
+    "map-displacement-x-peaks-right.head", "map-acceleration-x-left.head",
+    "map-acceleration-x-right.head", "map-contact-heads",
 }
 
 
@@ -57,14 +63,25 @@ def boxes(figure):
     ]
 
 
+def check_layout(test, figure):
+    found = boxes(figure)
+    test.assertGreater(len(found), 8)
+    for text, box in found:
+        inside = box.x0 >= 0 and box.y0 >= 0 and (
+            box.x1 <= figure.bbox.x1 and box.y1 <= figure.bbox.y1)
+        test.assertTrue(inside, f"{text!r} leaves the figure")
+    for (one, a), (other, b) in itertools.combinations(found, 2):
+        test.assertFalse(a.overlaps(b), f"{one!r} overlaps {other!r}")
+
+
 class Program(unittest.TestCase):
     def test_draws_every_figure(self):
-        run = plot(FOLDER)
+        run = plot(FOLDER, "--dpi", "80")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         files = {path.stem: path for path in (FOLDER / "figures").glob("*.png")}
         self.assertEqual(set(files), FIGURE_NAMES)
         for path in files.values():
-            self.assertGreater(path.stat().st_size, 10000, path)
+            self.assertGreater(path.stat().st_size, 5000, path)
         written = (FOLDER / "journal" / "written_files.txt").read_text().splitlines()
         self.assertIn("figures/modes-left.png", written)
 
@@ -92,31 +109,195 @@ class Program(unittest.TestCase):
 
 
 class Figures(unittest.TestCase):
-    def check_all(self):
+    def check_all(self, types):
         with Results(FOLDER) as results, plt.rc_context(style.SETTINGS):
-            for analysis in results.analyses():
-                for name, figure in FIGURES[analysis.type](results, analysis):
+            for analysis in (a for a in results.analyses() if a.type in types):
+                for name, draw in figures(results, analysis):
+                    figure = draw()
                     with self.subTest(name):
-                        self.check(figure)
+                        check_layout(self, figure)
                     plt.close(figure)
 
-    def check(self, figure):
-        found = boxes(figure)
-        self.assertGreater(len(found), 8)
-        for text, box in found:
-            inside = box.x0 >= 0 and box.y0 >= 0 and (
-                box.x1 <= figure.bbox.x1 and box.y1 <= figure.bbox.y1)
-            self.assertTrue(inside, f"{text!r} leaves the figure")
-        for (one, a), (other, b) in itertools.combinations(found, 2):
-            self.assertFalse(a.overlaps(b), f"{one!r} overlaps {other!r}")
-
     def test_no_text_overlaps_or_is_cut(self):
-        self.check_all()
+        self.check_all(["modal", "transient", "stepped sweep"])
 
     def test_large_families_get_a_colour_bar(self):
-        self.addCleanup(setattr, cases, "LARGEST_LEGEND", cases.LARGEST_LEGEND)
-        cases.LARGEST_LEGEND = 2
-        self.check_all()
+        for module in (cases, curves):
+            self.addCleanup(setattr, module, "LARGEST_LEGEND", module.LARGEST_LEGEND)
+            module.LARGEST_LEGEND = 2
+        self.check_all(["stepped sweep"])
+
+
+class Kinds(unittest.TestCase):
+    """What is in figures of motions and measures that are known."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        write_all(cls.folder)
+        cls.results = cls.enterClassContext(Results(cls.folder))
+        cls.enterClassContext(plt.rc_context(style.SETTINGS))
+        cls.addClassCleanup(plt.close, "all")
+        cls.known = {name: draw for analysis in cls.results.analyses()
+                     for name, draw in figures(cls.results, analysis)}
+
+    def axes(self, name):
+        return self.known[name]().axes
+
+    def lines(self, axes, **properties):
+        return [line for line in axes.get_lines()
+                if all(getattr(line, f"get_{key}")() == value for key, value in properties.items())]
+
+    def legend(self, axes):
+        return [text.get_text() for text in axes.get_legend().get_texts()]
+
+    def xy(self, line):
+        return np.column_stack([line.get_xdata(), line.get_ydata()])
+
+    def test_jumps_interrupt_a_curve_and_failed_and_unsettled_points_show(self):
+        axes, = self.axes("sweep-displacement-x")
+        forward, = self.lines(axes, marker=">")
+        np.testing.assert_array_equal(forward.get_ydata(), [1, 2, 9, np.nan, 2, np.nan])
+        jump, = self.lines(axes, linestyle=":")
+        np.testing.assert_array_equal(self.xy(jump), [[3, 9], [3.5, 9], [3.5, 2], [4, 2]])
+        hollow = [line for line in self.lines(axes, fillstyle="none") if len(line.get_xdata())]
+        self.assertEqual([self.xy(line).tolist() for line in hollow], [[[2, 2]]])
+        self.assertEqual(self.legend(axes),
+                         ["first.mass", "forward", "backward", "not settled", "jump"])
+
+    def test_keys_that_follow_tell_the_cases_of_a_family_apart(self):
+        axes, = self.axes("family-displacement-x-first.mass")
+        self.assertEqual(self.legend(axes), ["1 mm, 5 mm", "2 mm, 5 mm", "2 mm, 6 mm"])
+        self.assertEqual(axes.get_legend().get_title().get_text(), "Gap, Base")
+
+    def test_bifurcation_diagram_has_all_section_points_of_both_directions(self):
+        axes, = self.axes("sweep-bifurcation-period-first.mass-x")
+        forward, backward = axes.get_lines()
+        known = np.isfinite(forward.get_ydata())
+        np.testing.assert_array_equal(self.xy(forward)[known], [
+            [f, k * f] for f in (1, 2, 3, 4) for k in (1, 2)])
+        self.assertEqual(len(backward.get_xdata()), 10)
+        self.assertNotEqual(forward.get_color(), backward.get_color())
+
+    def test_extrema_of_a_gap_show_the_second_side_less_the_first(self):
+        axes, = self.axes("sweep-bifurcation-gap-extremum-stop")
+        np.testing.assert_array_equal(self.xy(axes.get_lines()[1])[:2], [[1, 2], [1, 4]])
+        self.assertIn("second.mass less first.mass", axes.get_ylabel())
+
+    def test_history_shades_the_contacts(self):
+        axes = self.axes("orbits-history-contacts-1")
+        self.assertEqual([a.get_ylabel() for a in axes], ["Contact force (mN)", "Gap (m)"])
+        spans = [patch.get_extents().transformed(axes[0].transData.inverted())
+                 for patch in axes[0].patches]
+        np.testing.assert_allclose([[span.x0, span.x1] for span in spans],
+                                   [[1 / 12, 5 / 12], [13 / 12, 17 / 12]], atol=0.005)
+
+    def test_cycles_and_portraits_have_a_panel_for_each_motion(self):
+        for name in ("orbits-cycle-stop", "orbits-force-displacement-first.mass-x",
+                     "orbits-portrait-first.mass-x", "orbits-poincare-period-first.mass-x"):
+            self.assertEqual([a.get_title("left").replace("\xa0", " ") for a in self.axes(name)],
+                             [f"$\\lambda$ = {n}" for n in (1, 2, 3, 4)], name)
+        force, = self.axes("orbits-force-displacement-first.mass-x")[3].get_lines()
+        np.testing.assert_allclose(force.get_ydata(), np.maximum(force.get_xdata() - 2, 0),
+                                   atol=1e-12)
+        orbit, dots = self.axes("orbits-portrait-first.mass-x")[1].get_lines()
+        np.testing.assert_allclose(np.hypot(orbit.get_xdata(), orbit.get_ydata() / (2 * np.pi)), 2)
+        np.testing.assert_array_equal(self.xy(dots), [[2, 0]] * 3)
+
+    def test_spectrum_marks_the_orders(self):
+        first = self.axes("sweep-spectrum-first.mass-displacement-x")[1]
+        orders = self.lines(first, linestyle=":")
+        self.assertEqual([line.get_xdata()[0] for line in orders], [2, 4, 6])
+        self.assertEqual([text.get_text() for text in first.texts if text.get_text()],
+                         ["1", "2", "3"])
+        self.assertEqual(first.get_yscale(), "log")
+
+    def test_scalogram_shows_the_excitation_and_the_edges(self):
+        axes, _ = self.axes("run-wavelet-first.mass-displacement-x")
+        line, = axes.get_lines()
+        np.testing.assert_allclose(np.interp([0, 2, 4, 5], *self.xy(line).T), [2, 6, 10, 10])
+        self.assertEqual(self.legend(axes),
+                         ["the ends of the record show", "frequency of table"])
+
+    def test_map_has_derived_curves_bands_and_level_lines_on_top(self):
+        axes, bar = self.axes("plane-map-largest")
+        self.assertEqual(bar.get_ylabel(), "Largest (m)")
+        self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("$\\lambda$", "$\\delta_{0}$ (m)"))
+        self.assertEqual(sorted(self.legend(axes)), ["Best", "Level", "Useful"])
+        best, = self.lines(axes, marker="o")
+        np.testing.assert_array_equal(self.xy(best), [[2, 0], [3, 0.5], [4, 1]])
+        levels = [self.xy(line) for line in self.lines(axes, marker="None")]
+        self.assertEqual([np.isfinite(xy[:, 0]).sum() for xy in levels], [2, 2])
+        band = axes.collections[-1].get_paths()[0].get_extents()
+        self.assertEqual((band.x0, band.x1), (1, 3))
+
+    def test_derived_quantities_of_one_unit_share_a_figure(self):
+        axes, = self.axes("plane-derived-m-over-delta0")
+        self.assertEqual(sorted(self.legend(axes)), ["Mean", "Smallest"])
+        loci, = self.axes("plane-loci-delta0-lambda")
+        self.assertEqual(len(self.legend(loci)), 3)
+
+    def test_no_text_overlaps_or_is_cut(self):
+        for name in ("sweep-contact-stop", "orbits-poincare-period-first.mass-x",
+                     "plane-map-displacement-x-first.mass", "sweep-spectrum-first.mass-displacement-x"):
+            with self.subTest(name):
+                check_layout(self, self.known[name]())
+
+
+class Options(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        write_all(self.folder)
+
+    def test_patterns_size_and_format(self):
+        run = plot(self.folder, "--figure", "sweep-contact-*", "--format", "svg", "--size", "4x3",
+                   "--angular")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        file, = (self.folder / "figures").iterdir()
+        self.assertEqual(file.name, "sweep-contact-stop.svg")
+        self.assertIn('width="288pt" height="216pt"', file.read_text())
+
+    def test_a_figure_that_fails_does_not_stop_the_others(self):
+        with h5py.File(self.folder / "results.h5", "a") as file:
+            del file["analysis/sweep/steady"]
+            file["analysis/sweep/steady"] = np.ones(3)
+        run = plot(self.folder, "--figure", "sweep-[db]*", "--figure", "*portrait*", "--dpi", "50")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("sweep-displacement-x cannot be drawn", run.stderr)
+        names = {path.stem for path in (self.folder / "figures").iterdir()}
+        self.assertIn("orbits-portrait-first.mass-x", names)
+        self.assertNotIn("sweep-displacement-x", names)
+
+    def test_messages(self):
+        for arguments, message in [
+            (["--figure", "none-*"], "no figure is called none-*"),
+            (["--at", "frequency"], "AXIS=VALUES is wanted"),
+            (["--at", "direction=up"], "direction=up: there are forward"),
+            (["--at", "frequency=much"], "not a number"),
+            (["--size", "4"], "two numbers are wanted"),
+        ]:
+            run = plot(self.folder, *arguments)
+            self.assertNotEqual(run.returncode, 0)
+            self.assertIn(message, run.stderr)
+
+    def test_points_are_chosen(self):
+        with Results(self.folder) as results:
+            family = next(a for a in results.analyses() if a.name == "family")
+            choice.choose(family, ["gap=1 mm", "frequency=2.2, 4.9 Hz, 18.9 rad/s"])
+            self.assertEqual(family.chosen, {"Variables.gap": [0], "frequency": [1, 2, 4]})
+
+
+class Expressions(unittest.TestCase):
+    def test_numbers_of_parameter_files(self):
+        parameters = parameters_text.sections("set Variables = a = 2, b = 3 * a mm # twice\n")
+        for text, value in [("b", 6e-3), ("4 N s/m", 4), ("1e-3", 1e-3), ("12mm", 0.012),
+                            ("2 (a + 1)", 6), ("a^2", 4), ("30 rpm", np.pi), ("sqrt(a + 2)", 2)]:
+            self.assertAlmostEqual(parameters_text.number(text, parameters), value, msg=text)
+        self.assertIsNone(parameters_text.number("base force", parameters))
 
 
 class Labels(unittest.TestCase):
