@@ -36,14 +36,14 @@ BranchPoint settle_inside(const BranchPoint &before, const BranchPoint &after,
 
 Jump find_jump(BranchPoint before, BranchPoint after, double width, double threshold,
                const SettleAt &settle_at, const MotionDistance &distance) {
+  // Two motions that do not repeat differ by chance.
+  if (!before.motion.steady() && !after.motion.steady())
+    return {};
   const auto nearer_before = [&](const SettledMotion &motion) {
     return distance(before.motion, motion) <= distance(motion, after.motion);
   };
   const BranchPoint far_end = after;
   for (int restarts = 0; distance(before.motion, after.motion) >= threshold;) {
-    // Two motions that do not repeat differ by chance.
-    if (!before.motion.steady() && !after.motion.steady())
-      return {};
     const bool narrow = is_narrow(before, after, width);
     BranchPoint point = narrow
                             ? BranchPoint{after.value, settle_at(after.value, before.motion.state)}
