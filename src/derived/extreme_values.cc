@@ -57,6 +57,7 @@ DerivedArray along_axis(const Request &request, Extreme extreme, const LabelledA
   DerivedArray result =
       request.result(array.unit, std::string(word(extreme)) + " " + array.name, dimensions, shape);
   const bool refine = refines(request);
+  result.axis = array.axis;
   for_each_line(frame, along, {frame.operand(array)}, [&](std::size_t k, const auto &lines) {
     const std::size_t best = position_of(extreme, lines[0], axis.size());
     if (best != nowhere)
@@ -107,6 +108,7 @@ DerivedArray value_at(const Request &request, Extreme extreme) {
   const auto [dimensions, shape] = frame.without(along);
   DerivedArray result = request.result(
       other.unit, other.name + " at the " + word(extreme) + " " + array.name, dimensions, shape);
+  result.axis = other.axis;
   for_each_line(frame, along, {frame.operand(array), frame.operand(other)},
                 [&](std::size_t k, const auto &lines) {
                   const std::size_t best = position_of(extreme, lines[0], axis.size());
