@@ -97,7 +97,7 @@ def contact_intervals(motion: Motion, contact: str) -> list[tuple[float, float]]
     """Begin and end of contacts: by the table of impacts where there is one, else where the sampled
     force acts, or without it the gap closed. Samples can miss short contacts."""
     table = f"contact/{contact}/impact/"
-    if not motion.base and motion.analysis.has(table + "time"):
+    if motion.analysis.has(table + "time"):
         start, length = (motion.place.pick(motion.analysis, motion.analysis.read(table + name),
                                            motion.direction) for name in ("time", "duration"))
         known = np.isfinite(start) & np.isfinite(length)
