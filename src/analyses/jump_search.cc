@@ -49,7 +49,10 @@ Jump find_jump(BranchPoint before, BranchPoint after, double width, double thres
                             ? BranchPoint{after.value, settle_at(after.value, before.motion.state)}
                             : settle_inside(before, after, settle_at);
     const bool goes_on = nearer_before(point.motion);
-    if (narrow && (!goes_on || restarts++ == most_restarts))
+    // Where one of the two does not repeat, such as at the edge of chaos, there is no branch that
+    // would be worth following in small steps.
+    const bool repeats = before.motion.steady() && after.motion.steady();
+    if (narrow && (!goes_on || !repeats || restarts++ == most_restarts))
       return {.from = before.value, .to = after.value};
     if (narrow && after.value == far_end.value)
       return {.start_on_branch = before.motion.state};

@@ -14,8 +14,8 @@ namespace {
 using parameters::Values;
 
 const std::vector<std::string> keys_of_operations{
-    "Field", "Along", "Refine", "At",   "Where",     "Expression", "Fields", "Unit",     "Level",
-    "Other", "Take",  "Sense",  "Side", "Tolerance", "Threshold",  "Levels", "Otherwise"};
+    "Field", "Along", "Refine", "At",   "Where",     "Expression", "Fields", "Unit",      "Level",
+    "Other", "Take",  "Sense",  "Side", "Tolerance", "Threshold",  "Levels", "Otherwise", "Inside"};
 
 bool holds(const std::vector<std::string> &list, const std::string &word) {
   return std::find(list.begin(), list.end(), word) != list.end();
@@ -91,6 +91,8 @@ void declare_derived(parameters::Section &root) {
              "last part of its path and by the name of its section.")
       .choice("Refine", "none", {"none", "parabola"},
               "Between points: by the parabola through the extreme value and its neighbours.")
+      .boolean("Inside", "false",
+               "Is an extreme value at an end of the axis none, because there may be more beyond?")
       .text("At", "", "The field whose value there is wanted.")
       .text("Where", "",
             "AXIS = COORDINATE, several of them separated by commas, for example direction = "

@@ -14,14 +14,14 @@ enum class Extreme { maximum, minimum };
 
 const char *word(Extreme extreme) { return extreme == Extreme::maximum ? "largest" : "smallest"; }
 
-/// The first of equal ones; NaN are passed over.
-std::size_t position_of(Extreme extreme, const Line &line, std::size_t size) {
+/// The first of equal ones; NaN are passed over. With `inside`, nowhere when it is at an end.
+std::size_t position_of(Extreme extreme, const Line &line, std::size_t size, bool inside) {
   const double sign = extreme == Extreme::maximum ? 1 : -1;
   std::size_t best = nowhere;
   for (std::size_t i = 0; i < size; ++i)
     if (!std::isnan(line[i]) && (best == nowhere || sign * line[i] > sign * line[best]))
       best = i;
-  return best;
+  return inside && (best == 0 || best + 1 == size) ? nowhere : best;
 }
 
 struct Vertex {
@@ -46,6 +46,8 @@ Vertex parabola_vertex(const std::vector<double> &x, const Line &y, std::size_t 
                              : point;
 }
 
+bool only_inside(const Request &request) { return request.section().boolean("Inside"); }
+
 bool refines(const Request &request) { return request.section().choice("Refine") == "parabola"; }
 
 /// Extreme values along one axis, written over the array's other axes.
@@ -57,8 +59,10 @@ DerivedArray along_axis(const Request &request, Extreme extreme, const LabelledA
   DerivedArray result =
       request.result(array.unit, std::string(word(extreme)) + " " + array.name, dimensions, shape);
   const bool refine = refines(request);
+  const bool inside = only_inside(request);
+  result.axis = array.axis;
   for_each_line(frame, along, {frame.operand(array)}, [&](std::size_t k, const auto &lines) {
-    const std::size_t best = position_of(extreme, lines[0], axis.size());
+    const std::size_t best = position_of(extreme, lines[0], axis.size(), inside);
     if (best != nowhere)
       result.values[k] =
           refine ? parabola_vertex(axis.values, lines[0], best).value : lines[0][best];
@@ -89,8 +93,9 @@ DerivedArray position(const Request &request, Extreme extreme) {
       axis.unit, axis.name + " of the " + word(extreme) + " " + array.name, dimensions, shape);
   result.axis = axis.name;
   const bool refine = refines(request);
+  const bool inside = only_inside(request);
   for_each_line(frame, along, {frame.operand(array)}, [&](std::size_t k, const auto &lines) {
-    const std::size_t best = position_of(extreme, lines[0], axis.size());
+    const std::size_t best = position_of(extreme, lines[0], axis.size(), inside);
     if (best != nowhere)
       result.values[k] =
           refine ? parabola_vertex(axis.values, lines[0], best).position : axis.values[best];
@@ -107,9 +112,11 @@ DerivedArray value_at(const Request &request, Extreme extreme) {
   const auto [dimensions, shape] = frame.without(along);
   DerivedArray result = request.result(
       other.unit, other.name + " at the " + word(extreme) + " " + array.name, dimensions, shape);
+  result.axis = other.axis;
+  const bool inside = only_inside(request);
   for_each_line(frame, along, {frame.operand(array), frame.operand(other)},
                 [&](std::size_t k, const auto &lines) {
-                  const std::size_t best = position_of(extreme, lines[0], axis.size());
+                  const std::size_t best = position_of(extreme, lines[0], axis.size(), inside);
                   result.values[k] = best == nowhere ? no_value : lines[1][best];
                 });
   return result;

@@ -13,7 +13,7 @@ std::optional<std::size_t> LabelledArray::find(const std::string &dimension) con
 }
 
 LabelledArray DerivedArray::view() const {
-  return {name, unit, description, dimensions, shape, values.data()};
+  return {name, unit, description, dimensions, shape, values.data(), axis};
 }
 
 Frame::Frame(const std::vector<LabelledArray> &arrays) {

@@ -19,6 +19,7 @@ struct LabelledArray {
   std::vector<std::string> dimensions;
   Shape shape;
   const double *values = nullptr; ///< row-major
+  std::string axis{};             ///< the dimension whose coordinate the values are; may be empty
 
   /// Position of a dimension, nothing when the array does not go over it.
   std::optional<std::size_t> find(const std::string &dimension) const;

@@ -68,6 +68,7 @@ DerivedArray slice(const Request &request, const LabelledArray &array, const Pla
   DerivedArray result = request.result(
       array.unit, array.name + " at " + axis.name + " = " + place.coordinate, dimensions, shape);
   result.name = array.name;
+  result.axis = array.axis;
   for_each_line(frame, along, {frame.operand(array)},
                 [&](std::size_t k, const auto &lines) { result.values[k] = lines[0][position]; });
   return result;

@@ -183,15 +183,17 @@ bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {
 
 // How far the end of the step may be from the true instant: |indicator / its rate| there. Zero
 // where the indicator is below the rounding of its own evaluation: near grazing no instant is
-// closer.
+// closer. A guard that was zero when its mode began is taken without the remainder of that, as it
+// was when the crossing was found.
 double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) const {
   const AffineForm &form = guard_of(equations_, crossing.contact, crossing.guard).indicator;
-  const Bernstein indicator = view.indicator(crossing.contact, form);
-  crossing.residual = std::abs(indicator.end());
-  crossing.rate = indicator.derivative().end() / view.length();
-  if (std::abs(indicator.end()) <= equations_.rounding(crossing.contact, form, view.end_state()))
+  const Bernstein plain = view.indicator(crossing.contact, form);
+  crossing.residual = std::abs(plain.end());
+  crossing.rate = plain.derivative().end() / view.length();
+  const double distance = std::abs(indicator(view, crossing.contact, crossing.guard).end());
+  if (distance <= equations_.rounding(crossing.contact, form, view.end_state()))
     return 0;
-  return std::abs(indicator.end() / crossing.rate);
+  return std::abs(distance / crossing.rate);
 }
 
 // Shortens the step until it ends at the first crossing. False: the crossing was an artefact of the

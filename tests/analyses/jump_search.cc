@@ -67,6 +67,18 @@ TEST(JumpSearchTest, GrazingAndPeriodDoublingAreNoJumps) {
   EXPECT_FALSE(doubling.found());
 }
 
+// At the edge of chaos a motion that does not repeat lies by chance near or far from the others.
+TEST(JumpSearchTest, TheEdgeOfAperiodicMotionIsSearchedOnce) {
+  int settled = 0;
+  const Jump jump = search([&](double p, const MotionState &) {
+    ++settled;
+    const double x = 1 + 0.3 * std::sin(1e12 * p);
+    return p < 0.25 ? motion(1, 1) : motion(x - 0.5, x + 0.5, 0);
+  });
+  EXPECT_LE(settled, 40); // thirty halvings to 1e-9
+  EXPECT_TRUE(!jump.found() || jump.to - jump.from <= 1e-9);
+}
+
 TEST(JumpSearchTest, ASteepFlankIsNoJump) {
   const Jump jump = search([](double p, const MotionState &) {
     const double x = 3 + std::atan(1e5 * (p - 0.613));

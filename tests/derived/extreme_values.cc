@@ -75,6 +75,21 @@ TEST(ExtremeValues, AtTheEndsNothingIsRefined) {
                 {2, 2, 2, 2, 2, 2});
 }
 
+TEST(ExtremeValues, OnlyInside) {
+  SmallAnalysis analysis({0, 1, 2}, {1, 2, 3});
+  analysis.add("hill", "m", [](double gap, double frequency, bool) {
+    return -std::abs(frequency - 1 - gap); // at the first, the second and the last frequency
+  });
+  const std::string keys = "\nset Field = hill\nset Along = frequency\nset Inside = true";
+  expect_values(analysis.derive_one("set Operation = maximum" + keys).values,
+                {NAN, NAN, 0, 0, NAN, NAN});
+  expect_values(analysis.derive_one("set Operation = position of maximum" + keys).values,
+                {NAN, NAN, 2, 2, NAN, NAN});
+  expect_values(
+      analysis.derive_one("set Operation = value at maximum\nset At = frequency" + keys).values,
+      {NAN, NAN, 2, 2, NAN, NAN});
+}
+
 TEST(ExtremeValues, NamesOfASweptKey) {
   for (const std::string name : {"gap", "clearance", "Variables.gap"})
     expect_values(parabolas()

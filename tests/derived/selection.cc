@@ -36,6 +36,19 @@ TEST(Selection, SeveralPlacesAtOnceAndUnits) {
   expect_values(value.values, {22});
 }
 
+TEST(Selection, CoordinatesStayCoordinates) {
+  const std::string field = "\nset Field = where\nset ";
+  const auto result = numbered().derive(
+      {{"where", "set Operation = position of maximum\nset Field = code\nset Along = frequency"},
+       {"part", "set Operation = select" + field + "Where = gap = 0"},
+       {"highest", "set Operation = maximum" + field + "Along = gap"},
+       {"there", "set Operation = value at maximum\nset Field = code\nset Along = gap\n"
+                 "set At = where"}});
+  ASSERT_EQ(result.arrays.size(), 4U);
+  for (const auto &quantity : result.arrays)
+    EXPECT_EQ(quantity.axis, "frequency") << quantity.name;
+}
+
 TEST(Selection, CoordinatesThatAreNotThere) {
   const SmallAnalysis analysis = numbered();
   const std::string select = "set Operation = select\nset Field = code\nset Where = ";

@@ -67,7 +67,7 @@ subsection Analysis map
     set Repeat = curve
     subsection Key clearance
       set Path = Variables/gap
-      set Values = 0.1, 0.2, 0.4, 0.6, 0.8, 1
+      set Values = 0.3, 0.35, 0.4, 0.6, 0.8, 1
     end
     subsection Key spring
       set Path = Variables/stiffness
@@ -97,13 +97,13 @@ subsection Derived resonance
   set Along = frequency
   set Refine = parabola
 end
-subsection Derived resonance ratio
+subsection Derived resonance-ratio
   set From = map
   set Operation = expression
   set Fields = f = resonance
   set Expression = f / (1 rad/s)
 end
-subsection Derived stiffness of smallest peak
+subsection Derived softest-peak
   set From = map
   set Operation = position of minimum
   set Field = peak
@@ -143,7 +143,7 @@ subsection Derived lines
   set Levels = 0.5 m, 1 m
 end
 """
-NAMES = ["upward", "peak", "resonance", "resonance ratio", "stiffness of smallest peak", "width",
+NAMES = ["upward", "peak", "resonance", "resonance-ratio", "softest-peak", "width",
          "onset", "large", "jump", "lines"]
 
 
@@ -180,14 +180,14 @@ class Derived(check_runs.Runs):
             upward = analysis[FIELD][:, :, :, 0]
             np.testing.assert_array_equal(derived["upward"], upward)
             np.testing.assert_array_equal(derived["peak"], upward.max(axis=2))
-            np.testing.assert_allclose(derived["resonance ratio"],
+            np.testing.assert_allclose(derived["resonance-ratio"],
                                        2 * np.pi * derived["resonance"][:], rtol=1e-14)
             best = analysis["Variables.stiffness"][:][upward.max(axis=2).argmin(axis=1)]
-            np.testing.assert_array_equal(derived["stiffness of smallest peak"], best)
-            attributes = derived["stiffness of smallest peak"].attrs
+            np.testing.assert_array_equal(derived["softest-peak"], best)
+            attributes = derived["softest-peak"].attrs
             self.assertEqual(attributes["axis"], "Variables.stiffness")
             self.assertEqual(attributes["operation"], "position of minimum")
-            self.assertEqual(derived["resonance ratio"].attrs["unit"], "1")
+            self.assertEqual(derived["resonance-ratio"].attrs["unit"], "1")
             self.assertEqual([d.label for d in derived["peak"].dims],
                              ["Variables.gap", "Variables.stiffness"])
             np.testing.assert_array_equal(derived["peak"].dims[0][0], analysis["Variables.gap"])
@@ -195,11 +195,18 @@ class Derived(check_runs.Runs):
                              ["interval_large", "bound"])
             self.assertEqual(derived["lines"].attrs["axes"], "Variables.gap Variables.stiffness")
             self.assertEqual(derived["lines"].shape[1], 3)
-            # Only the stiffest bumpers bend the curve over; jumps stand where it does.
+            # Without contact, in the last gap, nothing bends over; stiff bumpers bend it farthest.
             width = derived["width"][:]
-            self.assertTrue((width[:, 0] == 0).all() and width[2, 3] > 0)
-            self.assertGreater(derived["onset"][2], 0.1)
-            self.assertFalse(np.isnan(derived["jump"][2, 3]))
+            self.assertTrue((width[5] == 0).all() and width[2, 3] > width[2, 1])
+            differs = np.abs(np.diff(analysis[FIELD][:], axis=3)[..., 0]) \
+                > 0.01 * analysis[FIELD][:].max(axis=3)
+            shares = np.gradient(analysis["frequency"][:])
+            shares[[0, -1]] /= 2
+            np.testing.assert_allclose(width, differs @ shares, rtol=1e-12)
+            steps = np.abs(np.diff(upward, axis=2))
+            middles = (analysis["frequency"][1:] + analysis["frequency"][:-1]) / 2
+            jumps = np.where(steps.max(axis=2) > 0.2, middles[steps.argmax(axis=2)], np.nan)
+            np.testing.assert_array_equal(derived["jump"], jumps)
         self.assertIn("analysis.map.derived.peak[6,4] = ", (out / "summary.txt").read_text())
 
     def test_a_field_that_is_not_there_is_told_and_costs_nothing_else(self):

@@ -54,7 +54,7 @@ def isolator(study):
         return {"large motion at λ = 1.3": peak[at, 0], "small motion at λ = 1.3": peak[at, 1],
                 "jump upward": jump[0], "jump downward": jump[1]}
 
-    changes = tightened("1e-11", ("response", 2000, 161, "1e-10"))
+    changes = tightened("1e-11", ("response", 2000, 201, "1e-10"))
     return run, changes + [("bracket of the jumps ten times narrower",
                             ["Analysis/response/Stepped sweep/Jump tolerance=1e-7"])]
 
