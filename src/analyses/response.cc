@@ -89,14 +89,13 @@ void Response::check(const System &system) const {
 
 SettledMotion Response::settle_motion(const System &system, Trajectory &trajectory,
                                       double period) const {
-  Observers nobody({});
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   if (!settings_.by_time)
     return settle(trajectory, period,
                   state_scale(trajectory.equations(), 2 * std::numbers::pi / period),
-                  settings_.settling, nobody);
+                  settings_.settling);
   if (settings_.settling_time > 0)
-    trajectory.advance(settings_.settling_time, nobody);
+    trajectory.advance(settings_.settling_time);
   return {};
 }
 

@@ -47,14 +47,14 @@ SettlingRule read_settling(const parameters::Values &section) {
 }
 
 SettledMotion settle(Trajectory &trajectory, double period, const Vector &scale,
-                     const SettlingRule &rule, Observer &observer) {
+                     const SettlingRule &rule) {
   Steadiness steadiness(scale, rule.longest_multiple, rule.tolerance);
   const auto seen = static_cast<std::size_t>(2 * rule.longest_multiple + 1);
   std::deque<Vector> states = {trajectory.motion_state().physical};
   SettledMotion motion;
   while (motion.cycles < rule.maximum && !(motion.cycles >= rule.minimum && steadiness.steady())) {
     ++motion.cycles;
-    trajectory.advance(static_cast<double>(motion.cycles) * period, observer);
+    trajectory.advance(static_cast<double>(motion.cycles) * period);
     states.push_front(trajectory.motion_state().physical);
     steadiness.add(states.front());
     if (states.size() > seen)

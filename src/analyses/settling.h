@@ -28,10 +28,10 @@ struct SettledMotion {
   bool steady() const { return multiple > 0; }
 };
 
-/// Goes on from where the trajectory stands, at time zero, period by period. `scale` as for
-/// Steadiness. NumericalError.
+/// Goes on from where the trajectory stands, at time zero, period by period and without being
+/// watched. `scale` as for Steadiness. NumericalError.
 SettledMotion settle(Trajectory &trajectory, double period, const Vector &scale,
-                     const SettlingRule &rule, Observer &observer);
+                     const SettlingRule &rule);
 
 /// Largest difference of two ranges over the largest state in either, both times `scale`.
 double relative_distance(const SettledMotion &a, const SettledMotion &b, const Vector &scale);

@@ -52,10 +52,12 @@ double stored_scalar(const PointResult &result, const char *name) {
 
 // What find_jump() needs of a point that an earlier run finished.
 SettledMotion stored_motion(const PointResult &result) {
-  return {.state = {.time = 0, .physical = stored_state(result, state)},
-          .lowest = stored_state(result, lowest_state),
-          .highest = stored_state(result, highest_state),
-          .multiple = static_cast<long>(stored_scalar(result, "period_multiple"))};
+  SettledMotion motion;
+  motion.state.physical = stored_state(result, state);
+  motion.lowest = stored_state(result, lowest_state);
+  motion.highest = stored_state(result, highest_state);
+  motion.multiple = static_cast<long>(stored_scalar(result, "period_multiple"));
+  return motion;
 }
 
 void add_settling(PointResult &result, const SettledMotion &settled) {
@@ -216,10 +218,9 @@ PointResult SteppedSweep::compute(const Step &step, SweptSystem &swept, const Mo
   const System &system = swept.system();
   Trajectory &trajectory = swept.trajectory();
   WindowRecording recording(settings_.recorders, system);
-  Observers nobody({});
   PointResult result{.index = step.index()};
   trajectory.start(from);
-  settled = settle(trajectory, swept.period(), swept.scale(), settings_.settling, nobody);
+  settled = settle(trajectory, swept.period(), swept.scale(), settings_.settling);
   recording.run(periods_window(static_cast<double>(settled.cycles) * swept.period(), swept.period(),
                                settings_.recorded),
                 trajectory);
@@ -236,14 +237,12 @@ Jump SteppedSweep::search(const BranchPoint &before, const BranchPoint &after,
                           SweptSystem &swept) const {
   const Vector scale = swept.scale();
   const double width = settings_.jump_tolerance * settings_.parameter.magnitude();
-  Observers nobody({});
   return find_jump(
       before, after, width, settings_.jump_threshold,
       [&](double value, const MotionState &from) {
         swept.move_to(value);
         swept.trajectory().start(from);
-        return settle(swept.trajectory(), swept.period(), swept.scale(), settings_.settling,
-                      nobody);
+        return settle(swept.trajectory(), swept.period(), swept.scale(), settings_.settling);
       },
       [&](const SettledMotion &a, const SettledMotion &b) {
         return relative_distance(a, b, scale);

@@ -195,7 +195,8 @@ double Bernstein::falling_zero() const {
     (value > 0 ? lower : upper) = tau;
     const double newton = tau - value / slope(tau);
     const double next = newton > lower && newton < upper ? newton : 0.5 * (lower + upper);
-    if (next == tau || next <= lower || next >= upper)
+    const bool settled = std::abs(next - tau) <= 32 * std::numeric_limits<double>::epsilon();
+    if (settled || next <= lower || next >= upper)
       break;
     tau = next;
   }

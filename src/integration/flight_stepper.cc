@@ -39,18 +39,31 @@ FlightStepper::~FlightStepper() {
 }
 
 // The model may have changed between two motions.
-void FlightStepper::forget() { phases_.clear(); }
+void FlightStepper::forget() {
+  for (CachedPhase &cached : phases_)
+    cached.checked = false;
+}
+
+// Decompositions stay where the equations are the same to the last digit.
+void FlightStepper::renew(CachedPhase &cached) const {
+  cached.checked = true;
+  if (!LinearSystem::holds(equations_))
+    cached.phase.reset();
+  else if (!cached.phase || !cached.phase->fits(equations_))
+    cached.phase = std::make_unique<LinearPhase>(equations_, tolerance_);
+}
 
 FlightStepper::CachedPhase &FlightStepper::cached_phase() {
   const auto known = std::find_if(phases_.begin(), phases_.end(), [&](const CachedPhase &cached) {
     return cached.modes == equations_.modes();
   });
-  if (known != phases_.end())
-    return *known;
-  phases_.push_back({.modes = equations_.modes(), .phase = nullptr});
-  if (LinearSystem::holds(equations_))
-    phases_.back().phase = std::make_unique<LinearPhase>(equations_, tolerance_);
-  return phases_.back();
+  CachedPhase &cached = known != phases_.end()
+                            ? *known
+                            : phases_.emplace_back(CachedPhase{
+                                  .modes = equations_.modes(), .phase = nullptr, .checked = false});
+  if (!cached.checked)
+    renew(cached);
+  return cached;
 }
 
 bool FlightStepper::handles(double time) {
@@ -136,14 +149,35 @@ void FlightStepper::undo() {
   pending_ = false;
 }
 
-void FlightStepper::accept() {
+void FlightStepper::accept(bool keep_ledger) {
   if (!pending_)
     return;
   pending_ = false;
   const double h = end_.time - start_.time;
-  motion_->values(Ledger::instants(h), nodes_);
-  ledger_.add(h, nodes_, end_.state);
+  if (keep_ledger) {
+    motion_->values(Ledger::instants(h), nodes_);
+    ledger_.add(h, nodes_, end_.state);
+  }
   motion_->move(h);
+}
+
+bool FlightStepper::glide(double limit) {
+  const double rest = limit - end_.time;
+  const double tau = motion_->free_flight(rest);
+  if (tau <= 0 || (tau < rest && tau < motion_->natural_step()))
+    return false;
+  std::swap(start_, end_);
+  motion_->derivatives(tau, rows_);
+  const Index size = equations_.layout().physical_size();
+  end_.time = tau == rest ? limit : start_.time + tau;
+  end_.state = start_.state;
+  end_.state.head(size) = rows_.col(0).head(size);
+  if (!end_.state.allFinite())
+    throw NumericalError("the state is no longer finite at t = " + std::to_string(end_.time) +
+                         " s");
+  fill(end_);
+  motion_->move(end_.time - start_.time);
+  return true;
 }
 
 } // namespace vibroimpact

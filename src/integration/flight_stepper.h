@@ -33,14 +33,17 @@ public:
   void step(double limit) override;
   void shorten(double time) override;
   void undo() override;
-  void accept() override;
+  void accept(bool keep_ledger) override;
+  bool glide(double limit) override;
 
 private:
   struct CachedPhase {
     std::vector<int> modes;
     std::unique_ptr<LinearPhase> phase; ///< none: not linear
+    bool checked = true;                ///< since the model may have changed
   };
   CachedPhase &cached_phase();
+  void renew(CachedPhase &cached) const;
   void fill(EndPoint &point) const;
   void take(double end);
   void propagate(double tau, ConstVectorView from, VectorView to) override;

@@ -8,7 +8,7 @@ namespace {
 
 using Rule = boost::math::quadrature::gauss<double, Ledger::points>;
 
-// Boost keeps the non-negative abscissae, zero first.
+// Boost keeps the non-negative abscissae.
 struct Point {
   double abscissa, weight; // on [0, 1]
 };
@@ -47,25 +47,38 @@ void Ledger::add(double h, const Matrix &rows, Vector &state) {
 void Ledger::add_point(double weight, const Matrix &rows, Index point, Vector &state) {
   const StateLayout &layout = equations_.layout();
   const Model &model = equations_.model();
-  const auto velocity = rows.col(point).segment(layout.velocity(), layout.n);
-  load_.setZero(layout.n);
+  const double *y = &rows(0, point);
+  const double *velocity = y + layout.velocity();
+  double power = 0;
   for (std::size_t k = 0; k < model.sources().size(); ++k) {
     const Source &source = model.sources()[k];
-    const double *s = &rows(layout.physical_size() + 3 * static_cast<Index>(k), point);
-    load_ += s[0] * source.load + s[1] * source.rate_load + s[2] * source.inertial_load;
+    const double *s = y + layout.physical_size() + 3 * static_cast<Index>(k);
+    for (Index j = 0; j < layout.n; ++j)
+      power += velocity[j] * (s[0] * source.load[j] + s[1] * source.rate_load[j] +
+                              s[2] * source.inertial_load[j]);
   }
-  model.damping().apply(ConstVectorView(velocity.data(), layout.n), damping_);
-  const double power = load_.dot(velocity) + add_contacts(weight, rows, point, state);
+  power += add_contacts(weight, y, state);
   state[layout.input_work()] += weight * power;
   state[layout.absolute_input_work()] += weight * std::abs(power);
-  state[layout.damping_work()] += weight * damping_.dot(velocity);
+  state[layout.damping_work()] += weight * damping_power(ConstVectorView(velocity, layout.n));
+}
+
+double Ledger::damping_power(ConstVectorView velocity) {
+  const LinearForm &damping = equations_.model().damping();
+  double power = 0;
+  for (Index j = 0; j < velocity.size(); ++j)
+    power += damping.diagonal[j] * velocity[j] * velocity[j];
+  if (damping.coupling.size() > 0) {
+    damping_.noalias() = damping.coupling * velocity;
+    power += damping_.dot(velocity);
+  }
+  return power;
 }
 
 // Returns the power that moving bases put into the contacts.
-double Ledger::add_contacts(double weight, const Matrix &rows, Index point, Vector &state) {
+double Ledger::add_contacts(double weight, const double *y, Vector &state) {
   const StateLayout &layout = equations_.layout();
   const ContactSet &contacts = equations_.contacts();
-  const double *y = &rows(0, point);
   double power = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (equations_.silent(c))

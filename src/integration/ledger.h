@@ -26,11 +26,12 @@ public:
 
 private:
   void add_point(double weight, const Matrix &rows, Index point, Vector &state);
-  double add_contacts(double weight, const Matrix &rows, Index point, Vector &state);
+  double add_contacts(double weight, const double *y, Vector &state);
+  double damping_power(ConstVectorView velocity);
 
   const Equations &equations_;
   LawResponse response_;
-  Vector load_, damping_;
+  Vector damping_;
 };
 
 } // namespace vibroimpact

@@ -9,6 +9,7 @@
 // Both choose the step from a bound of the error that the dense output of the step will have.
 #pragma once
 
+#include "integration/guard_forms.h"
 #include "integration/linear_system.h"
 
 #include <memory>
@@ -46,6 +47,12 @@ public:
   virtual void values(std::span<const double> instants, Matrix &rows) = 0;
   /// The next step starts `tau` later.
   virtual void move(double tau) = 0;
+
+  /// The forms that free_flight() looks at; call it before begin().
+  virtual void watch(const GuardForms & /*forms*/) {}
+  /// A time up to `limit` until which all watched forms stay positive from the start of the step
+  /// on; 0 when that is not known.
+  virtual double free_flight(double /*limit*/) { return 0; }
 };
 
 /// The longest step of a Hermite polynomial of degree 9 for the coordinates and 7 for the internal
@@ -66,9 +73,12 @@ public:
   /// The motion from y on. `sources`: closed forms with the start of the phase as origin.
   LinearMotion &begin(const Vector &y, std::span<const ExponentialForm> sources);
   const LinearSystem &system() const { return system_; }
+  /// True when the equations are, in their present modes, still those of this phase.
+  bool fits(const Equations &equations) const;
 
 private:
   LinearSystem system_;
+  GuardForms guards_;
   std::unique_ptr<LinearMotion> modal_, taylor_;
 };
 

@@ -71,6 +71,17 @@ LinearSystem::LinearSystem(const Equations &equations) {
   decompose();
 }
 
+bool LinearSystem::fits(const Equations &equations) const {
+  LinearSystem other;
+  other.assemble(equations);
+  const auto same = [](const Load &a, const Load &b) {
+    return a.value == b.value && a.rate == b.rate && a.acceleration == b.acceleration;
+  };
+  return matrix_.rows() == other.matrix_.rows() && matrix_ == other.matrix_ &&
+         constant_ == other.constant_ &&
+         std::equal(loads_.begin(), loads_.end(), other.loads_.begin(), other.loads_.end(), same);
+}
+
 void LinearSystem::assemble(const Equations &equations) {
   const Model &model = equations.model();
   const Index n = model.size();
@@ -139,8 +150,8 @@ void LinearSystem::differentiate(Matrix &rows) const {
 }
 
 void LinearSystem::decompose() {
-  const Vector scale = balance(matrix_);
-  const Matrix balanced = scale.cwiseInverse().asDiagonal() * matrix_ * scale.asDiagonal();
+  scale_ = balance(matrix_);
+  const Matrix balanced = scale_.cwiseInverse().asDiagonal() * matrix_ * scale_.asDiagonal();
   const Eigen::EigenSolver<Matrix> solver(balanced);
   if (solver.info() != Eigen::Success)
     return;
@@ -150,8 +161,10 @@ void LinearSystem::decompose() {
   diagonalizable_ = eigenvalues_.size() > 0 && condition(vectors) <= largest_condition;
   if (!diagonalizable_)
     return;
-  eigenvectors_ = scale.cast<Complex>().asDiagonal() * vectors;
-  left_ = vectors.inverse() * scale.cwiseInverse().cast<Complex>().asDiagonal();
+  eigenvectors_ = scale_.cast<Complex>().asDiagonal() * vectors;
+  left_ = vectors.inverse();
+  left_sizes_ = left_.rowwise().norm();
+  left_ = left_ * scale_.cwiseInverse().cast<Complex>().asDiagonal();
   basis_.resize(size(), size());
   // EigenSolver puts conjugate eigenvalues side by side, the one with positive imaginary part
   // first.
@@ -170,8 +183,9 @@ void LinearSystem::decompose() {
 bool LinearSystem::response(Complex exponent, const ComplexVector &input,
                             ComplexVector &solution) const {
   ComplexVector amplitude = left_ * input;
-  // What is below the rounding of the sum is nothing.
-  const Vector magnitude = left_.cwiseAbs() * input.cwiseAbs();
+  // What is below the rounding of a product with the whole (balanced) row is nothing: a mode at
+  // rest whose entry for the loaded coordinate vanishes does not take part.
+  const double size_of_input = scale_.cwiseInverse().cwiseProduct(input.cwiseAbs()).norm();
   for (Index k = 0; k < size(); ++k) {
     const Complex distance = exponent - eigenvalues_[k];
     const bool near =
@@ -179,7 +193,7 @@ bool LinearSystem::response(Complex exponent, const ComplexVector &input,
         (exponent == 0.0 ? slow * spectral_radius_ : resonance_distance * std::abs(exponent));
     if (!near)
       amplitude[k] /= distance;
-    else if (std::abs(amplitude[k]) > rounding * magnitude[k])
+    else if (std::abs(amplitude[k]) > rounding * left_sizes_[k] * size_of_input)
       return false;
     else
       amplitude[k] = 0;

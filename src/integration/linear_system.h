@@ -22,6 +22,9 @@ public:
   /// For the present modes of the equations. std::logic_error when they are not linear.
   explicit LinearSystem(const Equations &equations);
 
+  /// True when the equations, in their present modes, are the same as these to the last digit.
+  bool fits(const Equations &equations) const;
+
   /// True when the model and the present modes of all contacts are linear.
   static bool holds(const Equations &equations);
 
@@ -57,6 +60,7 @@ public:
   bool response(Complex exponent, const ComplexVector &input, ComplexVector &solution) const;
 
 private:
+  LinearSystem() = default;
   void assemble(const Equations &equations);
   void add_contact(const Equations &equations, std::size_t contact);
   void add_form(const Equations &equations, std::size_t contact, const AffineForm &form,
@@ -70,7 +74,9 @@ private:
   bool diagonalizable_ = false;
   std::vector<Mode> modes_;
   Matrix basis_, inverse_;
+  Vector scale_;              ///< of the balanced coordinates
   ComplexVector eigenvalues_; ///< all of them
+  Vector left_sizes_;         ///< norms of the rows of left_ in balanced coordinates
   Eigen::MatrixXcd eigenvectors_, left_;
 };
 

@@ -1,3 +1,4 @@
+#include "integration/exponential_sums.h"
 #include "integration/linear_phase.h"
 
 #include <algorithm>
@@ -17,6 +18,8 @@ public:
   void initial_derivatives(Matrix &rows) override;
   void values(std::span<const double> instants, Matrix &rows) override;
   void move(double tau) override;
+  void watch(const GuardForms &forms) override;
+  double free_flight(double limit) override;
 
 private:
   // Re(amplitude exp(exponent t)) times one column of the basis for the real part of the rest and
@@ -31,7 +34,7 @@ private:
   // A part of the excitation: exponential of a source, constant of a source, or the system's own.
   struct Input {
     std::size_t source = 0;
-    Complex exponent;
+    Complex exponent{};
     bool own = false; // of the system
     bool operator==(const Input &other) const = default;
   };
@@ -40,7 +43,9 @@ private:
   bool respond();
   void add_group(Complex exponent, bool is_pair);
   bool add_response(const Input &input);
+  void multiply(Matrix &rows) const;
   void measure_groups();
+  void watch_groups();
   void note_sizes();
   Complex factor(const Group &group, double tau) const;
   static void store(const Group &group, Complex value, Matrix &amplitudes, Index column);
@@ -56,6 +61,9 @@ private:
   Vector inverse_tolerance_, weights10_, weights8_, bound_;
   Vector initial_, modal_, rest_;
   Matrix amplitudes_;
+  GuardForms watched_;
+  ExponentialSums guards_;
+  std::vector<Complex> group_amplitudes_;
   std::vector<Complex> factors_;
   double factors_at_ = -1; // the tau that factors_ are for
 };
@@ -143,6 +151,7 @@ bool ModalMotion::respond() {
     responded_.push_back(input);
   }
   measure_groups();
+  watch_groups();
   return true;
 }
 
@@ -238,6 +247,27 @@ void ModalMotion::store(const Group &group, Complex value, Matrix &amplitudes, I
     amplitudes(group.column + 1, column) = value.imag();
 }
 
+// The general product packs its arguments first, which costs more than a small product itself.
+void ModalMotion::multiply(Matrix &rows) const {
+  constexpr Index small = 16;
+  if (columns_.cols() >= small) {
+    rows.noalias() = columns_ * amplitudes_;
+    return;
+  }
+  const Index count = columns_.rows();
+  rows.resize(count, amplitudes_.cols());
+  for (Index j = 0; j < rows.cols(); ++j) {
+    double *sum = &rows(0, j);
+    std::fill(sum, sum + count, 0.0);
+    for (Index k = 0; k < columns_.cols(); ++k) {
+      const double amplitude = amplitudes_(k, j);
+      const double *column = &columns_(0, k);
+      for (Index i = 0; i < count; ++i)
+        sum[i] += amplitude * column[i];
+    }
+  }
+}
+
 void ModalMotion::derivatives(double tau, Matrix &rows) {
   amplitudes_.resize(columns_.cols(), dense_derivatives + 1);
   factors_.resize(groups_.size());
@@ -251,7 +281,7 @@ void ModalMotion::derivatives(double tau, Matrix &rows) {
     }
   }
   factors_at_ = tau;
-  rows.noalias() = columns_ * amplitudes_;
+  multiply(rows);
 }
 
 void ModalMotion::initial_derivatives(Matrix &rows) {
@@ -266,7 +296,37 @@ void ModalMotion::values(std::span<const double> instants, Matrix &rows) {
     for (std::size_t i = 0; i < instants.size(); ++i)
       store(group, group.amplitude * factor(group, instants[i]), amplitudes_,
             static_cast<Index>(i));
-  rows.noalias() = columns_ * amplitudes_;
+  multiply(rows);
+}
+
+void ModalMotion::watch(const GuardForms &forms) {
+  watched_ = forms;
+  watch_groups();
+}
+
+// A row sees c Re(a) + d Im(a) = Re((c - i d) a) of a group.
+void ModalMotion::watch_groups() {
+  if (watched_.rows.cols() != columns_.rows())
+    return;
+  const Matrix seen = watched_.rows * columns_;
+  Eigen::MatrixXcd coefficients(seen.rows(), static_cast<Index>(groups_.size()));
+  std::vector<Complex> exponents;
+  for (const Group &group : groups_) {
+    auto column = coefficients.col(static_cast<Index>(exponents.size()));
+    column.real() = seen.col(group.column);
+    column.imag().setZero();
+    if (group.is_pair)
+      column.imag() = -seen.col(group.column + 1);
+    exponents.push_back(group.exponent);
+  }
+  guards_.set(coefficients, watched_.constants, std::move(exponents));
+}
+
+double ModalMotion::free_flight(double limit) {
+  group_amplitudes_.clear();
+  for (const Group &group : groups_)
+    group_amplitudes_.push_back(group.amplitude);
+  return guards_.positive_until(limit, group_amplitudes_);
 }
 
 void ModalMotion::move(double tau) {

@@ -23,11 +23,15 @@ public:
   /// Takes the last step again so that it ends at `time` (after its start), from the same start.
   virtual void shorten(double time) = 0;
 
+  /// Goes on at once, up to `limit` at most, as far as no guard can be passed, without dense output
+  /// and without the ledger. False: not possible, take a step.
+  virtual bool glide(double /*limit*/) { return false; }
+
   /// Undoes the last step.
   virtual void undo() = 0;
 
-  /// The last step is final: completes the ledger at its end.
-  virtual void accept() {}
+  /// The last step is final: completes the ledger at its end if that is kept.
+  virtual void accept(bool /*keep_ledger*/) {}
 
   virtual long rejected_steps() const { return 0; }
 

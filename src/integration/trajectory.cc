@@ -123,9 +123,8 @@ void Trajectory::start(const MotionState &from) {
   event_residual_ = 0;
   last_event_time_ = -std::numeric_limits<double>::infinity();
   zero_at_start_.clear();
-  initial_energy_ =
-      equations_.stored_energy(from.time, ConstVectorView(state.data(), state.size()));
   begin_phase(from.time, state);
+  begin_balance();
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
     note_zero_guards({.contact = c}, {}, state);
 }
@@ -336,7 +335,31 @@ void Trajectory::pass_source_break() {
   begin_phase(instant, state);
 }
 
+void Trajectory::begin_balance() {
+  watched_ = true;
+  initial_state_ = state();
+  initial_energy_ = equations_.stored_energy(
+      time(), ConstVectorView(initial_state_.data(), initial_state_.size()));
+}
+
 void Trajectory::advance(double end, Observer &observer) {
+  if (!watched_)
+    begin_balance();
+  integrate(end, observer);
+}
+
+void Trajectory::advance(double end) {
+  watched_ = false;
+  Observers nobody({});
+  integrate(end, nobody);
+}
+
+// A guard that has just been zero is left to a step.
+bool Trajectory::glide(double limit) {
+  return !watched_ && zero_at_start_.empty() && steppers_.present().glide(limit);
+}
+
+void Trajectory::integrate(double end, Observer &observer) {
   while (steppers_.present().time() < end) {
     if (at_source_break()) {
       pass_source_break();
@@ -345,11 +368,14 @@ void Trajectory::advance(double end, Observer &observer) {
     if (settings_.maximum_steps > 0 && steps_ >= settings_.maximum_steps)
       throw NumericalError("more than " + std::to_string(settings_.maximum_steps) +
                            " steps (Maximum steps)");
-    steppers_.present().step(std::min(end, equations_.source_break()));
     ++steps_;
+    const double limit = std::min(end, equations_.source_break());
+    if (glide(limit))
+      continue;
+    steppers_.present().step(limit);
     Crossing crossing;
     const bool changes = find_crossing(view(), crossing) && locate(crossing);
-    steppers_.present().accept();
+    steppers_.present().accept(watched_);
     if (steppers_.present().time() > steppers_.present().previous_time())
       observer.step(view());
     if (changes) {
@@ -364,15 +390,19 @@ void Trajectory::advance(double end, Observer &observer) {
 Accuracy Trajectory::accuracy() const {
   const Vector &x = steppers_.present().state();
   const double energy = equations_.stored_energy(time(), ConstVectorView(x.data(), x.size()));
+  const Vector since = x - initial_state_;
   double unaccounted =
-      energy - initial_energy_ - x[layout().input_work()] + x[layout().damping_work()];
+      energy - initial_energy_ - since[layout().input_work()] + since[layout().damping_work()];
   for (Index c = 0; c < layout().n_contacts; ++c)
-    unaccounted += x[layout().contact_work(c)];
-  const double turnover = initial_energy_ + x[layout().absolute_input_work()];
+    unaccounted += since[layout().contact_work(c)];
+  const double turnover = initial_energy_ + since[layout().absolute_input_work()];
+  double energy_residual = turnover > 0 ? std::abs(unaccounted) / turnover : 0;
+  if (!watched_)
+    energy_residual = std::numeric_limits<double>::quiet_NaN();
   return {.steps = steps_,
           .rejected_steps = steppers_.rejected_steps() - rejected_before_,
           .events = events_,
-          .energy_residual = turnover > 0 ? std::abs(unaccounted) / turnover : 0,
+          .energy_residual = energy_residual,
           .event_residual = event_residual_};
 }
 

@@ -15,12 +15,13 @@
 
 namespace vibroimpact {
 
-/// How well a motion was integrated, since start().
+/// How well a motion was integrated since start(), the energy since the last stretch that nobody
+/// watched.
 struct Accuracy {
   long steps = 0;
   long rejected_steps = 0;
   long events = 0;
-  double energy_residual = 0; ///< |unaccounted energy| / (initial + |input|), see energy_residual()
+  double energy_residual = 0; ///< |unaccounted energy| / (initial + |input|); NaN: not watched
   double event_residual = 0;  ///< largest uncertainty of an event's instant [s]
 };
 
@@ -43,6 +44,9 @@ public:
 
   /// Integrates up to `end` exactly. NumericalError when that fails.
   void advance(double end, Observer &observer);
+  /// The same without being watched, which some methods do faster. The energy balance is not kept:
+  /// it begins anew with the next motion that is watched.
+  void advance(double end);
 
   double time() const { return steppers_.present().time(); }
   const Vector &state() const { return steppers_.present().state(); }
@@ -71,6 +75,9 @@ private:
   void forget_grown_guards();
   Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
   void begin_phase(double time, const Vector &state);
+  void integrate(double end, Observer &observer);
+  bool glide(double limit);
+  void begin_balance();
   bool at_source_break() const;
   void pass_source_break();
   void choose_initial_modes(double time, const Vector &state);
@@ -88,7 +95,9 @@ private:
   IntegrationSettings settings_;
   Equations equations_;
   Steppers steppers_;
+  bool watched_ = true;
   double initial_energy_ = 0;
+  Vector initial_state_; ///< with the ledger as it was when the balance began
   long steps_ = 0;
   long rejected_before_ = 0;
   long events_ = 0;

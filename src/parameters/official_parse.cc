@@ -2,6 +2,8 @@
 
 #include "parameters/text.h"
 
+// Without this Boost 1.74 prints a message about its own use of the placeholders.
+#define BOOST_BIND_GLOBAL_PLACEHOLDERS
 #include <boost/property_tree/json_parser.hpp>
 #include <deal.II/base/parameter_handler.h>
 

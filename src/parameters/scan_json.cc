@@ -1,6 +1,8 @@
 #include "parameters/scanned_file.h"
 #include "parameters/text.h"
 
+// Without this Boost 1.74 prints a message about its own use of the placeholders.
+#define BOOST_BIND_GLOBAL_PLACEHOLDERS
 #include <boost/property_tree/json_parser.hpp>
 
 #include <sstream>

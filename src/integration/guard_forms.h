@@ -1,0 +1,16 @@
+// The guards of the contacts' present modes as linear forms of what a linear phase computes.
+#pragma once
+
+#include "integration/equations.h"
+
+namespace vibroimpact {
+
+/// constants + rows * [y, then s, s', s'' of each source]
+struct GuardForms {
+  Matrix rows;      ///< guards x (physical size + 3 sources)
+  Vector constants; ///< guards
+};
+
+GuardForms guard_forms(const Equations &equations);
+
+} // namespace vibroimpact
