@@ -19,6 +19,7 @@ from .measures import sheets
 from .results import Analysis, Results
 
 LEVELS = 12
+MOST_LEVELS = 2  # level lines of more levels have a figure of their own
 LEAST_ROWS = 8  # fewer curves than that are a family, no map
 OVERLAYS = ["#D55E00", "#000000", "#CC79A7", "#56B4E9", "#E69F00"]
 LINES = ["-", "--", "-.", ":"]
@@ -38,7 +39,11 @@ class Map:
 
 def figures(results: Results, analysis: Analysis):
     """Name of each figure and what draws it."""
-    overlays = [entry for entry in derived_of(analysis) if pair_of(entry)]
+    flat = [entry for entry in derived_of(analysis) if pair_of(entry)]
+    overlays = [entry for entry in flat if len(levels_of(entry)) <= MOST_LEVELS]
+    for entry in flat:
+        if entry not in overlays:
+            yield (f"{analysis.name}-levels-{entry.name}", functools.partial(levels_figure, entry))
     for name, make in [*derived_maps(analysis), *recorded_maps(analysis)]:
         yield f"{analysis.name}-{name}", functools.partial(map_figure, make, overlays)
     for pair in {frozenset(pair_of(entry)): pair_of(entry) for entry in overlays}.values():
@@ -168,6 +173,26 @@ def loci_figure(analysis: Analysis, pair, entries: list[Derived]):
     return figure
 
 
+def levels_of(entry: Derived) -> np.ndarray:
+    """The levels of level lines; none for curves and bands."""
+    values = entry.values[:, 2] if entry.pair else np.array([])
+    return np.unique(values[np.isfinite(values)])
+
+
+def levels_figure(entry: Derived):
+    """Level lines of many levels, one colour for each level."""
+    figure, (axes,) = style.panels(1, height=3.4)
+    levels = levels_of(entry)
+    x, y = (scaled(entry, axis, entry.values[:, i]) for i, axis in enumerate(entry.pair))
+    scale = scale_for(entry.unit, levels)
+    for level, colour in zip(levels, style.colours_along(len(levels))):
+        own = (entry.values[:, 2] == level) | ~np.isfinite(entry.values[:, 2])
+        axes.plot(x[own], y[own], color=colour, label=f"{level / scale.factor:.4g}")
+    label_plane(axes, entry.analysis, entry.pair)
+    style.legend_beside(axes, title=scale.label(entry.text))
+    return figure
+
+
 def draw_overlays(axes, names, entries: list[Derived]) -> list:
     """Curves, bands and level lines in the plane of two axes; gives the legend entries."""
     handles = []
@@ -217,7 +242,7 @@ def draw_level_lines(axes, names, entry: Derived, colour: str) -> Line2D:
     """Columns: both axes, level; NaN between the lines. Each level has a line style of its own."""
     x, y = (scaled(entry, axis, entry.values[:, entry.pair.index(axis)]) for axis in names)
     levels = entry.values[:, 2]
-    for number, level in enumerate(np.unique(levels[np.isfinite(levels)])):
+    for number, level in enumerate(levels_of(entry)):
         own = (levels == level) | ~np.isfinite(levels)
         axes.plot(x[own], y[own], color=colour, linewidth=1.3, linestyle=LINES[number % len(LINES)],
                   path_effects=[Stroke(linewidth=2.6, foreground="white"), Normal()])

@@ -144,7 +144,9 @@ class Kinds(unittest.TestCase):
                      for name, draw in figures(cls.results, analysis)}
 
     def axes(self, name):
-        return self.known[name]().axes
+        figure = self.known[name]()
+        plt.close(figure)
+        return figure.axes
 
     def lines(self, axes, **properties):
         return [line for line in axes.get_lines()
@@ -238,6 +240,11 @@ class Kinds(unittest.TestCase):
         self.assertEqual(sorted(self.legend(axes)), ["Mean", "Smallest"])
         loci, = self.axes("plane-loci-delta0-lambda")
         self.assertEqual(len(self.legend(loci)), 3)
+
+    def test_level_lines_of_many_levels_have_their_own_figure(self):
+        axes, = self.axes("plane-levels-many")
+        self.assertEqual(self.legend(axes), ["1", "2", "3"])
+        np.testing.assert_array_equal(self.xy(axes.get_lines()[1]), [[1, 0.5], [4, 0.5]])
 
     def test_no_text_overlaps_or_is_cut(self):
         for name in ("sweep-contact-stop", "orbits-poincare-period-first.mass-x",

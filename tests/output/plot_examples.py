@@ -173,6 +173,9 @@ def write_plane(writer):
     level = np.array([[1, 0, 5], [4, 0.5, 5], [np.nan] * 3, [1, 0.5, 8], [4, 1, 8]])
     writer.field("derived/level", level, "m", dimensions=["vertex", "coordinate"],
                  operation="contour", axes="Variables.lambda Variables.delta0")
+    many = np.array([[1, 0, 1], [4, 0, 1], [1, 0.5, 2], [4, 0.5, 2], [1, 1, 3], [4, 1, 3]])
+    writer.field("derived/many", many, "m", dimensions=["vertex", "coordinate"],
+                 operation="contour", axes="Variables.lambda Variables.delta0")
     writer.field("derived/smallest", DELTA + 1, "m", dimensions=both[1:], operation="minimum",
                  axis="")
     writer.field("derived/mean", DELTA + 2, "m", dimensions=both[1:], operation="mean", axis="")
