@@ -16,6 +16,13 @@ std::string along_axes(const std::string &name, const RowVector &values, const s
   return text;
 }
 
+std::size_t point_count(const AnalysisHeader &header) {
+  std::size_t count = 1;
+  for (const Axis &axis : header.axes)
+    count *= axis.size();
+  return count;
+}
+
 std::string index_in_brackets(const std::vector<std::size_t> &index) {
   std::string text;
   for (const std::size_t position : index)
@@ -54,8 +61,15 @@ std::string body_summary(const ReducedBody &body) {
 std::string analysis_summary(const AnalysisHeader &header, const PointSequence &points) {
   const std::string prefix = "analysis." + header.name;
   std::string text;
+  const std::size_t count = point_count(header);
+  const bool listed = count <= most_listed_points;
+  if (!listed)
+    text += summary_line(prefix + ".points", static_cast<double>(count), "1");
   std::size_t failed = 0;
   points([&](const PointResult &point) {
+    failed += point.status == Status::failed ? 1 : 0;
+    if (!listed)
+      return;
     const std::string point_prefix =
         point.summary.empty() ? "" : prefix + index_in_brackets(point.index) + ".";
     for (const SummaryLine &line : point.summary) {
@@ -63,7 +77,6 @@ std::string analysis_summary(const AnalysisHeader &header, const PointSequence &
       text += summary_line(absolute ? line.name.substr(1) : point_prefix + line.name, line.value,
                            line.unit);
     }
-    failed += point.status == Status::failed ? 1 : 0;
   });
   if (failed > 0)
     text += summary_line(prefix + ".failed_points", static_cast<double>(failed), "1");

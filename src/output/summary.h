@@ -12,9 +12,13 @@ namespace vibroimpact {
 /// mass along x, y, z, and for modal bodies the orthogonality residual.
 std::string body_summary(const ReducedBody &body);
 
+/// Nobody reads the lines of more points than this.
+constexpr std::size_t most_listed_points = 10000;
+
 /// The lines of all points in the order of their index: `analysis.NAME.name = value [unit]`, with
 /// outer axes `analysis.NAME[2,1,17].name`, counted from 1. Failed points are counted in a last
-/// line `analysis.NAME.failed_points` when there are any.
+/// line `analysis.NAME.failed_points` when there are any. With more than most_listed_points the
+/// lines of the points are left out and `analysis.NAME.points` tells their number.
 std::string analysis_summary(const AnalysisHeader &header, const PointSequence &points);
 
 /// One line; numbers with 12 significant digits.

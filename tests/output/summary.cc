@@ -51,6 +51,22 @@ TEST(Summary, PointsAreCountedFromOne) {
                                                         "analysis.response[2,17].force = 16 [N]\n");
 }
 
+TEST(Summary, LongMapsAreNotListed) {
+  AnalysisHeader header{"map", "stepped sweep", {}};
+  header.axes.push_back({.name = "frequency",
+                         .values = std::vector<double>(most_listed_points + 1),
+                         .labels = {},
+                         .unit = "Hz",
+                         .description = ""});
+  PointResult point{.index = {3}, .status = Status::failed};
+  point.summary = {{"force", 1, "N"}};
+  EXPECT_EQ(analysis_summary(header, sequence({point})),
+            "analysis.map.points = 10001 [1]\nanalysis.map.failed_points = 1 [1]\n");
+  header.axes[0].values.pop_back();
+  EXPECT_EQ(analysis_summary(header, sequence({point})),
+            "analysis.map[4].force = 1 [N]\nanalysis.map.failed_points = 1 [1]\n");
+}
+
 TEST(Summary, WithoutAxesThereIsNoIndex) {
   PointResult point;
   point.summary = {{"steps", 3, "1"}, {"/model.mass", 2, "kg"}};
