@@ -8,7 +8,7 @@
 // zero.
 #pragma once
 
-#include "common/linear_algebra.h"
+#include "integration/guard_curves.h"
 
 #include <complex>
 #include <span>
@@ -16,7 +16,7 @@
 
 namespace vibroimpact {
 
-class ExponentialSums {
+class ExponentialSums : public GuardCurves {
 public:
   using Complex = std::complex<double>;
 
@@ -24,30 +24,44 @@ public:
   void set(const Eigen::MatrixXcd &coefficients, const Vector &constants,
            std::vector<Complex> exponents);
 
-  Index size() const { return constants_.size(); }
+  /// From now on with these amplitudes a_j.
+  void start(std::span<const Complex> amplitudes);
 
-  /// A time up to `limit` until which all functions stay positive from t = 0 on, with the given
-  /// amplitudes; 0 when none was found in a few trials. Without functions it is `limit`.
-  double positive_until(double limit, std::span<const Complex> amplitudes);
+  /// A time up to `limit` until which all functions stay positive from t = 0 on; 0 when none was
+  /// found in a few trials. Without functions it is `limit`.
+  double positive_until(double limit);
+
+  /// The interval [0, end] that the curves are asked for; factors: exp(e_j end), which must stay
+  /// where they are as long as the curves are used.
+  void end_at(double end, std::span<const Complex> factors);
+
+  Index size() const override { return constants_.size(); }
+  Jet at(Index guard, double time) const override;
+  double sixth_derivative(Index guard, double from, double to) const override;
+  double rounding(Index guard) const override;
 
 private:
   struct End {
     double value = 0, slope = 0;
   };
-  void start(std::span<const Complex> amplitudes);
-  double first_trial(double limit) const;
+  double first_trial(double limit);
   bool positive(double h);
 
-  Eigen::MatrixXcd coefficients_;
+  Eigen::MatrixXcd coefficients_; // terms x functions, as all below
   Vector constants_;
   std::vector<Complex> exponents_;
-  Eigen::MatrixXcd terms_;     // coefficient times amplitude
-  std::vector<double> fourth_; // |e|^4
-  Eigen::ArrayXXd sizes_;      // of the terms
+  double fastest_growth_ = 0;          // largest positive real part of an exponent
+  Eigen::MatrixXcd terms_;             // coefficient times amplitude
+  Eigen::ArrayXXd magnitudes_, sizes_; // of coefficients and terms
+  Eigen::ArrayXd fourth_, sixth_;      // |e|^4, |e|^6
+  Eigen::ArrayXd amplitude_sizes_;
+  Vector totals_; // sums of the sizes of all terms
   std::vector<End> starts_;
-  Vector bounds_;  // of the fourth derivatives at the start
-  Vector margins_; // what rounding may hide
+  Vector bounds_; // of the fourth derivatives at the start
   std::vector<Complex> factors_;
+  double end_ = 0;
+  double end_growth_ = 1;
+  std::span<const Complex> end_factors_;
 };
 
 } // namespace vibroimpact

@@ -35,6 +35,8 @@ public:
   void undo() override;
   void accept(bool keep_ledger) override;
   bool glide(double limit) override;
+  const GuardCurves *guard_curves() override;
+  bool exact() const override { return true; }
 
 private:
   struct CachedPhase {

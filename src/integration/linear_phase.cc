@@ -27,6 +27,7 @@ LinearPhase::LinearPhase(const Equations &equations, const DenseTolerance &toler
     modal_->watch(guards_);
   }
   taylor_ = make_taylor_motion(system_, n, tolerance);
+  taylor_->watch(guards_);
 }
 
 bool LinearPhase::fits(const Equations &equations) const {

@@ -9,6 +9,7 @@
 // Both choose the step from a bound of the error that the dense output of the step will have.
 #pragma once
 
+#include "integration/guard_curves.h"
 #include "integration/guard_forms.h"
 #include "integration/linear_system.h"
 
@@ -45,11 +46,17 @@ public:
   virtual void initial_derivatives(Matrix &rows) = 0;
   /// Rows at several instants after the start of the step, one column each.
   virtual void values(std::span<const double> instants, Matrix &rows) = 0;
+  /// The length from `start` on, both counted from the start of the step, over which
+  /// Ledger::points Gauss points integrate products of two rates to rounding; at most `rest`.
+  virtual double quadrature_length(double start, double rest) const = 0;
   /// The next step starts `tau` later.
   virtual void move(double tau) = 0;
 
-  /// The forms that free_flight() looks at; call it before begin().
-  virtual void watch(const GuardForms & /*forms*/) {}
+  /// The forms that guards() and free_flight() look at; call it before begin().
+  virtual void watch(const GuardForms &forms) = 0;
+  /// The watched forms as functions of the time since the start of the step, up to `end`. Valid
+  /// until the next call of a member.
+  virtual const GuardCurves &guards(double end) = 0;
   /// A time up to `limit` until which all watched forms stay positive from the start of the step
   /// on; 0 when that is not known.
   virtual double free_flight(double /*limit*/) { return 0; }

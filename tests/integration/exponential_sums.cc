@@ -31,13 +31,14 @@ double positive_until(const Sum &sum, double limit) {
     coefficients(0, static_cast<Index>(j)) = sum.coefficients[j];
   sums.set(coefficients, Vector::Constant(1, sum.constant), sum.exponents);
   const std::vector<Complex> ones(sum.exponents.size(), 1.0);
-  return sums.positive_until(limit, ones);
+  sums.start(ones);
+  return sums.positive_until(limit);
 }
 
 TEST(ExponentialSumsTest, NothingToWatchReachesTheLimit) {
   ExponentialSums sums;
   sums.set(Eigen::MatrixXcd(0, 0), Vector(0), {});
-  EXPECT_EQ(sums.positive_until(3.5, {}), 3.5);
+  EXPECT_EQ(sums.positive_until(3.5), 3.5);
 }
 
 TEST(ExponentialSumsTest, FarFromZeroReachesTheLimit) {
