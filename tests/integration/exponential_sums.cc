@@ -29,7 +29,7 @@ double positive_until(const Sum &sum, double limit) {
   Eigen::MatrixXcd coefficients(1, static_cast<Index>(sum.coefficients.size()));
   for (std::size_t j = 0; j < sum.coefficients.size(); ++j)
     coefficients(0, static_cast<Index>(j)) = sum.coefficients[j];
-  sums.set(coefficients, Vector::Constant(1, sum.constant), sum.exponents);
+  sums.set(coefficients, coefficients.cwiseAbs(), Vector::Constant(1, sum.constant), sum.exponents);
   const std::vector<Complex> ones(sum.exponents.size(), 1.0);
   sums.start(ones);
   return sums.positive_until(limit);
@@ -37,7 +37,7 @@ double positive_until(const Sum &sum, double limit) {
 
 TEST(ExponentialSumsTest, NothingToWatchReachesTheLimit) {
   ExponentialSums sums;
-  sums.set(Eigen::MatrixXcd(0, 0), Vector(0), {});
+  sums.set(Eigen::MatrixXcd(0, 0), Matrix(0, 0), Vector(0), {});
   EXPECT_EQ(sums.positive_until(3.5), 3.5);
 }
 
