@@ -135,6 +135,9 @@ void FlightStepper::step(double limit) {
   std::swap(start_, end_);
   const double wanted = std::min(motion_->natural_step(), maximum_step_);
   const double rest = limit - start_.time;
+  if (!(start_.time + wanted > start_.time))
+    throw NumericalError(
+        "the motion is too large for any step, at t = " + std::to_string(start_.time) + " s");
   // Two halves rather than a step and a sliver.
   if (rest <= wanted * (1 + 1e-9))
     take(limit);

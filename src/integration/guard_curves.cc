@@ -1,5 +1,6 @@
 #include "integration/guard_curves.h"
 
+#include "common/error.h"
 #include "integration/bernstein.h"
 
 #include <algorithm>
@@ -14,6 +15,9 @@ namespace {
 // Every other division halves an interval at least; after so many it is as short as the spacing of
 // doubles next to the end.
 constexpr int maximum_depth = 110;
+
+// Far more than any motion needs; nothing is searched for ever.
+constexpr long most_divisions = 1000000;
 
 struct Piece {
   double from, to;
@@ -86,6 +90,8 @@ Finding FallSearch::examine(const Piece &piece) const {
       curves_.sixth_derivative(guard_, piece.from, piece.to) * h * h * h * h * h * h;
   if (proven_positive(piece, bound))
     return Finding::positive;
+  if (!std::isfinite(bound) || !std::isfinite(piece.at_from.value + piece.at_to.value))
+    throw NumericalError("a gap is no longer finite");
   const Jet &a = piece.at_from;
   const Jet &b = piece.at_to;
   const Bernstein p =
@@ -190,7 +196,10 @@ void FallSearch::divide(const Piece &whole) {
   std::array<Piece, maximum_depth + 2> stack;
   std::size_t count = 0;
   stack[count++] = whole;
-  while (count > 0) {
+  for (long divisions = 0; count > 0; ++divisions) {
+    if (divisions > most_divisions)
+      throw NumericalError(
+          "a contact change could not be told from none by any division of the step");
     const Piece piece = stack[--count];
     const Finding finding = examine(piece);
     if (finding == Finding::unknown) {
