@@ -69,6 +69,10 @@ int run(const CommandLine &line) {
   const RunOptions options = run_options(line);
   const RunSummary summary = simulation.run(options);
   const std::string folder = options.folder.string();
+  if (summary.unbalanced > 0)
+    log::warning("the energy balance of " + std::to_string(summary.unbalanced) +
+                 " points does not close; unbalanced and energy_residual in results.h5 say which "
+                 "and by how much. Try a smaller Relative tolerance.");
   if (summary.interrupted) {
     log::info("Stopped. Everything finished so far is in " + folder + "; go on with --resume " +
               folder);

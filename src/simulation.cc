@@ -265,6 +265,7 @@ RunSummary Simulation::run(const RunOptions &options) {
         communicator_);
     total.finished += summary.finished;
     total.failed += summary.failed;
+    total.unbalanced += summary.unbalanced;
     total.interrupted = summary.interrupted;
     if (total.interrupted)
       break;

@@ -13,6 +13,16 @@ struct Column {
   double (*value)(const Impact &impact);
 };
 
+constexpr const char *unbalanced_name = "unbalanced";
+constexpr const char *undecided_name = "undecided_events";
+
+// Of a scalar; 0 when the point does not have it.
+double scalar_of(const PointResult &result, const std::string &name) {
+  const auto found = std::find_if(result.fields.begin(), result.fields.end(),
+                                  [&](const Field &field) { return field.name == name; });
+  return found == result.fields.end() || found->values.empty() ? 0 : found->values[0];
+}
+
 constexpr Column columns[] = {
     {"time", "s", "instant at which the sides meet", [](const Impact &i) { return i.start_time; }},
     {"duration", "s", "time in contact", [](const Impact &i) { return i.duration; }},
@@ -60,6 +70,10 @@ void add_accuracy(PointResult &result, const Accuracy &accuracy,
   const std::vector<Field> fields = {
       scalar_field("energy_residual", accuracy.energy_residual, "1",
                    "unaccounted energy over initial energy plus absolute input"),
+      scalar_field(
+          unbalanced_name, accuracy.balanced() ? 0 : 1, "1",
+          "1 when the energy balance does not close: energy_residual above 1e-10 where all "
+          "steps were exact, above 1000 relative tolerances elsewhere"),
       scalar_field("event_residual", accuracy.event_residual, "s",
                    "largest uncertainty of the instant of a contact change"),
       scalar_field("relative_tolerance", settings.relative_tolerance, "1", "of one time step"),
@@ -67,11 +81,17 @@ void add_accuracy(PointResult &result, const Accuracy &accuracy,
       scalar_field("rejected_steps", static_cast<double>(accuracy.rejected_steps), "1",
                    "rejected time steps"),
       scalar_field("events", static_cast<double>(accuracy.events), "1", "contact changes"),
+      scalar_field(undecided_name, static_cast<double>(accuracy.undecided_events), "1",
+                   "touches within the rounding of the gap, taken for none"),
   };
   result.fields.insert(result.fields.end(), fields.begin(), fields.end());
   for (const Field &field : fields)
     result.summary.push_back({.name = field.name, .value = field.values[0], .unit = field.unit});
 }
+
+bool unbalanced(const PointResult &result) { return scalar_of(result, unbalanced_name) > 0; }
+
+double undecided_events(const PointResult &result) { return scalar_of(result, undecided_name); }
 
 void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLog &log,
                  std::size_t summary_lines) {

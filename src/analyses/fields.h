@@ -22,6 +22,11 @@ Field series_field(const std::string &name, const std::string &dimension,
 void add_accuracy(PointResult &result, const Accuracy &accuracy,
                   const IntegrationSettings &settings);
 
+/// True when the energy balance of the motion did not close.
+bool unbalanced(const PointResult &result);
+/// Touches of the motion that rounding decides.
+double undecided_events(const PointResult &result);
+
 /// Impact tables of all contacts as fields, and as summary lines of the first `summary_lines`.
 void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLog &log,
                  std::size_t summary_lines);

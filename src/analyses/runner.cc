@@ -106,6 +106,7 @@ public:
     result.index = full(result.index);
     sink_.store(result);
     ++(result.status == Status::failed ? summary_.failed : summary_.finished);
+    summary_.unbalanced += unbalanced(result) ? 1 : 0;
     count();
     if (stop_requested())
       throw Interrupted{};
@@ -240,12 +241,14 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
     wait_for_all(counter, communicator);
   }
   sink.end();
-  long counts[2] = {static_cast<long>(summary.finished), static_cast<long>(summary.failed)};
+  long counts[3] = {static_cast<long>(summary.finished), static_cast<long>(summary.failed),
+                    static_cast<long>(summary.unbalanced)};
   int interrupted = summary.interrupted || stop_requested() ? 1 : 0;
-  MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_LONG, MPI_SUM, communicator);
+  MPI_Allreduce(MPI_IN_PLACE, counts, 3, MPI_LONG, MPI_SUM, communicator);
   MPI_Allreduce(MPI_IN_PLACE, &interrupted, 1, MPI_INT, MPI_MAX, communicator);
   return {.finished = static_cast<std::size_t>(counts[0]),
           .failed = static_cast<std::size_t>(counts[1]),
+          .unbalanced = static_cast<std::size_t>(counts[2]),
           .interrupted = interrupted != 0};
 }
 

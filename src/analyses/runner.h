@@ -32,6 +32,8 @@ using CaseFactory = std::function<Case(const std::vector<parameters::Override> &
 struct RunSummary {
   std::size_t finished = 0; ///< points computed in this run, on all ranks
   std::size_t failed = 0;   ///< points recorded as failed in this run, on all ranks
+  /// Points of this run, on all ranks, whose energy balance does not close.
+  std::size_t unbalanced = 0;
   bool interrupted = false;
 };
 

@@ -132,6 +132,12 @@ Bernstein &Bernstein::operator+=(double constant) {
   return *this;
 }
 
+Bernstein Bernstein::with_middle(double amount) const {
+  Bernstein p = raised();
+  p.coefficients_[p.degree_ / 2] += amount;
+  return p;
+}
+
 void Bernstein::clear_start(double negligible) {
   coefficients_[0] = 0;
   for (int i = 1; i <= degree_ && std::abs(coefficients_[i]) <= negligible; ++i)
@@ -140,6 +146,10 @@ void Bernstein::clear_start(double negligible) {
 
 double Bernstein::lower_bound() const {
   return *std::min_element(coefficients_.begin(), coefficients_.begin() + degree_ + 1);
+}
+
+double Bernstein::upper_bound() const {
+  return *std::max_element(coefficients_.begin(), coefficients_.begin() + degree_ + 1);
 }
 
 void Bernstein::split(Bernstein &left, Bernstein &right) const {

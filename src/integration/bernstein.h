@@ -47,6 +47,10 @@ public:
 
   Bernstein &operator+=(double constant);
 
+  /// Of odd degree n < maximum_degree: with `amount` times the middle Bernstein polynomial of
+  /// degree n + 1.
+  Bernstein with_middle(double amount) const;
+
   /// Takes the value at the start for an exact zero, and with it all leading coefficients up to the
   /// size `negligible`: the sign right after the start is not decided by errors of that size.
   void clear_start(double negligible = 0);
@@ -57,6 +61,7 @@ public:
 
   /// Safe bounds on [0, 1], attained at the ends or not at all.
   double lower_bound() const;
+  double upper_bound() const;
 
   /// Largest value on [0, 1].
   double maximum() const;

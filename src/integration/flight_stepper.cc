@@ -144,6 +144,10 @@ void FlightStepper::step(double limit) {
 
 void FlightStepper::shorten(double time) { take(time); }
 
+const GuardCurves *FlightStepper::guard_curves() {
+  return &motion_->guards(end_.time - start_.time);
+}
+
 void FlightStepper::undo() {
   end_ = start_;
   pending_ = false;
@@ -154,9 +158,11 @@ void FlightStepper::accept(bool keep_ledger) {
     return;
   pending_ = false;
   const double h = end_.time - start_.time;
-  if (keep_ledger) {
-    motion_->values(Ledger::instants(h), nodes_);
-    ledger_.add(h, nodes_, end_.state);
+  double part = 0;
+  for (double from = 0; keep_ledger && from < h; from += part) {
+    part = motion_->quadrature_length(from, h - from);
+    motion_->values(Ledger::instants(from, part), nodes_);
+    ledger_.add(part, nodes_, end_.state);
   }
   motion_->move(h);
 }

@@ -34,6 +34,8 @@ public:
   void shorten(double time) override;
   void undo() override;
   void accept(bool keep_ledger) override;
+  const GuardCurves *guard_curves() override;
+  bool exact() const override { return true; }
 
   /// After handles(time): closed forms with that origin.
   const std::vector<ExponentialForm> &sources() const { return sources_; }

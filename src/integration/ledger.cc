@@ -32,10 +32,10 @@ const std::array<Point, Ledger::points> rule = make_rule();
 
 Ledger::Ledger(const Equations &equations) : equations_(equations) {}
 
-std::array<double, Ledger::points> Ledger::instants(double h) {
+std::array<double, Ledger::points> Ledger::instants(double start, double h) {
   std::array<double, points> list{};
   for (int i = 0; i < points; ++i)
-    list[i] = h * rule[i].abscissa;
+    list[i] = start + h * rule[i].abscissa;
   return list;
 }
 

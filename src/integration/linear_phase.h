@@ -10,6 +10,8 @@
 #pragma once
 
 #include "integration/exponential_basis.h"
+#include "integration/guard_curves.h"
+#include "integration/guard_forms.h"
 
 #include <memory>
 #include <span>
@@ -44,8 +46,17 @@ public:
   virtual void initial_derivatives(Matrix &rows) = 0;
   /// Rows at several instants after the start of the step, one column each.
   virtual void values(std::span<const double> instants, Matrix &rows) = 0;
+  /// The length from `start` on, both counted from the start of the step, over which
+  /// Ledger::points Gauss points integrate products of two rates to rounding; at most `rest`.
+  virtual double quadrature_length(double start, double rest) const = 0;
   /// The next step starts `tau` later.
   virtual void move(double tau) = 0;
+
+  /// The forms that guards() looks at; call it before begin().
+  virtual void watch(const GuardForms &forms) = 0;
+  /// The watched forms as functions of the time since the start of the step, up to `end`. Valid
+  /// until the next call of a member.
+  virtual const GuardCurves &guards(double end) = 0;
 
   /// What the phase is made of with these sources; it must begin anew afterwards. False: not of
   /// exponentials.
@@ -80,6 +91,7 @@ public:
 
 private:
   LinearSystem system_;
+  GuardForms guards_;
   std::unique_ptr<LinearMotion> modal_, taylor_;
 };
 

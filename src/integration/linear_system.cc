@@ -78,7 +78,7 @@ bool LinearSystem::fits(const Equations &equations) const {
     return a.value == b.value && a.rate == b.rate && a.acceleration == b.acceleration;
   };
   return matrix_.rows() == other.matrix_.rows() && matrix_ == other.matrix_ &&
-         constant_ == other.constant_ &&
+         mass_ == other.mass_ && constant_ == other.constant_ &&
          std::equal(loads_.begin(), loads_.end(), other.loads_.begin(), other.loads_.end(), same);
 }
 
@@ -86,7 +86,8 @@ void LinearSystem::assemble(const Equations &equations) {
   const Model &model = equations.model();
   const Index n = model.size();
   const Index size = equations.layout().physical_size();
-  const Vector inverse_mass = model.mass().cwiseInverse();
+  mass_ = model.mass();
+  const Vector inverse_mass = mass_.cwiseInverse();
   matrix_ = Matrix::Zero(size, size);
   matrix_.block(0, n, n, n).setIdentity();
   matrix_.block(n, 0, n, n) = -(inverse_mass.asDiagonal() * model.stiffness().dense());

@@ -38,6 +38,7 @@ public:
   };
 
   Index size() const { return matrix_.rows(); }
+  const Vector &mass() const { return mass_; }
   const Matrix &matrix() const { return matrix_; }
   const Vector &constant() const { return constant_; }
   const std::vector<Load> &loads() const { return loads_; }
@@ -67,6 +68,7 @@ private:
                 const Vector &into);
   void decompose();
 
+  Vector mass_;
   Matrix matrix_;
   Vector constant_;
   std::vector<Load> loads_;

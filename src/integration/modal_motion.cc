@@ -1,3 +1,5 @@
+#include "integration/exponential_sums.h"
+#include "integration/ledger.h"
 #include "integration/linear_phase.h"
 
 #include <algorithm>
@@ -16,7 +18,10 @@ public:
   void derivatives(double tau, Matrix &rows) override;
   void initial_derivatives(Matrix &rows) override;
   void values(std::span<const double> instants, Matrix &rows) override;
+  double quadrature_length(double start, double rest) const override;
   void move(double tau) override;
+  void watch(const GuardForms &forms) override;
+  const GuardCurves &guards(double end) override;
   bool describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis) override;
 
 private:
@@ -37,6 +42,9 @@ private:
   bool add_response(const Input &input);
   void multiply(Matrix &rows) const;
   void measure_groups();
+  void measure_speeds();
+  void watch_groups();
+  void start_guards();
   void note_sizes();
   Complex factor(const Group &group, double tau) const;
   static void store(const Group &group, Complex value, Matrix &amplitudes, Index column);
@@ -49,9 +57,15 @@ private:
   std::vector<Complex> input_amplitudes_;
   Matrix columns_;    // rows x columns of all groups
   Matrix magnitudes_; // n + internal states + sources by groups
+  Vector speeds_;     // of a unit amplitude of each group: square root of twice the kinetic energy
+  Vector sizes14_;    // |exponent|^14
+  double speed_of_phase_ = 0; // that all groups together can have
   Vector inverse_tolerance_, weights10_, weights8_, bound_;
   Vector initial_, modal_, rest_;
   Matrix amplitudes_;
+  GuardForms watched_;
+  ExponentialSums guards_;
+  std::vector<Complex> group_amplitudes_;
   std::vector<Complex> factors_;
   double factors_at_ = -1; // the tau that factors_ are for
 };
@@ -139,6 +153,7 @@ bool ModalMotion::respond() {
     responded_.push_back(input);
   }
   measure_groups();
+  watch_groups();
   return true;
 }
 
@@ -160,6 +175,21 @@ void ModalMotion::measure_groups() {
   }
   weights10_.resize(magnitudes_.cols());
   weights8_.resize(magnitudes_.cols());
+  measure_speeds();
+}
+
+void ModalMotion::measure_speeds() {
+  const auto velocities = columns_.middleRows(n_, n_);
+  speeds_.resize(magnitudes_.cols());
+  sizes14_.resize(magnitudes_.cols());
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Group &group = groups_[g];
+    double energy = velocities.col(group.column).cwiseAbs2().dot(system_.mass());
+    if (group.is_pair)
+      energy += velocities.col(group.column + 1).cwiseAbs2().dot(system_.mass());
+    speeds_[static_cast<Index>(g)] = std::sqrt(energy);
+    sizes14_[static_cast<Index>(g)] = std::pow(std::abs(group.exponent), 14);
+  }
 }
 
 bool ModalMotion::begin(const Vector &y, std::span<const ExponentialForm> sources) {
@@ -191,6 +221,7 @@ bool ModalMotion::begin(const Vector &y, std::span<const ExponentialForm> source
 void ModalMotion::note_sizes() {
   for (std::size_t g = 0; g < groups_.size(); ++g)
     weights10_[static_cast<Index>(g)] = std::abs(groups_[g].amplitude);
+  speed_of_phase_ = speeds_.dot(weights10_);
   inverse_tolerance_.noalias() = magnitudes_ * weights10_;
   inverse_tolerance_ *= tolerance_.relative;
   const Index n_internal = system_.size() - 2 * n_;
@@ -284,6 +315,72 @@ void ModalMotion::values(std::span<const double> instants, Matrix &rows) {
       store(group, group.amplitude * factor(group, instants[i]), amplitudes_,
             static_cast<Index>(i));
   multiply(rows);
+}
+
+// Of the speeds, and of each internal state, that part counts which is fast: its size relative to
+// that of the whole in this phase, times the error of the rule for twice its exponent.
+double ModalMotion::quadrature_length(double start, double rest) const {
+  constexpr double error = 1e-13;
+  const Index n_internal = system_.size() - 2 * n_;
+  double fast = 0;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Group &group = groups_[g];
+    const auto k = static_cast<Index>(g);
+    double strength = std::abs(group.amplitude) * sizes14_[k];
+    if (start > 0)
+      strength *= std::exp(group.exponent.real() * start);
+    if (speed_of_phase_ > 0)
+      fast = std::max(fast, strength * speeds_[k] / speed_of_phase_);
+    for (Index i = magnitudes_.rows() - n_internal; i < magnitudes_.rows(); ++i)
+      fast = std::max(fast,
+                      strength * magnitudes_(i, k) * tolerance_.relative * inverse_tolerance_[i]);
+  }
+  fast *= Ledger::error_factor / error;
+  const double span2 = 4 * rest * rest;
+  const double span14 = span2 * span2 * span2 * span2 * span2 * span2 * span2;
+  return fast * span14 <= 1 ? rest : std::min(rest, 0.5 * std::pow(fast, -1.0 / 14));
+}
+
+void ModalMotion::watch(const GuardForms &forms) {
+  watched_ = forms;
+  watch_groups();
+}
+
+// A row sees c Re(a) + d Im(a) = Re((c - i d) a) of a group.
+void ModalMotion::watch_groups() {
+  if (watched_.rows.cols() != columns_.rows())
+    return;
+  const Matrix seen = watched_.rows * columns_;
+  Eigen::MatrixXcd coefficients(seen.rows(), static_cast<Index>(groups_.size()));
+  std::vector<Complex> exponents;
+  for (const Group &group : groups_) {
+    auto column = coefficients.col(static_cast<Index>(exponents.size()));
+    column.real() = seen.col(group.column);
+    column.imag().setZero();
+    if (group.is_pair)
+      column.imag() = -seen.col(group.column + 1);
+    exponents.push_back(group.exponent);
+  }
+  guards_.set(coefficients, watched_.constants, std::move(exponents));
+}
+
+void ModalMotion::start_guards() {
+  group_amplitudes_.clear();
+  for (const Group &group : groups_)
+    group_amplitudes_.push_back(group.amplitude);
+  guards_.start(group_amplitudes_);
+}
+
+const GuardCurves &ModalMotion::guards(double end) {
+  start_guards();
+  if (end != factors_at_) {
+    factors_.clear();
+    for (const Group &group : groups_)
+      factors_.push_back(factor(group, end));
+    factors_at_ = end;
+  }
+  guards_.end_at(end, factors_);
+  return guards_;
 }
 
 bool ModalMotion::describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis) {

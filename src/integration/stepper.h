@@ -2,6 +2,7 @@
 #pragma once
 
 #include "integration/end_point.h"
+#include "integration/guard_curves.h"
 
 namespace vibroimpact {
 
@@ -23,6 +24,10 @@ public:
   /// Takes the last step again so that it ends at `time` (after its start), from the same start.
   virtual void shorten(double time) = 0;
 
+  /// The guards of the contacts' present modes during the last step, in the order of
+  /// guard_forms(), where the method knows them exactly; nullptr: only the dense output tells.
+  virtual const GuardCurves *guard_curves() { return nullptr; }
+
   /// Undoes the last step.
   virtual void undo() = 0;
 
@@ -30,6 +35,9 @@ public:
   virtual void accept(bool /*keep_ledger*/) {}
 
   virtual long rejected_steps() const { return 0; }
+
+  /// True when steps have no error but rounding.
+  virtual bool exact() const { return false; }
 
   double time() const { return end_.time; }
   double previous_time() const { return start_.time; }

@@ -11,6 +11,53 @@ namespace {
 // Terms beyond are below rounding for steps of 1 / spectral radius, third derivatives included.
 constexpr Index terms = 22;
 
+// The watched forms as Taylor polynomials.
+class TaylorCurves : public GuardCurves {
+public:
+  void watch(const GuardForms &forms) { forms_ = forms; }
+  void start(const Matrix &series, double end);
+
+  Index size() const override { return forms_.constants.size(); }
+  Jet at(Index guard, double time) const override;
+  double sixth_derivative(Index guard, double from, double to) const override;
+  double rounding(Index guard) const override { return rounding_[guard]; }
+
+private:
+  double derivative(Index guard, Index order, double time) const;
+
+  GuardForms forms_;
+  Matrix derivatives_; // terms x guards: at the start of the step
+  Vector rounding_;
+};
+
+void TaylorCurves::start(const Matrix &series, double end) {
+  derivatives_.noalias() = series.transpose() * forms_.rows.transpose();
+  derivatives_.row(0) += forms_.constants.transpose();
+  rounding_ = forms_.constants.cwiseAbs();
+  rounding_ += forms_.rows.cwiseAbs() * (series.col(0).cwiseAbs() + end * series.col(1).cwiseAbs());
+  rounding_ *= 32 * std::numeric_limits<double>::epsilon();
+}
+
+double TaylorCurves::derivative(Index guard, Index order, double time) const {
+  double value = derivatives_(terms - 1, guard);
+  for (Index j = terms - 1; j-- > order;)
+    value = derivatives_(j, guard) + time / static_cast<double>(j - order + 1) * value;
+  return value;
+}
+
+Jet TaylorCurves::at(Index guard, double time) const {
+  return {.value = derivative(guard, 0, time),
+          .rate = derivative(guard, 1, time),
+          .acceleration = derivative(guard, 2, time)};
+}
+
+double TaylorCurves::sixth_derivative(Index guard, double /*from*/, double to) const {
+  double bound = std::abs(derivatives_(terms - 1, guard));
+  for (Index j = terms - 1; j-- > 6;)
+    bound = std::abs(derivatives_(j, guard)) + to / static_cast<double>(j - 5) * bound;
+  return bound;
+}
+
 // column j of the series: j-th derivative at the start of the step
 class TaylorMotion : public LinearMotion {
 public:
@@ -24,7 +71,14 @@ public:
     rows = series_.leftCols(dense_derivatives + 1);
   }
   void values(std::span<const double> instants, Matrix &rows) override;
+  // No product is faster than twice the radius, and the step no longer than its inverse.
+  double quadrature_length(double /*start*/, double rest) const override { return rest; }
   void move(double tau) override;
+  void watch(const GuardForms &forms) override { curves_.watch(forms); }
+  const GuardCurves &guards(double end) override {
+    curves_.start(series_, end);
+    return curves_;
+  }
 
 private:
   void differentiate_sources();
@@ -38,6 +92,7 @@ private:
   std::vector<ExponentialForm> sources_;
   double radius_ = 0; // no motion is faster [1/s]
   Vector error_allowed_;
+  TaylorCurves curves_;
   Matrix series_; // (y, then s, s', s'' of each source) x terms
 };
 

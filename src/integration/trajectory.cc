@@ -127,7 +127,7 @@ void Trajectory::start(const MotionState &from) {
   Vector state = Vector::Zero(layout().size());
   state.head(layout().physical_size()) = from.physical;
   choose_initial_modes(from.time, state);
-  steps_ = events_ = events_at_once_ = 0;
+  steps_ = events_ = events_at_once_ = undecided_ = 0;
   if (flight_)
     flight_->forget();
   steppers_.forget(); // so that a case does not depend on what was integrated before it
@@ -208,6 +208,70 @@ double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) c
   return std::abs(distance / crossing.rate);
 }
 
+GuardStart Trajectory::guard_start(std::size_t contact, std::size_t guard) const {
+  for (const ZeroGuard &zero : zero_at_start_)
+    if (zero.contact == contact && zero.guard == guard)
+      return {.zero = true, .shift = zero.remainder};
+  return {};
+}
+
+// The earliest fall in the step, for certain; counts the touches before it that stay undecided.
+bool Trajectory::find_fall(const GuardCurves &curves, Crossing &crossing) {
+  const double length = steppers_.present().time() - steppers_.present().previous_time();
+  double end = length;
+  bool found = false;
+  Index index = 0;
+  touches_.clear();
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
+    for (std::size_t g = 0; g < guard_count(equations_, c); ++g) {
+      const FirstFall fall = first_fall(curves, index++, end, guard_start(c, g));
+      if (fall.touch)
+        touches_.push_back(*fall.touch);
+      if (fall.time && (!found || *fall.time < end)) {
+        crossing = {.tau = *fall.time / length, .contact = c, .guard = g};
+        found = true;
+        end = *fall.time;
+      }
+    }
+  undecided_ += std::count_if(touches_.begin(), touches_.end(),
+                              [&](double instant) { return !found || instant < end; });
+  return found;
+}
+
+// The contact changes at the start of the step.
+void Trajectory::end_at_start(Crossing &crossing) {
+  const Bernstein indicator = view().indicator(
+      crossing.contact, guard_of(equations_, crossing.contact, crossing.guard).indicator);
+  const double length = steppers_.present().time() - steppers_.present().previous_time();
+  crossing.residual = std::abs(indicator.start());
+  crossing.rate = std::abs(indicator.derivative().start() / length);
+  steppers_.present().undo();
+}
+
+// Shortens the step to a fall that is known for certain.
+void Trajectory::end_at_fall(Crossing &crossing) {
+  const double start = steppers_.present().previous_time();
+  const double instant = start + crossing.tau * (steppers_.present().time() - start);
+  if (instant - start <= time_tolerance()) {
+    end_at_start(crossing);
+    return;
+  }
+  if (instant != steppers_.present().time())
+    steppers_.present().shorten(instant);
+  event_residual_ = std::max(event_residual_, event_uncertainty(view(), crossing));
+}
+
+// Shortens the step to its first change of a contact.
+bool Trajectory::changes_in_step(Crossing &crossing) {
+  if (const GuardCurves *curves = steppers_.present().guard_curves()) {
+    const bool falls = find_fall(*curves, crossing);
+    if (falls)
+      end_at_fall(crossing);
+    return falls;
+  }
+  return find_crossing(view(), crossing) && locate(crossing);
+}
+
 // Shortens the step until it ends at the first crossing. False: the crossing was an artefact of the
 // longer step's polynomial, and the step as it now stands is free of changes.
 bool Trajectory::locate(Crossing &crossing) {
@@ -218,12 +282,7 @@ bool Trajectory::locate(Crossing &crossing) {
     const double start = steppers_.present().previous_time();
     const double instant = start + crossing.tau * (steppers_.present().time() - start);
     if (instant - start <= time_tolerance()) {
-      const Bernstein indicator = view().indicator(
-          crossing.contact, guard_of(equations_, crossing.contact, crossing.guard).indicator);
-      crossing.residual = std::abs(indicator.start());
-      crossing.rate =
-          std::abs(indicator.derivative().start() / (steppers_.present().time() - start));
-      steppers_.present().undo();
+      end_at_start(crossing);
       return true;
     }
     if (instant != steppers_.present().time())
@@ -351,6 +410,7 @@ void Trajectory::pass_source_break() {
 
 void Trajectory::begin_balance() {
   watched_ = true;
+  exact_ = true;
   initial_state_ = state();
   initial_energy_ = equations_.stored_energy(
       time(), ConstVectorView(initial_state_.data(), initial_state_.size()));
@@ -412,8 +472,9 @@ void Trajectory::integrate(double end, Observer &observer) {
     ++steps_;
     steppers_.present().step(limit);
     Crossing crossing;
-    const bool changes = find_crossing(view(), crossing) && locate(crossing);
+    const bool changes = changes_in_step(crossing);
     steppers_.present().accept(watched_);
+    exact_ = exact_ && steppers_.present().exact();
     if (steppers_.present().time() > steppers_.present().previous_time())
       observer.step(view());
     if (changes) {
@@ -423,6 +484,11 @@ void Trajectory::integrate(double end, Observer &observer) {
     if (!zero_at_start_.empty())
       forget_grown_guards();
   }
+}
+
+double Trajectory::energy_threshold() const {
+  constexpr double of_exact_steps = 1e-10;
+  return exact_ ? of_exact_steps : std::max(of_exact_steps, 1000 * settings_.relative_tolerance);
 }
 
 Accuracy Trajectory::accuracy() const {
@@ -441,7 +507,9 @@ Accuracy Trajectory::accuracy() const {
           .rejected_steps = steppers_.rejected_steps() - rejected_before_,
           .events = events_,
           .energy_residual = energy_residual,
-          .event_residual = event_residual_};
+          .energy_threshold = energy_threshold(),
+          .event_residual = event_residual_,
+          .undecided_events = undecided_};
 }
 
 } // namespace vibroimpact

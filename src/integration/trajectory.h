@@ -25,7 +25,15 @@ struct Accuracy {
   long rejected_steps = 0;
   long events = 0;
   double energy_residual = 0; ///< |unaccounted energy| / (initial + |input|); NaN: not watched
-  double event_residual = 0;  ///< largest uncertainty of an event's instant [s]
+  /// What a sound motion stays below: 1e-10 where every step was exact, else a thousand times the
+  /// relative tolerance when that is more.
+  double energy_threshold = 0;
+  double event_residual = 0; ///< largest uncertainty of an event's instant [s]
+  /// Touches so shallow that rounding decides whether they were contacts; not counted as events.
+  long undecided_events = 0;
+
+  /// False when the energy balance does not close.
+  bool balanced() const { return !(energy_residual > energy_threshold); }
 };
 
 /// Where a motion stands, to start another one from.
@@ -88,14 +96,20 @@ private:
   void choose_initial_modes(double time, const Vector &state);
   void enter_contacts(double time, Vector &state) const;
   void refuse_penetration(double time, const Vector &state) const;
+  bool changes_in_step(Crossing &crossing);
   bool find_crossing(const StepView &view, Crossing &crossing) const;
   bool locate(Crossing &crossing);
+  GuardStart guard_start(std::size_t contact, std::size_t guard) const;
+  bool find_fall(const GuardCurves &curves, Crossing &crossing);
+  void end_at_fall(Crossing &crossing);
+  void end_at_start(Crossing &crossing);
   double event_uncertainty(const StepView &view, Crossing &crossing) const;
   void change_modes(const Crossing &first, Observer &observer);
   void note_zero_guards(const Crossing &crossing, const AffineForm &passed, const Vector &state);
   void change_mode(std::size_t contact, std::size_t guard, Vector &state, Observer &observer);
   StepView view() const;
   double time_tolerance() const;
+  double energy_threshold() const;
 
   IntegrationSettings settings_;
   Equations equations_;
@@ -103,6 +117,7 @@ private:
   std::unique_ptr<UnwatchedFlight> flight_; ///< none where the method is another
   bool flown_ = false;                      ///< the steppers must begin anew to take a step
   bool watched_ = true;
+  bool exact_ = true; ///< every step since the balance began
   double initial_energy_ = 0;
   Vector initial_state_; ///< with the ledger as it was when the balance began
   long steps_ = 0;
@@ -110,9 +125,11 @@ private:
   long events_ = 0;
   long events_at_once_ = 0; ///< events without progress in time
   double last_event_time_ = 0;
+  long undecided_ = 0;
   double event_residual_ = 0;
   /// Guards that were zero at the start of the phase and have not grown beyond that yet.
   std::vector<ZeroGuard> zero_at_start_;
+  std::vector<double> touches_; ///< instants after the start of the step
 };
 
 } // namespace vibroimpact

@@ -1,5 +1,7 @@
 #include "output/summary.h"
 
+#include "analyses/fields.h"
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -22,6 +24,28 @@ std::size_t point_count(const AnalysisHeader &header) {
     count *= axis.size();
   return count;
 }
+
+// What the reader must not overlook.
+struct Totals {
+  double failed = 0, unbalanced = 0, undecided = 0;
+
+  void add(const PointResult &point) {
+    failed += point.status == Status::failed ? 1 : 0;
+    unbalanced += vibroimpact::unbalanced(point) ? 1 : 0;
+    undecided += undecided_events(point);
+  }
+
+  std::string lines(const std::string &prefix) const {
+    std::string text;
+    if (failed > 0)
+      text += summary_line(prefix + ".failed_points", failed, "1");
+    if (unbalanced > 0)
+      text += summary_line(prefix + ".unbalanced_points", unbalanced, "1");
+    if (undecided > 0)
+      text += summary_line(prefix + ".total_undecided_events", undecided, "1");
+    return text;
+  }
+};
 
 std::string index_in_brackets(const std::vector<std::size_t> &index) {
   std::string text;
@@ -65,9 +89,9 @@ std::string analysis_summary(const AnalysisHeader &header, const PointSequence &
   const bool listed = count <= most_listed_points;
   if (!listed)
     text += summary_line(prefix + ".points", static_cast<double>(count), "1");
-  std::size_t failed = 0;
+  Totals totals;
   points([&](const PointResult &point) {
-    failed += point.status == Status::failed ? 1 : 0;
+    totals.add(point);
     if (!listed)
       return;
     const std::string point_prefix =
@@ -78,9 +102,7 @@ std::string analysis_summary(const AnalysisHeader &header, const PointSequence &
                            line.unit);
     }
   });
-  if (failed > 0)
-    text += summary_line(prefix + ".failed_points", static_cast<double>(failed), "1");
-  return text;
+  return text + totals.lines(prefix);
 }
 
 } // namespace vibroimpact

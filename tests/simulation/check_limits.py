@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+"""Points that cannot be computed are recorded with their reason, the others are not touched by it,
+and summary, terminal and exit code say so.
+
+usage: check_limits.py PROGRAM MPIEXEC
+"""
+import sys
+import unittest
+
+import h5py
+import numpy as np
+
+import check_runs
+
+# Three motions from rest, of which only the middle one meets the stop.
+FILE = """
+subsection Body mass
+  set Type = lumped
+  subsection Mass head
+    set Mass = 1 kg
+    set Stiffness = 100 N/m
+    set Damping = 1 N s/m
+  end
+end
+subsection Contact stop
+  set Between = mass.head
+  set Clearance = 10 m
+  subsection Linear penalty
+    set Stiffness = 10 kN/m
+  end
+end
+subsection Excitation push
+  set Type = force
+  set At = mass.head
+  set Amplitude = 1 N
+  set Frequency = 1.5 Hz
+end
+set Analyses = cases
+subsection Analysis one
+  set Type = response
+  subsection Response
+    set Settling cycles = 20
+    set Recorded cycles = 5
+  end
+end
+subsection Analysis cases
+  set Type = parameter grid
+  subsection Parameter grid
+    set Repeat = one
+    subsection Key swept
+      set Path = PATH
+      set Values = VALUES
+    end
+  end
+end
+"""
+PATH = "analysis/cases/"
+
+
+class Limits(check_runs.Runs):
+    def write(self, path="Contact/stop/Clearance", values="10 m, 5 mm, 11 m"):
+        self.file.write_text(FILE.replace("PATH", path).replace("VALUES", values))
+
+    def run_to(self, name, code, *arguments, ranks=1):
+        out = self.folder / name
+        done = self.run_program(self.file, "--output", out, *arguments, ranks=ranks)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return out, done.stdout + done.stderr
+
+    def read(self, out, name):
+        with h5py.File(out / "results.h5") as file:
+            return file[PATH + name][()]
+
+    def expect_middle_failed(self, out, text, reason):
+        np.testing.assert_array_equal(self.read(out, "status"), [0, 1, 0])
+        self.assertIn(reason, self.read(out, "reason")[1].decode())
+        self.assertEqual(self.read(out, "reason")[0].decode(), "")
+        self.assertIn("analysis.cases.failed_points = 1 ", (out / "summary.txt").read_text())
+        self.assertIn("1 points failed", text)
+        self.assertTrue(np.isnan(self.read(out, "steps")[1]))
+
+    def expect_others_same(self, out, whole):
+        peak = "point/mass.head/displacement_x/peak_excursion"
+        for name in ("steps", "events", "energy_residual", peak):
+            np.testing.assert_array_equal(self.read(out, name)[[0, 2]],
+                                          self.read(whole, name)[[0, 2]])
+
+    def limit(self, key, count, reason):
+        self.write()
+        whole, _ = self.run_to("whole", 0)
+        counts = self.read(whole, count)
+        self.assertGreater(counts[1], 2 + max(counts[0], counts[2]))
+        limit = int(max(counts[0], counts[2])) + 1
+        for ranks in (1, 2):
+            out, text = self.run_to(f"limited{ranks}", 3, "--set", f"Integration/{key}={limit}",
+                                    ranks=ranks)
+            self.expect_middle_failed(out, text, reason)
+            self.expect_others_same(out, whole)
+
+    def test_step_limit(self):
+        self.limit("Maximum steps", "steps", "(Maximum steps)")
+
+    def test_event_limit(self):
+        self.limit("Maximum events", "events", "(Maximum events)")
+
+    def test_numbers_that_are_none(self):
+        self.write("Excitation/push/Amplitude", "1 N, 1e308 N, 2 N")
+        for method in ("flight", "rk"):
+            out, text = self.run_to(method, 3, "--set", f"Integration/Method={method}")
+            self.expect_middle_failed(out, text, "no longer finite")
+
+    def test_a_balance_that_does_not_close(self):
+        self.write()
+        out, text = self.run_to("whole", 0)
+        self.assertNotIn("balance", text)
+        np.testing.assert_array_equal(self.read(out, "unbalanced"), [0, 0, 0])
+        self.assertNotIn("unbalanced_points", (out / "summary.txt").read_text())
+        # The trapezoidal rule asked for nothing but long steps.
+        out, text = self.run_to("coarse", 0, "--set", "Integration/Method=theta", "--set",
+                                "Integration/Relative tolerance=1e-13", "--set",
+                                "Integration/Absolute tolerance=1 m")
+        self.assertIn("does not close", text)
+        self.assertGreater(np.count_nonzero(self.read(out, "unbalanced")), 0)
+        self.assertIn("analysis.cases.unbalanced_points", (out / "summary.txt").read_text())
+
+
+if __name__ == "__main__":
+    # Not those of the class it borrows the set-up from.
+    own = [name for name in vars(Limits) if name.startswith("test_")]
+    done = unittest.TextTestRunner().run(unittest.TestSuite(map(Limits, own)))
+    sys.exit(0 if done.wasSuccessful() else 1)
