@@ -15,6 +15,8 @@ namespace {
 
 // Beyond this condition of the balanced and normalised eigenvectors more than five digits are lost.
 constexpr double largest_condition = 1e5;
+// Eigenvectors A v = e v whose residual is larger, relative to A, are not taken for eigenvectors.
+constexpr double largest_residual = 1e-12;
 // Nearer to an eigenvalue (relatively) the particular solution loses more than five digits.
 constexpr double resonance_distance = 1e-5;
 // Eigenvalues below this part of the largest are as good as zero for a constant input.
@@ -46,6 +48,14 @@ double condition(const Eigen::MatrixXcd &vectors) {
   const auto &values = svd.singularValues();
   const double smallest = values[values.size() - 1];
   return smallest > 0 ? values[0] / smallest : std::numeric_limits<double>::infinity();
+}
+
+// Of a defective pair the solver may return two vectors that are none (Eigen does so when the two
+// eigenvalues come out equal to the last digit).
+double residual(const Matrix &matrix, const ComplexVector &eigenvalues,
+                const Eigen::MatrixXcd &vectors) {
+  const Eigen::MatrixXcd normalised = vectors.colwise().normalized();
+  return (matrix * normalised - normalised * eigenvalues.asDiagonal()).colwise().norm().maxCoeff();
 }
 
 const std::optional<AffineLaw> &affine_law(const Equations &equations, std::size_t contact) {
@@ -153,13 +163,15 @@ void LinearSystem::differentiate(Matrix &rows) const {
 void LinearSystem::decompose() {
   scale_ = balance(matrix_);
   const Matrix balanced = scale_.cwiseInverse().asDiagonal() * matrix_ * scale_.asDiagonal();
+  spectral_radius_ = balanced.norm(); // an upper bound, if nothing better is found
   const Eigen::EigenSolver<Matrix> solver(balanced);
   if (solver.info() != Eigen::Success)
     return;
   eigenvalues_ = solver.eigenvalues();
   spectral_radius_ = eigenvalues_.size() > 0 ? eigenvalues_.cwiseAbs().maxCoeff() : 0;
   const Eigen::MatrixXcd vectors = solver.eigenvectors();
-  diagonalizable_ = eigenvalues_.size() > 0 && condition(vectors) <= largest_condition;
+  diagonalizable_ = eigenvalues_.size() > 0 && condition(vectors) <= largest_condition &&
+                    residual(balanced, eigenvalues_, vectors) <= largest_residual * balanced.norm();
   if (!diagonalizable_)
     return;
   eigenvectors_ = scale_.cast<Complex>().asDiagonal() * vectors;

@@ -109,7 +109,7 @@ TEST(EventsTest, ChangesAtTheSameInstant) {
   Trajectory trajectory(model, contacts, {});
   Changes changes;
   trajectory.start(0, Vector::Zero(2), Vector::Constant(2, 10.0));
-  trajectory.advance(0.2, changes);
+  trajectory.advance(0.1, changes);
   const double meets = std::asin(0.5) / 10;
   std::vector<int> begun(3, 0);
   for (const Change &change : changes.list)
