@@ -81,7 +81,8 @@ bool FlightStepper::handles(double time) {
 
 void FlightStepper::restart(double time, const Vector &x) {
   physical_ = x.head(equations_.layout().physical_size());
-  motion_ = &cached_phase().phase->begin(physical_, sources_);
+  phase_ = cached_phase().phase.get();
+  motion_ = &phase_->begin(physical_, sources_);
   end_.time = time;
   end_.state = x;
   motion_->initial_derivatives(rows_);
@@ -156,7 +157,7 @@ void FlightStepper::accept(bool keep_ledger) {
   const double h = end_.time - start_.time;
   if (keep_ledger) {
     motion_->values(Ledger::instants(h), nodes_);
-    ledger_.add(h, nodes_, end_.state);
+    ledger_.add(h, nodes_, phase_->system().held_forces(), end_.state);
   }
   motion_->move(h);
 }

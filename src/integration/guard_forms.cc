@@ -4,8 +4,8 @@ namespace vibroimpact {
 
 namespace {
 
-void add_row(const Equations &equations, std::size_t contact, const AffineForm &form,
-             GuardForms &forms) {
+void add_row(const Equations &equations, const LinearSystem &system, std::size_t contact,
+             const AffineForm &form, GuardForms &forms) {
   const ContactPair &pair = equations.contacts().pairs()[contact];
   const StateLayout &layout = equations.layout();
   const Index last = forms.rows.rows();
@@ -23,18 +23,24 @@ void add_row(const Equations &equations, std::size_t contact, const AffineForm &
     row[source + 1] = form.gap_rate * pair.gap.carrier[k];
   }
   forms.constants[last] = form.constant + form.gap * pair.clearance;
+  const LinearSystem::HeldForces &held = system.held_forces();
+  for (std::size_t k = 0; k < held.contacts.size(); ++k)
+    if (held.contacts[k] == contact) {
+      row += form.normal_force * held.rows.row(static_cast<Index>(k));
+      forms.constants[last] += form.normal_force * held.constants[static_cast<Index>(k)];
+    }
 }
 
 } // namespace
 
-GuardForms guard_forms(const Equations &equations) {
+GuardForms guard_forms(const Equations &equations, const LinearSystem &system) {
   const auto n_sources = static_cast<Index>(equations.model().sources().size());
   GuardForms forms{.rows = Matrix(0, equations.layout().physical_size() + 3 * n_sources),
                    .constants = Vector(0)};
   for (std::size_t c = 0; c < equations.contacts().size(); ++c) {
     const ContactLaw &law = *equations.contacts().pairs()[c].law;
     for (const Guard &guard : law.modes()[static_cast<std::size_t>(equations.modes()[c])].guards)
-      add_row(equations, c, guard.indicator, forms);
+      add_row(equations, system, c, guard.indicator, forms);
   }
   return forms;
 }

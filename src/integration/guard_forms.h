@@ -1,7 +1,7 @@
 // The guards of the contacts' present modes as linear forms of what a linear phase computes.
 #pragma once
 
-#include "integration/equations.h"
+#include "integration/linear_system.h"
 
 namespace vibroimpact {
 
@@ -11,6 +11,7 @@ struct GuardForms {
   Vector constants; ///< guards
 };
 
-GuardForms guard_forms(const Equations &equations);
+/// For the present modes; `system` is that of the same modes.
+GuardForms guard_forms(const Equations &equations, const LinearSystem &system);
 
 } // namespace vibroimpact

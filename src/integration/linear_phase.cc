@@ -20,7 +20,7 @@ double dense_step(double tenth_derivative, double eighth_derivative) {
 }
 
 LinearPhase::LinearPhase(const Equations &equations, const DenseTolerance &tolerance)
-    : system_(equations), guards_(guard_forms(equations)) {
+    : system_(equations), guards_(guard_forms(equations, system_)) {
   const Index n = equations.layout().n;
   if (system_.diagonalizable()) {
     modal_ = make_modal_motion(system_, n, tolerance);
@@ -30,10 +30,11 @@ LinearPhase::LinearPhase(const Equations &equations, const DenseTolerance &toler
 }
 
 bool LinearPhase::fits(const Equations &equations) const {
-  const GuardForms guards = guard_forms(equations);
+  if (!system_.fits(equations))
+    return false;
+  const GuardForms guards = guard_forms(equations, system_);
   return guards.rows.rows() == guards_.rows.rows() && guards.rows.cols() == guards_.rows.cols() &&
-         guards.rows == guards_.rows && guards.constants == guards_.constants &&
-         system_.fits(equations);
+         guards.rows == guards_.rows && guards.constants == guards_.constants;
 }
 
 LinearMotion &LinearPhase::begin(const Vector &y, std::span<const ExponentialForm> sources) {

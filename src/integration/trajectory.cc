@@ -16,21 +16,15 @@ namespace {
 constexpr long maximum_events_at_once = 100;
 
 const Guard &guard_of(const Equations &equations, std::size_t contact, std::size_t guard) {
-  const ContactPair &pair = equations.contacts().pairs()[contact];
-  return pair.law->modes()[static_cast<std::size_t>(equations.modes()[contact])].guards[guard];
-}
-
-std::size_t guard_count(const Equations &equations, std::size_t contact) {
-  const ContactPair &pair = equations.contacts().pairs()[contact];
-  return pair.law->modes()[static_cast<std::size_t>(equations.modes()[contact])].guards.size();
+  return equations.mode(contact).guards[guard];
 }
 
 // |factor| for which form = factor * other; 0 when there is none.
 double proportion(const AffineForm &form, const AffineForm &other) {
   const auto coefficients = [](const AffineForm &from, std::size_t n_internal) {
-    std::vector<double> list = {from.constant, from.gap, from.gap_rate};
+    std::vector<double> list = {from.constant, from.gap, from.gap_rate, from.normal_force};
     list.insert(list.end(), from.internal.begin(), from.internal.end());
-    list.resize(3 + n_internal, 0.0);
+    list.resize(4 + n_internal, 0.0);
     return list;
   };
   const std::size_t n_internal = std::max(form.internal.size(), other.internal.size());
@@ -50,7 +44,8 @@ double proportion(const AffineForm &form, const AffineForm &other) {
 
 Trajectory::Trajectory(const Model &model, const ContactSet &contacts,
                        const IntegrationSettings &settings)
-    : settings_(settings), equations_(model, contacts), steppers_(equations_, settings) {}
+    : settings_(settings), equations_(model, contacts), collisions_(equations_, settings_),
+      steppers_(equations_, settings) {}
 
 double Trajectory::time_tolerance() const {
   return std::max(settings_.event_tolerance, 8 * std::numeric_limits<double>::epsilon() *
@@ -67,7 +62,13 @@ void Trajectory::refuse_penetration(double time, const Vector &state) const {
     const ContactPair &pair = equations_.contacts().pairs()[c];
     const LocalState local =
         equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    if (local.gap < -settings_.absolute_tolerance && !pair.accept_initial_penetration)
+    if (local.gap >= -settings_.absolute_tolerance)
+      continue;
+    if (pair.law->rigid())
+      throw InputError(pair.origin + "\n  the motion starts with two rigid sides overlapping by " +
+                       std::to_string(-local.gap * 1e3) +
+                       " mm; change the initial condition or the clearance.");
+    if (!pair.accept_initial_penetration)
       throw InputError(pair.origin + "\n  the motion starts with the two sides overlapping by " +
                        std::to_string(-local.gap * 1e3) +
                        " mm; change the initial condition or the clearance, or allow it with "
@@ -117,7 +118,8 @@ void Trajectory::start(const MotionState &from) {
   Vector state = Vector::Zero(layout().size());
   state.head(layout().physical_size()) = from.physical;
   choose_initial_modes(from.time, state);
-  steps_ = events_ = events_at_once_ = 0;
+  collisions_.settle(from.time, settings_.event_tolerance, state);
+  steps_ = events_ = chatters_ = events_at_once_ = 0;
   steppers_.forget(); // so that a case does not depend on what was integrated before it
   rejected_before_ = steppers_.rejected_steps();
   event_residual_ = 0;
@@ -146,17 +148,20 @@ Bernstein Trajectory::indicator(const StepView &view, std::size_t contact,
   for (const ZeroGuard &zero : zero_at_start_)
     if (zero.contact == contact && zero.guard == guard) {
       curve += zero.remainder;
-      curve.clear_start(negligible(guard_of(equations_, contact, guard).indicator));
+      curve.clear_start(negligible(contact, guard_of(equations_, contact, guard).indicator));
     }
   return curve;
 }
 
 // Error of an indicator that the absolute tolerance of the integration allows.
-double Trajectory::negligible(const AffineForm &form) const {
+double Trajectory::negligible(std::size_t contact, const AffineForm &form) const {
   const double highest = std::max(1.0, equations_.model().highest_frequency());
   double sum = std::abs(form.gap) + std::abs(form.gap_rate) * highest;
   for (const double coefficient : form.internal)
     sum += std::abs(coefficient);
+  if (form.normal_force != 0)
+    sum += std::abs(form.normal_force) * highest * highest *
+           equations_.contacts().effective_mass(contact, equations_.model());
   return settings_.absolute_tolerance * sum;
 }
 
@@ -164,14 +169,14 @@ void Trajectory::forget_grown_guards() {
   const StepView step = view();
   std::erase_if(zero_at_start_, [&](const ZeroGuard &zero) {
     const AffineForm &form = guard_of(equations_, zero.contact, zero.guard).indicator;
-    return step.indicator(zero.contact, form).end() > negligible(form);
+    return step.indicator(zero.contact, form).end() > negligible(zero.contact, form);
   });
 }
 
 bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {
   bool found = false;
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
-    for (std::size_t g = 0; g < guard_count(equations_, c); ++g) {
+    for (std::size_t g = 0; g < equations_.mode(c).guards.size(); ++g) {
       const std::optional<double> tau = indicator(view, c, g).first_fall();
       if (tau && (!found || *tau < crossing.tau)) {
         crossing = {.tau = *tau, .contact = c, .guard = g};
@@ -191,7 +196,7 @@ double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) c
   crossing.residual = std::abs(plain.end());
   crossing.rate = plain.derivative().end() / view.length();
   const double distance = std::abs(indicator(view, crossing.contact, crossing.guard).end());
-  if (distance <= equations_.rounding(crossing.contact, form, view.end_state()))
+  if (distance <= equations_.rounding(crossing.contact, form, view.end(), view.end_state()))
     return 0;
   return std::abs(distance / crossing.rate);
 }
@@ -249,8 +254,10 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
                      .contact = contact,
                      .from = equations_.modes()[contact],
                      .to = passed.target,
+                     .onset = false,
                      .gap = local.gap,
                      .gap_rate = local.gap_rate,
+                     .gap_rate_after = local.gap_rate,
                      .state = &state,
                      .before = &before,
                      .guard = &passed,
@@ -261,7 +268,9 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
     fresh.push_back(form(local));
   for (std::size_t i = 0; i < fresh.size(); ++i)
     state[layout().internal() + pair.internal_offset + static_cast<Index>(i)] = fresh[i];
+  const bool apart = !equations_.mode(contact).in_contact;
   equations_.set_mode(contact, passed.target);
+  event.onset = apart && equations_.mode(contact).in_contact;
   // What the new mode holds no more is lost at this instant; `local` sees the new internal states.
   state[layout().contact_work(static_cast<Index>(contact))] +=
       held - equations_.contact_energy(contact, event.to, local);
@@ -281,6 +290,10 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
     throw NumericalError("more than " + std::to_string(settings_.maximum_events) +
                          " contact changes (Maximum events)");
   last_event_time_ = time();
+  if (guard_of(equations_, first.contact, first.guard).action == GuardAction::impact) {
+    collide(first.contact, observer);
+    return;
+  }
   Vector state = steppers_.present().state();
   // A copy: the mode it belongs to is about to be left.
   const AffineForm passed = guard_of(equations_, first.contact, first.guard).indicator;
@@ -312,12 +325,15 @@ void Trajectory::note_zero_guards(const Crossing &crossing, const AffineForm &pa
       .internal = {rates_at_start.data() + layout().internal() +
                        equations_.contacts().pairs()[contact].internal_offset,
                    local.internal.size()}};
-  for (std::size_t g = 0; g < guard_count(equations_, contact); ++g) {
+  for (std::size_t g = 0; g < equations_.mode(contact).guards.size(); ++g) {
     const AffineForm &form = guard_of(equations_, contact, g).indicator;
     const double rate = form(rates) - form.constant;
-    const double noise = std::max({2 * std::max(time_tolerance(), delay) * std::abs(rate),
-                                   proportion(form, passed) * crossing.residual,
-                                   equations_.rounding(contact, form, state)});
+    double noise = std::max({2 * std::max(time_tolerance(), delay) * std::abs(rate),
+                             proportion(form, passed) * crossing.residual,
+                             equations_.rounding(contact, form, time(), state)});
+    // Gaps are held, and forces hold them, with the error of the integration.
+    if (form.normal_force != 0 || guard_of(equations_, contact, g).action == GuardAction::impact)
+      noise = std::max(noise, negligible(contact, form));
     if (std::abs(form(local)) <= noise)
       zero_at_start_.push_back(
           {.contact = contact, .guard = g, .remainder = std::max(0.0, -form(local))});
@@ -405,7 +421,8 @@ Accuracy Trajectory::accuracy() const {
           .rejected_steps = steppers_.rejected_steps() - rejected_before_,
           .events = events_,
           .energy_residual = energy_residual,
-          .event_residual = event_residual_};
+          .event_residual = event_residual_,
+          .chatters = chatters_};
 }
 
 } // namespace vibroimpact

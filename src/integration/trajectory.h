@@ -7,6 +7,7 @@
 // restarts where an excitation is not smooth: no step reaches across such a break.
 #pragma once
 
+#include "integration/collision.h"
 #include "integration/observer.h"
 #include "integration/settings.h"
 #include "integration/steppers.h"
@@ -23,6 +24,7 @@ struct Accuracy {
   long events = 0;
   double energy_residual = 0; ///< |unaccounted energy| / (initial + |input|); NaN: not watched
   double event_residual = 0;  ///< largest uncertainty of an event's instant [s]
+  long chatters = 0;          ///< infinite sequences of impacts that were completed at once
 };
 
 /// Where a motion stands, to start another one from.
@@ -71,7 +73,7 @@ private:
     double remainder = 0; ///< by which it is below zero
   };
 
-  double negligible(const AffineForm &form) const;
+  double negligible(std::size_t contact, const AffineForm &form) const;
   void forget_grown_guards();
   Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
   void begin_phase(double time, const Vector &state);
@@ -87,6 +89,7 @@ private:
   bool locate(Crossing &crossing);
   double event_uncertainty(const StepView &view, Crossing &crossing) const;
   void change_modes(const Crossing &first, Observer &observer);
+  void collide(std::size_t first, Observer &observer);
   void note_zero_guards(const Crossing &crossing, const AffineForm &passed, const Vector &state);
   void change_mode(std::size_t contact, std::size_t guard, Vector &state, Observer &observer);
   StepView view() const;
@@ -94,6 +97,7 @@ private:
 
   IntegrationSettings settings_;
   Equations equations_;
+  Collisions collisions_;
   Steppers steppers_;
   bool watched_ = true;
   double initial_energy_ = 0;
@@ -101,6 +105,7 @@ private:
   long steps_ = 0;
   long rejected_before_ = 0;
   long events_ = 0;
+  long chatters_ = 0;
   long events_at_once_ = 0; ///< events without progress in time
   double last_event_time_ = 0;
   double event_residual_ = 0;
