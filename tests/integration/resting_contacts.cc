@@ -115,7 +115,8 @@ TEST_P(RestingContactsTest, LiftsOffWhereTheBaseFallsAway) {
   Events events;
   ForceWatch forces(
       [&](double t) { return mass * (gravity + amplitude * omega * omega * std::sin(omega * t)); },
-      1e-8);
+      // Inside a step the Runge-Kutta method has a polynomial of degree five.
+      std::string(GetParam()) == "rk" ? 1e-6 : 1e-8);
   Observers observers({&events, &forces});
   trajectory.start(0, vector_of({0}), vector_of({0}));
   trajectory.advance(0.5, observers);
