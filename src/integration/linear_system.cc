@@ -82,6 +82,12 @@ bool LinearSystem::fits(const Equations &equations) const {
          std::equal(loads_.begin(), loads_.end(), other.loads_.begin(), other.loads_.end(), same);
 }
 
+LinearSystem::HeldForces LinearSystem::held_forces(const Equations &equations) {
+  LinearSystem system;
+  system.assemble(equations);
+  return system.held_forces_;
+}
+
 void LinearSystem::assemble(const Equations &equations) {
   const Model &model = equations.model();
   const Index n = model.size();

@@ -50,6 +50,8 @@ public:
   const Vector &constant() const { return constant_; }
   const std::vector<Load> &loads() const { return loads_; }
   const HeldForces &held_forces() const { return held_forces_; }
+  /// Of the present modes, without the rest.
+  static HeldForces held_forces(const Equations &equations);
   double spectral_radius() const { return spectral_radius_; }
 
   /// False where the eigenvectors are too nearly dependent to be used.

@@ -1,6 +1,7 @@
 #include "integration/trajectory.h"
 
 #include "common/error.h"
+#include "integration/unwatched_flight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,13 @@ double proportion(const AffineForm &form, const AffineForm &other) {
 Trajectory::Trajectory(const Model &model, const ContactSet &contacts,
                        const IntegrationSettings &settings)
     : settings_(settings), equations_(model, contacts), collisions_(equations_, settings_),
-      steppers_(equations_, settings) {}
+      steppers_(equations_, settings) {
+  if (steppers_.flight())
+    flight_ = std::make_unique<UnwatchedFlight>(equations_, *steppers_.flight(),
+                                                settings.event_tolerance);
+}
+
+Trajectory::~Trajectory() = default;
 
 double Trajectory::time_tolerance() const {
   return std::max(settings_.event_tolerance, 8 * std::numeric_limits<double>::epsilon() *
@@ -55,62 +62,9 @@ double Trajectory::time_tolerance() const {
 void Trajectory::begin_phase(double time, const Vector &state) {
   equations_.set_source_break(equations_.model().next_break(time));
   steppers_.restart(time, state);
-}
-
-void Trajectory::refuse_penetration(double time, const Vector &state) const {
-  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    const ContactPair &pair = equations_.contacts().pairs()[c];
-    const LocalState local =
-        equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    if (local.gap >= -settings_.absolute_tolerance)
-      continue;
-    if (pair.law->rigid())
-      throw InputError(pair.origin + "\n  the motion starts with two rigid sides overlapping by " +
-                       std::to_string(-local.gap * 1e3) +
-                       " mm; change the initial condition or the clearance.");
-    if (!pair.accept_initial_penetration)
-      throw InputError(pair.origin + "\n  the motion starts with the two sides overlapping by " +
-                       std::to_string(-local.gap * 1e3) +
-                       " mm; change the initial condition or the clearance, or allow it with "
-                       "Initial penetration = accept.");
-  }
-}
-
-void Trajectory::choose_initial_modes(double time, const Vector &state) {
-  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    const ConstVectorView x(state.data(), state.size());
-    equations_.set_mode(
-        c, equations_.contacts().pairs()[c].law->initial_mode(equations_.local_state(c, time, x)));
-  }
-}
-
-// Contacts that are closed from the start take the internal states with which they would have been
-// entered.
-void Trajectory::enter_contacts(double time, Vector &state) const {
-  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    const ContactPair &pair = equations_.contacts().pairs()[c];
-    const LocalState local =
-        equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    const std::vector<double> entered = settle(*pair.law, local).internal;
-    std::copy(entered.begin(), entered.end(),
-              state.data() + layout().internal() + pair.internal_offset);
-  }
-}
-
-void Trajectory::start(double time, const Vector &displacement, const Vector &velocity) {
-  equations_.set_source_break(equations_.model().next_break(time));
-  MotionState from{.time = time, .physical = Vector::Zero(layout().physical_size())};
-  from.physical.head(layout().n) = displacement;
-  from.physical.segment(layout().velocity(), layout().n) = velocity;
-  from.physical.segment(layout().internal(), layout().n_internal) =
-      equations_.contacts().initial_internal();
-  from.physical.tail(layout().n_drive) = equations_.model().rotors().initial_drive();
-  Vector state = Vector::Zero(layout().size());
-  state.head(layout().physical_size()) = from.physical;
-  refuse_penetration(time, state);
-  enter_contacts(time, state);
-  from.physical = state.head(layout().physical_size());
-  start(from);
+  flown_ = false;
+  if (flight_)
+    flight_->leave();
 }
 
 void Trajectory::start(const MotionState &from) {
@@ -120,6 +74,8 @@ void Trajectory::start(const MotionState &from) {
   choose_initial_modes(from.time, state);
   collisions_.settle(from.time, settings_.event_tolerance, state);
   steps_ = events_ = chatters_ = events_at_once_ = 0;
+  if (flight_)
+    flight_->forget();
   steppers_.forget(); // so that a case does not depend on what was integrated before it
   rejected_before_ = steppers_.rejected_steps();
   event_residual_ = 0;
@@ -372,9 +328,31 @@ void Trajectory::advance(double end) {
   integrate(end, nobody);
 }
 
-// A guard that has just been zero is left to a step.
-bool Trajectory::glide(double limit) {
-  return !watched_ && zero_at_start_.empty() && steppers_.present().glide(limit);
+// Goes on unwatched as far as that is clear. A guard that has just been zero is left to a step.
+bool Trajectory::fly(double limit) {
+  if (watched_ || !flight_ || !zero_at_start_.empty())
+    return false;
+  double instant = time();
+  Vector state = steppers_.present().state();
+  const bool moved = flight_->fly(instant, state, limit);
+  const UnwatchedFlight::Tally tally = flight_->take_tally();
+  steps_ += tally.pieces;
+  events_ += tally.events;
+  event_residual_ = std::max(event_residual_, tally.event_residual);
+  last_event_time_ = std::max(last_event_time_, flight_->last_event());
+  if (!moved)
+    return false;
+  steppers_.place(instant, state);
+  flown_ = true;
+  return true;
+}
+
+// A step begins where the flight has ended.
+void Trajectory::take_over() {
+  const Vector state = steppers_.present().state();
+  begin_phase(time(), state);
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
+    note_zero_guards({.contact = c}, {}, state);
 }
 
 void Trajectory::integrate(double end, Observer &observer) {
@@ -386,10 +364,12 @@ void Trajectory::integrate(double end, Observer &observer) {
     if (settings_.maximum_steps > 0 && steps_ >= settings_.maximum_steps)
       throw NumericalError("more than " + std::to_string(settings_.maximum_steps) +
                            " steps (Maximum steps)");
-    ++steps_;
     const double limit = std::min(end, equations_.source_break());
-    if (glide(limit))
+    if (fly(limit))
       continue;
+    if (flown_)
+      take_over();
+    ++steps_;
     steppers_.present().step(limit);
     Crossing crossing;
     const bool changes = find_crossing(view(), crossing) && locate(crossing);
