@@ -73,6 +73,13 @@ Bernstein Bernstein::cubic(double h, const std::array<double, 2> &start,
   return hermite(h, start, end);
 }
 
+Bernstein Bernstein::of_coefficients(std::span<const double> coefficients) {
+  Bernstein polynomial;
+  polynomial.degree_ = static_cast<int>(coefficients.size()) - 1;
+  std::copy(coefficients.begin(), coefficients.end(), polynomial.coefficients_.begin());
+  return polynomial;
+}
+
 Bernstein Bernstein::line(double start, double end) {
   Bernstein polynomial;
   polynomial.degree_ = 1;

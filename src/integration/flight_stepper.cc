@@ -81,7 +81,8 @@ bool FlightStepper::handles(double time) {
 
 void FlightStepper::restart(double time, const Vector &x) {
   physical_ = x.head(equations_.layout().physical_size());
-  motion_ = &cached_phase().phase->begin(physical_, sources_);
+  phase_ = cached_phase().phase.get();
+  motion_ = &phase_->begin(physical_, sources_);
   end_.time = time;
   end_.state = x;
   motion_->initial_derivatives(rows_);
@@ -162,7 +163,7 @@ void FlightStepper::accept(bool keep_ledger) {
   for (double from = 0; keep_ledger && from < h; from += part) {
     part = motion_->quadrature_length(from, h - from);
     motion_->values(Ledger::instants(from, part), nodes_);
-    ledger_.add(part, nodes_, end_.state);
+    ledger_.add(part, nodes_, phase_->system().held_forces(), end_.state);
   }
   motion_->move(h);
 }

@@ -62,6 +62,7 @@ private:
   double maximum_step_;
   DenseTolerance tolerance_;
   std::vector<CachedPhase> phases_;
+  LinearPhase *phase_ = nullptr;
   LinearMotion *motion_ = nullptr;
   std::vector<ExponentialForm> sources_;
   Ledger ledger_;

@@ -1,5 +1,7 @@
 #include "integration/guard_forms.h"
 
+#include <algorithm>
+
 namespace vibroimpact {
 
 LinearRow linear_row(const Equations &equations, std::size_t contact, const AffineForm &form) {
@@ -18,6 +20,13 @@ LinearRow linear_row(const Equations &equations, std::size_t contact, const Affi
     row[source] = form.gap * pair.gap.carrier[k];
     row[source + 1] = form.gap_rate * pair.gap.carrier[k];
   }
+  if (form.normal_force == 0 || !equations.mode(contact).holds_gap)
+    return result;
+  const LinearSystem::HeldForces held = LinearSystem::held_forces(equations);
+  const auto place = std::find(held.contacts.begin(), held.contacts.end(), contact);
+  const Index k = place - held.contacts.begin();
+  row += form.normal_force * held.rows.row(k);
+  result.constant += form.normal_force * held.constants[k];
   return result;
 }
 

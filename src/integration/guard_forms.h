@@ -1,7 +1,7 @@
 // What laws see of a motion, as linear forms of what a linear phase computes.
 #pragma once
 
-#include "integration/equations.h"
+#include "integration/linear_system.h"
 
 namespace vibroimpact {
 

@@ -7,6 +7,7 @@
 // restarts where an excitation is not smooth: no step reaches across such a break.
 #pragma once
 
+#include "integration/collision.h"
 #include "integration/observer.h"
 #include "integration/settings.h"
 #include "integration/steppers.h"
@@ -31,6 +32,7 @@ struct Accuracy {
   double event_residual = 0; ///< largest uncertainty of an event's instant [s]
   /// Touches so shallow that rounding decides whether they were contacts; not counted as events.
   long undecided_events = 0;
+  long chatters = 0; ///< infinite sequences of impacts that were completed at once
 
   /// False when the energy balance does not close.
   bool balanced() const { return !(energy_residual > energy_threshold); }
@@ -83,7 +85,7 @@ private:
     double remainder = 0; ///< by which it is below zero
   };
 
-  double negligible(const AffineForm &form) const;
+  double negligible(std::size_t contact, const AffineForm &form) const;
   void forget_grown_guards();
   Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
   void begin_phase(double time, const Vector &state);
@@ -105,6 +107,7 @@ private:
   void end_at_start(Crossing &crossing);
   double event_uncertainty(const StepView &view, Crossing &crossing) const;
   void change_modes(const Crossing &first, Observer &observer);
+  void collide(std::size_t first, Observer &observer);
   void note_zero_guards(const Crossing &crossing, const AffineForm &passed, const Vector &state);
   void change_mode(std::size_t contact, std::size_t guard, Vector &state, Observer &observer);
   StepView view() const;
@@ -113,6 +116,7 @@ private:
 
   IntegrationSettings settings_;
   Equations equations_;
+  Collisions collisions_;
   Steppers steppers_;
   std::unique_ptr<UnwatchedFlight> flight_; ///< none where the method is another
   bool flown_ = false;                      ///< the steppers must begin anew to take a step
@@ -123,6 +127,7 @@ private:
   long steps_ = 0;
   long rejected_before_ = 0;
   long events_ = 0;
+  long chatters_ = 0;
   long events_at_once_ = 0; ///< events without progress in time
   double last_event_time_ = 0;
   long undecided_ = 0;

@@ -84,6 +84,8 @@ const UnwatchedFlight::Transition *UnwatchedFlight::transition(std::size_t guard
     return known->target ? known.get() : nullptr;
   known = std::make_unique<Transition>();
   const FlightGuard passed = known_->phase->guards()[guard];
+  if (equations_.contacts().pairs()[passed.contact].law->rigid())
+    return nullptr; // impacts and rest are for several contacts together
   const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
   equations_.set_mode(passed.contact, passed.target);
   known->target = known_phase().phase.get();
