@@ -17,9 +17,10 @@ std::complex<double> exponential(std::complex<double> exponent, double time) {
 }
 } // namespace
 
-void ExponentialSums::set(const Eigen::MatrixXcd &coefficients, const Vector &constants,
-                          std::vector<Complex> exponents) {
+void ExponentialSums::set(const Eigen::MatrixXcd &coefficients, const Matrix &sizes,
+                          const Vector &constants, std::vector<Complex> exponents) {
   coefficients_ = coefficients.transpose();
+  rounded_sizes_ = sizes.transpose();
   magnitudes_ = coefficients_.array().abs();
   constants_ = constants;
   exponents_ = std::move(exponents);
@@ -45,7 +46,7 @@ void ExponentialSums::start(std::span<const Complex> amplitudes) {
     for (Index j = 0; j < terms_.rows(); ++j) {
       terms_(j, g) = coefficients_(j, g) * amplitudes[static_cast<std::size_t>(j)];
       sizes_(j, g) = magnitudes_(j, g) * amplitude_sizes_[j];
-      total += sizes_(j, g);
+      total += rounded_sizes_(j, g) * amplitude_sizes_[j];
     }
     totals_[g] = total;
   }

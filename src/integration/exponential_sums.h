@@ -15,8 +15,9 @@ class ExponentialSums : public GuardCurves {
 public:
   using Complex = std::complex<double>;
 
-  /// coefficients: functions x terms.
-  void set(const Eigen::MatrixXcd &coefficients, const Vector &constants,
+  /// coefficients: functions x terms. `sizes`, of the same shape: what the coefficients were summed
+  /// up from, by absolute value, to which their rounding is relative.
+  void set(const Eigen::MatrixXcd &coefficients, const Matrix &sizes, const Vector &constants,
            std::vector<Complex> exponents);
 
   /// From now on with these amplitudes a_j.
@@ -40,7 +41,8 @@ private:
   Eigen::ArrayXXd magnitudes_, sizes_; // of coefficients and terms
   Eigen::ArrayXd sixth_;               // |e|^6
   Eigen::ArrayXd amplitude_sizes_;
-  Vector totals_; // sums of the sizes of all terms
+  Matrix rounded_sizes_; // of what the coefficients were summed up from
+  Vector totals_;        // sums of the sizes of all terms
   double end_ = 0;
   double end_growth_ = 1;
   std::span<const Complex> end_factors_;

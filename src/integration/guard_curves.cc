@@ -27,7 +27,11 @@ class FallSearch {
 public:
   FallSearch(const GuardCurves &curves, Index guard, double end, const GuardStart &start)
       : curves_(curves), guard_(guard), begin_(start.until), end_(end), shift_(start.shift),
-        margin_(curves.rounding(guard)), leaves_zero_(start.zero) {}
+        margin_(curves.rounding(guard)), leaves_zero_(start.zero) {
+    // A zero is not below zero, whatever the rounding of this evaluation makes of it.
+    if (leaves_zero_)
+      shift_ = std::max(shift_, -curves.at(guard, 0).value);
+  }
 
   FirstFall run();
 
@@ -39,6 +43,7 @@ private:
   Finding by_ends(const Piece &piece) const;
   bool pass(const Piece &piece, Finding finding);
   double split_point(const Piece &piece) const;
+  double fall_between(double lower, double upper) const;
   double refine(double lower, double upper) const;
 
   const GuardCurves &curves_;
@@ -121,6 +126,19 @@ double FallSearch::refine(double lower, double upper) const {
   return time;
 }
 
+// A guard that rises from zero by less than its rounding, and then falls, falls as late as its
+// values say: at the start itself, the mode to which the contact changes could send it back.
+double FallSearch::fall_between(double lower, double upper) const {
+  if (at(lower).value > 0)
+    return refine(lower, upper);
+  for (double part = 0.5; part > std::numeric_limits<double>::epsilon(); part /= 2) {
+    const double between = lower + part * (upper - lower);
+    if (at(between).value > 0)
+      return refine(between, upper);
+  }
+  return lower;
+}
+
 // Where the slopes at both ends suggest a minimum, every other time; else the middle.
 double FallSearch::split_point(const Piece &piece) const {
   const double h = piece.to - piece.from;
@@ -145,7 +163,7 @@ bool FallSearch::pass(const Piece &piece, Finding finding) {
   if (finding == Finding::negative || finding == Finding::falls) {
     const double lower = entered_.value_or(piece.from);
     const double upper = finding == Finding::falls ? piece.to : piece.from;
-    result_.time = at(lower).value > 0 ? refine(lower, upper) : lower;
+    result_.time = fall_between(lower, upper);
     return true;
   }
   if (finding == Finding::in_rounding) {

@@ -352,16 +352,22 @@ void ModalMotion::watch_groups() {
     return;
   const Matrix seen = watched_.rows * columns_;
   Eigen::MatrixXcd coefficients(seen.rows(), static_cast<Index>(groups_.size()));
+  const Matrix summed = watched_.rows.cwiseAbs() * columns_.cwiseAbs();
+  Matrix sizes(seen.rows(), coefficients.cols());
   std::vector<Complex> exponents;
   for (const Group &group : groups_) {
-    auto column = coefficients.col(static_cast<Index>(exponents.size()));
+    const auto place = static_cast<Index>(exponents.size());
+    sizes.col(place) = summed.col(group.column);
+    if (group.is_pair)
+      sizes.col(place) = sizes.col(place).cwiseMax(summed.col(group.column + 1)) * std::sqrt(2.0);
+    auto column = coefficients.col(place);
     column.real() = seen.col(group.column);
     column.imag().setZero();
     if (group.is_pair)
       column.imag() = -seen.col(group.column + 1);
     exponents.push_back(group.exponent);
   }
-  guards_.set(coefficients, watched_.constants, std::move(exponents));
+  guards_.set(coefficients, sizes, watched_.constants, std::move(exponents));
 }
 
 void ModalMotion::start_guards() {

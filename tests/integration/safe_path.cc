@@ -86,32 +86,25 @@ TEST(SafePathTest, CriticalDamping) {
   expect_closed_form(mode, {.amplitude = 5, .frequency = 31, .phase = 0.4}, 0.01, -0.3, 0.7);
 }
 
-// Eigen returns two equal eigenvalues of this system as a pair, with vectors that are none.
-TEST(SafePathTest, CriticallyDampedAmongOthers) {
-  const std::vector<TrueMode> modes = {{2601, 102, 1, 1}, {3055.34, 0, 1, 1}, {6552.14, 0, 1, 1}};
-  auto body = std::make_shared<ReducedBody>();
-  body->name = "body";
-  body->type = "lumped";
-  body->mass = Vector::Ones(3);
-  body->stiffness = Vector(3);
-  body->damping = Matrix::Zero(3, 3);
-  body->base_participation = Matrix::Zero(3, 3);
-  for (Index j = 0; j < 3; ++j) {
-    body->stiffness[j] = modes[static_cast<std::size_t>(j)].stiffness;
-    body->damping(j, j) = modes[static_cast<std::size_t>(j)].damping;
-  }
-  const Model model({body});
+// Of some of these systems Eigen returns two equal eigenvalues as a pair, with vectors that are
+// none.
+TEST(SafePathTest, CriticallyDampedBesideAnUndamped) {
   const ContactSet none;
-  EXPECT_FALSE(LinearSystem(Equations(model, none)).diagonalizable());
-  Trajectory trajectory(model, none, {});
-  const std::vector<double> q = {0.01, -0.02, 0.03};
-  const std::vector<double> v = {-0.3, 0.2, 1};
-  trajectory.start(0, ConstVectorView(q.data(), 3), ConstVectorView(v.data(), 3));
-  trajectory.advance(0.1);
-  for (std::size_t j = 0; j < modes.size(); ++j) {
-    const TrueMotion<long double> truth({modes[j]}, {}, 0.0L, {q[j]}, {v[j]});
-    EXPECT_NEAR(trajectory.state()[static_cast<Index>(j)], static_cast<double>(truth.at(0.1L)[0]),
-                1e-14);
+  for (int i = 4; i < 800; ++i) {
+    const double w = i / 8.0;
+    const TrueMode critical{.stiffness = w * w, .damping = 2 * w, .load = 1, .weight = 1};
+    const TrueMode other{.stiffness = w * w * 1.17, .damping = 0, .load = 1, .weight = 1};
+    const Model model({single_mass("critical", 1, critical.stiffness, critical.damping),
+                       single_mass("other", 1, other.stiffness, other.damping)});
+    EXPECT_FALSE(LinearSystem(Equations(model, none)).diagonalizable()) << w;
+    Trajectory trajectory(model, none, {});
+    trajectory.start(0, Vector::Constant(2, 0.02), Vector::Constant(2, -0.3 * w));
+    trajectory.advance(3 / w);
+    const long double time = 3 / w;
+    const TrueMotion<long double> first({critical}, {}, 0, {0.02}, {-0.3 * w});
+    const TrueMotion<long double> second({other}, {}, 0, {0.02}, {-0.3 * w});
+    EXPECT_NEAR(trajectory.state()[0], static_cast<double>(first.at(time)[0]), 1e-14) << w;
+    EXPECT_NEAR(trajectory.state()[1], static_cast<double>(second.at(time)[0]), 1e-14) << w;
   }
 }
 
