@@ -34,7 +34,14 @@ public:
   void shorten(double time) override;
   void undo() override;
   void accept(bool keep_ledger) override;
-  bool glide(double limit) override;
+
+  /// After handles(time): closed forms with that origin.
+  const std::vector<ExponentialForm> &sources() const { return sources_; }
+  /// What the present phase is made of with these sources, and the way from y less the response to
+  /// the inputs to the columns of the modes. False: not of exponentials.
+  bool describe(ExponentialBasis &basis, Matrix &inverse);
+  /// The motion was moved on by somebody else.
+  void place(double time, const Vector &x);
 
 private:
   struct CachedPhase {

@@ -20,20 +20,17 @@ double dense_step(double tenth_derivative, double eighth_derivative) {
 }
 
 LinearPhase::LinearPhase(const Equations &equations, const DenseTolerance &tolerance)
-    : system_(equations), guards_(guard_forms(equations)) {
+    : system_(equations) {
   const Index n = equations.layout().n;
-  if (system_.diagonalizable()) {
+  if (system_.diagonalizable())
     modal_ = make_modal_motion(system_, n, tolerance);
-    modal_->watch(guards_);
-  }
   taylor_ = make_taylor_motion(system_, n, tolerance);
 }
 
-bool LinearPhase::fits(const Equations &equations) const {
-  const GuardForms guards = guard_forms(equations);
-  return guards.rows.rows() == guards_.rows.rows() && guards.rows.cols() == guards_.rows.cols() &&
-         guards.rows == guards_.rows && guards.constants == guards_.constants &&
-         system_.fits(equations);
+bool LinearPhase::fits(const Equations &equations) const { return system_.fits(equations); }
+
+bool LinearPhase::describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis) {
+  return modal_ && modal_->describe(sources, basis);
 }
 
 LinearMotion &LinearPhase::begin(const Vector &y, std::span<const ExponentialForm> sources) {

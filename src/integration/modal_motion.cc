@@ -1,4 +1,3 @@
-#include "integration/exponential_sums.h"
 #include "integration/linear_phase.h"
 
 #include <algorithm>
@@ -18,8 +17,7 @@ public:
   void initial_derivatives(Matrix &rows) override;
   void values(std::span<const double> instants, Matrix &rows) override;
   void move(double tau) override;
-  void watch(const GuardForms &forms) override;
-  double free_flight(double limit) override;
+  bool describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis) override;
 
 private:
   // Re(amplitude exp(exponent t)) times one column of the basis for the real part of the rest and
@@ -31,13 +29,7 @@ private:
     Complex amplitude{};
     double size10 = 0, size8 = 0; // |exponent|^10, |exponent|^8
   };
-  // A part of the excitation: exponential of a source, constant of a source, or the system's own.
-  struct Input {
-    std::size_t source = 0;
-    Complex exponent{};
-    bool own = false; // of the system
-    bool operator==(const Input &other) const = default;
-  };
+  using Input = ExponentialBasis::Input;
 
   bool read_inputs(std::span<const ExponentialForm> sources);
   bool respond();
@@ -45,7 +37,6 @@ private:
   bool add_response(const Input &input);
   void multiply(Matrix &rows) const;
   void measure_groups();
-  void watch_groups();
   void note_sizes();
   Complex factor(const Group &group, double tau) const;
   static void store(const Group &group, Complex value, Matrix &amplitudes, Index column);
@@ -61,9 +52,6 @@ private:
   Vector inverse_tolerance_, weights10_, weights8_, bound_;
   Vector initial_, modal_, rest_;
   Matrix amplitudes_;
-  GuardForms watched_;
-  ExponentialSums guards_;
-  std::vector<Complex> group_amplitudes_;
   std::vector<Complex> factors_;
   double factors_at_ = -1; // the tau that factors_ are for
 };
@@ -151,7 +139,6 @@ bool ModalMotion::respond() {
     responded_.push_back(input);
   }
   measure_groups();
-  watch_groups();
   return true;
 }
 
@@ -299,34 +286,16 @@ void ModalMotion::values(std::span<const double> instants, Matrix &rows) {
   multiply(rows);
 }
 
-void ModalMotion::watch(const GuardForms &forms) {
-  watched_ = forms;
-  watch_groups();
-}
-
-// A row sees c Re(a) + d Im(a) = Re((c - i d) a) of a group.
-void ModalMotion::watch_groups() {
-  if (watched_.rows.cols() != columns_.rows())
-    return;
-  const Matrix seen = watched_.rows * columns_;
-  Eigen::MatrixXcd coefficients(seen.rows(), static_cast<Index>(groups_.size()));
-  std::vector<Complex> exponents;
-  for (const Group &group : groups_) {
-    auto column = coefficients.col(static_cast<Index>(exponents.size()));
-    column.real() = seen.col(group.column);
-    column.imag().setZero();
-    if (group.is_pair)
-      column.imag() = -seen.col(group.column + 1);
-    exponents.push_back(group.exponent);
-  }
-  guards_.set(coefficients, watched_.constants, std::move(exponents));
-}
-
-double ModalMotion::free_flight(double limit) {
-  group_amplitudes_.clear();
+bool ModalMotion::describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis) {
+  if (!read_inputs(sources) || (inputs_ != responded_ && !respond()))
+    return false;
+  basis.groups.clear();
   for (const Group &group : groups_)
-    group_amplitudes_.push_back(group.amplitude);
-  return guards_.positive_until(limit, group_amplitudes_);
+    basis.groups.push_back(
+        {.exponent = group.exponent, .column = group.column, .is_pair = group.is_pair});
+  basis.inputs = inputs_;
+  basis.columns = columns_;
+  return true;
 }
 
 void ModalMotion::move(double tau) {

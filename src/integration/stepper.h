@@ -23,10 +23,6 @@ public:
   /// Takes the last step again so that it ends at `time` (after its start), from the same start.
   virtual void shorten(double time) = 0;
 
-  /// Goes on at once, up to `limit` at most, as far as no guard can be passed, without dense output
-  /// and without the ledger. False: not possible, take a step.
-  virtual bool glide(double /*limit*/) { return false; }
-
   /// Undoes the last step.
   virtual void undo() = 0;
 

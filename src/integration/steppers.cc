@@ -21,6 +21,11 @@ void Steppers::restart(double time, const Vector &x) {
   present_->restart(time, x);
 }
 
+void Steppers::place(double time, const Vector &x) {
+  present_ = flight_.get();
+  flight_->place(time, x);
+}
+
 void Steppers::forget() {
   general_.forget();
   if (flight_)

@@ -19,6 +19,11 @@ public:
   Stepper &present() { return *present_; }
   const Stepper &present() const { return *present_; }
 
+  /// The exact method, where it may be used at all.
+  FlightStepper *flight() { return flight_.get(); }
+  /// The motion was moved on by somebody else; the next phase must begin with restart().
+  void place(double time, const Vector &x);
+
   void forget();
   long rejected_steps() const { return general_.rejected_steps(); }
 

@@ -1,6 +1,7 @@
 #include "integration/trajectory.h"
 
 #include "common/error.h"
+#include "integration/unwatched_flight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,13 @@ double proportion(const AffineForm &form, const AffineForm &other) {
 
 Trajectory::Trajectory(const Model &model, const ContactSet &contacts,
                        const IntegrationSettings &settings)
-    : settings_(settings), equations_(model, contacts), steppers_(equations_, settings) {}
+    : settings_(settings), equations_(model, contacts), steppers_(equations_, settings) {
+  if (steppers_.flight())
+    flight_ = std::make_unique<UnwatchedFlight>(equations_, *steppers_.flight(),
+                                                settings.event_tolerance);
+}
+
+Trajectory::~Trajectory() = default;
 
 double Trajectory::time_tolerance() const {
   return std::max(settings_.event_tolerance, 8 * std::numeric_limits<double>::epsilon() *
@@ -60,6 +67,9 @@ double Trajectory::time_tolerance() const {
 void Trajectory::begin_phase(double time, const Vector &state) {
   equations_.set_source_break(equations_.model().next_break(time));
   steppers_.restart(time, state);
+  flown_ = false;
+  if (flight_)
+    flight_->leave();
 }
 
 void Trajectory::refuse_penetration(double time, const Vector &state) const {
@@ -118,6 +128,8 @@ void Trajectory::start(const MotionState &from) {
   state.head(layout().physical_size()) = from.physical;
   choose_initial_modes(from.time, state);
   steps_ = events_ = events_at_once_ = 0;
+  if (flight_)
+    flight_->forget();
   steppers_.forget(); // so that a case does not depend on what was integrated before it
   rejected_before_ = steppers_.rejected_steps();
   event_residual_ = 0;
@@ -356,9 +368,31 @@ void Trajectory::advance(double end) {
   integrate(end, nobody);
 }
 
-// A guard that has just been zero is left to a step.
-bool Trajectory::glide(double limit) {
-  return !watched_ && zero_at_start_.empty() && steppers_.present().glide(limit);
+// Goes on unwatched as far as that is clear. A guard that has just been zero is left to a step.
+bool Trajectory::fly(double limit) {
+  if (watched_ || !flight_ || !zero_at_start_.empty())
+    return false;
+  double instant = time();
+  Vector state = steppers_.present().state();
+  const bool moved = flight_->fly(instant, state, limit);
+  const UnwatchedFlight::Tally tally = flight_->take_tally();
+  steps_ += tally.pieces;
+  events_ += tally.events;
+  event_residual_ = std::max(event_residual_, tally.event_residual);
+  last_event_time_ = std::max(last_event_time_, flight_->last_event());
+  if (!moved)
+    return false;
+  steppers_.place(instant, state);
+  flown_ = true;
+  return true;
+}
+
+// A step begins where the flight has ended.
+void Trajectory::take_over() {
+  const Vector state = steppers_.present().state();
+  begin_phase(time(), state);
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
+    note_zero_guards({.contact = c}, {}, state);
 }
 
 void Trajectory::integrate(double end, Observer &observer) {
@@ -370,10 +404,12 @@ void Trajectory::integrate(double end, Observer &observer) {
     if (settings_.maximum_steps > 0 && steps_ >= settings_.maximum_steps)
       throw NumericalError("more than " + std::to_string(settings_.maximum_steps) +
                            " steps (Maximum steps)");
-    ++steps_;
     const double limit = std::min(end, equations_.source_break());
-    if (glide(limit))
+    if (fly(limit))
       continue;
+    if (flown_)
+      take_over();
+    ++steps_;
     steppers_.present().step(limit);
     Crossing crossing;
     const bool changes = find_crossing(view(), crossing) && locate(crossing);

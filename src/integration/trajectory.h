@@ -11,9 +11,12 @@
 #include "integration/settings.h"
 #include "integration/steppers.h"
 
+#include <memory>
 #include <vector>
 
 namespace vibroimpact {
+
+class UnwatchedFlight;
 
 /// How well a motion was integrated since start(), the energy since the last stretch that nobody
 /// watched.
@@ -35,6 +38,7 @@ class Trajectory {
 public:
   /// Keeps references to the model and the contacts.
   Trajectory(const Model &model, const ContactSet &contacts, const IntegrationSettings &settings);
+  ~Trajectory();
 
   /// q, v given, contacts' internal states at rest, motors at their initial torque. InputError when
   /// a contact that does not accept it starts penetrated.
@@ -76,7 +80,8 @@ private:
   Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
   void begin_phase(double time, const Vector &state);
   void integrate(double end, Observer &observer);
-  bool glide(double limit);
+  bool fly(double limit);
+  void take_over();
   void begin_balance();
   bool at_source_break() const;
   void pass_source_break();
@@ -95,6 +100,8 @@ private:
   IntegrationSettings settings_;
   Equations equations_;
   Steppers steppers_;
+  std::unique_ptr<UnwatchedFlight> flight_; ///< none where the method is another
+  bool flown_ = false;                      ///< the steppers must begin anew to take a step
   bool watched_ = true;
   double initial_energy_ = 0;
   Vector initial_state_; ///< with the ledger as it was when the balance began
