@@ -46,14 +46,13 @@ Problem problem_of(const Beams &pair, const CantileverModes &modes) {
   const Vector damping = 2 * damping_ratio * modes.angular_frequency;
   Model model({body_along_x("left", unit, stiffness, damping, modes.tip_displacement),
                body_along_x("right", unit, stiffness, damping, modes.tip_displacement)});
-  model.add_force(
-      "shaker", std::make_shared<Harmonic>(Given::displacement, pair.amplitude, pair.forcing, 0),
-      {.body = 0, .point = 0}, Vector3::UnitX());
+  model.add_force("shaker",
+                  std::make_shared<Harmonic>(Given::displacement, pair.amplitude, pair.forcing, 0),
+                  {.body = 0, .point = 0}, Vector3::UnitX());
   ContactSet contacts({contact_of_heads(
       model, "left", "right", 1, pair.clearance,
       HuntCrossley::with_dissipation({.stiffness = pair.hertz}, pair.dissipation))});
-  const Projection recorded =
-      model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), false);
+  const Projection recorded = model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), false);
   return {.model = std::move(model), .contacts = std::move(contacts), .recorded = recorded};
 }
 

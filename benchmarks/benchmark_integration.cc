@@ -2,7 +2,8 @@
 //
 //   benchmark_integration [repetitions [system]]
 //
-// Exit code 1 when excursions or numbers of contacts disagree; how fast anything is decides nothing.
+// Exit code 1 when excursions or numbers of contacts disagree; how fast anything is decides
+// nothing.
 #include "cases.h"
 
 #include "common/error.h"
@@ -23,8 +24,9 @@ constexpr double target = 1e-8;
 constexpr int default_repetitions = 15;
 
 void print_head() {
-  std::printf("us: microseconds of processor time per forcing period, excursion of one displacement "
-              "recorded or\nnot; speed: times that of odeint, median (quartiles)\n\n");
+  std::printf(
+      "us: microseconds of processor time per forcing period, excursion of one displacement "
+      "recorded or\nnot; speed: times that of odeint, median (quartiles)\n\n");
   std::printf("%-20s %-15s %8s %8s %8s %8s %9s %9s %10s  %s\n", "system", "side", "rtol", "error",
               "steps", "contacts", "us", "us, bare", "us/contact", "speed");
 }

@@ -16,8 +16,7 @@ struct Jet {
 };
 
 Jet operator*(double factor, const Jet &jet) {
-  return {factor * jet.value, factor * jet.rate, factor * jet.second,
-          std::abs(factor) * jet.bound};
+  return {factor * jet.value, factor * jet.rate, factor * jet.second, std::abs(factor) * jet.bound};
 }
 
 Jet operator+(const Jet &a, const Jet &b) {
@@ -37,8 +36,7 @@ double safe_step(const Jet &jet, double limit) {
   const double bend = std::max(0.0, limit * jet.bound - jet.second);
   double h = 0;
   for (int i = 0; i < 5; ++i) {
-    const double value =
-        jet.value + h * (jet.rate + h * (0.5 * jet.second - h * jet.bound / 6));
+    const double value = jet.value + h * (jet.rate + h * (0.5 * jet.second - h * jet.bound / 6));
     const double slope = jet.rate + h * (jet.second - 0.5 * h * jet.bound);
     const double root = std::sqrt(slope * slope + 2 * bend * value);
     if (!(value > 0))
@@ -88,8 +86,7 @@ private:
     phase.p = {-0.5 * damping, std::sqrt(stiffness - 0.25 * damping * damping)};
     const double beta = system_.beta;
     // -base sin(beta t) = Re(i base exp(i beta t))
-    phase.forced = Complex(0, system_.base()) /
-                   Complex(stiffness - beta * beta, damping * beta);
+    phase.forced = Complex(0, system_.base()) / Complex(stiffness - beta * beta, damping * beta);
     phase.constant = touching * system_.lambda * system_.delta / stiffness;
     phase.p3 = std::pow(std::abs(phase.p), 3);
     return phase;
@@ -128,8 +125,7 @@ private:
     motion_ = {phase_->constant + free_.real() + forced_.real(), free1.real() + forced1.real(),
                free2.real() + forced2.real(), 0};
     const double free_size = std::abs(free_) * phase_->p3;
-    const double forced_size =
-        std::abs(forced_) * system_.beta * system_.beta * system_.beta;
+    const double forced_size = std::abs(forced_) * system_.beta * system_.beta * system_.beta;
     motion_.bound = free_size + forced_size;
     third_ = (p * free2).real() + (i_beta * forced2).real();
     velocity_ = {motion_.rate, motion_.second, third_,
@@ -234,12 +230,11 @@ private:
 } // namespace
 
 Side exact_bumpers_side(const Bumpers &system, const Bumpers::State &start, double end) {
-  return {.name = "exact by hand",
-          .prepare =
-              [=](const Tolerance & /*tolerance*/, bool records) {
-                return Motion(ExactBumpers(system, start, end, records));
-              },
-          .exact = true};
+  return {
+      .name = "exact by hand",
+      .prepare = [=](const Tolerance & /*tolerance*/,
+                     bool records) { return Motion(ExactBumpers(system, start, end, records)); },
+      .exact = true};
 }
 
 } // namespace vibroimpact::benchmarks

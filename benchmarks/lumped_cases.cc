@@ -60,9 +60,8 @@ Problem problem_of(const Absorber &system) {
                         .stiffness = system.k2,
                         .damping = system.c2});
   const auto law = std::make_shared<Hertz>(HertzConstants{.stiffness = system.hertz});
-  ContactSet contacts(
-      {contact_of_heads(model, "floor", "damper", 1, system.clearance[0], law),
-       contact_of_heads(model, "floor", "damper", -1, system.clearance[1], law)});
+  ContactSet contacts({contact_of_heads(model, "floor", "damper", 1, system.clearance[0], law),
+                       contact_of_heads(model, "floor", "damper", -1, system.clearance[1], law)});
   const Projection recorded = along_x(model, 0, false);
   return {.model = std::move(model), .contacts = std::move(contacts), .recorded = recorded};
 }
@@ -72,11 +71,9 @@ Problem problem_of(const Absorber &system) {
 Case bumpers() {
   const Bumpers system{.xi = 0.1, .gamma = 5, .lambda = 10, .delta = 0.4, .beta = 1.2};
   Case result = case_of("bumpers", problem_of(system), system, system.delta, 300, 100);
-  const Vector state =
-      settled(problem_of(system), 2 * std::numbers::pi / system.omega(), 300);
-  result.sides.push_back(
-      exact_bumpers_side(system, {state[0], state[1], state[2], state[3]},
-                         100 * 2 * std::numbers::pi / system.omega()));
+  const Vector state = settled(problem_of(system), 2 * std::numbers::pi / system.omega(), 300);
+  result.sides.push_back(exact_bumpers_side(system, {state[0], state[1], state[2], state[3]},
+                                            100 * 2 * std::numbers::pi / system.omega()));
   return result;
 }
 

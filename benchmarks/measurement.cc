@@ -130,9 +130,8 @@ void time_interleaved(const Case &system, int repetitions, CaseResult &result) {
         timed.recorded_times.push_back(time_of(timed.recorded, std::max(1L, timed.calls)));
         timed.unrecorded_times.push_back(time_of(timed.unrecorded, std::max(1L, timed.calls)));
       }
-  const auto base = std::find_if(list.begin(), list.end(), [&](const Timed &timed) {
-    return timed.side == system.baseline;
-  });
+  const auto base = std::find_if(list.begin(), list.end(),
+                                 [&](const Timed &timed) { return timed.side == system.baseline; });
   for (const Timed &timed : list) {
     SideResult &side = result.sides[timed.side];
     side.recorded = spread(timed.recorded_times);
@@ -140,8 +139,7 @@ void time_interleaved(const Case &system, int repetitions, CaseResult &result) {
     if (base == list.end())
       continue;
     std::vector<double> speeds;
-    const std::size_t count =
-        std::min(timed.recorded_times.size(), base->recorded_times.size());
+    const std::size_t count = std::min(timed.recorded_times.size(), base->recorded_times.size());
     for (std::size_t i = 0; i < count; ++i)
       speeds.push_back(base->recorded_times[i] / timed.recorded_times[i]);
     side.speed = spread(speeds);

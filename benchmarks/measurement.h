@@ -12,10 +12,10 @@ namespace vibroimpact::benchmarks {
 
 /// What a motion showed and what it took.
 struct Outcome {
-  double excursion = 0;       ///< largest less smallest recorded displacement [m]; 0: not recorded
+  double excursion = 0; ///< largest less smallest recorded displacement [m]; 0: not recorded
   std::vector<long> contacts{}; ///< begun, per contact; empty: not counted
-  long steps = 0;             ///< accepted
-  long evaluations = 0;       ///< of the right-hand side; 0: none, or not counted
+  long steps = 0;               ///< accepted
+  long evaluations = 0;         ///< of the right-hand side; 0: none, or not counted
 };
 
 struct Tolerance {

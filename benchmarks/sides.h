@@ -20,8 +20,7 @@ template <class System>
 void add_cvode_sides(const System &system, const typename System::State &start, double end,
                      Case &into) {
 #ifdef VIBROIMPACT_HAS_CVODE
-  into.sides.push_back(
-      cvode_side("CVODE Adams", CvodeMotion<System>::adams, system, start, end));
+  into.sides.push_back(cvode_side("CVODE Adams", CvodeMotion<System>::adams, system, start, end));
   into.sides.push_back(cvode_side("CVODE BDF", CvodeMotion<System>::bdf, system, start, end));
 #else
   (void)system, (void)start, (void)end;

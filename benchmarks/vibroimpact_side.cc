@@ -15,9 +15,10 @@ constexpr double event_tolerance = 1e-12; // the program's default
 // Counts the contacts and keeps the extreme values of one displacement.
 class Record : public Observer {
 public:
-  explicit Record(const Problem &problem)
-      : problem_(problem), begun_(problem.contacts.size(), 0) {}
-  void step(const StepView &view) override { extent_.include(view.displacement(problem_.recorded)); }
+  explicit Record(const Problem &problem) : problem_(problem), begun_(problem.contacts.size(), 0) {}
+  void step(const StepView &view) override {
+    extent_.include(view.displacement(problem_.recorded));
+  }
   void event(const ContactEvent &event) override {
     const std::vector<Mode> &modes = problem_.contacts.pairs()[event.contact].law->modes();
     begun_[event.contact] += !modes[static_cast<std::size_t>(event.from)].in_contact &&

@@ -21,8 +21,7 @@ std::shared_ptr<const ReducedBody> body_along_x(const std::string &name, const V
 
 /// Contact of two heads, or of one and a fixed stop when `other` is empty; `sense` 1 or -1 along x.
 ContactPair contact_of_heads(const Model &model, const std::string &body, const std::string &other,
-                             double sense, double clearance,
-                             std::shared_ptr<const ContactLaw> law);
+                             double sense, double clearance, std::shared_ptr<const ContactLaw> law);
 
 /// q, v and the contacts' internal states after `periods` of length `period` from rest.
 Vector settled(const Problem &problem, double period, long periods);
