@@ -270,6 +270,12 @@ void Bernstein::collect_maximum(double &best) const {
       bound - *std::min_element(coefficients_.begin(), coefficients_.begin() + degree_ + 1);
   if (bound <= best || span <= 1e-15 * std::abs(bound))
     return;
+  const Bernstein slope = derivative();
+  const int turns = slope.sign_changes(); // an upper bound of their number
+  if (turns == 1 && slope.sign_after_start() > 0)
+    best = std::max(best, (*this)(slope.falling_zero()));
+  if (turns <= 1)
+    return;
   Bernstein left;
   Bernstein right;
   split(left, right);
