@@ -17,13 +17,18 @@ void FlightPhase::add_sums(const Equations &equations) {
     sums_.add_exponent(group.is_pair ? group.exponent : group.exponent.real());
   const GuardForms forms = guard_forms(equations);
   const Matrix seen = forms.rows * basis_.columns;
+  const Matrix parts = forms.rows.cwiseAbs() * basis_.columns.cwiseAbs();
   std::vector<Complex> coefficients;
+  std::vector<double> sizes;
   for (Index g = 0; g < seen.rows(); ++g) {
     coefficients.clear();
-    for (const ExponentialBasis::Group &group : basis_.groups)
+    sizes.clear();
+    for (const ExponentialBasis::Group &group : basis_.groups) {
       coefficients.emplace_back(seen(g, group.column),
                                 group.is_pair ? -seen(g, group.column + 1) : 0.0);
-    sums_.add_guard(forms.constants[g], coefficients);
+      sizes.push_back(parts(g, group.column) + (group.is_pair ? parts(g, group.column + 1) : 0.0));
+    }
+    sums_.add_guard(forms.constants[g], coefficients, sizes);
   }
 }
 

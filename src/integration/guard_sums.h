@@ -25,15 +25,17 @@ struct GuardSums {
   std::vector<double> constant;        ///< of the guards
   // guards x exponents
   std::vector<double> real, imaginary; ///< coefficients
-  std::vector<double> size, fourth;    ///< |coefficient|, |coefficient| |exponent|^4
+  std::vector<double> fourth;          ///< |coefficient| |exponent|^4
+  std::vector<double> size;            ///< sums of the absolute values behind the coefficients
 
   std::size_t n_guards() const { return constant.size(); }
   std::size_t n_groups() const { return rate.size(); }
 
   /// All exponents before the first guard.
   void add_exponent(std::complex<double> exponent);
-  /// One coefficient per exponent.
-  void add_guard(double constant_term, std::span<const std::complex<double>> coefficients);
+  /// One coefficient per exponent; `sizes`: of what each was summed up from, for the rounding.
+  void add_guard(double constant_term, std::span<const std::complex<double>> coefficients,
+                 std::span<const double> sizes);
 };
 
 } // namespace vibroimpact

@@ -41,8 +41,12 @@ Flight fly(const std::vector<Sum> &functions, double limit) {
     amplitudes.real[j] = 1;
     amplitudes.imaginary[j] = 0;
   }
-  for (const Sum &function : functions)
-    sums.add_guard(function.constant, function.coefficients);
+  for (const Sum &function : functions) {
+    std::vector<double> sizes;
+    for (const Complex coefficient : function.coefficients)
+      sizes.push_back(std::abs(coefficient));
+    sums.add_guard(function.constant, function.coefficients, sizes);
+  }
   Flight flight;
   flight.kernel.start(sums, amplitudes);
   flight.end = flight.kernel.fly(limit);
@@ -94,7 +98,8 @@ TEST(FlightKernelTest, ARiseFromZeroIsNoFall) {
   GuardSums sums;
   sums.add_exponent({0, 1});
   const std::vector<Complex> sine = {Complex(0, -1)};
-  sums.add_guard(0, sine);
+  const std::vector<double> sizes = {1};
+  sums.add_guard(0, sine, sizes);
   Amplitudes amplitudes;
   amplitudes.resize(1);
   amplitudes.real[0] = 1;
