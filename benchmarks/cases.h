@@ -1,16 +1,18 @@
-// The systems of the comparison.
+// The systems of the comparison, each from its steady motion on.
 #pragma once
 
 #include "measurement.h"
 
 namespace vibroimpact::benchmarks {
 
-/// A forced mass against a linear stop, one impact per period.
-Case forced_mass_on_linear_stop();
-/// The same mass against a Hertz stop with Hunt-Crossley damping.
-Case forced_mass_on_hertz_stop();
-/// Two cantilevers with 10 modes each, released towards each other: Hertz contact with
-/// Hunt-Crossley damping between their heads.
-Case released_beams();
+/// A mass between two bumpers that creep back by themselves, on a shaken base: two contacts per
+/// period.
+Case bumpers();
+/// Two masses on a shaken table that meet across a gap.
+Case bilinear_masses();
+/// A vibro-impact damper on a driven floor, Hertz contact of steel.
+Case absorber();
+/// Two cantilevers with ten modes each, one driven at its tip, steel heads.
+Case beam_pair();
 
 } // namespace vibroimpact::benchmarks

@@ -1,21 +1,21 @@
-// One system integrated by two programs: how close they come, at which tolerance, at what cost.
+// One system integrated by several programs: how near they come, at which tolerance, at what cost.
 #pragma once
 
 #include "common/linear_algebra.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace vibroimpact::benchmarks {
 
-/// What a motion ended with and what it took.
+/// What a motion showed and what it took.
 struct Outcome {
-  Vector state;         ///< q, v at the end
-  long steps = 0;       ///< accepted
-  long rejected = 0;    ///< for the error control alone
-  long impacts = 0;     ///< contacts begun
-  long evaluations = 0; ///< of the right-hand side; 0 when the motion was not made to count them
+  double excursion = 0; ///< largest less smallest recorded displacement [m]; 0: not recorded
+  std::vector<long> contacts{}; ///< begun, per contact; empty: not counted
+  long steps = 0;               ///< accepted
+  long evaluations = 0;         ///< of the right-hand side; 0: none, or not counted
 };
 
 struct Tolerance {
@@ -28,44 +28,44 @@ using Motion = std::function<Outcome()>;
 
 struct Side {
   std::string name;
-  /// Sets a motion up. One that counts evaluations is not for timing.
-  std::function<Motion(const Tolerance &tolerance, bool counts_evaluations)> prepare;
+  /// Sets a motion up; an empty function: this program is not there.
+  std::function<Motion(const Tolerance &tolerance, bool records)> prepare;
+  bool exact = false; ///< has no tolerance
 };
 
 struct Case {
   std::string name;
   double length = 0; ///< displacement the absolute tolerances refer to [m]
-  Vector weight;     ///< twice the energy per squared entry of the state: stiffness, then mass
-  Side vibroimpact;
-  Side odeint;
+  long periods = 0;  ///< of the forcing, in one motion
+  std::vector<Side> sides;
+  std::size_t baseline = 0;            ///< the side others are compared with
+  std::vector<std::size_t> references; ///< two sides whose tightest runs must agree
 };
 
-/// Energy norm of a difference over that of the reference.
-double relative_error(const Vector &weight, const Vector &state, const Vector &reference);
-
-/// The cheapest setting of a side that reaches an error.
+/// The loosest tolerance of a side that reaches an error.
 struct Setting {
   Tolerance tolerance;
-  double error = 0;
-  Outcome outcome; ///< with evaluations
+  double error = 0; ///< of the excursion, relative
+  Outcome outcome;
+};
+
+struct Spread {
+  double median = 0, lower_quartile = 0, upper_quartile = 0;
 };
 
 struct SideResult {
-  Setting setting;
-  double seconds = 0; ///< median CPU time of one motion
+  std::optional<Setting> setting; ///< none: not there, or the error is not reached
+  Spread recorded, unrecorded;    ///< CPU time of one motion [s]
+  Spread speed;                   ///< times as fast as the baseline, both recording
 };
 
 struct CaseResult {
-  double disagreement = 0; ///< of the two sides at the tightest tolerance
-  SideResult vibroimpact;
-  SideResult odeint;
-  double ratio = 0; ///< median over the pairs of vibroimpact's time to odeint's
-  double ratio_lower_quartile = 0;
-  double ratio_upper_quartile = 0;
+  double disagreement = 0; ///< of the two references, relative
+  std::vector<SideResult> sides;
 };
 
-/// Throws NumericalError when the two sides disagree beyond a tenth of `target`, find different
-/// numbers of impacts, or one of them does not reach the target.
+/// Throws NumericalError when the references disagree beyond a tenth of `target`, or a side that is
+/// there does not reach the target with as many contacts as they count.
 CaseResult measure(const Case &system, double target, int repetitions);
 
 } // namespace vibroimpact::benchmarks

@@ -1,6 +1,7 @@
 // Boost.odeint's Dormand-Prince method with dense output, and contact changes located on it: the
-// sign of the gap is looked at after every step, a change is bisected on the dense output, and the
-// method restarts there.
+// signs of the guards are looked at after every step, a change is bisected on the dense output, and
+// the method restarts there. Turning points of the recorded displacement are located on the dense
+// output too.
 #pragma once
 
 #include "measurement.h"
@@ -9,6 +10,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
 #include <functional>
+#include <limits>
 
 namespace vibroimpact::benchmarks {
 
@@ -17,8 +19,9 @@ public:
   using State = typename System::State;
 
   OdeintMotion(const System &system, const State &start, double end, double event_tolerance,
-               const Tolerance &tolerance)
-      : system_(system), start_(start), end_(end), event_tolerance_(event_tolerance),
+               const Tolerance &tolerance, bool records)
+      : system_(system), begin_(system), start_(start), end_(end),
+        event_tolerance_(event_tolerance), records_(records),
         stepper_(boost::numeric::odeint::make_dense_output(
             tolerance.absolute, tolerance.relative,
             boost::numeric::odeint::runge_kutta_dopri5<State>())) {}
@@ -30,31 +33,39 @@ public:
         restart(stepper_.current_state(), stepper_.current_time(), end_ - stepper_.current_time());
       stepper_.do_step(std::ref(system_));
       ++steps_;
-      if (changed(stepper_.current_state()))
-        change();
+      // What the step ends with, before a contact change cuts it short.
+      const double until = changed(stepper_.current_state()) ? locate() : stepper_.current_time();
+      if (records_)
+        record(until);
+      if (until < stepper_.current_time() || changed(stepper_.current_state()))
+        change(until);
     }
     return outcome();
   }
 
 private:
   void begin() {
-    system_.touching = false;
-    system_.evaluations = steps_ = restarts_ = impacts_ = 0;
+    system_ = begin_;
+    steps_ = 0;
+    lowest_ = std::numeric_limits<double>::infinity();
+    highest_ = -lowest_;
     const double first = 0.01 / system_.highest_frequency();
-    step_of_mode_ = {first, first};
+    contact_step_ = free_step_ = first;
+    last_rate_ = system_.recorded_rate(start_, 0);
     restart(start_, 0, first);
   }
 
-  void restart(State state, double time, double step) {
-    stepper_.initialize(state, time, step);
-    ++restarts_;
-  }
+  void restart(State state, double time, double step) { stepper_.initialize(state, time, step); }
 
   bool changed(const State &x) const {
-    return system_.touching ? system_.gap(x) > 0 : system_.gap(x) < 0;
+    for (std::size_t i = 0; i < System::contacts; ++i)
+      if (system_.guard(i, x) < 0)
+        return true;
+    return false;
   }
 
-  void change() {
+  // The earliest change of the step.
+  double locate() {
     double lower = stepper_.previous_time();
     double upper = stepper_.current_time();
     State x;
@@ -65,40 +76,93 @@ private:
       stepper_.calc_state(middle, x);
       (changed(x) ? upper : lower) = middle;
     }
-    stepper_.calc_state(upper, x);
-    // The trial step that suited the mode last time.
-    step_of_mode_[system_.touching] = stepper_.current_time_step();
-    system_.touching = !system_.touching;
-    impacts_ += system_.touching;
-    restart(x, upper, step_of_mode_[system_.touching]);
+    return upper;
   }
 
-  // odeint does not tell rejections; every trial takes six evaluations, every restart one more.
+  void record(double until) {
+    State x;
+    stepper_.calc_state(until, x);
+    const double rate = system_.recorded_rate(x, until);
+    if (rate * last_rate_ < 0)
+      include(turning_point(until, rate));
+    last_rate_ = rate;
+  }
+
+  // Regula falsi (Illinois); at a turning point the displacement hardly depends on the instant.
+  double turning_point(double until, double rate) {
+    double a = stepper_.previous_time(), b = until;
+    double rate_a = last_rate_, rate_b = rate;
+    const double enough = 1e-6 * (b - a);
+    const double small = 1e-7 * std::abs(rate - last_rate_);
+    int last_moved = 0;
+    State x;
+    double middle = b;
+    while (b - a > enough) {
+      middle = (a * rate_b - b * rate_a) / (rate_b - rate_a);
+      stepper_.calc_state(middle, x);
+      const double value = system_.recorded_rate(x, middle);
+      if (std::abs(value) <= small)
+        break;
+      const int moved = value * rate_b > 0 ? 1 : -1;
+      (moved > 0 ? b : a) = middle;
+      (moved > 0 ? rate_b : rate_a) = value;
+      if (moved == last_moved)
+        (moved > 0 ? rate_a : rate_b) *= 0.5;
+      last_moved = moved;
+    }
+    stepper_.calc_state(middle, x);
+    return system_.recorded(x, middle);
+  }
+
+  void include(double value) {
+    lowest_ = std::min(lowest_, value);
+    highest_ = std::max(highest_, value);
+  }
+
+  bool in_contact() const {
+    for (std::size_t i = 0; i < System::contacts; ++i)
+      if (system_.is_touching(i))
+        return true;
+    return false;
+  }
+
+  // The trial step that suited flight and contact last time is kept for the next one.
+  void change(double time) {
+    State x;
+    stepper_.calc_state(time, x);
+    (in_contact() ? contact_step_ : free_step_) = stepper_.current_time_step();
+    for (std::size_t i = 0; i < System::contacts; ++i)
+      if (system_.guard(i, x) < 0)
+        system_.pass(i, x);
+    restart(x, time, in_contact() ? contact_step_ : free_step_);
+  }
+
   Outcome outcome() const {
-    const State &x = stepper_.current_state();
-    return {.state = Eigen::Map<const Vector>(x.data(), static_cast<Index>(x.size())),
+    return {.excursion = records_ ? highest_ - lowest_ : 0,
+            .contacts = {system_.begun.begin(), system_.begun.end()},
             .steps = steps_,
-            .rejected = (system_.evaluations - restarts_) / 6 - steps_,
-            .impacts = impacts_,
             .evaluations = system_.evaluations};
   }
 
   using Stepper = typename boost::numeric::odeint::result_of::make_dense_output<
       boost::numeric::odeint::runge_kutta_dopri5<State>>::type;
-  System system_;
+  System system_, begin_;
   State start_;
   double end_;
   double event_tolerance_;
+  bool records_;
   Stepper stepper_;
-  std::array<double, 2> step_of_mode_{};
-  long steps_ = 0, restarts_ = 0, impacts_ = 0;
+  double contact_step_ = 0, free_step_ = 0;
+  double last_rate_ = 0, lowest_ = 0, highest_ = 0;
+  long steps_ = 0;
 };
 
 template <class System>
 Side odeint_side(const System &system, const typename System::State &start, double end,
                  double event_tolerance) {
-  return {.name = "odeint", .prepare = [=](const Tolerance &tolerance, bool) {
-            return Motion(OdeintMotion<System>(system, start, end, event_tolerance, tolerance));
+  return {.name = "odeint dopri5", .prepare = [=](const Tolerance &tolerance, bool records) {
+            return Motion(
+                OdeintMotion<System>(system, start, end, event_tolerance, tolerance, records));
           }};
 }
 

@@ -1,5 +1,6 @@
 #include "vibroimpact_side.h"
 
+#include "analyses/recorders/excursions.h"
 #include "integration/trajectory.h"
 
 #include <memory>
@@ -9,72 +10,60 @@ namespace vibroimpact::benchmarks {
 
 namespace {
 
-// Counts the impacts and looks at nothing else.
-class ImpactCounter : public Observer {
+constexpr double event_tolerance = 1e-12; // the program's default
+
+// Counts the contacts and keeps the extreme values of one displacement.
+class Record : public Observer {
 public:
-  explicit ImpactCounter(const ContactSet &contacts) : contacts_(contacts) {}
-  void step(const StepView & /*view*/) override {}
+  explicit Record(const Problem &problem) : problem_(problem), begun_(problem.contacts.size(), 0) {}
+  void step(const StepView &view) override {
+    extent_.include(view.displacement(problem_.recorded));
+  }
   void event(const ContactEvent &event) override {
-    const std::vector<Mode> &modes = contacts_.pairs()[event.contact].law->modes();
-    impacts_ += !modes[static_cast<std::size_t>(event.from)].in_contact &&
-                modes[static_cast<std::size_t>(event.to)].in_contact;
+    const std::vector<Mode> &modes = problem_.contacts.pairs()[event.contact].law->modes();
+    begun_[event.contact] += !modes[static_cast<std::size_t>(event.from)].in_contact &&
+                             modes[static_cast<std::size_t>(event.to)].in_contact;
   }
-  long impacts() const { return impacts_; }
+  const std::vector<long> &begun() const { return begun_; }
+  double excursion() const { return extent_.peak_to_peak(); }
 
 private:
-  const ContactSet &contacts_;
-  long impacts_ = 0;
-};
-
-// A force of zero, asked for once in every evaluation of the equations.
-class EvaluationCounter : public TimeFunction {
-public:
-  double value(double /*time*/) const override {
-    ++count_;
-    return 0;
-  }
-  double rate(double /*time*/) const override { return 0; }
-  double acceleration(double /*time*/) const override { return 0; }
-  double period() const override { return 0; }
-  double highest_frequency() const override { return 0; }
-  std::shared_ptr<const TimeFunction> with_frequency(double) const override { return nullptr; }
-  long take() const { return std::exchange(count_, 0); }
-
-private:
-  mutable long count_ = 0;
+  const Problem &problem_;
+  std::vector<long> begun_;
+  Extent extent_;
 };
 
 // A problem with everything that must outlive its trajectory.
 class VibroimpactMotion {
 public:
-  VibroimpactMotion(const Problem &problem, const Tolerance &tolerance, bool counts_evaluations)
-      : problem_(problem) {
-    if (counts_evaluations) {
-      counter_ = std::make_shared<EvaluationCounter>();
-      problem_.model.add_force("counter", counter_, {}, Vector3::UnitX());
-    }
+  VibroimpactMotion(const std::string &method, const Problem &problem, const Vector &start,
+                    const Tolerance &tolerance, bool records)
+      : problem_(problem), start_{.time = 0, .physical = start}, records_(records) {
     IntegrationSettings settings;
+    settings.method = method;
     settings.relative_tolerance = tolerance.relative;
     settings.absolute_tolerance = tolerance.absolute;
-    settings.event_tolerance = problem.event_tolerance;
+    settings.event_tolerance = event_tolerance;
     trajectory_ = std::make_unique<Trajectory>(problem_.model, problem_.contacts, settings);
   }
 
   Outcome run() {
-    ImpactCounter observer(problem_.contacts);
-    trajectory_->start(0, problem_.displacement, problem_.velocity);
-    trajectory_->advance(problem_.end, observer);
-    const Accuracy accuracy = trajectory_->accuracy();
-    return {.state = trajectory_->state().head(2 * trajectory_->layout().n),
-            .steps = accuracy.steps,
-            .rejected = accuracy.rejected_steps,
-            .impacts = observer.impacts(),
-            .evaluations = counter_ ? counter_->take() : 0};
+    trajectory_->start(start_);
+    if (!records_) {
+      trajectory_->advance(problem_.end);
+      return {.steps = trajectory_->accuracy().steps};
+    }
+    Record record(problem_);
+    trajectory_->advance(problem_.end, record);
+    return {.excursion = record.excursion(),
+            .contacts = record.begun(),
+            .steps = trajectory_->accuracy().steps};
   }
 
 private:
   Problem problem_;
-  std::shared_ptr<const EvaluationCounter> counter_;
+  MotionState start_;
+  bool records_;
   std::unique_ptr<Trajectory> trajectory_;
 };
 
@@ -89,7 +78,10 @@ std::shared_ptr<const ReducedBody> body_along_x(const std::string &name, const V
   body->mass = mass;
   body->stiffness = stiffness;
   body->damping = damping.asDiagonal();
+  // A single mass moves with its base as a whole.
   body->base_participation = Matrix::Zero(mass.size(), 3);
+  if (mass.size() == 1)
+    body->base_participation(0, 0) = mass[0];
   BodyPoint head{.name = "head", .position = Vector3::Zero(), .rows = Matrix::Zero(6, mass.size())};
   head.rows.row(0) = row.transpose();
   body->points.push_back(std::move(head));
@@ -97,15 +89,16 @@ std::shared_ptr<const ReducedBody> body_along_x(const std::string &name, const V
 }
 
 ContactPair contact_of_heads(const Model &model, const std::string &body, const std::string &other,
-                             double clearance, std::shared_ptr<const ContactLaw> law) {
+                             double sense, double clearance,
+                             std::shared_ptr<const ContactLaw> law) {
   const auto row = [&](const std::string &name) {
     return model.displacement({.body = model.find_body(name), .point = 0}, Vector3::UnitX(), false)
         .row;
   };
-  RowVector gap = -row(body);
+  RowVector gap = -sense * row(body);
   if (!other.empty())
-    gap += row(other);
-  return {.name = "heads",
+    gap += sense * row(other);
+  return {.name = body + (sense > 0 ? " right" : " left"),
           .side_a = body + ".head",
           .side_b = other.empty() ? "stop" : other + ".head",
           .clearance = clearance,
@@ -114,11 +107,22 @@ ContactPair contact_of_heads(const Model &model, const std::string &body, const 
           .origin = "benchmark"};
 }
 
-Side vibroimpact_side(const Problem &problem) {
-  return {.name = "vibroimpact",
-          .prepare = [problem](const Tolerance &tolerance, bool counts_evaluations) {
+Vector settled(const Problem &problem, double period, long periods) {
+  IntegrationSettings settings;
+  settings.relative_tolerance = 1e-11;
+  settings.absolute_tolerance = 1e-14;
+  Trajectory trajectory(problem.model, problem.contacts, settings);
+  const Vector rest = Vector::Zero(problem.model.size());
+  trajectory.start(0, rest, rest);
+  trajectory.advance(static_cast<double>(periods) * period);
+  return trajectory.motion_state().physical;
+}
+
+Side vibroimpact_side(const std::string &name, const std::string &method, const Problem &problem,
+                      const Vector &start) {
+  return {.name = name, .prepare = [=](const Tolerance &tolerance, bool records) {
             auto motion =
-                std::make_shared<VibroimpactMotion>(problem, tolerance, counts_evaluations);
+                std::make_shared<VibroimpactMotion>(method, problem, start, tolerance, records);
             return Motion([motion] { return motion->run(); });
           }};
 }

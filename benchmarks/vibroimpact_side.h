@@ -10,10 +10,8 @@ namespace vibroimpact::benchmarks {
 struct Problem {
   Model model;
   ContactSet contacts;
-  Vector displacement; ///< at t = 0
-  Vector velocity;
-  double end = 0;             ///< [s]
-  double event_tolerance = 0; ///< [s]
+  Projection recorded;
+  double end = 0; ///< [s]
 };
 
 /// A body with one coordinate per entry, whose only point "head" moves along x by `row` . q.
@@ -21,10 +19,15 @@ std::shared_ptr<const ReducedBody> body_along_x(const std::string &name, const V
                                                 const Vector &stiffness, const Vector &damping,
                                                 const Vector &row);
 
-/// Contact of two heads, or of one and a fixed stop when `other` is empty.
+/// Contact of two heads, or of one and a fixed stop when `other` is empty; `sense` 1 or -1 along x.
 ContactPair contact_of_heads(const Model &model, const std::string &body, const std::string &other,
-                             double clearance, std::shared_ptr<const ContactLaw> law);
+                             double sense, double clearance, std::shared_ptr<const ContactLaw> law);
 
-Side vibroimpact_side(const Problem &problem);
+/// q, v and the contacts' internal states after `periods` of length `period` from rest.
+Vector settled(const Problem &problem, double period, long periods);
+
+/// `method` as in the section Integration.
+Side vibroimpact_side(const std::string &name, const std::string &method, const Problem &problem,
+                      const Vector &start);
 
 } // namespace vibroimpact::benchmarks

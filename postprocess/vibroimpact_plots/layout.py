@@ -30,7 +30,8 @@ class Case:
 
 @dataclass(frozen=True)
 class Layout:
-    """`along` is None when no numerical axis has two points."""
+    """`along` is None when no numerical axis has two points. It may be a dimension of the fields
+    themselves: the frequency of a frequency response."""
 
     analysis: Analysis
     along: str | None
@@ -76,7 +77,8 @@ class Layout:
                 index.append(list(self.analysis.read(DIRECTION).values).index(direction))
             else:
                 index.append(case.index.get(name, kept(self.analysis, name)[0]))
-        return values[tuple(index)]
+        own = [] if self.along in self.analysis.axes else [kept(self.analysis, self.along)]
+        return values[tuple(index + own)]
 
 
 def kept(analysis: Analysis, axis: str) -> list[int]:
@@ -85,9 +87,12 @@ def kept(analysis: Analysis, axis: str) -> list[int]:
 
 
 def layout_of(analysis: Analysis) -> Layout:
-    """Curves run along the swept axis of a sweep; else along the longest numerical grid axis."""
+    """Curves run along the swept axis of a sweep, or the frequency of a frequency response; else
+    along the longest numerical grid axis."""
     long = [name for name in analysis.axes if name != DIRECTION and len(kept(analysis, name)) > 1]
     numerical = [name for name in long if analysis.read(name).values.dtype.kind == "f"]
+    if analysis.type == "frequency response":
+        return Layout(analysis, "frequency", long)
     own = [name for name in numerical if name not in analysis.grid_axes]
     longest = sorted(numerical, key=lambda name: -len(kept(analysis, name)))
     along = next(iter(own + longest), None)

@@ -69,9 +69,9 @@ def sheets(analysis: Analysis, root: str, separate: bool) -> list[Sheet]:
         found += of_contact(analysis, f"{root}contact/{name}", name)
     found.append(Sheet("energy", "", [Panel("Energy per period", there(analysis, ENERGY, root))]))
     found.append(rows_sheet(analysis, "regime", "", root, REGIME))
+    derived = [] if root or analysis.type == "frequency response" else analysis.members("derived")
     found += [Sheet(f"derived-{name}", "", [Panel(quantity_label(name), [(f"derived/{name}", "")])])
-              for name in (analysis.members("derived") if not root else [])
-              if analysis.has(f"derived/{name}")
+              for name in derived if analysis.has(f"derived/{name}")
               and analysis.dimensions(f"derived/{name}") == analysis.axes]
     found += orders(analysis, root)
     return [split(sheet) if separate else sheet for sheet in found

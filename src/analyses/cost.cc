@@ -1,9 +1,10 @@
 #include "analyses/cost.h"
 
-#include "integration/equations.h"
+#include "common/error.h"
+#include "integration/trajectory.h"
 
+#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <numbers>
 #include <sstream>
 
@@ -11,24 +12,21 @@ namespace vibroimpact {
 
 namespace {
 
-// Seconds that one evaluation of the equations takes here and now.
-double evaluation_time(const System &system) {
-  const Equations equations(system.model, system.contacts);
-  const Vector x = Vector::Zero(equations.layout().size());
-  Vector rates(x.size());
-  constexpr int repetitions = 2000;
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < repetitions; ++i)
-    equations.rates(1e-6 * i, ConstVectorView(x.data(), x.size()),
-                    VectorView(rates.data(), rates.size()));
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  return elapsed.count() / repetitions;
-}
-
-// A fifth-order method advances about 3 tolerance^(1/5) radians of the highest frequency per step.
-double steps_per_second(const System &system) {
-  const double radians = 3 * std::pow(system.integration.relative_tolerance, 0.2);
-  return system.model.highest_frequency() / radians;
+// Seconds of the motion from the initial conditions that are integrated in a second, here and now.
+double motion_per_second(const System &system) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::duration<double> enough(0.05);
+  const double highest = std::max(system.model.highest_frequency(), 1e-3);
+  const double stretch = 2 * std::numbers::pi / highest;
+  Trajectory trajectory(system.model, system.contacts, system.integration);
+  trajectory.start(0, system.initial.displacement, system.initial.velocity);
+  const Clock::time_point start = Clock::now();
+  std::chrono::duration<double> elapsed{};
+  for (int i = 1; elapsed < enough && i <= 5000; ++i) {
+    trajectory.advance(i * stretch);
+    elapsed = Clock::now() - start;
+  }
+  return trajectory.time() / elapsed.count();
 }
 
 } // namespace
@@ -36,14 +34,16 @@ double steps_per_second(const System &system) {
 std::string cost_sentence(const Analysis &analysis, const System &system, std::size_t repetitions) {
   const Workload work = analysis.workload(system);
   const auto lines = static_cast<double>(analysis.lines() * repetitions);
-  // Eight evaluations in a step and as much again around them.
-  const double seconds =
-      lines * work.simulated_time * steps_per_second(system) * 16 * evaluation_time(system);
   std::ostringstream text;
   text.precision(3);
   text << system.model.size() << " coordinates, " << lines * static_cast<double>(work.points)
-       << " points, at most " << lines * work.simulated_time << " s of motion, about " << seconds
-       << " s of computing on one core if nothing settles early";
+       << " points, at most " << lines * work.simulated_time << " s of motion, ";
+  try {
+    text << "about " << lines * work.simulated_time / motion_per_second(system)
+         << " s of computing on one core if nothing settles early";
+  } catch (const NumericalError &error) {
+    text << "of which no estimate can be made: " << error.what();
+  }
   return text.str();
 }
 

@@ -1,4 +1,4 @@
-// What a run will cost, estimated from the model before anything is integrated.
+// What a run will cost, estimated before it starts.
 #pragma once
 
 #include "analyses/analysis.h"
@@ -7,8 +7,8 @@
 
 namespace vibroimpact {
 
-/// "12 coordinates, 240 points, at most 2512 s of motion, about 35 s of computing": steps from the
-/// highest frequency and the tolerance, time per step measured on the equations.
+/// "12 coordinates, 240 points, at most 2512 s of motion, about 35 s of computing": by the first
+/// stretch of the motion, integrated on the spot for a moment. Recording costs more than that.
 std::string cost_sentence(const Analysis &analysis, const System &system, std::size_t repetitions);
 
 /// "5 modes from 2.95 Hz to 351.4 Hz, 3 points"

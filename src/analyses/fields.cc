@@ -39,6 +39,8 @@ constexpr Column columns[] = {
      [](const Impact &i) { return i.maximum_penetration; }},
     {"dissipated_energy", "J", "energy lost in the contact law",
      [](const Impact &i) { return i.dissipated_energy; }},
+    {"chatter_duration", "s", "time in which further impacts, left out, come to rest",
+     [](const Impact &i) { return i.chatter_duration; }},
 };
 
 } // namespace
@@ -83,6 +85,8 @@ void add_accuracy(PointResult &result, const Accuracy &accuracy,
       scalar_field("events", static_cast<double>(accuracy.events), "1", "contact changes"),
       scalar_field(undecided_name, static_cast<double>(accuracy.undecided_events), "1",
                    "touches within the rounding of the gap, taken for none"),
+      scalar_field("chatters", static_cast<double>(accuracy.chatters), "1",
+                   "infinite sequences of rigid impacts that were completed at once"),
   };
   result.fields.insert(result.fields.end(), fields.begin(), fields.end());
   for (const Field &field : fields)

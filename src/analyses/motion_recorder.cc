@@ -48,10 +48,11 @@ void MotionRecorder::sample(const StepView &view, std::size_t first, std::size_t
     }
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const Bernstein gap = view.gap(c);
+    const ContactCurves curves = view.contact_curves(c);
     for (std::size_t i = first; i < last; ++i) {
-      contact_series_[c].gap.push_back(gap(position(view, instants_[i])));
-      contact_series_[c].force.push_back(view.force(c, position(view, instants_[i])));
+      const double tau = position(view, instants_[i]);
+      contact_series_[c].gap.push_back(curves.gap(tau));
+      contact_series_[c].force.push_back(view.force(c, curves, tau));
     }
   }
 }

@@ -77,13 +77,19 @@ private:
   Clock::time_point last_told_{};
 };
 
-// Puts the grid position before the point's own index and keeps count.
+// Puts the grid position before the point's own index and keeps count. The result file has one set
+// of axes, those of the first case: where a case has other values, its points tell them.
 class GridLine : public LineContext {
 public:
-  GridLine(ResultSink &sink, PointCounter &counter, RunSummary &summary)
-      : sink_(sink), counter_(counter), summary_(summary) {}
+  GridLine(ResultSink &sink, const std::vector<Axis> &axes, PointCounter &counter,
+           RunSummary &summary)
+      : sink_(sink), shared_axes_(axes), counter_(counter), summary_(summary) {}
 
-  void move_to(std::vector<std::size_t> position) { position_ = std::move(position); }
+  void move_to(std::vector<std::size_t> position) {
+    position_ = std::move(position);
+    own_axes_.clear();
+  }
+  void use_axes(std::vector<Axis> axes) { own_axes_ = std::move(axes); }
   void build_from(SystemSource source) { source_ = std::move(source); }
 
   System build(const std::vector<parameters::Override> &overrides) const override {
@@ -95,6 +101,8 @@ public:
   }
 
   void store(PointResult result) override {
+    if (result.status == Status::finished)
+      add_own_coordinates(result);
     result.index = full(result.index);
     sink_.store(result);
     ++(result.status == Status::failed ? summary_.failed : summary_.finished);
@@ -114,10 +122,21 @@ private:
   }
   void count() { counter_.count(); }
 
+  void add_own_coordinates(PointResult &result) const {
+    for (std::size_t k = 0; k < own_axes_.size(); ++k)
+      if (own_axes_[k].values != shared_axes_[k].values)
+        result.fields.push_back(scalar_field(
+            "own/" + own_axes_[k].name, own_axes_[k].values[result.index[k]], own_axes_[k].unit,
+            "where the grid changes the values of that axis: its "
+            "value at this point"));
+  }
+
   ResultSink &sink_;
+  const std::vector<Axis> &shared_axes_;
   PointCounter &counter_;
   RunSummary &summary_;
   std::vector<std::size_t> position_;
+  std::vector<Axis> own_axes_;
   SystemSource source_;
 };
 
@@ -197,7 +216,7 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
     SharedCounters counters(communicator);
     Progress progress(points_of(header.axes), name, rank == 0);
     PointCounter counter(counters, progress);
-    GridLine context(sink, counter, summary);
+    GridLine context(sink, inner_axes, counter, summary);
     try {
       for (long task = counters.add(next_line, 1); task < total && !stop_requested();
            task = counters.add(next_line, 1)) {
@@ -209,6 +228,7 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
           if (work.analysis->axes().size() != inner_axes.size() ||
               points_of(work.analysis->axes()) != points_of(inner_axes))
             throw InputError("the swept key changes the number of points of the analysis");
+          context.use_axes(work.analysis->axes());
           context.build_from(work.source);
           work.analysis->run_line(line, work.system, context);
         } catch (const InputError &error) {

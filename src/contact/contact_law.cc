@@ -9,6 +9,8 @@ namespace vibroimpact {
 
 double AffineForm::operator()(const LocalState &state) const {
   double value = constant + gap * state.gap + gap_rate * state.gap_rate;
+  if (normal_force != 0)
+    value += normal_force * state.normal_force;
   for (std::size_t i = 0; i < internal.size(); ++i)
     value += internal[i] * state.internal[i];
   return value;
@@ -16,6 +18,13 @@ double AffineForm::operator()(const LocalState &state) const {
 
 ContactLaw::ContactLaw(std::vector<Mode> modes, std::vector<double> initial_internal)
     : modes_(std::move(modes)), initial_internal_(std::move(initial_internal)) {}
+
+bool ContactLaw::rigid() const {
+  return std::any_of(modes_.begin(), modes_.end(), [](const Mode &mode) {
+    return std::any_of(mode.guards.begin(), mode.guards.end(),
+                       [](const Guard &guard) { return guard.action == GuardAction::impact; });
+  });
+}
 
 SettledMode settle(const ContactLaw &law, LocalState state) {
   SettledMode settled{.mode = law.initial_mode(state),

@@ -10,6 +10,9 @@
 // smooth. A mode is left through a guard: an expression, affine in (gap, gap_rate, internal), that
 // is positive while the mode holds and falls through zero when it ends. Because guards are affine,
 // an integrator can isolate their zeros safely without knowing which law it serves.
+//
+// Rigid laws give no finite force. A guard may end its mode by an impact, in which the velocities
+// jump; a mode may hold the gap, so that the force is whatever keeps the gap rate at zero.
 #pragma once
 
 #include <optional>
@@ -23,16 +26,23 @@ struct LocalState {
   double gap = 0;      ///< [m]
   double gap_rate = 0; ///< [m/s]
   std::span<const double> internal{};
+  double normal_force = 0; ///< in modes that hold the gap: the force that does it [N]
 };
 
-/// constant + gap g + gap_rate g' + internal . z
+/// constant + gap g + gap_rate g' + internal . z + normal_force F
 struct AffineForm {
   double constant = 0;
   double gap = 0;
   double gap_rate = 0;
   std::vector<double> internal{}; ///< empty: all zero
+  double normal_force = 0;        ///< of modes that hold the gap
 
   double operator()(const LocalState &state) const;
+};
+
+enum class GuardAction {
+  change_mode, ///< the target is entered, positions and velocities stay
+  impact,      ///< the gap rate jumps; the target is entered only if the two sides stay together
 };
 
 struct Guard {
@@ -40,6 +50,7 @@ struct Guard {
   int target = 0;       ///< mode entered when it falls through zero
   /// New internal states at that instant, as affine forms of the local state; empty: unchanged.
   std::vector<AffineForm> reset{};
+  GuardAction action = GuardAction::change_mode;
 };
 
 /// Force and internal rates as affine forms, for modes in which the law is linear.
@@ -53,6 +64,7 @@ struct Mode {
   bool in_contact = false;           ///< counts as an impact between entering and leaving
   std::vector<Guard> guards{};       ///< in order of priority
   std::optional<AffineLaw> affine{}; ///< present where the law is affine in this mode
+  bool holds_gap = false;            ///< the gap rate stays zero, by a force the law does not know
 };
 
 /// Values and partial derivatives of a law at one local state; arrays have n_internal() entries.
@@ -101,6 +113,12 @@ public:
 
   /// Force, internal rates, derivatives and energies. `response` keeps its storage between calls.
   virtual void evaluate(int mode, const LocalState &state, LawResponse &response) const = 0;
+
+  /// Separation speed over approach speed of an impact; for laws whose guards have that action.
+  virtual double restitution(double /*approach_speed*/) const { return 0; }
+
+  /// True when some guard is an impact: the sides cannot overlap.
+  bool rigid() const;
 
   /// For laws of that form; nothing for all others.
   virtual std::optional<PowerLaw> power_law() const { return std::nullopt; }

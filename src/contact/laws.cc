@@ -5,6 +5,7 @@
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/linear_penalty.h"
+#include "contact/laws/newton_restitution.h"
 #include "contact/laws/piecewise_stop.h"
 #include "contact/laws/relaxing_stop.h"
 #include "contact/laws/tsuji.h"
@@ -30,6 +31,7 @@ constexpr LawEntry laws[] = {
     {"hunt-crossley", HuntCrossley::declare, HuntCrossley::create},
     {"tsuji", Tsuji::declare, Tsuji::create},
     {"kuwabara-kono", KuwabaraKono::declare, KuwabaraKono::create},
+    {"newton restitution", NewtonRestitution::declare, NewtonRestitution::create},
 };
 
 } // namespace

@@ -9,6 +9,16 @@ namespace vibroimpact {
 namespace {
 // Beyond this depth an interval is shorter than the spacing of doubles next to 1.
 constexpr int maximum_depth = 52;
+
+constexpr auto make_binomials() {
+  constexpr int count = Bernstein::maximum_degree + 1;
+  std::array<std::array<double, count>, count> table{};
+  for (int n = 0; n < count; ++n)
+    for (int k = 0; k <= n; ++k)
+      table[n][k] = k == 0 || k == n ? 1 : table[n - 1][k - 1] + table[n - 1][k];
+  return table;
+}
+constexpr auto binomials = make_binomials();
 } // namespace
 
 // At tau = 0 the k-th derivative of degree n is n! / (n - k)! times the k-th forward difference of
@@ -73,6 +83,13 @@ Bernstein Bernstein::cubic(double h, const std::array<double, 2> &start,
   return hermite(h, start, end);
 }
 
+Bernstein Bernstein::of_coefficients(std::span<const double> coefficients) {
+  Bernstein polynomial;
+  polynomial.degree_ = static_cast<int>(coefficients.size()) - 1;
+  std::copy(coefficients.begin(), coefficients.end(), polynomial.coefficients_.begin());
+  return polynomial;
+}
+
 Bernstein Bernstein::line(double start, double end) {
   Bernstein polynomial;
   polynomial.degree_ = 1;
@@ -81,12 +98,17 @@ Bernstein Bernstein::line(double start, double end) {
   return polynomial;
 }
 
+// A sum of positive weights times the coefficients, exact at both ends.
 double Bernstein::operator()(double tau) const {
-  std::array<double, maximum_degree + 1> c = coefficients_;
-  for (int level = degree_; level > 0; --level)
-    for (int i = 0; i < level; ++i)
-      c[i] += tau * (c[i + 1] - c[i]);
-  return c[0];
+  const double rest = 1 - tau;
+  const auto &binomial = binomials[degree_];
+  double power = 1;
+  double sum = coefficients_[0];
+  for (int i = 1; i <= degree_; ++i) {
+    power *= tau;
+    sum = sum * rest + power * binomial[i] * coefficients_[i];
+  }
+  return sum;
 }
 
 Bernstein Bernstein::derivative() const {
@@ -214,11 +236,12 @@ double Bernstein::falling_zero() const {
 }
 
 std::optional<double> Bernstein::first_fall() const {
-  if (sign_changes() > 0)
-    return first_fall_by_subdivision();
+  const int changes = sign_changes();
   if (sign_after_start() < 0)
     return 0;
-  return std::nullopt;
+  if (changes == 0)
+    return std::nullopt;
+  return changes == 1 ? falling_zero() : first_fall_by_subdivision();
 }
 
 std::optional<double> Bernstein::first_fall_by_subdivision() const {
@@ -263,6 +286,12 @@ void Bernstein::collect_maximum(double &best) const {
   const double span =
       bound - *std::min_element(coefficients_.begin(), coefficients_.begin() + degree_ + 1);
   if (bound <= best || span <= 1e-15 * std::abs(bound))
+    return;
+  const Bernstein slope = derivative();
+  const int turns = slope.sign_changes(); // an upper bound of their number
+  if (turns == 1 && slope.sign_after_start() > 0)
+    best = std::max(best, (*this)(slope.falling_zero()));
+  if (turns <= 1)
     return;
   Bernstein left;
   Bernstein right;

@@ -31,6 +31,9 @@ public:
   static Bernstein cubic(double h, const std::array<double, 2> &start,
                          const std::array<double, 2> &end);
 
+  /// From its coefficients, at most maximum_degree + 1.
+  static Bernstein of_coefficients(std::span<const double> coefficients);
+
   /// Straight line between the values at both ends.
   static Bernstein line(double start, double end);
 

@@ -8,7 +8,7 @@ namespace vibroimpact {
 namespace {
 
 bool is_zero(const AffineForm &form) {
-  bool zero = form.constant == 0 && form.gap == 0 && form.gap_rate == 0;
+  bool zero = form.constant == 0 && form.gap == 0 && form.gap_rate == 0 && form.normal_force == 0;
   for (const double c : form.internal)
     zero = zero && c == 0;
   return zero;
@@ -30,6 +30,18 @@ Equations::Equations(const Model &model, const ContactSet &contacts)
                        is_zero(mode.affine->force));
     silent_.push_back(std::move(silent));
   }
+  holding_ = Holding(model_, contacts_, modes_);
+}
+
+const Mode &Equations::mode(std::size_t contact) const {
+  return contacts_.pairs()[contact].law->modes()[static_cast<std::size_t>(modes_[contact])];
+}
+
+void Equations::set_mode(std::size_t contact, int mode) {
+  const bool held = this->mode(contact).holds_gap;
+  modes_[contact] = mode;
+  if (held || this->mode(contact).holds_gap)
+    holding_ = Holding(model_, contacts_, modes_);
 }
 
 bool Equations::silent(std::size_t contact) const {
@@ -63,6 +75,11 @@ LocalState Equations::local_state(std::size_t contact, double time, ConstVectorV
       state.gap += pair.gap.carrier[k] * model_.sources()[k].function->value(source_time(time));
       state.gap_rate += pair.gap.carrier[k] * model_.sources()[k].function->rate(source_time(time));
     }
+  if (!holding_.empty() && holding_.holds(contact)) {
+    held_rates_.resize(layout_.size());
+    rates(time, x, VectorView(held_rates_.data(), held_rates_.size()));
+    state.normal_force = held_rates_[layout_.impulse(static_cast<Index>(contact))];
+  }
   return state;
 }
 
@@ -76,7 +93,8 @@ double Equations::gap_acceleration(std::size_t contact, double time,
   return value;
 }
 
-double Equations::rounding(std::size_t contact, const AffineForm &form, const Vector &x) const {
+double Equations::rounding(std::size_t contact, const AffineForm &form, double time,
+                           const Vector &x) const {
   const ContactPair &pair = contacts_.pairs()[contact];
   const auto magnitude = [&](Index first) {
     return pair.gap.row.cwiseAbs().dot(x.segment(first, layout_.n).cwiseAbs());
@@ -87,6 +105,8 @@ double Equations::rounding(std::size_t contact, const AffineForm &form, const Ve
   for (std::size_t i = 0; i < form.internal.size(); ++i)
     sum += std::abs(form.internal[i] *
                     x[layout_.internal() + pair.internal_offset + static_cast<Index>(i)]);
+  if (form.normal_force != 0 && holding_.holds(contact))
+    sum += std::abs(form.normal_force) * force_magnitude(contact, time, x);
   return 64 * std::numeric_limits<double>::epsilon() * sum;
 }
 
@@ -105,7 +125,7 @@ void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const ContactPair &pair = contacts_.pairs()[c];
     const auto contact = static_cast<Index>(c);
-    if (silent(c)) {
+    if (silent(c) || mode(c).holds_gap) {
       dxdt[layout_.impulse(contact)] = 0;
       dxdt[layout_.contact_work(contact)] = 0;
       continue;
@@ -125,9 +145,87 @@ void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
     input_power += add_nonlinear_forces(time, x, dxdt);
   else
     acceleration.array() /= model_.mass().array();
+  if (!holding_.empty())
+    input_power += hold(time, x, dxdt);
   dxdt[layout_.input_work()] = input_power;
   dxdt[layout_.absolute_input_work()] = std::abs(input_power);
   dxdt[layout_.damping_work()] = damping_.dot(velocity);
+}
+
+// Adds the forces that hold gaps. Returns the power that moving bases put into them.
+double Equations::hold(double time, ConstVectorView x, VectorView dxdt) const {
+  VectorView acceleration(dxdt.data() + layout_.velocity(), layout_.n);
+  if (!model_.rotors().empty())
+    holding_.set_response(response_to(holding_.rows(), time, x));
+  Vector missing(holding_.size());
+  Vector carried(holding_.size());
+  Vector gap_rate(holding_.size());
+  for (Index k = 0; k < holding_.size(); ++k) {
+    const ContactPair &pair = contacts_.pairs()[holding_.contact(k)];
+    double gap = pair.clearance + pair.gap.row.dot(x.head(layout_.n));
+    carried[k] = 0;
+    for (std::size_t s = 0; s < pair.gap.carrier.size(); ++s)
+      if (pair.gap.carrier[s] != 0) {
+        const TimeFunction &function = *model_.sources()[s].function;
+        gap += pair.gap.carrier[s] * function.value(source_time(time));
+        carried[k] += pair.gap.carrier[s] * function.rate(source_time(time));
+      }
+    gap_rate[k] = pair.gap.row.dot(x.segment(layout_.velocity(), layout_.n)) + carried[k];
+    missing[k] = -gap_acceleration(holding_.contact(k), time,
+                                   ConstVectorView(acceleration.data(), layout_.n)) -
+                 holding_.by_gap_rate(k) * gap_rate[k] - holding_.by_gap(k) * gap;
+  }
+  const Vector forces = holding_.forces(missing);
+  acceleration += holding_.response() * forces;
+  for (Index k = 0; k < holding_.size(); ++k) {
+    const auto contact = static_cast<Index>(holding_.contact(k));
+    dxdt[layout_.impulse(contact)] = forces[k];
+    dxdt[layout_.contact_work(contact)] = -forces[k] * gap_rate[k];
+  }
+  return -forces.dot(carried);
+}
+
+// Adds the derivative of the forces that hold gaps, which is linear in that of the accelerations.
+void Equations::hold(Matrix &jacobian) const {
+  const Index n = layout_.n;
+  auto accelerations = jacobian.middleRows(layout_.velocity(), n);
+  Matrix missing = -holding_.rows() * accelerations;
+  for (Index k = 0; k < holding_.size(); ++k) {
+    missing.row(k).head(n) -= holding_.by_gap(k) * holding_.rows().row(k);
+    missing.row(k).segment(layout_.velocity(), n) -=
+        holding_.by_gap_rate(k) * holding_.rows().row(k);
+  }
+  accelerations += holding_.response() * holding_.forces(missing);
+}
+
+// Rotors add to the inertia of their points.
+Matrix Equations::response_to(const Matrix &rows, double time, ConstVectorView x) const {
+  Matrix response = model_.mass().cwiseInverse().asDiagonal() * rows.transpose();
+  const RotorSet &rotors = model_.rotors();
+  if (rotors.empty())
+    return response;
+  const Index n = layout_.n;
+  const ConstVectorView q(x.data(), n);
+  const ConstVectorView velocity(x.data() + layout_.velocity(), n);
+  const Vector frame = model_.rotor_frame(source_time(time));
+  Vector unloaded = Vector::Zero(n);
+  rotors.couple(model_.mass(), q, velocity, frame, VectorView(unloaded.data(), n));
+  for (Index k = 0; k < response.cols(); ++k)
+    rotors.couple(model_.mass(), q, velocity, frame, VectorView(response.col(k).data(), n));
+  return response.colwise() - unloaded;
+}
+
+// Sum of the sizes of all that the force which holds a contact is made of.
+double Equations::force_magnitude(std::size_t contact, double time, const Vector &x) const {
+  const Index n = layout_.n;
+  Vector load;
+  model_.load(source_time(time), load);
+  const Vector forces =
+      load.cwiseAbs() + model_.stiffness().dense().cwiseAbs() * x.head(n).cwiseAbs() +
+      model_.damping().dense().cwiseAbs() * x.segment(layout_.velocity(), n).cwiseAbs();
+  const RowVector row = contacts_.pairs()[contact].gap.row.cwiseAbs();
+  return (row * forces.cwiseQuotient(model_.mass())).value() *
+         contacts_.effective_mass(contact, model_);
 }
 
 // Cubic springs and rotors; divides by the mass. Returns the power they take in.
@@ -160,7 +258,7 @@ void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const
     add_cubic_stiffness(time, x, jacobian);
   jacobian.block(n, n, n, n) = -model_.damping().dense();
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    if (silent(c))
+    if (silent(c) || mode(c).holds_gap)
       continue;
     const ContactPair &pair = contacts_.pairs()[c];
     pair.law->evaluate(modes_[c], local_state(c, time, x), response_);
@@ -180,6 +278,8 @@ void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const
   jacobian.middleRows(n, n).array().colwise() /= model_.mass().array();
   if (!model_.rotors().empty())
     couple_rotors(time, x, jacobian);
+  if (!holding_.empty())
+    hold(jacobian);
 }
 
 void Equations::add_cubic_stiffness(double time, ConstVectorView x, Matrix &jacobian) const {

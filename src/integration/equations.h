@@ -7,6 +7,7 @@
 
 #include "contact/contact_set.h"
 #include "integration/end_point.h"
+#include "integration/holding.h"
 #include "model/model.h"
 
 #include <algorithm>
@@ -46,7 +47,10 @@ public:
 
   /// Mode of each contact, used by all evaluations below.
   const std::vector<int> &modes() const { return modes_; }
-  void set_mode(std::size_t contact, int mode) { modes_[contact] = mode; }
+  void set_mode(std::size_t contact, int mode);
+  const Mode &mode(std::size_t contact) const;
+  /// The contacts whose gap is held in the present modes.
+  const Holding &holding() const { return holding_; }
 
   /// The phase ends at `instant`, a break of the sources (+infinity: none). There they have the
   /// values from the right; all evaluations below see those from the left.
@@ -61,7 +65,7 @@ public:
   /// In its present mode the contact has neither force nor internal states.
   bool silent(std::size_t contact) const;
 
-  /// Gap and its rate; the internal states refer into `x`.
+  /// Gap, its rate, and the force that holds it; the internal states refer into `x`.
   LocalState local_state(std::size_t contact, double time, ConstVectorView x) const;
 
   /// dx/dt
@@ -72,9 +76,12 @@ public:
   /// Second derivative of a contact's gap from given accelerations.
   double gap_acceleration(std::size_t contact, double time, ConstVectorView acceleration) const;
 
+  /// What a force along each row does: M^-1 rows^T at a position, n x rows.
+  Matrix response_to(const Matrix &rows, double time, ConstVectorView x) const;
+
   /// Bound of the rounding error with which an affine form of the local state is evaluated:
   /// 64 eps times the sum of the absolute values of its terms.
-  double rounding(std::size_t contact, const AffineForm &form, const Vector &x) const;
+  double rounding(std::size_t contact, const AffineForm &form, double time, const Vector &x) const;
 
   /// Kinetic + elastic energy of the bodies + stored energy of the contacts [J].
   double stored_energy(double time, ConstVectorView x) const;
@@ -85,6 +92,9 @@ public:
   double contact_energy(std::size_t contact, int mode, const LocalState &state) const;
 
 private:
+  double hold(double time, ConstVectorView x, VectorView dxdt) const;
+  void hold(Matrix &jacobian) const;
+  double force_magnitude(std::size_t contact, double time, const Vector &x) const;
   double add_nonlinear_forces(double time, ConstVectorView x, VectorView dxdt) const;
   void add_cubic_stiffness(double time, ConstVectorView x, Matrix &jacobian) const;
   void couple_rotors(double time, ConstVectorView x, Matrix &jacobian) const;
@@ -97,8 +107,9 @@ private:
   double source_break_ = std::numeric_limits<double>::infinity();
   double last_source_time_ = std::numeric_limits<double>::infinity();
   std::vector<std::vector<char>> silent_; ///< per contact and mode: no force, no internal states
+  mutable Holding holding_; ///< its response follows the position where there are rotors
   mutable LawResponse response_;
-  mutable Vector load_, elastic_, damping_;
+  mutable Vector load_, elastic_, damping_, held_rates_;
 };
 
 } // namespace vibroimpact

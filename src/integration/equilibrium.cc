@@ -5,7 +5,9 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace vibroimpact {
 
@@ -20,10 +22,41 @@ public:
       fixed_.push_back(rotor.angle);
   }
 
-  // Unbalanced force at q, n entries, and its derivative, n x n.
-  Vector residual(const Vector &q, Matrix &derivative) {
+  // Rigid contacts that are held closed, each by a force of its own.
+  void press(std::vector<std::size_t> contacts) { pressed_ = std::move(contacts); }
+  // Springs that hardly hold every coordinate.
+  void hold_weakly(bool hold) {
+    weak_ = hold ? 1e-6 * std::max(1.0, stiffness_.cwiseAbs().maxCoeff()) : 0;
+  }
+  Index size() const { return model_.size() + static_cast<Index>(pressed_.size()); }
+
+  // Unbalanced force at [q, forces of the pressed contacts], and their gaps as forces of a spring;
+  // size() entries, and the derivative of all that.
+  Vector residual(const Vector &unknown, Matrix &derivative) {
+    const Index n = model_.size();
+    const Vector q = unknown.head(n);
+    Matrix by_position;
+    Vector all(size());
+    all.head(n) = unbalanced(q, by_position);
+    derivative = Matrix::Zero(size(), size());
+    derivative.topLeftCorner(n, n) = by_position;
+    const double spring = std::max(1.0, stiffness_.cwiseAbs().maxCoeff());
+    for (Index k = n; k < size(); ++k) {
+      const std::size_t contact = pressed_[static_cast<std::size_t>(k - n)];
+      const RowVector &row = equations_.contacts().pairs()[contact].gap.row;
+      all.head(n) += unknown[k] * row.transpose();
+      all[k] = spring * local(contact, q).gap;
+      derivative.col(k).head(n) = row.transpose();
+      derivative.row(k).head(n) = spring * row;
+    }
+    return all;
+  }
+
+  // Unbalanced force at q without the pressed contacts, n entries, and its derivative, n x n.
+  Vector unbalanced(const Vector &q, Matrix &derivative) {
     derivative = -stiffness_;
-    Vector force = load_ - stiffness_ * q;
+    derivative.diagonal().array() -= weak_;
+    Vector force = load_ - stiffness_ * q - weak_ * q;
     const ConstVectorView view(q.data(), q.size());
     model_.add_cubic_forces(0, view, VectorView(force.data(), force.size()));
     Matrix cubic = Matrix::Zero(q.size(), q.size());
@@ -39,11 +72,13 @@ public:
     return force;
   }
 
-  bool closed(std::size_t contact, const Vector &q) const { return local(contact, q).gap < 0; }
+  double gap(std::size_t contact, const Vector &q) const { return local(contact, q).gap; }
 
   // Size of the forces among which the residual must vanish.
-  double scale(const Vector &q) const {
-    return load_.cwiseAbs().maxCoeff() + (stiffness_ * q).cwiseAbs().maxCoeff();
+  double scale(const Vector &unknown) const {
+    const Vector q = unknown.head(model_.size());
+    return load_.cwiseAbs().maxCoeff() + (stiffness_ * q).cwiseAbs().maxCoeff() +
+           (pressed_.empty() ? 0 : unknown.tail(unknown.size() - q.size()).cwiseAbs().maxCoeff());
   }
 
 private:
@@ -83,6 +118,8 @@ private:
   const Vector &load_;
   Matrix stiffness_;
   std::vector<Index> fixed_;
+  std::vector<std::size_t> pressed_;
+  double weak_ = 0; // [N/m]
   LawResponse response_;
 };
 
@@ -103,24 +140,84 @@ bool improve(StaticProblem &problem, Vector &q, Vector &residual, Matrix &deriva
   return false;
 }
 
+// [q, forces of the pressed contacts]; nothing when they do not balance.
+std::optional<Vector> balance(StaticProblem &problem, double &unbalanced) {
+  constexpr int maximum_iterations = 200;
+  constexpr double tolerance = 1e3 * std::numeric_limits<double>::epsilon();
+  Vector unknown = Vector::Zero(problem.size());
+  Matrix derivative;
+  Vector residual = problem.residual(unknown, derivative);
+  for (int i = 0; i < maximum_iterations && residual.norm() > 0; ++i)
+    if (!improve(problem, unknown, residual, derivative))
+      break;
+  unbalanced = residual.cwiseAbs().maxCoeff();
+  if (unbalanced > tolerance * problem.scale(unknown))
+    return std::nullopt;
+  return unknown;
+}
+
+struct Balance {
+  Vector unknown;
+  std::vector<std::size_t> pressed;
+};
+
+// Lets go of the rigid contact that pulls most, or else presses the one that overlaps most, until
+// none does either.
+std::optional<Balance> balance_from(StaticProblem &problem, std::vector<std::size_t> pressed,
+                                    const std::vector<std::size_t> &rigid, Index n,
+                                    double &unbalanced) {
+  constexpr double rounding = 1e-12;
+  for (std::size_t change = 0; change <= 4 * rigid.size(); ++change) {
+    problem.press(pressed);
+    const std::optional<Vector> unknown = balance(problem, unbalanced);
+    if (!unknown)
+      return std::nullopt;
+    const Vector forces = unknown->tail(unknown->size() - n);
+    Index pulling = 0;
+    if (forces.size() > 0 && forces.minCoeff(&pulling) < -rounding * problem.scale(*unknown)) {
+      pressed.erase(pressed.begin() + pulling);
+      continue;
+    }
+    const Vector q = unknown->head(n);
+    const auto deeper = [&](std::size_t a, std::size_t b) {
+      return problem.gap(a, q) < problem.gap(b, q);
+    };
+    const auto deepest = std::min_element(rigid.begin(), rigid.end(), deeper);
+    if (deepest == rigid.end() ||
+        problem.gap(*deepest, q) >= -rounding * std::max(1e-3, q.cwiseAbs().maxCoeff()))
+      return Balance{.unknown = *unknown, .pressed = pressed};
+    pressed.push_back(*deepest);
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
 Equilibrium static_equilibrium(const Model &model, const ContactSet &contacts, const Vector &load) {
-  constexpr int maximum_iterations = 200;
-  constexpr double tolerance = 1e3 * std::numeric_limits<double>::epsilon();
   StaticProblem problem(model, contacts, load);
-  Equilibrium equilibrium{.displacement = Vector::Zero(model.size()), .closed = {}};
-  Matrix derivative;
-  Vector residual = problem.residual(equilibrium.displacement, derivative);
-  for (int i = 0; i < maximum_iterations && residual.norm() > 0; ++i)
-    if (!improve(problem, equilibrium.displacement, residual, derivative))
-      break;
-  if (residual.cwiseAbs().maxCoeff() > tolerance * problem.scale(equilibrium.displacement))
+  std::vector<std::size_t> rigid;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts.pairs()[c].law->rigid())
+      rigid.push_back(c);
+  double unbalanced = 0;
+  std::optional<Balance> found = balance_from(problem, {}, rigid, model.size(), unbalanced);
+  if (!found && !rigid.empty()) { // what nothing else holds may lie on a stop
+    problem.hold_weakly(true);
+    found = balance_from(problem, {}, rigid, model.size(), unbalanced);
+    problem.hold_weakly(false);
+    if (found)
+      found = balance_from(problem, found->pressed, rigid, model.size(), unbalanced);
+  }
+  if (!found)
     throw NumericalError("nothing balances the constant loads, or no equilibrium was found; "
                          "unbalanced " +
-                         std::to_string(residual.cwiseAbs().maxCoeff()) + " N");
+                         std::to_string(unbalanced) + " N");
+  Equilibrium equilibrium{.displacement = found->unknown.head(model.size()), .closed = {}};
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    equilibrium.closed.push_back(problem.closed(c, equilibrium.displacement));
+    equilibrium.closed.push_back(contacts.pairs()[c].law->rigid()
+                                     ? std::find(found->pressed.begin(), found->pressed.end(), c) !=
+                                           found->pressed.end()
+                                     : problem.gap(c, equilibrium.displacement) < 0);
   return equilibrium;
 }
 

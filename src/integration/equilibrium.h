@@ -10,14 +10,15 @@ namespace vibroimpact {
 
 struct Equilibrium {
   Vector displacement;      ///< n; angles of rotors stay at zero
-  std::vector<bool> closed; ///< per contact: the two sides overlap
+  std::vector<bool> closed; ///< per contact: the two sides overlap, or press if they are rigid
 };
 
 /// Where load - K q - cubic forces + contact forces = 0 with everything at rest at time 0. Newton's
 /// method with the contacts' modes chosen anew in each iteration and steps halved until the
 /// residual falls, from the straight position. Coordinates that nothing holds and nothing loads
-/// stay at zero. NumericalError when nothing balances the load or no equilibrium is found.
-/// load: n [N]
+/// stay at zero. Rigid contacts are held closed by the forces that this takes where they are >= 0;
+/// which ones is found by pressing and letting go one after the other. NumericalError when nothing
+/// balances the load or no equilibrium is found. load: n [N]
 Equilibrium static_equilibrium(const Model &model, const ContactSet &contacts, const Vector &load);
 
 } // namespace vibroimpact

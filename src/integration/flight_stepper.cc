@@ -81,7 +81,8 @@ bool FlightStepper::handles(double time) {
 
 void FlightStepper::restart(double time, const Vector &x) {
   physical_ = x.head(equations_.layout().physical_size());
-  motion_ = &cached_phase().phase->begin(physical_, sources_);
+  phase_ = cached_phase().phase.get();
+  motion_ = &phase_->begin(physical_, sources_);
   end_.time = time;
   end_.state = x;
   motion_->initial_derivatives(rows_);
@@ -165,28 +166,23 @@ void FlightStepper::accept(bool keep_ledger) {
   for (double from = 0; keep_ledger && from < h; from += part) {
     part = motion_->quadrature_length(from, h - from);
     motion_->values(Ledger::instants(from, part), nodes_);
-    ledger_.add(part, nodes_, end_.state);
+    ledger_.add(part, nodes_, phase_->system().held_forces(), end_.state);
   }
   motion_->move(h);
 }
 
-bool FlightStepper::glide(double limit) {
-  const double rest = limit - end_.time;
-  const double tau = motion_->free_flight(rest);
-  if (tau <= 0 || (tau < rest && tau < motion_->natural_step()))
+bool FlightStepper::describe(ExponentialBasis &basis, Matrix &inverse) {
+  LinearPhase *phase = cached_phase().phase.get();
+  if (!phase || !phase->describe(sources_, basis))
     return false;
-  std::swap(start_, end_);
-  motion_->derivatives(tau, rows_);
-  const Index size = equations_.layout().physical_size();
-  end_.time = tau == rest ? limit : start_.time + tau;
-  end_.state = start_.state;
-  end_.state.head(size) = rows_.col(0).head(size);
-  if (!end_.state.allFinite())
-    throw NumericalError("the state is no longer finite at t = " + std::to_string(end_.time) +
-                         " s");
-  fill(end_);
-  motion_->move(end_.time - start_.time);
+  inverse = phase->system().inverse();
   return true;
+}
+
+void FlightStepper::place(double time, const Vector &x) {
+  end_.time = time;
+  end_.state = x;
+  pending_ = false;
 }
 
 } // namespace vibroimpact

@@ -34,9 +34,16 @@ public:
   void shorten(double time) override;
   void undo() override;
   void accept(bool keep_ledger) override;
-  bool glide(double limit) override;
   const GuardCurves *guard_curves() override;
   bool exact() const override { return true; }
+
+  /// After handles(time): closed forms with that origin.
+  const std::vector<ExponentialForm> &sources() const { return sources_; }
+  /// What the present phase is made of with these sources, and the way from y less the response to
+  /// the inputs to the columns of the modes. False: not of exponentials.
+  bool describe(ExponentialBasis &basis, Matrix &inverse);
+  /// The motion was moved on by somebody else.
+  void place(double time, const Vector &x);
 
 private:
   struct CachedPhase {
@@ -55,6 +62,7 @@ private:
   double maximum_step_;
   DenseTolerance tolerance_;
   std::vector<CachedPhase> phases_;
+  LinearPhase *phase_ = nullptr;
   LinearMotion *motion_ = nullptr;
   std::vector<ExponentialForm> sources_;
   Ledger ledger_;

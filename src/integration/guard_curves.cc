@@ -30,7 +30,7 @@ enum class Finding { positive, negative, falls, rises, in_rounding, unknown };
 class FallSearch {
 public:
   FallSearch(const GuardCurves &curves, Index guard, double end, const GuardStart &start)
-      : curves_(curves), guard_(guard), end_(end), shift_(start.shift),
+      : curves_(curves), guard_(guard), begin_(start.until), end_(end), shift_(start.shift),
         margin_(curves.rounding(guard)), leaves_zero_(start.zero) {
     // A zero is not below zero, whatever the rounding of this evaluation makes of it.
     if (leaves_zero_)
@@ -52,6 +52,7 @@ private:
 
   const GuardCurves &curves_;
   Index guard_;
+  double begin_;
   double end_;
   double shift_;
   double margin_;
@@ -156,11 +157,11 @@ double FallSearch::split_point(const Piece &piece) const {
 
 // True when the search is over.
 bool FallSearch::pass(const Piece &piece, Finding finding) {
-  if (piece.from == 0 && piece.at_from.value < -margin_) {
+  if (piece.from == begin_ && piece.at_from.value < -margin_) {
     result_.time = 0;
     return true;
   }
-  const bool began_in_rounding = piece.from == 0 && piece.at_from.value <= margin_;
+  const bool began_in_rounding = piece.from == begin_ && piece.at_from.value <= margin_;
   if (!entered_ && began_in_rounding) {
     entered_ = piece.from;
     reached_ = piece.from;
@@ -185,7 +186,10 @@ bool FallSearch::pass(const Piece &piece, Finding finding) {
 }
 
 FirstFall FallSearch::run() {
-  const Piece whole{.from = 0, .to = end_, .at_from = at(0), .at_to = at(end_), .depth = 0};
+  if (begin_ >= end_)
+    return result_;
+  const Piece whole{
+      .from = begin_, .to = end_, .at_from = at(begin_), .at_to = at(end_), .depth = 0};
   if (examine(whole) != Finding::positive)
     divide(whole);
   return result_;

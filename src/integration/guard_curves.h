@@ -40,6 +40,9 @@ struct GuardStart {
   /// no touch.
   bool zero = false;
   double shift = 0; ///< added to all its values
+  /// Before this time it counts as zero: that instant is not known better, and where it leaves zero
+  /// with neither slope nor curvature, errors of theirs would be taken for a fall.
+  double until = 0;
 };
 
 struct FirstFall {

@@ -1,18 +1,16 @@
 #include "integration/guard_forms.h"
 
+#include <algorithm>
+
 namespace vibroimpact {
 
-namespace {
-
-void add_row(const Equations &equations, std::size_t contact, const AffineForm &form,
-             GuardForms &forms) {
+LinearRow linear_row(const Equations &equations, std::size_t contact, const AffineForm &form) {
   const ContactPair &pair = equations.contacts().pairs()[contact];
   const StateLayout &layout = equations.layout();
-  const Index last = forms.rows.rows();
-  forms.rows.conservativeResize(last + 1, Eigen::NoChange);
-  forms.constants.conservativeResize(last + 1);
-  auto row = forms.rows.row(last);
-  row.setZero();
+  const auto n_sources = static_cast<Index>(equations.model().sources().size());
+  LinearRow result{.row = RowVector::Zero(layout.physical_size() + 3 * n_sources),
+                   .constant = form.constant + form.gap * pair.clearance};
+  RowVector &row = result.row;
   row.head(layout.n) = form.gap * pair.gap.row;
   row.segment(layout.velocity(), layout.n) = form.gap_rate * pair.gap.row;
   for (std::size_t i = 0; i < form.internal.size(); ++i)
@@ -22,10 +20,15 @@ void add_row(const Equations &equations, std::size_t contact, const AffineForm &
     row[source] = form.gap * pair.gap.carrier[k];
     row[source + 1] = form.gap_rate * pair.gap.carrier[k];
   }
-  forms.constants[last] = form.constant + form.gap * pair.clearance;
+  if (form.normal_force == 0 || !equations.mode(contact).holds_gap)
+    return result;
+  const LinearSystem::HeldForces held = LinearSystem::held_forces(equations);
+  const auto place = std::find(held.contacts.begin(), held.contacts.end(), contact);
+  const Index k = place - held.contacts.begin();
+  row += form.normal_force * held.rows.row(k);
+  result.constant += form.normal_force * held.constants[k];
+  return result;
 }
-
-} // namespace
 
 GuardForms guard_forms(const Equations &equations) {
   const auto n_sources = static_cast<Index>(equations.model().sources().size());
@@ -33,8 +36,14 @@ GuardForms guard_forms(const Equations &equations) {
                    .constants = Vector(0)};
   for (std::size_t c = 0; c < equations.contacts().size(); ++c) {
     const ContactLaw &law = *equations.contacts().pairs()[c].law;
-    for (const Guard &guard : law.modes()[static_cast<std::size_t>(equations.modes()[c])].guards)
-      add_row(equations, c, guard.indicator, forms);
+    for (const Guard &guard : law.modes()[static_cast<std::size_t>(equations.modes()[c])].guards) {
+      const LinearRow form = linear_row(equations, c, guard.indicator);
+      const Index last = forms.rows.rows();
+      forms.rows.conservativeResize(last + 1, Eigen::NoChange);
+      forms.constants.conservativeResize(last + 1);
+      forms.rows.row(last) = form.row;
+      forms.constants[last] = form.constant;
+    }
   }
   return forms;
 }

@@ -1,11 +1,20 @@
-// The guards of the contacts' present modes as linear forms of what a linear phase computes.
+// What laws see of a motion, as linear forms of what a linear phase computes.
 #pragma once
 
-#include "integration/equations.h"
+#include "integration/linear_system.h"
 
 namespace vibroimpact {
 
-/// constants + rows * [y, then s, s', s'' of each source]
+/// constant + row * [y, then s, s', s'' of each source]
+struct LinearRow {
+  RowVector row; ///< physical size + 3 sources
+  double constant = 0;
+};
+
+/// A form of the local state of a contact.
+LinearRow linear_row(const Equations &equations, std::size_t contact, const AffineForm &form);
+
+/// The guards of the contacts' present modes: constants + rows * [y, sources].
 struct GuardForms {
   Matrix rows;      ///< guards x (physical size + 3 sources)
   Vector constants; ///< guards

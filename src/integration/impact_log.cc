@@ -89,40 +89,46 @@ void ImpactLog::step(const StepView &view) {
 
 void ImpactLog::begin(Track &track, const ContactEvent &event) const {
   const StateLayout &layout = *event.layout;
+  const auto contact = static_cast<Index>(event.contact);
+  // A rigid impact has an impulse and takes energy at this very instant. What a change of mode
+  // takes from a law of finite force belongs to the time before.
+  const Vector &ledger = event.guard->action == GuardAction::impact ? *event.before : *event.state;
   track.current = {.start_time = event.time,
                    .approach_speed = -event.gap_rate,
-                   .impulse = -(*event.state)[layout.impulse(static_cast<Index>(event.contact))],
-                   .dissipated_energy =
-                       -(*event.state)[layout.contact_work(static_cast<Index>(event.contact))]};
+                   .impulse = -ledger[layout.impulse(contact)],
+                   .dissipated_energy = -ledger[layout.contact_work(contact)],
+                   .chatter_duration = event.chatter_duration};
   track.complete = true;
   ++track.begun;
   ++track.pulses_begun;
 }
 
+void ImpactLog::finish(Track &track, const ContactEvent &event) const {
+  if (!track.pulses.time.empty() && std::isfinite(track.pulses.time.back())) {
+    track.pulses.time.push_back(nan);
+    track.pulses.force.push_back(nan);
+    track.pulses.gap.push_back(nan);
+  }
+  if (!track.complete)
+    return;
+  const StateLayout &layout = *event.layout;
+  const auto contact = static_cast<Index>(event.contact);
+  Impact &impact = track.current;
+  impact.duration = event.time - impact.start_time;
+  impact.separation_speed = event.gap_rate_after;
+  impact.impulse += (*event.state)[layout.impulse(contact)];
+  impact.dissipated_energy += (*event.state)[layout.contact_work(contact)];
+  track.done.push_back(impact);
+  track.complete = false;
+}
+
 void ImpactLog::event(const ContactEvent &event) {
   Track &track = tracks_[event.contact];
-  const bool before = in_contact(event.contact, event.from);
-  const bool after = in_contact(event.contact, event.to);
-  const StateLayout &layout = *event.layout;
-  if (after && !before)
+  if (event.onset)
     begin(track, event);
-  if (before && !after) {
-    if (!track.pulses.time.empty() && std::isfinite(track.pulses.time.back())) {
-      track.pulses.time.push_back(nan);
-      track.pulses.force.push_back(nan);
-      track.pulses.gap.push_back(nan);
-    }
-    if (!track.complete)
-      return;
-    Impact &impact = track.current;
-    impact.duration = event.time - impact.start_time;
-    impact.separation_speed = event.gap_rate;
-    impact.impulse += (*event.state)[layout.impulse(static_cast<Index>(event.contact))];
-    impact.dissipated_energy +=
-        (*event.state)[layout.contact_work(static_cast<Index>(event.contact))];
-    track.done.push_back(impact);
-    track.complete = false;
-  }
+  const bool over = event.onset || in_contact(event.contact, event.from);
+  if (over && !in_contact(event.contact, event.to))
+    finish(track, event);
 }
 
 void ImpactLog::clear() {

@@ -13,10 +13,11 @@ struct Impact {
   double duration = 0;            ///< [s]
   double approach_speed = 0;      ///< -gap_rate at the start [m/s]
   double separation_speed = 0;    ///< gap_rate at the end [m/s]
-  double peak_force = 0;          ///< [N]
+  double peak_force = 0;          ///< [N]; a rigid impact itself has an impulse, but no force
   double impulse = 0;             ///< integral of the force [N s]
   double maximum_penetration = 0; ///< [m]
   double dissipated_energy = 0;   ///< by the contact law [J]
+  double chatter_duration = 0;    ///< of further impacts that were completed at once [s]
 
   /// separation_speed / approach_speed
   double restitution_coefficient() const;
@@ -57,6 +58,7 @@ private:
   };
   bool in_contact(std::size_t contact, int mode) const;
   void begin(Track &track, const ContactEvent &event) const;
+  void finish(Track &track, const ContactEvent &event) const;
   void record_pulse(Track &track, const StepView &view, std::size_t contact) const;
 
   const ContactSet &contacts_;

@@ -39,7 +39,9 @@ std::array<double, Ledger::points> Ledger::instants(double start, double h) {
   return list;
 }
 
-void Ledger::add(double h, const Matrix &rows, Vector &state) {
+void Ledger::add(double h, const Matrix &rows, const LinearSystem::HeldForces &held,
+                 Vector &state) {
+  held_ = &held;
   for (Index i = 0; i < points; ++i)
     add_point(h * rule[static_cast<std::size_t>(i)].weight, rows, i, state);
 }
@@ -75,6 +77,17 @@ double Ledger::damping_power(ConstVectorView velocity) {
   return power;
 }
 
+// Zero of contacts that are not held.
+double Ledger::held_force(std::size_t contact, const double *y) const {
+  for (std::size_t k = 0; k < held_->contacts.size(); ++k)
+    if (held_->contacts[k] == contact) {
+      const auto row = static_cast<Index>(k);
+      return held_->constants[row] +
+             held_->rows.row(row).dot(ConstVectorView(y, held_->rows.cols()));
+    }
+  return 0;
+}
+
 // Returns the power that moving bases put into the contacts.
 double Ledger::add_contacts(double weight, const double *y, Vector &state) {
   const StateLayout &layout = equations_.layout();
@@ -96,6 +109,7 @@ double Ledger::add_contacts(double weight, const double *y, Vector &state) {
         carried += pair.gap.carrier[k] * s[1];
       }
     local.gap_rate += carried;
+    local.normal_force = held_force(c, y);
     pair.law->evaluate(equations_.modes()[c], local, response_);
     power -= response_.force * carried;
     state[layout.impulse(static_cast<Index>(c))] += weight * response_.force;

@@ -1,7 +1,7 @@
 // Energies and impulses of a step of a linear phase, by Gauss quadrature of their rates.
 #pragma once
 
-#include "integration/equations.h"
+#include "integration/linear_system.h"
 
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -23,14 +23,16 @@ public:
 
   /// Adds the integrals over a length h to the ledger in `state`. `rows`: y, then s, s',
   /// s'' of each source, one column per point.
-  void add(double h, const Matrix &rows, Vector &state);
+  void add(double h, const Matrix &rows, const LinearSystem::HeldForces &held, Vector &state);
 
 private:
   void add_point(double weight, const Matrix &rows, Index point, Vector &state);
   double add_contacts(double weight, const double *y, Vector &state);
+  double held_force(std::size_t contact, const double *y) const;
   double damping_power(ConstVectorView velocity);
 
   const Equations &equations_;
+  const LinearSystem::HeldForces *held_ = nullptr; ///< during add()
   LawResponse response_;
   Vector damping_;
 };

@@ -37,6 +37,10 @@ bool LinearPhase::fits(const Equations &equations) const {
          system_.fits(equations);
 }
 
+bool LinearPhase::describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis) {
+  return modal_ && modal_->describe(sources, basis);
+}
+
 LinearMotion &LinearPhase::begin(const Vector &y, std::span<const ExponentialForm> sources) {
   if (modal_ && modal_->begin(y, sources))
     return *modal_;

@@ -9,9 +9,9 @@
 // Both choose the step from a bound of the error that the dense output of the step will have.
 #pragma once
 
+#include "integration/exponential_basis.h"
 #include "integration/guard_curves.h"
 #include "integration/guard_forms.h"
-#include "integration/linear_system.h"
 
 #include <memory>
 #include <span>
@@ -52,14 +52,18 @@ public:
   /// The next step starts `tau` later.
   virtual void move(double tau) = 0;
 
-  /// The forms that guards() and free_flight() look at; call it before begin().
+  /// The forms that guards() looks at; call it before begin().
   virtual void watch(const GuardForms &forms) = 0;
   /// The watched forms as functions of the time since the start of the step, up to `end`. Valid
   /// until the next call of a member.
   virtual const GuardCurves &guards(double end) = 0;
-  /// A time up to `limit` until which all watched forms stay positive from the start of the step
-  /// on; 0 when that is not known.
-  virtual double free_flight(double /*limit*/) { return 0; }
+
+  /// What the phase is made of with these sources; it must begin anew afterwards. False: not of
+  /// exponentials.
+  virtual bool describe(std::span<const ExponentialForm> /*sources*/,
+                        ExponentialBasis & /*basis*/) {
+    return false;
+  }
 };
 
 /// The longest step of a Hermite polynomial of degree 9 for the coordinates and 7 for the internal
@@ -79,6 +83,8 @@ public:
 
   /// The motion from y on. `sources`: closed forms with the start of the phase as origin.
   LinearMotion &begin(const Vector &y, std::span<const ExponentialForm> sources);
+  /// See LinearMotion::describe.
+  bool describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis);
   const LinearSystem &system() const { return system_; }
   /// True when the equations are, in their present modes, still those of this phase.
   bool fits(const Equations &equations) const;

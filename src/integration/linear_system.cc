@@ -92,6 +92,12 @@ bool LinearSystem::fits(const Equations &equations) const {
          std::equal(loads_.begin(), loads_.end(), other.loads_.begin(), other.loads_.end(), same);
 }
 
+LinearSystem::HeldForces LinearSystem::held_forces(const Equations &equations) {
+  LinearSystem system;
+  system.assemble(equations);
+  return system.held_forces_;
+}
+
 void LinearSystem::assemble(const Equations &equations) {
   const Model &model = equations.model();
   const Index n = model.size();
@@ -113,7 +119,49 @@ void LinearSystem::assemble(const Equations &equations) {
                       acceleration(source.inertial_load)});
   }
   for (std::size_t c = 0; c < equations.contacts().size(); ++c)
-    add_contact(equations, c);
+    if (!equations.mode(c).holds_gap)
+      add_contact(equations, c);
+  if (!equations.holding().empty())
+    hold(equations);
+}
+
+// The forces of equations.holding() as rows, and what they add to the equations.
+void LinearSystem::hold(const Equations &equations) {
+  const Holding &holding = equations.holding();
+  const Index n = equations.model().size();
+  const auto n_sources = static_cast<Index>(loads_.size());
+  const Matrix &w = holding.rows();
+  Matrix missing = Matrix::Zero(holding.size(), size() + 3 * n_sources + 1);
+  missing.leftCols(size()) = w * matrix_.middleRows(n, n);
+  missing.rightCols(1) = w * constant_.segment(n, n);
+  for (Index s = 0; s < n_sources; ++s) {
+    const Load &load = loads_[static_cast<std::size_t>(s)];
+    missing.col(size() + 3 * s) = w * load.value.segment(n, n);
+    missing.col(size() + 3 * s + 1) = w * load.rate.segment(n, n);
+    missing.col(size() + 3 * s + 2) = w * load.acceleration.segment(n, n);
+  }
+  for (Index k = 0; k < holding.size(); ++k) {
+    const ContactPair &pair = equations.contacts().pairs()[holding.contact(k)];
+    missing.row(k).head(n) += holding.by_gap(k) * w.row(k);
+    missing.row(k).segment(n, n) += holding.by_gap_rate(k) * w.row(k);
+    missing(k, missing.cols() - 1) += holding.by_gap(k) * pair.clearance;
+    for (std::size_t s = 0; s < pair.gap.carrier.size(); ++s)
+      missing.row(k).segment(size() + 3 * static_cast<Index>(s), 3) +=
+          pair.gap.carrier[s] * Eigen::RowVector3d(holding.by_gap(k), holding.by_gap_rate(k), 1);
+    held_forces_.contacts.push_back(holding.contact(k));
+  }
+  const Matrix forces = -holding.forces(missing);
+  held_forces_.rows = forces.leftCols(forces.cols() - 1);
+  held_forces_.constants = forces.rightCols(1);
+  const Matrix added = holding.response() * forces;
+  matrix_.middleRows(n, n) += added.leftCols(size());
+  constant_.segment(n, n) += added.rightCols(1);
+  for (Index s = 0; s < n_sources; ++s) {
+    Load &load = loads_[static_cast<std::size_t>(s)];
+    load.value.segment(n, n) += added.col(size() + 3 * s);
+    load.rate.segment(n, n) += added.col(size() + 3 * s + 1);
+    load.acceleration.segment(n, n) += added.col(size() + 3 * s + 2);
+  }
 }
 
 void LinearSystem::add_contact(const Equations &equations, std::size_t contact) {

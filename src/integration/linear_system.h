@@ -37,11 +37,22 @@ public:
     bool is_pair = false; ///< with its conjugate, two columns
   };
 
+  /// Forces of the contacts whose gap is held: constants + rows * [y, then s, s', s'' of each
+  /// source]
+  struct HeldForces {
+    std::vector<std::size_t> contacts;
+    Matrix rows;      ///< held contacts x (size + 3 sources)
+    Vector constants; ///< held contacts
+  };
+
   Index size() const { return matrix_.rows(); }
   const Vector &mass() const { return mass_; }
   const Matrix &matrix() const { return matrix_; }
   const Vector &constant() const { return constant_; }
   const std::vector<Load> &loads() const { return loads_; }
+  const HeldForces &held_forces() const { return held_forces_; }
+  /// Of the present modes, without the rest.
+  static HeldForces held_forces(const Equations &equations);
   double spectral_radius() const { return spectral_radius_; }
 
   /// False where the eigenvectors are too nearly dependent to be used.
@@ -66,12 +77,14 @@ private:
   void add_contact(const Equations &equations, std::size_t contact);
   void add_form(const Equations &equations, std::size_t contact, const AffineForm &form,
                 const Vector &into);
+  void hold(const Equations &equations);
   void decompose();
 
   Vector mass_;
   Matrix matrix_;
   Vector constant_;
   std::vector<Load> loads_;
+  HeldForces held_forces_;
   double spectral_radius_ = 0;
   bool diagonalizable_ = false;
   std::vector<Mode> modes_;

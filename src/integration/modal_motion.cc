@@ -22,7 +22,7 @@ public:
   void move(double tau) override;
   void watch(const GuardForms &forms) override;
   const GuardCurves &guards(double end) override;
-  double free_flight(double limit) override;
+  bool describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis) override;
 
 private:
   // Re(amplitude exp(exponent t)) times one column of the basis for the real part of the rest and
@@ -34,13 +34,7 @@ private:
     Complex amplitude{};
     double size10 = 0, size8 = 0; // |exponent|^10, |exponent|^8
   };
-  // A part of the excitation: exponential of a source, constant of a source, or the system's own.
-  struct Input {
-    std::size_t source = 0;
-    Complex exponent{};
-    bool own = false; // of the system
-    bool operator==(const Input &other) const = default;
-  };
+  using Input = ExponentialBasis::Input;
 
   bool read_inputs(std::span<const ExponentialForm> sources);
   bool respond();
@@ -395,9 +389,16 @@ const GuardCurves &ModalMotion::guards(double end) {
   return guards_;
 }
 
-double ModalMotion::free_flight(double limit) {
-  start_guards();
-  return guards_.positive_until(limit);
+bool ModalMotion::describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis) {
+  if (!read_inputs(sources) || (inputs_ != responded_ && !respond()))
+    return false;
+  basis.groups.clear();
+  for (const Group &group : groups_)
+    basis.groups.push_back(
+        {.exponent = group.exponent, .column = group.column, .is_pair = group.is_pair});
+  basis.inputs = inputs_;
+  basis.columns = columns_;
+  return true;
 }
 
 void ModalMotion::move(double tau) {

@@ -1,5 +1,7 @@
 #include "integration/observer.h"
 
+#include "integration/held_force.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -122,6 +124,8 @@ Bernstein StepView::drive(Index i) const {
   return first_order_state(equations_->layout().drive() + i);
 }
 
+Bernstein StepView::holding_force(std::size_t contact) const { return held_force(*this, contact); }
+
 Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const {
   Bernstein sum;
   if (form.gap != 0) {
@@ -141,12 +145,20 @@ Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const
       term *= form.internal[i];
       sum += term;
     }
+  if (form.normal_force != 0) {
+    Bernstein force = holding_force(contact);
+    force *= form.normal_force;
+    sum += force;
+  }
   return sum;
 }
 
 ContactCurves StepView::contact_curves(std::size_t contact) const {
   const ContactPair &pair = equations_->contacts().pairs()[contact];
-  ContactCurves curves{.gap = gap(contact), .gap_rate = gap_rate(contact), .internal = {}};
+  ContactCurves curves{.gap = gap(contact),
+                       .gap_rate = gap_rate(contact),
+                       .internal = {},
+                       .normal_force = holding_force(contact)};
   for (int i = 0; i < pair.n_internal(); ++i)
     curves.internal.push_back(internal(pair.internal_offset + i));
   return curves;
@@ -156,9 +168,11 @@ double StepView::force(std::size_t contact, const ContactCurves &curves, double 
   std::vector<double> internal_values;
   for (const Bernstein &curve : curves.internal)
     internal_values.push_back(curve(tau));
-  return equations_->force(
-      contact, equations_->modes()[contact],
-      {.gap = curves.gap(tau), .gap_rate = curves.gap_rate(tau), .internal = internal_values});
+  return equations_->force(contact, equations_->modes()[contact],
+                           {.gap = curves.gap(tau),
+                            .gap_rate = curves.gap_rate(tau),
+                            .internal = internal_values,
+                            .normal_force = curves.normal_force(tau)});
 }
 
 double StepView::force(std::size_t contact, double tau) const {

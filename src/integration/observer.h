@@ -13,6 +13,7 @@ struct ContactCurves {
   Bernstein gap;
   Bernstein gap_rate;
   std::vector<Bernstein> internal;
+  Bernstein normal_force; ///< in modes that hold the gap
 };
 
 /// One accepted step, smooth inside. Valid only during the call.
@@ -44,6 +45,8 @@ public:
   Bernstein internal(Index i) const;
   /// Torque of a motor.
   Bernstein drive(Index i) const;
+  /// The force that holds a contact's gap in its present mode; zero in other modes.
+  Bernstein holding_force(std::size_t contact) const;
   Bernstein indicator(std::size_t contact, const AffineForm &form) const;
 
   ContactCurves contact_curves(std::size_t contact) const;
@@ -60,18 +63,35 @@ private:
   const EndPoint *end_;
 };
 
-/// A contact that changed its mode.
+/// A jump of the velocities by impulses of rigid contacts, for those who need more of it than one
+/// contact sees.
+struct Collision {
+  std::vector<int> modes_before, modes_after; ///< of all contacts
+  /// The contacts that take an impulse.
+  std::vector<std::size_t> contacts;
+  Matrix rows;            ///< their gap rows, contacts x n
+  Matrix response;        ///< M^-1 rows^T, n x contacts
+  Matrix impulse_by_rate; ///< derivative of the impulses by the gap rates before it
+  bool unique = true;     ///< a single contact has set it off
+};
+
+/// A contact that changed its mode, or had an impact and parts again at once.
 struct ContactEvent {
   double time = 0;
   std::size_t contact = 0;
   int from = 0;
   int to = 0;
-  double gap = 0;      ///< [m]
-  double gap_rate = 0; ///< [m/s]
+  bool onset = false;          ///< the two sides have met: an impact begins
+  double gap = 0;              ///< [m]
+  double gap_rate = 0;         ///< just before [m/s]
+  double gap_rate_after = 0;   ///< the same unless velocities jumped [m/s]
+  double chatter_duration = 0; ///< time in which further impacts, infinitely many, would come to
+                               ///< rest; they are replaced by rest at once [s]
   const Vector *state = nullptr;
-  const Vector *before = nullptr;      ///< the state before the resets of the guard
-  const Guard *guard = nullptr;        ///< that was passed
-  const StateLayout *layout = nullptr; ///< of the state
+  const Vector *before = nullptr;       ///< the state before resets and jumps
+  const Guard *guard = nullptr;         ///< that was passed
+  const StateLayout *layout = nullptr;  ///< of the state
+  const Collision *collision = nullptr; ///< of the first event of each collision
 };
 
 class Observer {

@@ -24,10 +24,6 @@ public:
   /// Takes the last step again so that it ends at `time` (after its start), from the same start.
   virtual void shorten(double time) = 0;
 
-  /// Goes on at once, up to `limit` at most, as far as no guard can be passed, without dense output
-  /// and without the ledger. False: not possible, take a step.
-  virtual bool glide(double /*limit*/) { return false; }
-
   /// The guards of the contacts' present modes during the last step, in the order of
   /// guard_forms(), where the method knows them exactly; nullptr: only the dense output tells.
   virtual const GuardCurves *guard_curves() { return nullptr; }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "integration/flight_stepper.h"
-#include "integration/ts_stepper.h"
+#include "integration/stepper.h"
 
 #include <memory>
 
@@ -10,8 +10,8 @@ namespace vibroimpact {
 
 class Steppers {
 public:
-  /// Method "flight": exact steps where the phase is linear, Runge-Kutta elsewhere. Any other: that
-  /// TS throughout.
+  /// Method "flight": exact steps where the phase is linear, Runge-Kutta of order 8 elsewhere. Any
+  /// other: that TS throughout.
   Steppers(Equations &equations, const IntegrationSettings &settings);
 
   /// Begins a phase with the stepper that suits the present modes of the equations.
@@ -19,11 +19,16 @@ public:
   Stepper &present() { return *present_; }
   const Stepper &present() const { return *present_; }
 
+  /// The exact method, where it may be used at all.
+  FlightStepper *flight() { return flight_.get(); }
+  /// The motion was moved on by somebody else; the next phase must begin with restart().
+  void place(double time, const Vector &x);
+
   void forget();
-  long rejected_steps() const { return general_.rejected_steps(); }
+  long rejected_steps() const { return general_->rejected_steps(); }
 
 private:
-  TsStepper general_;
+  std::unique_ptr<Stepper> general_;
   std::unique_ptr<FlightStepper> flight_;
   Stepper *present_;
 };

@@ -1,6 +1,7 @@
 #include "integration/trajectory.h"
 
 #include "common/error.h"
+#include "integration/unwatched_flight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,21 +17,15 @@ namespace {
 constexpr long maximum_events_at_once = 100;
 
 const Guard &guard_of(const Equations &equations, std::size_t contact, std::size_t guard) {
-  const ContactPair &pair = equations.contacts().pairs()[contact];
-  return pair.law->modes()[static_cast<std::size_t>(equations.modes()[contact])].guards[guard];
-}
-
-std::size_t guard_count(const Equations &equations, std::size_t contact) {
-  const ContactPair &pair = equations.contacts().pairs()[contact];
-  return pair.law->modes()[static_cast<std::size_t>(equations.modes()[contact])].guards.size();
+  return equations.mode(contact).guards[guard];
 }
 
 // |factor| for which form = factor * other; 0 when there is none.
 double proportion(const AffineForm &form, const AffineForm &other) {
   const auto coefficients = [](const AffineForm &from, std::size_t n_internal) {
-    std::vector<double> list = {from.constant, from.gap, from.gap_rate};
+    std::vector<double> list = {from.constant, from.gap, from.gap_rate, from.normal_force};
     list.insert(list.end(), from.internal.begin(), from.internal.end());
-    list.resize(3 + n_internal, 0.0);
+    list.resize(4 + n_internal, 0.0);
     return list;
   };
   const std::size_t n_internal = std::max(form.internal.size(), other.internal.size());
@@ -50,7 +45,14 @@ double proportion(const AffineForm &form, const AffineForm &other) {
 
 Trajectory::Trajectory(const Model &model, const ContactSet &contacts,
                        const IntegrationSettings &settings)
-    : settings_(settings), equations_(model, contacts), steppers_(equations_, settings) {}
+    : settings_(settings), equations_(model, contacts), collisions_(equations_, settings_),
+      steppers_(equations_, settings) {
+  if (steppers_.flight())
+    flight_ = std::make_unique<UnwatchedFlight>(equations_, *steppers_.flight(),
+                                                settings.event_tolerance);
+}
+
+Trajectory::~Trajectory() = default;
 
 double Trajectory::time_tolerance() const {
   return std::max(settings_.event_tolerance, 8 * std::numeric_limits<double>::epsilon() *
@@ -60,56 +62,9 @@ double Trajectory::time_tolerance() const {
 void Trajectory::begin_phase(double time, const Vector &state) {
   equations_.set_source_break(equations_.model().next_break(time));
   steppers_.restart(time, state);
-}
-
-void Trajectory::refuse_penetration(double time, const Vector &state) const {
-  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    const ContactPair &pair = equations_.contacts().pairs()[c];
-    const LocalState local =
-        equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    if (local.gap < -settings_.absolute_tolerance && !pair.accept_initial_penetration)
-      throw InputError(pair.origin + "\n  the motion starts with the two sides overlapping by " +
-                       std::to_string(-local.gap * 1e3) +
-                       " mm; change the initial condition or the clearance, or allow it with "
-                       "Initial penetration = accept.");
-  }
-}
-
-void Trajectory::choose_initial_modes(double time, const Vector &state) {
-  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    const ConstVectorView x(state.data(), state.size());
-    equations_.set_mode(
-        c, equations_.contacts().pairs()[c].law->initial_mode(equations_.local_state(c, time, x)));
-  }
-}
-
-// Contacts that are closed from the start take the internal states with which they would have been
-// entered.
-void Trajectory::enter_contacts(double time, Vector &state) const {
-  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    const ContactPair &pair = equations_.contacts().pairs()[c];
-    const LocalState local =
-        equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    const std::vector<double> entered = settle(*pair.law, local).internal;
-    std::copy(entered.begin(), entered.end(),
-              state.data() + layout().internal() + pair.internal_offset);
-  }
-}
-
-void Trajectory::start(double time, const Vector &displacement, const Vector &velocity) {
-  equations_.set_source_break(equations_.model().next_break(time));
-  MotionState from{.time = time, .physical = Vector::Zero(layout().physical_size())};
-  from.physical.head(layout().n) = displacement;
-  from.physical.segment(layout().velocity(), layout().n) = velocity;
-  from.physical.segment(layout().internal(), layout().n_internal) =
-      equations_.contacts().initial_internal();
-  from.physical.tail(layout().n_drive) = equations_.model().rotors().initial_drive();
-  Vector state = Vector::Zero(layout().size());
-  state.head(layout().physical_size()) = from.physical;
-  refuse_penetration(time, state);
-  enter_contacts(time, state);
-  from.physical = state.head(layout().physical_size());
-  start(from);
+  flown_ = false;
+  if (flight_)
+    flight_->leave();
 }
 
 void Trajectory::start(const MotionState &from) {
@@ -117,7 +72,10 @@ void Trajectory::start(const MotionState &from) {
   Vector state = Vector::Zero(layout().size());
   state.head(layout().physical_size()) = from.physical;
   choose_initial_modes(from.time, state);
-  steps_ = events_ = events_at_once_ = undecided_ = 0;
+  collisions_.settle(from.time, settings_.event_tolerance, state);
+  steps_ = events_ = chatters_ = events_at_once_ = undecided_ = 0;
+  if (flight_)
+    flight_->forget();
   steppers_.forget(); // so that a case does not depend on what was integrated before it
   rejected_before_ = steppers_.rejected_steps();
   event_residual_ = 0;
@@ -146,17 +104,20 @@ Bernstein Trajectory::indicator(const StepView &view, std::size_t contact,
   for (const ZeroGuard &zero : zero_at_start_)
     if (zero.contact == contact && zero.guard == guard) {
       curve += zero.remainder;
-      curve.clear_start(negligible(guard_of(equations_, contact, guard).indicator));
+      curve.clear_start(negligible(contact, guard_of(equations_, contact, guard).indicator));
     }
   return curve;
 }
 
 // Error of an indicator that the absolute tolerance of the integration allows.
-double Trajectory::negligible(const AffineForm &form) const {
+double Trajectory::negligible(std::size_t contact, const AffineForm &form) const {
   const double highest = std::max(1.0, equations_.model().highest_frequency());
   double sum = std::abs(form.gap) + std::abs(form.gap_rate) * highest;
   for (const double coefficient : form.internal)
     sum += std::abs(coefficient);
+  if (form.normal_force != 0)
+    sum += std::abs(form.normal_force) * highest * highest *
+           equations_.contacts().effective_mass(contact, equations_.model());
   return settings_.absolute_tolerance * sum;
 }
 
@@ -164,14 +125,14 @@ void Trajectory::forget_grown_guards() {
   const StepView step = view();
   std::erase_if(zero_at_start_, [&](const ZeroGuard &zero) {
     const AffineForm &form = guard_of(equations_, zero.contact, zero.guard).indicator;
-    return step.indicator(zero.contact, form).end() > negligible(form);
+    return step.indicator(zero.contact, form).end() > negligible(zero.contact, form);
   });
 }
 
 bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {
   bool found = false;
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
-    for (std::size_t g = 0; g < guard_count(equations_, c); ++g) {
+    for (std::size_t g = 0; g < equations_.mode(c).guards.size(); ++g) {
       const std::optional<double> tau = indicator(view, c, g).first_fall();
       if (tau && (!found || *tau < crossing.tau)) {
         crossing = {.tau = *tau, .contact = c, .guard = g};
@@ -191,7 +152,7 @@ double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) c
   crossing.residual = std::abs(plain.end());
   crossing.rate = plain.derivative().end() / view.length();
   const double distance = std::abs(indicator(view, crossing.contact, crossing.guard).end());
-  if (distance <= equations_.rounding(crossing.contact, form, view.end_state()))
+  if (distance <= equations_.rounding(crossing.contact, form, view.end(), view.end_state()))
     return 0;
   return std::abs(distance / crossing.rate);
 }
@@ -199,7 +160,7 @@ double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) c
 GuardStart Trajectory::guard_start(std::size_t contact, std::size_t guard) const {
   for (const ZeroGuard &zero : zero_at_start_)
     if (zero.contact == contact && zero.guard == guard)
-      return {.zero = true, .shift = zero.remainder};
+      return {.zero = true, .shift = zero.remainder, .until = 8 * time_tolerance()};
   return {};
 }
 
@@ -211,7 +172,7 @@ bool Trajectory::find_fall(const GuardCurves &curves, Crossing &crossing) {
   Index index = 0;
   touches_.clear();
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
-    for (std::size_t g = 0; g < guard_count(equations_, c); ++g) {
+    for (std::size_t g = 0; g < equations_.mode(c).guards.size(); ++g) {
       const FirstFall fall = first_fall(curves, index++, end, guard_start(c, g));
       if (fall.touch)
         touches_.push_back(*fall.touch);
@@ -308,8 +269,10 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
                      .contact = contact,
                      .from = equations_.modes()[contact],
                      .to = passed.target,
+                     .onset = false,
                      .gap = local.gap,
                      .gap_rate = local.gap_rate,
+                     .gap_rate_after = local.gap_rate,
                      .state = &state,
                      .before = &before,
                      .guard = &passed,
@@ -320,7 +283,9 @@ void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &sta
     fresh.push_back(form(local));
   for (std::size_t i = 0; i < fresh.size(); ++i)
     state[layout().internal() + pair.internal_offset + static_cast<Index>(i)] = fresh[i];
+  const bool apart = !equations_.mode(contact).in_contact;
   equations_.set_mode(contact, passed.target);
+  event.onset = apart && equations_.mode(contact).in_contact;
   // What the new mode holds no more is lost at this instant; `local` sees the new internal states.
   state[layout().contact_work(static_cast<Index>(contact))] +=
       held - equations_.contact_energy(contact, event.to, local);
@@ -340,6 +305,10 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
     throw NumericalError("more than " + std::to_string(settings_.maximum_events) +
                          " contact changes (Maximum events)");
   last_event_time_ = time();
+  if (guard_of(equations_, first.contact, first.guard).action == GuardAction::impact) {
+    collide(first.contact, observer);
+    return;
+  }
   Vector state = steppers_.present().state();
   // A copy: the mode it belongs to is about to be left.
   const AffineForm passed = guard_of(equations_, first.contact, first.guard).indicator;
@@ -371,12 +340,15 @@ void Trajectory::note_zero_guards(const Crossing &crossing, const AffineForm &pa
       .internal = {rates_at_start.data() + layout().internal() +
                        equations_.contacts().pairs()[contact].internal_offset,
                    local.internal.size()}};
-  for (std::size_t g = 0; g < guard_count(equations_, contact); ++g) {
+  for (std::size_t g = 0; g < equations_.mode(contact).guards.size(); ++g) {
     const AffineForm &form = guard_of(equations_, contact, g).indicator;
     const double rate = form(rates) - form.constant;
-    const double noise = std::max({2 * std::max(time_tolerance(), delay) * std::abs(rate),
-                                   proportion(form, passed) * crossing.residual,
-                                   equations_.rounding(contact, form, state)});
+    double noise = std::max({2 * std::max(time_tolerance(), delay) * std::abs(rate),
+                             proportion(form, passed) * crossing.residual,
+                             equations_.rounding(contact, form, time(), state)});
+    // Gaps are held, and forces hold them, with the error of the integration.
+    if (form.normal_force != 0 || guard_of(equations_, contact, g).action == GuardAction::impact)
+      noise = std::max(noise, negligible(contact, form));
     if (std::abs(form(local)) <= noise)
       zero_at_start_.push_back(
           {.contact = contact, .guard = g, .remainder = std::max(0.0, -form(local))});
@@ -416,9 +388,31 @@ void Trajectory::advance(double end) {
   integrate(end, nobody);
 }
 
-// A guard that has just been zero is left to a step.
-bool Trajectory::glide(double limit) {
-  return !watched_ && zero_at_start_.empty() && steppers_.present().glide(limit);
+// Goes on unwatched as far as that is clear. A guard that has just been zero is left to a step.
+bool Trajectory::fly(double limit) {
+  if (watched_ || !flight_ || !zero_at_start_.empty())
+    return false;
+  double instant = time();
+  Vector state = steppers_.present().state();
+  const bool moved = flight_->fly(instant, state, limit);
+  const UnwatchedFlight::Tally tally = flight_->take_tally();
+  steps_ += tally.pieces;
+  events_ += tally.events;
+  event_residual_ = std::max(event_residual_, tally.event_residual);
+  last_event_time_ = std::max(last_event_time_, flight_->last_event());
+  if (!moved)
+    return false;
+  steppers_.place(instant, state);
+  flown_ = true;
+  return true;
+}
+
+// A step begins where the flight has ended.
+void Trajectory::take_over() {
+  const Vector state = steppers_.present().state();
+  begin_phase(time(), state);
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
+    note_zero_guards({.contact = c}, {}, state);
 }
 
 void Trajectory::integrate(double end, Observer &observer) {
@@ -430,10 +424,12 @@ void Trajectory::integrate(double end, Observer &observer) {
     if (settings_.maximum_steps > 0 && steps_ >= settings_.maximum_steps)
       throw NumericalError("more than " + std::to_string(settings_.maximum_steps) +
                            " steps (Maximum steps)");
-    ++steps_;
     const double limit = std::min(end, equations_.source_break());
-    if (glide(limit))
+    if (fly(limit))
       continue;
+    if (flown_)
+      take_over();
+    ++steps_;
     steppers_.present().step(limit);
     Crossing crossing;
     const bool changes = changes_in_step(crossing);
@@ -473,7 +469,8 @@ Accuracy Trajectory::accuracy() const {
           .energy_residual = energy_residual,
           .energy_threshold = energy_threshold(),
           .event_residual = event_residual_,
-          .undecided_events = undecided_};
+          .undecided_events = undecided_,
+          .chatters = chatters_};
 }
 
 } // namespace vibroimpact

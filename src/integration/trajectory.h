@@ -7,13 +7,17 @@
 // restarts where an excitation is not smooth: no step reaches across such a break.
 #pragma once
 
+#include "integration/collision.h"
 #include "integration/observer.h"
 #include "integration/settings.h"
 #include "integration/steppers.h"
 
+#include <memory>
 #include <vector>
 
 namespace vibroimpact {
+
+class UnwatchedFlight;
 
 /// How well a motion was integrated since start(), the energy since the last stretch that nobody
 /// watched.
@@ -28,6 +32,7 @@ struct Accuracy {
   double event_residual = 0; ///< largest uncertainty of an event's instant [s]
   /// Touches so shallow that rounding decides whether they were contacts; not counted as events.
   long undecided_events = 0;
+  long chatters = 0; ///< infinite sequences of impacts that were completed at once
 
   /// False when the energy balance does not close.
   bool balanced() const { return !(energy_residual > energy_threshold); }
@@ -43,6 +48,7 @@ class Trajectory {
 public:
   /// Keeps references to the model and the contacts.
   Trajectory(const Model &model, const ContactSet &contacts, const IntegrationSettings &settings);
+  ~Trajectory();
 
   /// q, v given, contacts' internal states at rest, motors at their initial torque. InputError when
   /// a contact that does not accept it starts penetrated.
@@ -79,12 +85,13 @@ private:
     double remainder = 0; ///< by which it is below zero
   };
 
-  double negligible(const AffineForm &form) const;
+  double negligible(std::size_t contact, const AffineForm &form) const;
   void forget_grown_guards();
   Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
   void begin_phase(double time, const Vector &state);
   void integrate(double end, Observer &observer);
-  bool glide(double limit);
+  bool fly(double limit);
+  void take_over();
   void begin_balance();
   bool at_source_break() const;
   void pass_source_break();
@@ -100,6 +107,7 @@ private:
   void end_at_start(Crossing &crossing);
   double event_uncertainty(const StepView &view, Crossing &crossing) const;
   void change_modes(const Crossing &first, Observer &observer);
+  void collide(std::size_t first, Observer &observer);
   void note_zero_guards(const Crossing &crossing, const AffineForm &passed, const Vector &state);
   void change_mode(std::size_t contact, std::size_t guard, Vector &state, Observer &observer);
   StepView view() const;
@@ -108,7 +116,10 @@ private:
 
   IntegrationSettings settings_;
   Equations equations_;
+  Collisions collisions_;
   Steppers steppers_;
+  std::unique_ptr<UnwatchedFlight> flight_; ///< none where the method is another
+  bool flown_ = false;                      ///< the steppers must begin anew to take a step
   bool watched_ = true;
   bool exact_ = true; ///< every step since the balance began
   double initial_energy_ = 0;
@@ -116,6 +127,7 @@ private:
   long steps_ = 0;
   long rejected_before_ = 0;
   long events_ = 0;
+  long chatters_ = 0;
   long events_at_once_ = 0; ///< events without progress in time
   double last_event_time_ = 0;
   long undecided_ = 0;

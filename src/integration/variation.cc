@@ -1,10 +1,11 @@
 #include "integration/variation.h"
 
 #include "common/error.h"
+#include "integration/dense_state.h"
 
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
 #include <cmath>
 #include <functional>
@@ -15,41 +16,12 @@ namespace vibroimpact {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
-using Stepper = odeint::runge_kutta_fehlberg78<std::vector<double>>;
+// Not one of Fehlberg's pairs: their error estimates vanish where the rates depend on time alone,
+// as they nearly do where a stiffness grows with the root of a short penetration.
+using Stepper = odeint::runge_kutta_dopri5<std::vector<double>>;
 using Checker =
     odeint::default_error_checker<double, Stepper::algebra_type, Stepper::operations_type>;
 using Controlled = odeint::controlled_runge_kutta<Stepper>;
-
-// The state along one step, from its polynomials.
-class DenseState {
-public:
-  explicit DenseState(const StepView &view) : view_(view), layout_(view.equations().layout()) {
-    for (Index j = 0; j < layout_.n; ++j) {
-      coordinates_.push_back(view.coordinate(j));
-      velocities_.push_back(coordinates_.back().derivative());
-      velocities_.back() *= 1 / view.length();
-    }
-    for (Index i = 0; i < layout_.n_internal; ++i)
-      others_.push_back(view.internal(i));
-    for (Index i = 0; i < layout_.n_drive; ++i)
-      others_.push_back(view.drive(i));
-  }
-
-  void at(double tau, Vector &state) const {
-    state.setZero(layout_.size());
-    for (std::size_t j = 0; j < coordinates_.size(); ++j) {
-      state[static_cast<Index>(j)] = coordinates_[j](tau);
-      state[layout_.velocity() + static_cast<Index>(j)] = velocities_[j](tau);
-    }
-    for (std::size_t i = 0; i < others_.size(); ++i)
-      state[layout_.internal() + static_cast<Index>(i)] = others_[i](tau);
-  }
-
-private:
-  const StepView &view_;
-  StateLayout layout_;
-  std::vector<Bernstein> coordinates_, velocities_, others_;
-};
 
 // d(scaled deviations)/d(tau) for odeint.
 class LinearRates {
@@ -156,24 +128,67 @@ void Variation::reset(const ContactEvent &event, const Vector &before, Matrix &d
   }
 }
 
+// The velocities alone are reset, by all contacts that take an impulse.
+void Variation::collide(const ContactEvent &event) {
+  if (!equations_.model().rotors().empty())
+    throw NumericalError("the growth of deviations through rigid impacts is not known for models "
+                         "with rotors, whose inertia changes with the position");
+  const Collision &collision = *event.collision;
+  const StateLayout &layout = equations_.layout();
+  for (std::size_t c = 0; c < collision.modes_before.size(); ++c)
+    equations_.set_mode(c, collision.modes_before[c]);
+  const Vector before = rates(event.time, *event.before);
+  Matrix deviations = columns();
+  const RowVector guard = gradient(event.contact, event.guard->indicator) * deviations;
+  const double guard_rate = rate_along(event.contact, event.guard->indicator, event, before);
+  Vector accelerations(static_cast<Index>(collision.contacts.size()));
+  for (Index k = 0; k < accelerations.size(); ++k)
+    accelerations[k] =
+        equations_.gap_acceleration(collision.contacts[static_cast<std::size_t>(k)], event.time,
+                                    ConstVectorView(before.data() + layout.velocity(), layout.n));
+  for (std::size_t c = 0; c < collision.modes_after.size(); ++c)
+    equations_.set_mode(c, collision.modes_after[c]);
+  Vector change = rates(event.time, *event.state) - before;
+  if (!collision.contacts.empty()) {
+    const Matrix impulses = collision.response * collision.impulse_by_rate;
+    auto velocities = deviations.middleRows(layout.velocity(), layout.n);
+    velocities += impulses * (collision.rows * velocities).eval();
+    change.segment(layout.velocity(), layout.n) -= impulses * accelerations;
+  }
+  jump(change, deviations, guard, guard_rate);
+  tangential_events_ += collision.unique ? 0 : 1;
+}
+
+// d+ = R_x d- + (f+ - R') (g_x d-) / g'; `deviations` is R_x d-, `change` f+ - R'.
+void Variation::jump(const Vector &change, Matrix &deviations, const RowVector &guard,
+                     double guard_rate) {
+  if (guard_rate != 0)
+    deviations += change.head(deviations.rows()) * (guard / guard_rate);
+  else
+    ++tangential_events_;
+  set_columns(deviations);
+}
+
+// A collision of several contacts comes as several events, of which the first tells all.
 void Variation::event(const ContactEvent &event) {
-  const Index size = equations_.layout().physical_size();
+  if (event.guard->action == GuardAction::impact) {
+    if (event.collision)
+      collide(event);
+    return;
+  }
   equations_.set_mode(event.contact, event.from);
   const Vector before = rates(event.time, *event.before);
   equations_.set_mode(event.contact, event.to);
   const Vector after = rates(event.time, *event.state);
+  if (event.guard->indicator.normal_force != 0)
+    return; // let go without force: nothing jumps
 
   Matrix deviations = columns();
   const RowVector guard = gradient(event.contact, event.guard->indicator) * deviations;
   const double guard_rate = rate_along(event.contact, event.guard->indicator, event, before);
   Vector reset_rates = before;
   reset(event, before, deviations, reset_rates);
-  const Vector jump = (after - reset_rates).head(size);
-  if (guard_rate != 0)
-    deviations += jump * (guard / guard_rate);
-  else
-    ++tangential_events_;
-  set_columns(deviations);
+  jump(after - reset_rates, deviations, guard, guard_rate);
 }
 
 } // namespace vibroimpact

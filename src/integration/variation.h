@@ -8,7 +8,10 @@
 //   d+ = R_x d- + (f+ - R') (g_x d-) / g'         f  dx/dt before (-) and after (+) the change
 //                                                 ' total time derivatives along f-
 //
-// Time-dependent gaps (moving bases) stand in g' and R'.
+// Time-dependent gaps (moving bases) stand in g' and R'. A rigid impact resets the velocities, v+ =
+// v- + M^-1 W^T p with impulses p that are linear in the gap rates before it. Where several
+// contacts approach at one instant, deviating motions meet one after the other and there is no
+// derivative; such collisions are passed by the first contact's guard and counted as tangential.
 #pragma once
 
 #include "integration/observer.h"
@@ -37,8 +40,8 @@ public:
   void step(const StepView &view) override;
   void event(const ContactEvent &event) override;
 
-  /// Contact changes whose guard had no rate at all, so that their instant has no derivative; they
-  /// were passed as if it did not depend on the deviation.
+  /// Contact changes without a derivative: their guard had no rate at all, and they were passed as
+  /// if their instant did not depend on the deviation; or several rigid contacts met at once.
   long tangential_events() const { return tangential_events_; }
 
 private:
@@ -46,6 +49,8 @@ private:
   double rate_along(std::size_t contact, const AffineForm &form, const ContactEvent &event,
                     const Vector &rates) const;
   Vector rates(double time, const Vector &state) const;
+  void collide(const ContactEvent &event);
+  void jump(const Vector &change, Matrix &deviations, const RowVector &guard, double guard_rate);
   void reset(const ContactEvent &event, const Vector &before, Matrix &deviations,
              Vector &reset_rates) const;
 

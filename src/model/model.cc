@@ -6,10 +6,16 @@
 
 namespace vibroimpact {
 
+// The general product costs more to begin than a small one to do.
 void LinearForm::apply(ConstVectorView x, Vector &y) const {
   y.noalias() = diagonal.cwiseProduct(x);
-  if (coupling.size() > 0)
+  constexpr Index small = 8;
+  if (coupling.cols() >= small)
     y.noalias() += coupling * x;
+  else
+    for (Index j = 0; j < coupling.cols(); ++j)
+      for (Index i = 0; i < coupling.rows(); ++i)
+        y[i] += coupling(i, j) * x[j];
 }
 
 void LinearForm::add(double factor, const RowVector &row) {

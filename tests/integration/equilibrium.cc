@@ -3,6 +3,7 @@
 #include "common/error.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/linear_penalty.h"
+#include "contact/laws/newton_restitution.h"
 #include "support/rotor_models.h"
 
 #include <gtest/gtest.h>
@@ -55,6 +56,24 @@ TEST(EquilibriumTest, OpenContactStaysOpen) {
   const Equilibrium found = static_equilibrium(model, contacts, Vector::Constant(1, 20.0));
   EXPECT_NEAR(found.displacement[0], 0.02, 1e-15);
   EXPECT_FALSE(found.closed[0]);
+}
+
+// Two blocks between rigid sides: the first on a prestressed stop, the second free to lie on the
+// ground under its weight, a third contact out of reach.
+TEST(EquilibriumTest, RigidContacts) {
+  const auto rigid = std::make_shared<NewtonRestitution>(0.5);
+  const Model model({single_mass("spring", 2, 1000, 0), single_mass("free", 3, 0, 0)});
+  const ContactSet contacts({contact_along_x(model, "spring.head", "", -0.02, rigid),
+                             contact_along_x(model, "free.head", "", 0.1, rigid),
+                             contact_along_x(model, "spring.head", "free.head", 0.01, rigid)});
+  Vector load(2);
+  load << 5, 30;
+  const Equilibrium found = static_equilibrium(model, contacts, load);
+  EXPECT_NEAR(found.displacement[0], -0.02, 1e-14);
+  EXPECT_NEAR(found.displacement[1], 0.1, 1e-14);
+  EXPECT_EQ(found.closed, (std::vector<bool>{true, true, false}));
+  load << -50, 30; // lifts the first off its stop
+  EXPECT_NEAR(static_equilibrium(model, contacts, load).displacement[0], -0.05, 1e-14);
 }
 
 } // namespace

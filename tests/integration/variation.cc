@@ -160,8 +160,8 @@ TEST(VariationTest, JumpOfTheForceOnAMovingBase) {
 }
 
 // This Hunt-Crossley contact keeps the approach speed as a state, reset where contact begins. Its
-// stiffness begins with a root of the penetration, which lowers the order of the integration there:
-// both sides of the comparison approach each other as the tolerance falls.
+// stiffness begins with a root of the penetration: there the rates of the variation depend on time
+// almost alone, and a method whose error estimate overlooks that is off by 1e-4.
 TEST(VariationTest, ResetOfAnInternalState) {
   Case impact{.model = Model({single_mass("a", 1, 40, 0.5), single_mass("b", 2, 10, 0.1)}),
               .end = 3};
@@ -177,11 +177,9 @@ TEST(VariationTest, ResetOfAnInternalState) {
     impact.relative_tolerance = tolerance;
     return relative_difference(impact.by_variation(), impact.by_differences(1e-5));
   };
-  const double loose = difference(1e-9);
-  const double tight = difference(1e-12);
+  EXPECT_LT(difference(1e-9), 1e-7);
+  EXPECT_LT(difference(1e-12), 1e-7);
   EXPECT_GE(impact.events, 4);
-  EXPECT_LT(tight, loose / 10);
-  EXPECT_LT(tight, 5e-6);
 }
 
 // The product of the multipliers is exp(-c/m t) for any conservative contact (Liouville).

@@ -174,6 +174,13 @@ class Kinds(unittest.TestCase):
         self.assertEqual(self.legend(axes), ["1 mm, 5 mm", "2 mm, 5 mm", "2 mm, 6 mm"])
         self.assertEqual(axes.get_legend().get_title().get_text(), "Gap, Base")
 
+    def test_frequency_responses_are_a_family_over_a_grid(self):
+        amplitude, phase = self.axes("receptance-displacement-x-response-first.mass")
+        self.assertEqual(self.legend(amplitude), ["1 mm", "2 mm"])
+        for axes, sign in [(amplitude, 1e3), (phase, -1)]:
+            curves = [line.get_ydata() for line in axes.get_lines()]
+            np.testing.assert_allclose(curves, sign * np.outer([1e-3, 2e-3], np.arange(1, 6)))
+
     def test_bifurcation_diagram_has_all_section_points_of_both_directions(self):
         axes, = self.axes("sweep-bifurcation-period-first.mass-x")
         forward, backward = axes.get_lines()

@@ -121,6 +121,16 @@ def write_family(writer):
     writer.field("point/first.mass/displacement_x/peak_to_peak_excursion", value, "m")
 
 
+def write_receptances(writer):
+    """A frequency response over a grid: amplitude gap times frequency."""
+    writer.analysis("receptance", "frequency response", [("Variables.gap", GAP[:2], "m")],
+                    ["Variables/gap"])
+    writer.scale("frequency", FREQUENCY, "Hz")
+    base = "point/first.mass/displacement_x"
+    writer.field(f"{base}/amplitude", GAP[:2, None] * FREQUENCY, "m", ["frequency"])
+    writer.field(f"{base}/phase", -GAP[:2, None] * FREQUENCY, "rad", ["frequency"])
+
+
 def write_orbits(writer):
     """Over lambda: x = lambda cos, the contact closed where x > lambda / 2: twice in the record."""
     writer.analysis("orbits", "response", [("Variables.lambda", LAMBDA, "1")], ["Variables/lambda"])
@@ -183,6 +193,7 @@ def write_plane(writer):
 
 def write_all(folder):
     writer = Writer(folder)
-    for write in (write_sweep, write_family, write_orbits, write_run, write_plane):
+    for write in (write_sweep, write_family, write_receptances, write_orbits, write_run,
+                  write_plane):
         write(writer)
     writer.file.close()

@@ -106,6 +106,21 @@ subsection Analysis grid
     end
   end
 end
+subsection Analysis shifted
+  set Type = parameter grid
+  subsection Parameter grid
+    set Repeat = one
+    subsection Key first
+      set Path = Analysis/one/Stepped sweep/First frequency
+      set Values = 1.1 rad/s, 1.2 rad/s
+    end
+    subsection Key last
+      set Follows = first
+      set Path = Analysis/one/Stepped sweep/Last frequency
+      set Values = 1.1 rad/s, 1.2 rad/s
+    end
+  end
+end
 subsection Analysis linear
   set Type = frequency response
   subsection Frequency response
@@ -168,6 +183,9 @@ class Sweeps(check_runs.Runs):
             np.testing.assert_allclose(values, grid, rtol=1e-5)
         axis = self.read(out, "clearance/Contact.right.Clearance")
         np.testing.assert_allclose(axis, [0.8, 1, 1.2], rtol=1e-15)
+        # A grid that changes an axis tells its values at each point.
+        own = self.read(out, "shifted/own/frequency").ravel()
+        np.testing.assert_allclose(own, [np.nan, 1.2 / (2 * np.pi)], rtol=1e-15)
         # 0.52 over 2 z sqrt(1 - z^2) with z = 0.01
         peak = self.read(out, "linear/peak/point/mass.head/displacement_x/amplitude")
         self.assertAlmostEqual(float(peak), 0.52 / (0.02 * np.sqrt(1 - 1e-4)), delta=1e-9)

@@ -18,7 +18,7 @@ import h5py
 import numpy as np
 
 SETTINGS = ["--set", "Analyses=gap_40",
-            "--set", "Analysis curve/Stepped sweep/Points=61"]
+            "--set", "Analysis curve/Stepped sweep/Points=1001"]
 
 
 def datasets(folder):

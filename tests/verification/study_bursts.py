@@ -30,7 +30,7 @@ ROWS = (("Table 1, row 2", 20.0, 3190.0, 0.06, STEEL, STEEL),
         ("Table 5, row 1", 37.88, 414.6, 0.0747, (2.1e7, 0.49), STEEL))
 WITH_VODE = ROWS[:2]  # for the heavy damper it takes very many steps at 1e-3
 VODE = (1e-3, 1e-4, 1e-5)
-METHODS = {"bdf": (1e-3, 1e-4), "rk": (1e-3, 1e-4, 1e-6, 1e-9)}
+METHODS = {"bdf": (1e-3, 1e-4, 1e-5), "rk": (1e-3, 1e-4, 1e-6, 1e-9)}
 
 
 def hertz(side):

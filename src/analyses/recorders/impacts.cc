@@ -37,7 +37,8 @@ std::vector<double> values_of(const std::vector<Impact> &impacts, double Impact:
 
 Impacts::Impacts(const System &system)
     : contacts_(system.contacts), log_(system.contacts, 0),
-      time_in_contact_(system.contacts.size(), 0), approach_speeds_(system.contacts.size()) {}
+      time_in_contact_(system.contacts.size(), 0), chatters_(system.contacts.size(), 0),
+      approach_speeds_(system.contacts.size()) {}
 
 void Impacts::declare(parameters::Section & /*analysis*/) {}
 
@@ -55,10 +56,11 @@ void Impacts::step(const StepView &view) {
 }
 
 void Impacts::event(const ContactEvent &event) {
-  const std::size_t begun = log_.begun(event.contact);
   log_.event(event);
-  if (log_.begun(event.contact) > begun)
+  if (event.onset)
     approach_speeds_[event.contact].push_back(-event.gap_rate);
+  if (event.chatter_duration > 0)
+    ++chatters_[event.contact];
 }
 
 void Impacts::add_fields(PointResult &result) const {
@@ -75,6 +77,9 @@ void Impacts::add_fields(PointResult &result) const {
     result.fields.push_back(scalar_field(base + "contact_fraction",
                                          time_in_contact_[c] / window_.length(), "1",
                                          "share of the recorded window in contact"));
+    result.fields.push_back(scalar_field(
+        base + "chatters", static_cast<double>(chatters_[c]), "1",
+        "infinite sequences of rigid impacts that were completed in the recorded window"));
     add_summary_of(result, base + "approach_speed", approach_speeds_[c], "m/s",
                    "closing speed just before contact");
     add_summary_of(result, base + "impulse", values_of(whole, &Impact::impulse), "N s",

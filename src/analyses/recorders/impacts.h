@@ -23,15 +23,16 @@ public:
   void step(const StepView &view) override;
   void event(const ContactEvent &event) override;
   /// For every contact C: contact/C/impacts, /impacts_per_period (where the window has periods),
-  /// /contact_fraction, and mean, minimum and maximum of /approach_speed, /impulse, /peak_force,
-  /// /contact_duration, /penetration; these are NaN without an impact.
+  /// /contact_fraction, /chatters, and mean, minimum and maximum of /approach_speed, /impulse,
+  /// /peak_force, /contact_duration, /penetration; these are NaN without an impact.
   void add_fields(PointResult &result) const override;
 
 private:
   const ContactSet &contacts_;
   Window window_;
   ImpactLog log_;
-  std::vector<double> time_in_contact_;              ///< [s]
+  std::vector<double> time_in_contact_; ///< [s]
+  std::vector<long> chatters_;
   std::vector<std::vector<double>> approach_speeds_; ///< per contact [m/s]
 };
 

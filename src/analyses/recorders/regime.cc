@@ -14,10 +14,6 @@ constexpr const char *section_name = "Regime";
 /// Components that move less than this part of the largest of their kind count by that instead.
 constexpr double smallest_relative_scale = 1e-3;
 
-bool in_contact(const System &system, std::size_t contact, int mode) {
-  return system.contacts.pairs()[contact].law->modes()[static_cast<std::size_t>(mode)].in_contact;
-}
-
 void put(PointResult &result, const std::string &name, double value, const std::string &unit,
          const std::string &description) {
   result.fields.push_back(scalar_field("regime/" + name, value, unit, description));
@@ -95,8 +91,7 @@ void RegimeRecorder::step(const StepView &view) {
 }
 
 void RegimeRecorder::event(const ContactEvent &event) {
-  if (!in_contact(system_, event.contact, event.from) &&
-      in_contact(system_, event.contact, event.to))
+  if (event.onset)
     ++impacts_[event.contact];
   if (exponent_)
     exponent_->event(event);

@@ -13,14 +13,10 @@ namespace {
 constexpr const char *section_name = "Section";
 constexpr std::size_t period_section = 0;
 
-bool in_contact(const System &system, std::size_t contact, int mode) {
-  return system.contacts.pairs()[contact].law->modes()[static_cast<std::size_t>(mode)].in_contact;
-}
-
 } // namespace
 
 SectionRecorder::SectionRecorder(const System &system, SectionSettings settings)
-    : system_(system), settings_(std::move(settings)) {
+    : settings_(std::move(settings)) {
   new_section("period", "sample_period", "at the end of a forcing period");
   for (const std::size_t c : settings_.onsets) {
     const std::string &name = system.contacts.pairs()[c].name;
@@ -137,9 +133,8 @@ void SectionRecorder::step(const StepView &view) {
 
 void SectionRecorder::event(const ContactEvent &event) {
   for (std::size_t i = 0; i < settings_.onsets.size(); ++i)
-    if (settings_.onsets[i] == event.contact && !in_contact(system_, event.contact, event.from) &&
-        in_contact(system_, event.contact, event.to))
-      add_state(sections_[period_section + 1 + i], event.time, *event.state);
+    if (event.onset && settings_.onsets[i] == event.contact)
+      add_state(sections_[period_section + 1 + i], event.time, *event.before);
 }
 
 void SectionRecorder::period_end(long /*cycle*/, const Trajectory &trajectory) {

@@ -56,7 +56,6 @@ private:
   void add_zeros(RateSection &section, const StepView &view, const Bernstein &rate);
   void add_samples(PointResult &result, const Samples &samples) const;
 
-  const System &system_;
   SectionSettings settings_;
   double start_ = 0, period_ = 0;
   StateLayout layout_;

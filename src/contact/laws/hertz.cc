@@ -81,6 +81,12 @@ HertzConstants read_hertz_constants(const parameters::Values &law) {
   return read_hertz_constants(law, exponent);
 }
 
+// A root takes a fraction of the time of a power.
+double HertzConstants::secant(double penetration) const {
+  return stiffness *
+         (exponent == 1.5 ? std::sqrt(penetration) : std::pow(penetration, exponent - 1));
+}
+
 Hertz::Hertz(HertzConstants constants)
     : ContactLaw(open_and_contact(), {}), constants_(constants) {}
 
@@ -96,7 +102,7 @@ std::shared_ptr<const ContactLaw> Hertz::create(const parameters::Values &contac
 void Hertz::evaluate(int mode, const LocalState &state, LawResponse &response) const {
   const double penetration = mode == 1 ? std::max(0.0, -state.gap) : 0;
   // d F / d gap = -n k u^(n-1)
-  const double slope = constants_.stiffness * std::pow(penetration, constants_.exponent - 1);
+  const double slope = constants_.secant(penetration);
   response.force = slope * penetration;
   response.force_by_gap = mode == 1 ? -constants_.exponent * slope : 0;
   response.force_by_gap_rate = 0;

@@ -30,6 +30,9 @@ double hertz_stiffness(const HertzSide &a, const HertzSide &b);
 struct HertzConstants {
   double stiffness = 0; ///< > 0 [N/m^n]
   double exponent = 1.5;
+
+  /// k u^(n-1), the secant stiffness at a penetration u >= 0 [N/m]
+  double secant(double penetration) const;
 };
 
 /// The keys of the elastic part, shared by the laws built on it. Laws that are made for n = 3/2

@@ -50,7 +50,7 @@ double HuntCrossley::dissipation(const LocalState &state) const {
 
 void HuntCrossley::evaluate(int mode, const LocalState &state, LawResponse &response) const {
   const double penetration = mode == contact ? std::max(0.0, -state.gap) : 0;
-  const double slope = constants_.stiffness * std::pow(penetration, constants_.exponent - 1);
+  const double slope = constants_.secant(penetration);
   const double elastic = slope * penetration;
   const double d = dissipation(state);
   const double factor = 1 - d * state.gap_rate;

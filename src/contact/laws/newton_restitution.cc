@@ -1,0 +1,57 @@
+#include "contact/laws/newton_restitution.h"
+
+namespace vibroimpact {
+
+namespace {
+
+constexpr const char *section_name = "Newton restitution";
+enum : int { open = 0, resting = 1 };
+
+std::vector<Mode> make_modes() {
+  const Guard meet{
+      .indicator = {.gap = 1}, .target = resting, .reset = {}, .action = GuardAction::impact};
+  const AffineForm push{.normal_force = 1};
+  const Guard let_go{.indicator = push, .target = open};
+  return {{.name = "open", .in_contact = false, .guards = {meet}, .affine = AffineLaw{}},
+          {.name = "resting",
+           .in_contact = true,
+           .guards = {let_go},
+           .affine = AffineLaw{.force = push},
+           .holds_gap = true}};
+}
+
+} // namespace
+
+NewtonRestitution::NewtonRestitution(double coefficient)
+    : ContactLaw(make_modes(), {}), coefficient_(coefficient) {}
+
+void NewtonRestitution::declare(parameters::Section &contact_section) {
+  using namespace parameters;
+  contact_section
+      .subsection(section_name,
+                  "Rigid sides that never overlap: where they meet, the speed of parting is a "
+                  "share of that of approach; they stay together as long as they are pressed.")
+      .quantity("Restitution coefficient", "", dimension::none, Range{.lower = 0, .upper = 1}, "e",
+                "Speed of parting over speed of approach; 1 loses no energy.");
+}
+
+std::shared_ptr<const ContactLaw>
+NewtonRestitution::create(const parameters::Values &contact_values) {
+  const parameters::Values law = contact_values.subsection(section_name);
+  law.require("Restitution coefficient");
+  return std::make_shared<NewtonRestitution>(law.quantity("Restitution coefficient"));
+}
+
+// Sides that touch begin open: whether they are pressed together is for the whole system to tell.
+int NewtonRestitution::initial_mode(const LocalState & /*state*/) const { return open; }
+
+// The power takes in what an error of the integration leaves of the gap rate.
+void NewtonRestitution::evaluate(int mode, const LocalState &state, LawResponse &response) const {
+  response.force = mode == resting ? state.normal_force : 0;
+  response.force_by_gap = 0;
+  response.force_by_gap_rate = 0;
+  response.stored_energy = 0;
+  response.dissipated_power = -response.force * state.gap_rate;
+}
+
+} // namespace vibroimpact

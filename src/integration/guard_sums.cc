@@ -1,0 +1,22 @@
+#include "integration/guard_sums.h"
+
+namespace vibroimpact {
+
+void GuardSums::add_exponent(std::complex<double> exponent) {
+  rate.push_back(exponent.real());
+  frequency.push_back(exponent.imag());
+}
+
+void GuardSums::add_guard(double constant_term, std::span<const std::complex<double>> coefficients,
+                          std::span<const double> sizes) {
+  constant.push_back(constant_term);
+  for (std::size_t j = 0; j < coefficients.size(); ++j) {
+    const double square = rate[j] * rate[j] + frequency[j] * frequency[j];
+    real.push_back(coefficients[j].real());
+    imaginary.push_back(coefficients[j].imag());
+    size.push_back(sizes[j]);
+    fourth.push_back(std::abs(coefficients[j]) * square * square);
+  }
+}
+
+} // namespace vibroimpact

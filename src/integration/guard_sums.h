@@ -1,0 +1,41 @@
+// Guards as sums of exponentials, as plain arrays.
+//
+//   f_g(t) = constant_g + Re sum_j coefficient_gj amplitude_j exp(exponent_j t)
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+namespace vibroimpact {
+
+/// Amplitudes of the groups of a phase, and their absolute values.
+struct Amplitudes {
+  std::vector<double> real, imaginary, size;
+
+  void resize(std::size_t count) {
+    real.resize(count);
+    imaginary.resize(count);
+    size.resize(count);
+  }
+};
+
+struct GuardSums {
+  std::vector<double> rate, frequency; ///< real and imaginary part of the exponents [1/s]
+  std::vector<double> constant;        ///< of the guards
+  // guards x exponents
+  std::vector<double> real, imaginary; ///< coefficients
+  std::vector<double> fourth;          ///< |coefficient| |exponent|^4
+  std::vector<double> size;            ///< sums of the absolute values behind the coefficients
+
+  std::size_t n_guards() const { return constant.size(); }
+  std::size_t n_groups() const { return rate.size(); }
+
+  /// All exponents before the first guard.
+  void add_exponent(std::complex<double> exponent);
+  /// One coefficient per exponent; `sizes`: of what each was summed up from, for the rounding.
+  void add_guard(double constant_term, std::span<const std::complex<double>> coefficients,
+                 std::span<const double> sizes);
+};
+
+} // namespace vibroimpact

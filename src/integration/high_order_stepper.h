@@ -1,0 +1,80 @@
+// Smooth phases that are not linear, in few steps: the Runge-Kutta method of order 8 by Dormand and
+// Prince, with as much dense output.
+//
+// The error of a step and that of the polynomial through its ends are both kept below the
+// tolerances. Where model and sources allow, the third derivative of the motion is known at the
+// ends (from the Jacobian of the law), and the polynomial has degree 7.
+//
+// A force like u^(3/2) is not smooth where the penetration u rises from zero and where it returns
+// there. As a function of the square root of the time since then, or until then, it is; so a step
+// of an only contact goes evenly in that root: since the start of the phase while the two sides
+// approach, and until its own end where that is (nearly) the end of the contact.
+#pragma once
+
+#include "integration/equations.h"
+#include "integration/settings.h"
+#include "integration/stepper.h"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace vibroimpact {
+
+class HighOrderStepper : public Stepper {
+public:
+  HighOrderStepper(const Equations &equations, const IntegrationSettings &settings);
+
+  void forget() override;
+  void restart(double time, const Vector &x) override;
+  void step(double limit) override;
+  void shorten(double time) override;
+  void undo() override;
+  long rejected_steps() const override { return rejected_; }
+
+private:
+  /// Time as a function of the step's variable, 0 ... 1: origin + sign (root + s span)^2, or
+  /// evenly where span is zero.
+  struct Course {
+    double start = 0, length = 0;
+    double origin = 0, sign = 1, root = 0, span = 0;
+    double time(double s) const;
+    double rate(double s) const;
+  };
+  Course even(double end) const;
+  Course since_start(double end) const;
+  Course until_end(double end) const;
+  /// What a course is worth: the error over the tolerance.
+  double attempt(const Course &course);
+  void take_stages(const Course &course);
+  double step_error() const;
+  double dense_error() const;
+  void complete(EndPoint &point);
+  void add_higher(EndPoint &point);
+  void read_sources(double time);
+  void find_only_contact();
+  LocalState contact_at(const EndPoint &point) const;
+  bool opening() const;
+  bool take_last(double limit);
+  void accept(double error);
+  double first_step() const;
+
+  const Equations &equations_;
+  double maximum_step_, relative_, event_tolerance_;
+  Vector absolute_;
+  Matrix stages_; ///< dx/ds, one column each
+  Vector stage_state_, stage_rates_;
+  LawResponse response_;
+  Vector elastic_, damping_;
+  std::vector<ExponentialForm> sources_; ///< empty: without closed form
+  bool has_higher_ = false;
+  std::optional<std::size_t> only_contact_; ///< that is not linear; with its root at the start
+  bool begins_contact_ = false;             ///< its penetration was zero at the start of the phase
+  double phase_start_ = 0;
+  double natural_step_ = 0;
+  bool first_of_phase_ = true;
+  std::map<std::vector<int>, double> first_steps_; ///< of the last phase with these modes
+  long rejected_ = 0;
+};
+
+} // namespace vibroimpact

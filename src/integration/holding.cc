@@ -1,0 +1,41 @@
+#include "integration/holding.h"
+
+#include <algorithm>
+
+namespace vibroimpact {
+
+Matrix gap_rows(const ContactSet &contacts, const std::vector<std::size_t> &list, Index n) {
+  Matrix rows(static_cast<Index>(list.size()), n);
+  for (std::size_t k = 0; k < list.size(); ++k)
+    rows.row(static_cast<Index>(k)) = contacts.pairs()[list[k]].gap.row;
+  return rows;
+}
+
+// The two rates are of the size of the model's own, which any step resolves, and differ between the
+// contacts, so that none is repeated.
+Holding::Holding(const Model &model, const ContactSet &contacts, const std::vector<int> &modes) {
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts.pairs()[c].law->modes()[static_cast<std::size_t>(modes[c])].holds_gap)
+      contacts_.push_back(c);
+  if (contacts_.empty())
+    return;
+  const double highest = model.highest_frequency() > 0 ? model.highest_frequency() : 1;
+  rates_.resize(size(), 2);
+  for (Index k = 0; k < size(); ++k) {
+    const double offset = 0.0713 * static_cast<double>(k);
+    rates_.row(k) << highest * (0.61 + offset), highest * (1.27 + offset);
+  }
+  rows_ = gap_rows(contacts, contacts_, model.size());
+  set_response(model.mass().cwiseInverse().asDiagonal() * rows_.transpose());
+}
+
+bool Holding::holds(std::size_t contact) const {
+  return std::find(contacts_.begin(), contacts_.end(), contact) != contacts_.end();
+}
+
+void Holding::set_response(const Matrix &response) {
+  response_ = response;
+  factor_.compute(rows_ * response_);
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,223 @@
+#include "integration/unwatched_flight.h"
+
+#include "common/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace vibroimpact {
+
+namespace {
+
+// Value of a guard of the next phase for each value of the guard passed, where the two are
+// proportional (up to the sign); 0 where they are not.
+double proportion(const LinearRow &form, const LinearRow &passed) {
+  const double constant = form.constant * form.constant;
+  const double square = passed.row.squaredNorm() + passed.constant * passed.constant;
+  const double product = form.row.dot(passed.row) + form.constant * passed.constant;
+  const double size = form.row.squaredNorm() + constant;
+  constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+  const bool parallel = product * product >= (1 - rounding) * size * square;
+  return parallel && square > 0 ? std::abs(product) / square : 0;
+}
+
+const AffineForm &indicator(const Equations &equations, const FlightGuard &guard) {
+  const ContactLaw &law = *equations.contacts().pairs()[guard.contact].law;
+  const auto mode = static_cast<std::size_t>(equations.modes()[guard.contact]);
+  return law.modes()[mode].guards[guard.guard].indicator;
+}
+
+void set_modes(const std::vector<int> &modes, Equations &equations) {
+  for (std::size_t c = 0; c < modes.size(); ++c)
+    equations.set_mode(c, modes[c]);
+}
+
+} // namespace
+
+UnwatchedFlight::UnwatchedFlight(Equations &equations, FlightStepper &stepper,
+                                 double event_tolerance)
+    : equations_(equations), stepper_(stepper), event_tolerance_(event_tolerance),
+      last_event_(-std::numeric_limits<double>::infinity()) {}
+
+void UnwatchedFlight::forget() {
+  phases_.clear();
+  known_ = nullptr;
+  aloft_ = false;
+  last_event_ = -std::numeric_limits<double>::infinity();
+}
+
+double UnwatchedFlight::time_tolerance(double time) const {
+  return std::max(event_tolerance_, 8 * std::numeric_limits<double>::epsilon() * std::abs(time));
+}
+
+// Phases hold the response to the inputs that the sources had when they were built.
+bool UnwatchedFlight::same_inputs() const {
+  const std::vector<ExponentialForm> &now = stepper_.sources();
+  const auto same_term = [](const ExponentialForm::Term &a, const ExponentialForm::Term &b) {
+    return a.exponent == b.exponent;
+  };
+  const auto same = [&](const ExponentialForm &a, const ExponentialForm &b) {
+    return a.polynomial.size() == b.polynomial.size() &&
+           std::equal(a.terms.begin(), a.terms.end(), b.terms.begin(), b.terms.end(), same_term);
+  };
+  return std::equal(now.begin(), now.end(), sources_.begin(), sources_.end(), same);
+}
+
+UnwatchedFlight::KnownPhase &UnwatchedFlight::known_phase() {
+  const auto [place, is_new] = phases_.try_emplace(equations_.modes());
+  KnownPhase &known = place->second;
+  ExponentialBasis basis;
+  Matrix inverse;
+  if (is_new && stepper_.describe(basis, inverse)) {
+    known.phase = std::make_unique<FlightPhase>(equations_, std::move(basis), std::move(inverse));
+    known.transitions.resize(known.phase->guards().size());
+  }
+  return known;
+}
+
+const UnwatchedFlight::Transition *UnwatchedFlight::transition(std::size_t guard) {
+  std::unique_ptr<Transition> &known = known_->transitions[guard];
+  if (known)
+    return known->target ? known.get() : nullptr;
+  known = std::make_unique<Transition>();
+  const FlightGuard passed = known_->phase->guards()[guard];
+  if (equations_.contacts().pairs()[passed.contact].law->rigid())
+    return nullptr; // impacts and rest are for several contacts together
+  const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
+  equations_.set_mode(passed.contact, passed.target);
+  known->target = known_phase().phase.get();
+  if (known->target)
+    for (const FlightGuard &other : known->target->guards())
+      known->proportion.push_back(
+          other.contact == passed.contact
+              ? proportion(linear_row(equations_, other.contact, indicator(equations_, other)),
+                           form)
+              : 0);
+  set_modes(known_->phase->contact_modes(), equations_);
+  return known->target ? known.get() : nullptr;
+}
+
+void UnwatchedFlight::set_inputs(double time, const FlightPhase &phase,
+                                 Amplitudes &amplitudes) const {
+  const ExponentialBasis &basis = phase.basis();
+  amplitudes.resize(basis.groups.size());
+  std::size_t place = basis.n_modes();
+  const auto put = [&](Complex amplitude) {
+    amplitudes.real[place] = amplitude.real();
+    amplitudes.imaginary[place++] = amplitude.imag();
+  };
+  if (!basis.inputs.empty() && basis.inputs.front().own)
+    put(1);
+  for (const ExponentialForm &source : sources_) {
+    if (!source.polynomial.empty() && source.polynomial[0] != 0)
+      put(source.polynomial[0]);
+    for (const ExponentialForm::Term &term : source.terms) {
+      const Complex now = term.amplitude * std::exp(term.exponent * (time - source.origin));
+      put(term.exponent.imag() >= 0 ? now : std::conj(now));
+    }
+  }
+}
+
+bool UnwatchedFlight::take_off(double time, const Vector &state) {
+  if (!stepper_.handles(time))
+    return false;
+  if (!same_inputs())
+    phases_.clear();
+  sources_ = stepper_.sources();
+  known_ = &known_phase();
+  if (!known_->phase)
+    return false;
+  physical_ = state.head(known_->phase->size());
+  set_inputs(time, *known_->phase, amplitudes_);
+  known_->phase->find_modes(physical_, amplitudes_);
+  kernel_.start(known_->phase->sums(), amplitudes_);
+  origin_ = time;
+  for (std::size_t g = 0; g < known_->phase->guards().size(); ++g)
+    if (kernel_.value(g) <= kernel_.rounding(g))
+      return false;
+  return true;
+}
+
+// The new phase's guards of the contact that changed may be zero, and must rise then; all others
+// must be positive beyond doubt.
+bool UnwatchedFlight::begin_guards(const Transition &transition, std::size_t passed) {
+  const double tolerance = time_tolerance(origin_);
+  const double left = std::abs(kernel_.value_at_guard(passed));
+  const std::size_t contact = known_->phase->guards()[passed].contact;
+  for (std::size_t g = 0; g < transition.target->guards().size(); ++g) {
+    const double value = next_.value(g);
+    const double slope = next_.slope(g);
+    double noise = next_.rounding(g);
+    if (transition.target->guards()[g].contact != contact) {
+      if (value <= noise)
+        return false;
+      continue;
+    }
+    noise = std::max({noise, 2 * std::max(tolerance, kernel_.residual()) * std::abs(slope),
+                      transition.proportion[g] * left});
+    if (value < -noise || (value <= noise && slope <= 0))
+      return false;
+    if (value <= noise)
+      next_.zero_at_start(g);
+  }
+  return true;
+}
+
+// False: the change is left to others; the flight stands before it.
+bool UnwatchedFlight::change_phase() {
+  const double time = origin_ + kernel_.flown() + kernel_.time_to_guard();
+  const std::size_t passed = kernel_.guard();
+  if (time - last_event_ <= time_tolerance(time))
+    return false;
+  const Transition *next = transition(passed);
+  if (!next)
+    return false;
+  const FlightPhase &phase = *known_->phase;
+  phase.rows(kernel_.amplitudes_at_guard(), rows_);
+  physical_ = rows_.head(phase.size());
+  phase.reset(passed, rows_, physical_);
+  set_inputs(time, *next->target, amplitudes_);
+  next->target->find_modes(physical_, amplitudes_);
+  next_.start(next->target->sums(), amplitudes_);
+  if (!begin_guards(*next, passed))
+    return false;
+  tally_.event_residual = std::max(tally_.event_residual, kernel_.residual());
+  ++tally_.events;
+  last_event_ = origin_ = time;
+  set_modes(next->target->contact_modes(), equations_);
+  known_ = &phases_.at(equations_.modes());
+  std::swap(kernel_, next_);
+  return true;
+}
+
+void UnwatchedFlight::land(double time, Vector &state) {
+  known_->phase->rows(kernel_.amplitudes(), rows_);
+  state.head(known_->phase->size()) = rows_.head(known_->phase->size());
+  if (!state.allFinite())
+    throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");
+}
+
+bool UnwatchedFlight::fly(double &time, Vector &state, double limit) {
+  if (!aloft_ && !take_off(time, state))
+    return false;
+  const double from = time;
+  FlightKernel::End end = FlightKernel::End::guard;
+  while (end == FlightKernel::End::guard) {
+    const long before = kernel_.pieces();
+    end = kernel_.fly(limit - origin_);
+    tally_.pieces += kernel_.pieces() - before;
+    if (end == FlightKernel::End::guard && !change_phase())
+      break;
+  }
+  aloft_ = end == FlightKernel::End::limit;
+  time = aloft_ ? limit : origin_ + kernel_.flown();
+  land(time, state);
+  return time > from;
+}
+
+UnwatchedFlight::Tally UnwatchedFlight::take_tally() { return std::exchange(tally_, {}); }
+
+} // namespace vibroimpact

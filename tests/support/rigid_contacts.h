@@ -1,0 +1,66 @@
+// Motions with rigid contacts for tests.
+#pragma once
+
+#include "contact/laws/newton_restitution.h"
+#include "integration/impact_log.h"
+#include "integration/trajectory.h"
+#include "model/piecewise_function.h"
+#include "support/lumped_models.h"
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace vibroimpact::testing {
+
+inline std::shared_ptr<const ContactLaw> newton(double restitution) {
+  return std::make_shared<NewtonRestitution>(restitution);
+}
+
+inline Vector vector_of(std::initializer_list<double> values) {
+  Vector vector(static_cast<Index>(values.size()));
+  std::copy(values.begin(), values.end(), vector.begin());
+  return vector;
+}
+
+inline void add_weight(Model &model, double gravity, const std::vector<std::size_t> &bodies) {
+  model.add_gravity("weight", make_constant(Given::displacement, gravity), bodies,
+                    Vector3::UnitX());
+}
+
+/// A stop on the base that the body stands on.
+inline ContactPair stop_on_base(const Model &model, const std::string &side_a, double clearance,
+                                std::shared_ptr<const ContactLaw> law) {
+  ContactPair pair = contact_along_x(model, side_a, "", clearance, std::move(law));
+  for (double &carrier : pair.gap.carrier)
+    carrier = 0;
+  return pair;
+}
+
+/// Keeps all events, and calls `check` for each step.
+class Events : public Observer {
+public:
+  struct Event {
+    double time = 0;
+    std::size_t contact = 0;
+    int from = 0, to = 0;
+    bool onset = false;
+    double gap_rate = 0, gap_rate_after = 0, chatter_duration = 0;
+  };
+  void step(const StepView & /*view*/) override {}
+  void event(const ContactEvent &event) override {
+    list.push_back({event.time, event.contact, event.from, event.to, event.onset, event.gap_rate,
+                    event.gap_rate_after, event.chatter_duration});
+  }
+  std::vector<Event> list;
+};
+
+inline IntegrationSettings settings_of(const std::string &method) {
+  IntegrationSettings settings;
+  settings.method = method;
+  if (method == "rk")
+    settings.relative_tolerance = 1e-12;
+  return settings;
+}
+
+} // namespace vibroimpact::testing
