@@ -165,6 +165,9 @@ void FlightStepper::accept(bool keep_ledger) {
   double part = 0;
   for (double from = 0; keep_ledger && from < h; from += part) {
     part = motion_->quadrature_length(from, h - from);
+    if (!(from + part > from))
+      throw NumericalError("the energies of the motion can no longer be followed, at t = " +
+                           std::to_string(start_.time) + " s");
     motion_->values(Ledger::instants(from, part), nodes_);
     ledger_.add(part, nodes_, phase_->system().held_forces(), end_.state);
   }

@@ -326,14 +326,14 @@ double ModalMotion::quadrature_length(double start, double rest) const {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Group &group = groups_[g];
     const auto k = static_cast<Index>(g);
-    double strength = std::abs(group.amplitude) * sizes14_[k];
+    double strength = std::abs(group.amplitude);
     if (start > 0)
       strength *= std::exp(group.exponent.real() * start);
-    if (speed_of_phase_ > 0)
-      fast = std::max(fast, strength * speeds_[k] / speed_of_phase_);
+    double share = speed_of_phase_ > 0 ? strength * speeds_[k] / speed_of_phase_ : 0;
     for (Index i = magnitudes_.rows() - n_internal; i < magnitudes_.rows(); ++i)
-      fast = std::max(fast,
-                      strength * magnitudes_(i, k) * tolerance_.relative * inverse_tolerance_[i]);
+      share = std::max(share,
+                       strength * magnitudes_(i, k) * tolerance_.relative * inverse_tolerance_[i]);
+    fast = std::max(fast, share * sizes14_[k]);
   }
   fast *= Ledger::error_factor / error;
   const double span2 = 4 * rest * rest;
