@@ -105,8 +105,9 @@ inline void check_law(const ContactLaw &law, const LawPoint &point) {
   check_affine(law, point);
 }
 
-/// Watches a motion: each guard is positive while its mode holds, up to 1e-9 of the largest value
-/// it has there, which is what the location of events leaves.
+/// Watches a motion: each guard is positive while its mode holds, up to 1e-8 of the largest value
+/// it has there: ten times the relative tolerance that the polynomial of a step is held to, of
+/// which a guard combines several.
 class GuardWatch : public Observer {
 public:
   GuardWatch() = default;
@@ -114,7 +115,7 @@ public:
   GuardWatch &operator=(const GuardWatch &) = delete;
   ~GuardWatch() override {
     for (const auto &[where, extent] : extents_)
-      EXPECT_GE(extent.first, -1e-9 * extent.second)
+      EXPECT_GE(extent.first, -1e-8 * extent.second)
           << "contact " << where[0] << ", mode " << where[1] << ", guard " << where[2];
   }
   void step(const StepView &view) override {

@@ -139,7 +139,7 @@ Exponents exponents(double right_stiffness, long cycles) {
 }
 
 TEST(ChaoticAbsorberTest, SteelOnBothSides) {
-  const Exponents found = exponents(steel, 600);
+  const Exponents found = exponents(steel, 2400); // the growth varies slowly here
   EXPECT_EQ(found.regime, 4);
   EXPECT_NEAR(found.variation, found.two_motions, 0.01 * found.variation);
   EXPECT_NEAR(found.variation, 0.12, 0.005 + 3 * found.error);
