@@ -156,6 +156,8 @@ FlightKernel::Verdict FlightKernel::judge(double h) {
 }
 
 void FlightKernel::accept(double h) {
+  if (watched_)
+    watched_->include(start_, end_, h);
   std::swap(start_, end_);
   std::swap(starts_, ends_);
   std::fill(zero_.begin(), zero_.end(), 0);
@@ -201,8 +203,11 @@ FlightKernel::End FlightKernel::fly(double limit) {
       evaluate_all();
       verdict = judge(h);
     }
-    if (verdict == Verdict::falling && locate(h))
+    if (verdict == Verdict::falling && locate(h)) {
+      if (watched_)
+        watched_->include(start_, end_, time_to_guard_);
       return End::guard;
+    }
     // Pieces that shrink and shrink come to nothing: two guards that fall together.
     if (verdict != Verdict::positive || h < shortest)
       return End::unclear;

@@ -9,7 +9,7 @@
 // method finds to rounding. In all other cases the piece is halved.
 #pragma once
 
-#include "integration/guard_sums.h"
+#include "integration/watched_sums.h"
 
 namespace vibroimpact {
 
@@ -30,6 +30,9 @@ public:
   double rounding(std::size_t guard) const { return margins_[guard]; }
   /// The guard counts as an exact zero from which it rises.
   void zero_at_start(std::size_t guard);
+
+  /// Every piece flown from now on is shown to `sums`; none: nobody looks.
+  void watch(WatchedSums *sums) { watched_ = sums; }
 
   /// Flies for `limit` [s] at most. The time flown is told by flown(), also when nothing could be
   /// proven any more.
@@ -65,6 +68,7 @@ private:
   bool locate(double h);
 
   const GuardSums *sums_ = nullptr;
+  WatchedSums *watched_ = nullptr;
   std::size_t n_guards_ = 0, n_groups_ = 0;
   Amplitudes start_, end_;
   std::vector<double> shrink_; ///< exp(rate h) of the groups
