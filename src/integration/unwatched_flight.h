@@ -37,7 +37,7 @@ public:
   /// Keeps references.
   UnwatchedFlight(Equations &equations, FlightStepper &stepper, double event_tolerance);
 
-  /// The equations, or the excitation, are others.
+  /// The frequencies of the excitation may be others.
   void forget();
   /// The motion was moved on or changed by somebody else.
   void leave() { aloft_ = false; }
@@ -51,18 +51,30 @@ public:
   double last_event() const { return last_event_; }
 
 private:
+  struct KnownPhase;
   struct Transition {
-    FlightPhase *target = nullptr;
+    KnownPhase *target = nullptr;   ///< none: left to others
     std::vector<double> proportion; ///< of the guards of the target to the one passed
   };
-  struct KnownPhase {
-    std::unique_ptr<FlightPhase> phase; ///< none: not made of exponentials
-    std::vector<std::unique_ptr<Transition>> transitions;
-    std::unique_ptr<FlightLedger> ledger; ///< made when first watched
-    std::unique_ptr<WatchedSums> watched; ///< for that watcher
+  // What a watcher wants to see of a phase.
+  struct Wishes {
     long watcher = -1;
+    std::vector<WatchedForm> forms;
+  };
+  // The forms belong to the modes, the rest to the excitation as well; what is missing is not known
+  // yet.
+  struct KnownPhase {
+    std::unique_ptr<PhaseForms> forms; ///< none: not linear
+    std::vector<std::unique_ptr<Transition>> transitions;
+    std::unique_ptr<PowerForms> powers;
+    Wishes wishes;
+    bool described = false;
+    std::unique_ptr<FlightPhase> phase; ///< none though described: not made of exponentials
+    std::unique_ptr<FlightLedger> ledger;
+    std::unique_ptr<WatchedSums> watched; ///< for the wishes
   };
 
+  void forget_exponentials();
   bool take_off(double time, const Vector &state);
   bool same_inputs() const;
   KnownPhase &known_phase();
@@ -70,7 +82,7 @@ private:
   bool prepare_watch(KnownPhase &known);
   bool begin_stretch(double time);
   void end_stretch(double time, const Amplitudes &amplitudes);
-  bool tell_change(double time, const FlightPhase &next);
+  bool tell_change(double time, KnownPhase &next);
   void set_inputs(double time, const FlightPhase &phase, Amplitudes &amplitudes) const;
   bool change_phase();
   bool begin_guards(const Transition &transition, std::size_t passed);
