@@ -70,9 +70,4 @@ void FlightPhase::find_modes(const Vector &y, Amplitudes &amplitudes) {
   }
 }
 
-void FlightPhase::reset(std::size_t guard, const Vector &rows, Vector &y) const {
-  for (const PhaseForms::Reset &reset : forms_.resets(guard))
-    y[reset.entry] = reset.form.constant + reset.form.row.dot(rows.transpose());
-}
-
 } // namespace vibroimpact

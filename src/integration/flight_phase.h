@@ -18,6 +18,7 @@ public:
 
   const PhaseForms &forms() const { return forms_; }
   const ExponentialBasis &basis() const { return basis_; }
+  const Matrix &inverse() const { return inverse_; }
   Index size() const { return inverse_.rows(); }
   std::size_t n_groups() const { return basis_.groups.size(); }
 
@@ -25,9 +26,6 @@ public:
   void rows(const Amplitudes &amplitudes, Vector &rows) const;
   /// Amplitudes of the modes from y, when those of the inputs are in place.
   void find_modes(const Vector &y, Amplitudes &amplitudes);
-
-  /// New internal states when a guard is passed, in the rows just before; y is changed in place.
-  void reset(std::size_t guard, const Vector &rows, Vector &y) const;
 
   const GuardSums &sums() const { return sums_; }
 

@@ -55,6 +55,9 @@ void UnwatchedFlight::forget_exponentials() {
     known.phase.reset();
     known.ledger.reset();
     known.watched.reset();
+    for (const std::unique_ptr<Transition> &transition : known.transitions)
+      if (transition)
+        transition->change.reset();
   }
 }
 
@@ -81,41 +84,52 @@ UnwatchedFlight::KnownPhase &UnwatchedFlight::known_phase() {
   if (known.described)
     return known;
   known.described = true;
-  ExponentialBasis basis;
-  Matrix inverse;
-  if (!stepper_.describe(basis, inverse))
-    return known;
-  if (!known.forms) {
+  if (!known.forms && LinearSystem::holds(equations_)) {
     known.forms = std::make_unique<PhaseForms>(equations_);
     known.transitions.resize(known.forms->guards().size());
   }
+  ExponentialBasis basis;
+  Matrix inverse;
+  if (!known.forms || !stepper_.describe(basis, inverse))
+    return known;
   known.phase = std::make_unique<FlightPhase>(*known.forms, std::move(basis), std::move(inverse));
   return known;
 }
 
 // To the phase beyond a guard of the present one. None where it is left to others: impacts and rest
 // are for several contacts together.
-const UnwatchedFlight::Transition *UnwatchedFlight::transition(std::size_t guard) {
+UnwatchedFlight::Transition *UnwatchedFlight::transition(std::size_t guard) {
   const FlightGuard passed = known_->forms->guards()[guard];
   if (equations_.contacts().pairs()[passed.contact].law->rigid())
     return nullptr;
   std::unique_ptr<Transition> &known = known_->transitions[guard];
-  if (known && known->target->described)
-    return known->target->phase ? known.get() : nullptr;
+  if (!known)
+    known = std::make_unique<Transition>(find_transition(passed));
+  if (!known->target->described) {
+    equations_.set_mode(passed.contact, passed.target);
+    known_phase();
+    set_modes(known_->forms->contact_modes(), equations_);
+  }
+  if (!known->target->phase)
+    return nullptr;
+  if (!known->change)
+    known->change = std::make_unique<PhaseChange>(*known_->phase, guard, *known->target->phase);
+  return known.get();
+}
+
+UnwatchedFlight::Transition UnwatchedFlight::find_transition(const FlightGuard &passed) {
   const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
   equations_.set_mode(passed.contact, passed.target);
-  KnownPhase &target = known_phase();
-  if (!known && target.forms) {
-    known = std::make_unique<Transition>(Transition{.target = &target, .proportion = {}});
-    for (const FlightGuard &other : target.forms->guards())
-      known->proportion.push_back(
+  Transition transition{.target = &known_phase(), .proportion = {}};
+  if (transition.target->forms)
+    for (const FlightGuard &other : transition.target->forms->guards())
+      transition.proportion.push_back(
           other.contact == passed.contact
               ? proportion(linear_row(equations_, other.contact, indicator(equations_, other)),
                            form)
               : 0);
-  }
   set_modes(known_->forms->contact_modes(), equations_);
-  return target.phase ? known.get() : nullptr;
+  return transition;
 }
 
 void UnwatchedFlight::set_inputs(double time, const FlightPhase &phase,
@@ -150,6 +164,7 @@ bool UnwatchedFlight::take_off(double time, const Vector &state) {
     return false;
   physical_ = state.head(known_->phase->size());
   set_inputs(time, *known_->phase, amplitudes_);
+  changes_ = 0;
   known_->phase->find_modes(physical_, amplitudes_);
   kernel_.start(known_->phase->sums(), amplitudes_);
   origin_ = time;
@@ -210,6 +225,7 @@ bool UnwatchedFlight::tell_change(double time, KnownPhase &next) {
     return false;
   const FlightGuard &passed = known_->forms->guards()[kernel_.guard()];
   end_stretch(time, kernel_.amplitudes_at_guard());
+  known_->phase->rows(kernel_.amplitudes_at_guard(), rows_);
   state_->head(known_->phase->size()) = rows_.head(known_->phase->size());
   company_->change(time, passed.contact, passed.guard, *state_);
   return true;
@@ -241,27 +257,28 @@ bool UnwatchedFlight::begin_guards(const Transition &transition, std::size_t pas
   return true;
 }
 
-// False: the change is left to others; the flight stands before it.
+// Rounding turns the inputs that are carried along from phase to phase, so that they are taken from
+// their closed form again and again. False: the change is left to others; the flight stands before
+// it.
 bool UnwatchedFlight::change_phase() {
   const double time = origin_ + kernel_.flown() + kernel_.time_to_guard();
   const std::size_t passed = kernel_.guard();
   if (time - last_event_ <= time_tolerance(time))
     return false;
-  const Transition *next = transition(passed);
+  Transition *next = transition(passed);
   if (!next)
     return false;
-  const FlightPhase &phase = *known_->phase;
-  FlightPhase &target = *next->target->phase;
-  phase.rows(kernel_.amplitudes_at_guard(), rows_);
-  physical_ = rows_.head(phase.size());
-  phase.reset(passed, rows_, physical_);
-  set_inputs(time, target, amplitudes_);
-  target.find_modes(physical_, amplitudes_);
+  const FlightPhase &target = *next->target->phase;
+  next->change->apply(kernel_.amplitudes_at_guard(), amplitudes_);
+  constexpr int carried_changes = 32;
+  if (changes_ >= carried_changes)
+    set_inputs(time, target, amplitudes_);
   next_.start(target.sums(), amplitudes_);
   if (!begin_guards(*next, passed) || (company_ && !tell_change(time, *next->target)))
     return false;
   tally_.event_residual = std::max(tally_.event_residual, kernel_.residual());
   ++tally_.events;
+  changes_ = changes_ < carried_changes ? changes_ + 1 : 0;
   last_event_ = origin_ = time;
   known_ = next->target;
   set_modes(known_->forms->contact_modes(), equations_);

@@ -11,6 +11,7 @@
 #include "integration/flight_ledger.h"
 #include "integration/flight_phase.h"
 #include "integration/flight_stepper.h"
+#include "integration/phase_change.h"
 
 #include <functional>
 #include <map>
@@ -53,8 +54,9 @@ public:
 private:
   struct KnownPhase;
   struct Transition {
-    KnownPhase *target = nullptr;   ///< none: left to others
-    std::vector<double> proportion; ///< of the guards of the target to the one passed
+    KnownPhase *target = nullptr;          ///< none: left to others
+    std::vector<double> proportion;        ///< of the guards of the target to the one passed
+    std::unique_ptr<PhaseChange> change{}; ///< with the present exponentials
   };
   // What a watcher wants to see of a phase.
   struct Wishes {
@@ -78,7 +80,8 @@ private:
   bool take_off(double time, const Vector &state);
   bool same_inputs() const;
   KnownPhase &known_phase();
-  const Transition *transition(std::size_t guard);
+  Transition *transition(std::size_t guard);
+  Transition find_transition(const FlightGuard &passed);
   bool prepare_watch(KnownPhase &known);
   bool begin_stretch(double time);
   void end_stretch(double time, const Amplitudes &amplitudes);
@@ -97,6 +100,7 @@ private:
   KnownPhase *known_ = nullptr;
   FlightKernel kernel_, next_;
   Amplitudes amplitudes_;
+  int changes_ = 0; ///< since the inputs were taken from the sources
   Vector rows_, physical_;
   double origin_ = 0; ///< when kernel_ was started
   double last_event_;
