@@ -6,6 +6,7 @@
 // frequencies, flown period by period as settling does. Processor time, the least of all
 // repetitions.
 #include "contact/laws/relaxing_stop.h"
+#include "integration/flight_batch.h"
 #include "integration/trajectory.h"
 #include "sides.h"
 
@@ -15,6 +16,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -66,34 +68,47 @@ std::vector<std::unique_ptr<Bumped>> motions() {
   return result;
 }
 
-void measure_motions(int repetitions) {
-  double least = 1e9;
-  long steps = 0, events = 0;
-  std::size_t count = 0;
-  double sum = 0;
+struct Result {
+  double least = std::numeric_limits<double>::infinity(); ///< [s]
+  double steps = 0, events = 0;                           ///< per period
+  double end = 0;                                         ///< sum of all displacements at the end
+};
+
+Result measure(int repetitions, std::size_t at_once) {
+  Result result;
   for (int i = 0; i < repetitions; ++i) {
     auto all = motions();
-    count = all.size();
+    std::size_t next = 0;
     const double start = processor_time();
-    for (auto &motion : all)
-      motion->fly();
-    least = std::min(least, processor_time() - start);
-    steps = events = 0;
-    sum = 0;
-    for (auto &motion : all) {
-      steps += motion->trajectory.accuracy().steps;
-      events += motion->trajectory.accuracy().events;
-      sum += motion->trajectory.state()[0];
+    run_batch(at_once, [&] {
+      while (next < all.size())
+        all[next++]->fly();
+    });
+    result.least = std::min(result.least, processor_time() - start);
+    result.steps = result.events = result.end = 0;
+    const double count = static_cast<double>(all.size()) * periods;
+    for (const auto &motion : all) {
+      const Accuracy accuracy = motion->trajectory.accuracy();
+      result.steps += static_cast<double>(accuracy.steps) / count;
+      result.events += static_cast<double>(accuracy.events) / count;
+      result.end += motion->trajectory.state()[0];
     }
   }
-  const double all_periods = static_cast<double>(count) * periods;
-  std::printf("scalar %.3f us per period, %.2f pieces, %.2f events, %.15g\n",
-              1e6 * least / all_periods, steps / all_periods, events / all_periods, sum);
+  return result;
+}
+
+void measure_all(int repetitions) {
+  const double count = static_cast<double>(motions().size()) * periods;
+  for (const std::size_t at_once : {1, 8, 12, 16, 24, 32}) {
+    const Result result = measure(repetitions, at_once);
+    std::printf("%2zu at once: %.3f us per forcing period, %.2f pieces, %.2f events, %.17g\n",
+                at_once, 1e6 * result.least / count, result.steps, result.events, result.end);
+  }
 }
 
 } // namespace
 
-void run(int repetitions) { measure_motions(repetitions); }
+void run(int repetitions) { measure_all(repetitions); }
 
 } // namespace vibroimpact::benchmarks
 

@@ -64,10 +64,10 @@ template <class V> void rotate_little(V rate, V frequency, V time, V &real, V &i
 }
 
 /// Longest piece that is worth trying for one guard: where the error is a third of the value, and a
-/// little beyond the zero of the straight line.
-template <class V> V trial(V limit, const Height<V> &start, V bound) {
+/// little beyond the zero of the straight line, further than rounding can hide.
+template <class V> V trial(V limit, const Height<V> &start, V bound, V margin) {
   const V by_error = V(0.75) * square_root(square_root(start.value / (V(value_error) * bound)));
-  const V by_slope = V(-1.2) * start.value / start.slope;
+  const V by_slope = (V(-1.2) * start.value - V(8.0) * margin) / start.slope;
   const V shorter = smaller(limit, by_error);
   return select(start.slope < V(0.0), smaller(shorter, by_slope), shorter);
 }

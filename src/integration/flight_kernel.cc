@@ -117,7 +117,7 @@ double FlightKernel::first_trial(double limit) const {
   double h = limit;
   for (std::size_t g = 0; g < n_guards_; ++g)
     if (zero_[g] == 0)
-      h = smaller(h, trial(limit, starts_[g], bounds_[g]));
+      h = smaller(h, trial(limit, starts_[g], bounds_[g], margins_[g]));
     else if (bounds_[g] > 0)
       h = smaller(h, std::cbrt(0.04 * starts_[g].slope / (value_error * bounds_[g])));
   return h;

@@ -196,7 +196,8 @@ void FlightLanes::load(std::size_t lane) {
   arrays_.flown[lane] = kernel.flown_;
 }
 
-std::optional<FlightKernel::End> FlightLanes::add(FlightKernel &kernel, double limit) {
+std::optional<FlightKernel::End> FlightLanes::add(FlightKernel &kernel, double limit,
+                                                  std::size_t owner) {
   if (!(kernel.flown_ < limit))
     return FlightKernel::End::limit;
   const double h = kernel.first_trial(limit - kernel.flown_);
@@ -206,6 +207,7 @@ std::optional<FlightKernel::End> FlightLanes::add(FlightKernel &kernel, double l
   const auto lane = static_cast<std::size_t>(std::find(kernels_.begin(), kernels_.end(), nullptr) -
                                              kernels_.begin());
   kernels_.at(lane) = &kernel;
+  owners_[lane] = owner;
   ++n_busy_;
   load(lane);
   arrays_.limit[lane] = limit;
@@ -239,6 +241,23 @@ void FlightLanes::unload(std::size_t lane) {
   kernel.flown_ = arrays_.flown[lane];
 }
 
+void FlightLanes::leave(std::size_t lane) {
+  arrays_.stage[lane] = LaneArrays::idle;
+  arrays_.end[lane] = LaneArrays::none;
+  kernels_[lane] = nullptr;
+  --n_busy_;
+}
+
+std::vector<std::size_t> FlightLanes::clear() {
+  std::vector<std::size_t> owners;
+  for (std::size_t lane = 0; lane < n_lanes; ++lane)
+    if (kernels_[lane]) {
+      owners.push_back(owners_[lane]);
+      leave(lane);
+    }
+  return owners;
+}
+
 const std::vector<FlightLanes::Landing> &FlightLanes::fly() {
   fly_(arrays_);
   landings_.clear();
@@ -256,10 +275,8 @@ const std::vector<FlightLanes::Landing> &FlightLanes::fly() {
       end = FlightKernel::End::limit;
     else if (arrays_.end[lane] == LaneArrays::at_guard)
       end = FlightKernel::End::guard;
-    landings_.push_back({.lane = lane, .kernel = &kernel, .end = end});
-    arrays_.stage[lane] = LaneArrays::idle;
-    kernels_[lane] = nullptr;
-    --n_busy_;
+    landings_.push_back({.owner = owners_[lane], .end = end});
+    leave(lane);
   }
   return landings_;
 }

@@ -21,8 +21,7 @@ VectorUnit best_vector_unit();
 class FlightLanes {
 public:
   struct Landing {
-    std::size_t lane = 0;
-    FlightKernel *kernel = nullptr;
+    std::size_t owner = 0;
     FlightKernel::End end = FlightKernel::End::limit;
   };
 
@@ -32,10 +31,12 @@ public:
   bool empty() const { return n_busy_ == 0; }
 
   /// Lets a kernel fly to `limit`; it must be left alone until it lands. Not when full(). An end
-  /// that needs no flight comes back at once.
-  std::optional<FlightKernel::End> add(FlightKernel &kernel, double limit);
+  /// that needs no flight comes back at once. `owner` is for the caller.
+  std::optional<FlightKernel::End> add(FlightKernel &kernel, double limit, std::size_t owner);
   /// Flies until at least one kernel has landed. Not when empty(). Valid until the next call.
   const std::vector<Landing> &fly();
+  /// Gives all flights up and tells whose they were.
+  std::vector<std::size_t> clear();
 
 private:
   struct FreeArray {
@@ -47,11 +48,13 @@ private:
   void load(std::size_t lane);
   void load_sums(std::size_t lane, const GuardSums &sums);
   void unload(std::size_t lane);
+  void leave(std::size_t lane);
 
   FlyLanes fly_;
   std::unique_ptr<double, FreeArray> storage_;
   LaneArrays arrays_{};
-  std::array<FlightKernel *, n_lanes> kernels_{};
+  std::array<FlightKernel *, n_lanes> kernels_{}; ///< none: the lane is idle
+  std::array<std::size_t, n_lanes> owners_{};
   std::size_t n_busy_ = 0;
   std::vector<Landing> landings_;
 };

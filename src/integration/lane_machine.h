@@ -190,9 +190,10 @@ private:
         sum = sum + load(a.size, g * a.n_groups + j) * amplitude;
         bound = bound + load(a.fourth, g * a.n_groups + j) * amplitude;
       }
-      blend(a.margin, g, where, Pack(rounding_factor) * sum);
+      const Pack margin = Pack(rounding_factor) * sum;
+      blend(a.margin, g, where, margin);
       blend(a.bound, g, where, bound);
-      h = smaller(h, trial(rest, start(g), bound));
+      h = smaller(h, trial(rest, start(g), bound, margin));
     }
     blend(a.h, where, h);
     blend(a.tries, where, Pack(0.0));

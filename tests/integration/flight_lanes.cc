@@ -116,12 +116,12 @@ Tally compare(VectorUnit unit, const std::vector<Start> &starts) {
   while (next < starts.size() || !lanes.empty()) {
     for (; next < starts.size() && !lanes.full(); ++next) {
       begin(starts[next], kernels[next]);
-      if (const auto end = lanes.add(kernels[next], starts[next].limit))
+      if (const auto end = lanes.add(kernels[next], starts[next].limit, next))
         land(next, *end);
     }
     if (!lanes.empty())
       for (const FlightLanes::Landing &landing : lanes.fly())
-        land(static_cast<std::size_t>(landing.kernel - kernels.data()), landing.end);
+        land(landing.owner, landing.end);
   }
   return tally;
 }
@@ -170,12 +170,12 @@ TEST_P(FlightLanesTest, AFailingNeighbour) {
   while (next < starts.size() || !lanes.empty()) {
     for (; next < starts.size() && !lanes.full(); ++next) {
       begin(starts[next], kernels[next]);
-      if (const auto end = lanes.add(kernels[next], starts[next].limit))
+      if (const auto end = lanes.add(kernels[next], starts[next].limit, next))
         land(next, *end);
     }
     if (!lanes.empty())
       for (const FlightLanes::Landing &landing : lanes.fly())
-        land(static_cast<std::size_t>(landing.kernel - kernels.data()), landing.end);
+        land(landing.owner, landing.end);
   }
 }
 
