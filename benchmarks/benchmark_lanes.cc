@@ -1,6 +1,6 @@
 // Cost of motions that nobody watches, one after the other and side by side in vector lanes.
 //
-//   benchmark_lanes [repetitions]
+//   benchmark_lanes [repetitions [number at once ...]]
 //
 // A mass between two bumpers that creep back by themselves, for several gaps, stiffnesses and
 // frequencies, flown period by period as settling does. Processor time, the least of all
@@ -97,9 +97,9 @@ Result measure(int repetitions, std::size_t at_once) {
   return result;
 }
 
-void measure_all(int repetitions) {
+void measure_all(int repetitions, const std::vector<std::size_t> &numbers) {
   const double count = static_cast<double>(motions().size()) * periods;
-  for (const std::size_t at_once : {1, 8, 12, 16, 24, 32}) {
+  for (const std::size_t at_once : numbers) {
     const Result result = measure(repetitions, at_once);
     std::printf("%2zu at once: %.3f us per forcing period, %.2f pieces, %.2f events, %.17g\n",
                 at_once, 1e6 * result.least / count, result.steps, result.events, result.end);
@@ -108,7 +108,14 @@ void measure_all(int repetitions) {
 
 } // namespace
 
-void run(int repetitions) { measure_all(repetitions); }
+void run(int argc, char **argv) {
+  std::vector<std::size_t> numbers;
+  for (int i = 2; i < argc; ++i)
+    numbers.push_back(std::strtoul(argv[i], nullptr, 10));
+  if (numbers.empty())
+    numbers = {1, 8, 16, 32};
+  measure_all(argc > 1 ? std::atoi(argv[1]) : 5, numbers);
+}
 
 } // namespace vibroimpact::benchmarks
 
@@ -120,7 +127,7 @@ int main(int argc, char **argv) {
   char **private_arguments = arguments;
   if (PetscInitialize(&count, &private_arguments, nullptr, nullptr) != 0)
     return 1;
-  vibroimpact::benchmarks::run(argc > 1 ? std::atoi(argv[1]) : 5);
+  vibroimpact::benchmarks::run(argc, argv);
   PetscFinalize();
   return 0;
 }

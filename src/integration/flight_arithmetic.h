@@ -63,14 +63,25 @@ template <class V> void rotate_little(V rate, V frequency, V time, V &real, V &i
   size = size + size * x;
 }
 
-/// Longest piece that is worth trying for one guard: where the error is a third of the value, and a
-/// little beyond the zero of the straight line, further than rounding can hide.
-template <class V> V trial(V limit, const Height<V> &start, V bound, V margin) {
-  const V by_error = V(0.75) * square_root(square_root(start.value / (V(value_error) * bound)));
-  const V by_slope = (V(-1.2) * start.value - V(8.0) * margin) / start.slope;
-  const V shorter = smaller(limit, by_error);
-  return select(start.slope < V(0.0), smaller(shorter, by_slope), shorter);
-}
+/// Longest piece that is worth trying, found from all guards: where the error is a third of the
+/// value of one, and a little beyond the zero of the straight line, further than rounding can hide.
+template <class V> class Trial {
+public:
+  explicit Trial(V limit) : longest_(limit), ratio_(1e300) {}
+
+  void add(const Height<V> &start, V bound, V margin) {
+    ratio_ = smaller(ratio_, start.value / bound);
+    const V by_slope = (V(-1.2) * start.value - V(8.0) * margin) / start.slope;
+    longest_ = select(start.slope < V(0.0), smaller(longest_, by_slope), longest_);
+  }
+  V length() const {
+    return smaller(longest_, square_root(square_root(V(0.3 / value_error) * ratio_)));
+  }
+
+private:
+  V longest_;
+  V ratio_; ///< least value over bound of the fourth derivative
+};
 
 /// Length of a piece with what judging needs of it.
 template <class V> struct Span {

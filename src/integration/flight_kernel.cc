@@ -114,13 +114,14 @@ void FlightKernel::bound() {
 
 // For a guard that rises from zero, a length at which the error is well below the rise.
 double FlightKernel::first_trial(double limit) const {
+  Trial<double> trial(limit);
   double h = limit;
   for (std::size_t g = 0; g < n_guards_; ++g)
     if (zero_[g] == 0)
-      h = smaller(h, trial(limit, starts_[g], bounds_[g], margins_[g]));
+      trial.add(starts_[g], bounds_[g], margins_[g]);
     else if (bounds_[g] > 0)
       h = smaller(h, std::cbrt(0.04 * starts_[g].slope / (value_error * bounds_[g])));
-  return h;
+  return smaller(h, trial.length());
 }
 
 FlightKernel::Verdict FlightKernel::judge(std::size_t g, const Span<double> &span) const {
@@ -151,6 +152,8 @@ FlightKernel::Verdict FlightKernel::judge(double h) {
 }
 
 void FlightKernel::accept(double h) {
+  if (watched_)
+    watched_->include(start_, end_, h);
   std::swap(start_, end_);
   std::swap(starts_, ends_);
   std::fill(zero_.begin(), zero_.end(), 0);
@@ -212,8 +215,11 @@ FlightKernel::End FlightKernel::fly(double limit) {
       evaluate_all();
       verdict = judge(h);
     }
-    if (verdict == Verdict::falling && locate(h))
+    if (verdict == Verdict::falling && locate(h)) {
+      if (watched_)
+        watched_->include(start_, end_, time_to_guard_);
       return End::guard;
+    }
     if (verdict != Verdict::positive || h < least)
       return End::unclear;
     accept(h);

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "integration/flight_arithmetic.h"
-#include "integration/guard_sums.h"
+#include "integration/watched_sums.h"
 
 namespace vibroimpact {
 
@@ -31,6 +31,9 @@ public:
   double rounding(std::size_t guard) const { return margins_[guard]; }
   /// The guard counts as an exact zero from which it rises.
   void zero_at_start(std::size_t guard);
+
+  /// Every piece flown from now on is shown to `sums`; none: nobody looks.
+  void watch(WatchedSums *sums) { watched_ = sums; }
 
   /// Flies for `limit` [s] at most. The time flown is told by flown(), also when nothing could be
   /// proven any more.
@@ -70,6 +73,7 @@ private:
   bool found(double instant);
 
   const GuardSums *sums_ = nullptr;
+  WatchedSums *watched_ = nullptr;
   std::size_t n_guards_ = 0, n_groups_ = 0;
   Amplitudes start_, end_;
   std::vector<double> factors_, sines_, cosines_; ///< of the exponentials of the groups

@@ -19,8 +19,8 @@ FlyLanes function_of(VectorUnit unit) {
     return fly_lanes_plain;
   case VectorUnit::sse2:
     return fly_lanes_sse2;
-  case VectorUnit::avx:
-    return fly_lanes_avx;
+  case VectorUnit::avx2:
+    return fly_lanes_avx2;
   case VectorUnit::avx512:
     return fly_lanes_avx512;
   }
@@ -44,7 +44,7 @@ VectorUnit best_vector_unit() {
 #ifdef __x86_64__
   if (__builtin_cpu_supports("avx512f"))
     return VectorUnit::avx512;
-  return __builtin_cpu_supports("avx") ? VectorUnit::avx : VectorUnit::sse2;
+  return __builtin_cpu_supports("avx2") ? VectorUnit::avx2 : VectorUnit::sse2;
 #else
   return VectorUnit::none;
 #endif
@@ -105,7 +105,9 @@ void FlightLanes::allocate() {
                         {a.time_to_guard, 1},
                         {a.residual, 1},
                         {a.pieces, 1},
-                        {a.accepted, 1}};
+                        {a.accepted, 1},
+                        {a.watched, 1},
+                        {a.passed, 1}};
   std::size_t total = 0;
   for (const Part &part : parts)
     total += part.entries * n_lanes;
@@ -131,7 +133,7 @@ void FlightLanes::reserve(std::size_t n_groups, std::size_t n_guards) {
   arrays_.n_groups = std::max(arrays_.n_groups, n_groups);
   arrays_.n_guards = std::max(arrays_.n_guards, n_guards);
   allocate();
-  const double *end_of_old = before.accepted + n_lanes;
+  const double *end_of_old = before.passed + n_lanes;
   std::copy(static_cast<const double *>(before.fastest), end_of_old, arrays_.fastest);
   for (std::size_t lane = 0; lane < n_lanes; ++lane)
     if (kernels_[lane])
@@ -214,23 +216,27 @@ std::optional<FlightKernel::End> FlightLanes::add(FlightKernel &kernel, double l
   arrays_.shortest[lane] = kernel.shortest(limit);
   arrays_.h[lane] = h;
   arrays_.tries[lane] = arrays_.pieces[lane] = arrays_.accepted[lane] = 0;
+  arrays_.watched[lane] = kernel.watched_ ? 1 : 0;
   arrays_.stage[lane] = LaneArrays::trying;
   return std::nullopt;
 }
 
+// Real parts, imaginary parts and sizes.
+void FlightLanes::read(const double *const (&from)[3], std::size_t lane, Amplitudes &to) const {
+  const std::size_t count = to.real.size();
+  const std::size_t first = (arrays_.n_groups - count) * n_lanes + lane;
+  for (std::size_t j = 0; j < count; ++j) {
+    to.real[j] = from[0][first + j * n_lanes];
+    to.imaginary[j] = from[1][first + j * n_lanes];
+    to.size[j] = from[2][first + j * n_lanes];
+  }
+}
+
 void FlightLanes::unload(std::size_t lane) {
   FlightKernel &kernel = *kernels_[lane];
-  const std::size_t empty = arrays_.n_groups - kernel.n_groups_;
-  const auto amplitudes = [&](double *real, double *imaginary, double *size, Amplitudes &to) {
-    for (std::size_t j = 0; j < kernel.n_groups_; ++j) {
-      to.real[j] = Lane(real, lane)[empty + j];
-      to.imaginary[j] = Lane(imaginary, lane)[empty + j];
-      to.size[j] = Lane(size, lane)[empty + j];
-    }
-  };
   if (arrays_.accepted[lane] > 0)
-    amplitudes(arrays_.start_real, arrays_.start_imaginary, arrays_.start_size, kernel.start_);
-  amplitudes(arrays_.end_real, arrays_.end_imaginary, arrays_.end_size, kernel.end_);
+    read({arrays_.start_real, arrays_.start_imaginary, arrays_.start_size}, lane, kernel.start_);
+  read({arrays_.end_real, arrays_.end_imaginary, arrays_.end_size}, lane, kernel.end_);
   for (std::size_t g = 0; g < kernel.n_guards_; ++g) {
     kernel.starts_[g] = {Lane(arrays_.start_value, lane)[g], Lane(arrays_.start_slope, lane)[g]};
     kernel.ends_[g] = {Lane(arrays_.end_value, lane)[g], Lane(arrays_.end_slope, lane)[g]};
@@ -244,6 +250,7 @@ void FlightLanes::unload(std::size_t lane) {
 void FlightLanes::leave(std::size_t lane) {
   arrays_.stage[lane] = LaneArrays::idle;
   arrays_.end[lane] = LaneArrays::none;
+  arrays_.passed[lane] = 0;
   kernels_[lane] = nullptr;
   --n_busy_;
 }
@@ -258,25 +265,44 @@ std::vector<std::size_t> FlightLanes::clear() {
   return owners;
 }
 
-const std::vector<FlightLanes::Landing> &FlightLanes::fly() {
-  fly_(arrays_);
-  landings_.clear();
+// After an accepted piece the end is where the lane starts now, and the start where it ended.
+void FlightLanes::show_pieces() {
   for (std::size_t lane = 0; lane < n_lanes; ++lane) {
-    if (!kernels_[lane] || arrays_.end[lane] == LaneArrays::none)
+    if (!kernels_[lane] || !(arrays_.passed[lane] > 0))
       continue;
     FlightKernel &kernel = *kernels_[lane];
-    unload(lane);
-    kernel.falling_ = static_cast<std::size_t>(arrays_.falling[lane]);
-    kernel.time_to_guard_ = arrays_.time_to_guard[lane];
-    kernel.residual_ = arrays_.residual[lane];
-    kernel.pieces_ += static_cast<long>(arrays_.pieces[lane]);
-    FlightKernel::End end = FlightKernel::End::unclear;
-    if (arrays_.end[lane] == LaneArrays::at_limit)
-      end = FlightKernel::End::limit;
-    else if (arrays_.end[lane] == LaneArrays::at_guard)
-      end = FlightKernel::End::guard;
-    landings_.push_back({.owner = owners_[lane], .end = end});
-    leave(lane);
+    read({arrays_.end_real, arrays_.end_imaginary, arrays_.end_size}, lane, kernel.start_);
+    read({arrays_.start_real, arrays_.start_imaginary, arrays_.start_size}, lane, kernel.end_);
+    kernel.watched_->include(kernel.start_, kernel.end_, arrays_.passed[lane]);
+  }
+}
+
+void FlightLanes::land(std::size_t lane) {
+  FlightKernel &kernel = *kernels_[lane];
+  unload(lane);
+  kernel.falling_ = static_cast<std::size_t>(arrays_.falling[lane]);
+  kernel.time_to_guard_ = arrays_.time_to_guard[lane];
+  kernel.residual_ = arrays_.residual[lane];
+  kernel.pieces_ += static_cast<long>(arrays_.pieces[lane]);
+  FlightKernel::End end = FlightKernel::End::unclear;
+  if (arrays_.end[lane] == LaneArrays::at_limit)
+    end = FlightKernel::End::limit;
+  else if (arrays_.end[lane] == LaneArrays::at_guard)
+    end = FlightKernel::End::guard;
+  if (end == FlightKernel::End::guard && kernel.watched_)
+    kernel.watched_->include(kernel.start_, kernel.end_, kernel.time_to_guard_);
+  landings_.push_back({.owner = owners_[lane], .end = end});
+  leave(lane);
+}
+
+const std::vector<FlightLanes::Landing> &FlightLanes::fly() {
+  landings_.clear();
+  while (landings_.empty()) {
+    fly_(arrays_);
+    show_pieces();
+    for (std::size_t lane = 0; lane < n_lanes; ++lane)
+      if (kernels_[lane] && arrays_.end[lane] != LaneArrays::none)
+        land(lane);
   }
   return landings_;
 }

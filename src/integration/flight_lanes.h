@@ -13,7 +13,7 @@
 namespace vibroimpact {
 
 /// In the order of their speed.
-enum class VectorUnit { none, sse2, avx, avx512 };
+enum class VectorUnit { none, sse2, avx2, avx512 };
 
 /// The fastest one that this machine has.
 VectorUnit best_vector_unit();
@@ -49,6 +49,9 @@ private:
   void load_sums(std::size_t lane, const GuardSums &sums);
   void unload(std::size_t lane);
   void leave(std::size_t lane);
+  void read(const double *const (&from)[3], std::size_t lane, Amplitudes &to) const;
+  void show_pieces();
+  void land(std::size_t lane);
 
   FlyLanes fly_;
   std::unique_ptr<double, FreeArray> storage_;

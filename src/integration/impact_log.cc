@@ -76,8 +76,7 @@ void ImpactLog::record_pulse(Track &track, const StepView &view, std::size_t con
 void ImpactLog::step(const StepView &view) {
   for (std::size_t c = 0; c < tracks_.size(); ++c) {
     Track &track = tracks_[c];
-    track.touching = in_contact(c, view.equations().modes()[c]);
-    if (!track.touching)
+    if (!in_contact(c, view.equations().modes()[c]))
       continue;
     track.current.peak_force = std::max(track.current.peak_force, peak_force(view, c));
     track.current.maximum_penetration =
@@ -85,6 +84,23 @@ void ImpactLog::step(const StepView &view) {
     if (track.pulses_begun > 0 && track.pulses_begun <= pulse_limit_)
       record_pulse(track, view, c);
   }
+}
+
+void ImpactLog::watch(const Equations &equations, std::vector<WatchedForm> &forms) {
+  for (std::size_t c = 0; c < tracks_.size(); ++c)
+    if (const Mode &mode = equations.mode(c); mode.in_contact) {
+      forms.push_back(watched_contact(equations, c, mode.affine->force, tracks_[c].force));
+      forms.push_back(watched_contact(equations, c, {.gap = 1}, tracks_[c].gap));
+    }
+}
+
+void ImpactLog::flown(const Equations &equations, double /*start*/, double /*end*/) {
+  for (std::size_t c = 0; c < tracks_.size(); ++c)
+    if (equations.mode(c).in_contact) {
+      Impact &impact = tracks_[c].current;
+      impact.peak_force = std::max(impact.peak_force, tracks_[c].force.maximum);
+      impact.maximum_penetration = std::max(impact.maximum_penetration, -tracks_[c].gap.minimum);
+    }
 }
 
 void ImpactLog::begin(Track &track, const ContactEvent &event) const {
@@ -98,6 +114,7 @@ void ImpactLog::begin(Track &track, const ContactEvent &event) const {
                    .impulse = -ledger[layout.impulse(contact)],
                    .dissipated_energy = -ledger[layout.contact_work(contact)],
                    .chatter_duration = event.chatter_duration};
+  track.force = track.gap = {};
   track.complete = true;
   ++track.begun;
   ++track.pulses_begun;

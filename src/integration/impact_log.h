@@ -30,13 +30,15 @@ struct Pulses {
   std::vector<double> gap;   ///< [m]
 };
 
-class ImpactLog : public Observer {
+class ImpactLog : public Observer, private FlightWatcher {
 public:
   /// Keeps the force samples of the first `pulses` impacts of each contact.
   ImpactLog(const ContactSet &contacts, std::size_t pulses);
 
   void step(const StepView &view) override;
   void event(const ContactEvent &event) override;
+  /// None while force samples are to be kept.
+  FlightWatcher *flight_watcher() override { return pulse_limit_ == 0 ? this : nullptr; }
   /// Forgets finished impacts; one that lasts goes on.
   void clear();
 
@@ -52,10 +54,12 @@ private:
     Pulses pulses;
     std::size_t begun = 0;
     std::size_t pulses_begun = 0;
-    bool touching = false;
     bool complete = false; ///< its beginning was seen
     Impact current;
+    Extent force, gap; ///< of the present impact, in flight
   };
+  void watch(const Equations &equations, std::vector<WatchedForm> &forms) override;
+  void flown(const Equations &equations, double start, double end) override;
   bool in_contact(std::size_t contact, int mode) const;
   void begin(Track &track, const ContactEvent &event) const;
   void finish(Track &track, const ContactEvent &event) const;

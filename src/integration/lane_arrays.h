@@ -36,15 +36,18 @@ struct LaneArrays {
   double *tries;     ///< halvings of a piece, or corrections of an instant
   double *low, *high, *falling, *time_to_guard, *residual;
   double *pieces, *accepted;
+  double *watched; ///< 1: the lanes stop after each accepted piece, its start in place of its end
+  double *passed;  ///< length of the piece that the lane stopped after; 0: none
 };
 
-/// Lets all lanes fly until one of them has come to its end. One function per instruction set.
+/// Lets all lanes fly until one of them has come to its end, or a watched one has passed a piece.
+/// One function per instruction set.
 using FlyLanes = void (*)(const LaneArrays &);
 
 void fly_lanes_plain(const LaneArrays &arrays);
 #ifdef __x86_64__
 void fly_lanes_sse2(const LaneArrays &arrays);
-void fly_lanes_avx(const LaneArrays &arrays);
+void fly_lanes_avx2(const LaneArrays &arrays);
 void fly_lanes_avx512(const LaneArrays &arrays);
 #endif
 

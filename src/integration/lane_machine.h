@@ -15,17 +15,19 @@ public:
   using Mask = typename Pack::Mask;
   using Value = Height<Pack>;
 
-  /// The lanes from `first` on, as many as a pack holds.
+  /// The lanes from `first` on, as many as a pack holds. A copy of the pointers, which no store can
+  /// be thought to change.
   LaneMachine(const LaneArrays &arrays, std::size_t first) : a(arrays), first_(first) {}
 
-  /// One piece or one look at an instant, in all lanes. True when a lane has come to its end.
+  /// One piece or one look at an instant, in all lanes. True when a lane has come to its end or
+  /// passed a piece that is watched.
   bool advance() {
     const Pack stage = load(a.stage);
     trying_ = stage == Pack(LaneArrays::trying);
     locating_ = stage == Pack(LaneArrays::locating);
     if (none_of(trying_ | locating_))
       return false;
-    end_ = Pack(LaneArrays::none);
+    end_ = passed_ = Pack(LaneArrays::none);
     h_ = load(a.h);
     move();
     evaluate_and_judge();
@@ -34,7 +36,8 @@ public:
     if (any_of(trying_))
       decide();
     store(a.end, end_);
-    return any_of(Pack(LaneArrays::none) < end_);
+    store(a.passed, passed_);
+    return any_of((Pack(LaneArrays::none) < end_) | (Pack(0.0) < passed_));
   }
 
 private:
@@ -74,11 +77,20 @@ private:
   }
 
   Value evaluate(std::size_t guard) const {
+    const std::size_t first = first_;
+    const std::size_t end = a.n_groups * n_lanes + first;
+    const std::size_t row = guard * a.n_groups * n_lanes;
+    const double *const rate = a.rate;
+    const double *const frequency = a.frequency;
+    const double *const end_real = a.end_real;
+    const double *const end_imaginary = a.end_imaginary;
+    const double *const real = a.real + row;
+    const double *const imaginary = a.imaginary + row;
     Value result{load(a.constant, guard), Pack(0.0)};
-    const std::size_t row = guard * a.n_groups;
-    for (std::size_t j = 0; j < a.n_groups; ++j)
-      add_group(load(a.real, row + j), load(a.imaginary, row + j), load(a.end_real, j),
-                load(a.end_imaginary, j), load(a.rate, j), load(a.frequency, j), result);
+    for (std::size_t i = first; i < end; i += n_lanes)
+      add_group(Pack::load(real + i), Pack::load(imaginary + i), Pack::load(end_real + i),
+                Pack::load(end_imaginary + i), Pack::load(rate + i), Pack::load(frequency + i),
+                result);
     return result;
   }
   void keep(std::size_t guard, const Value &value) const {
@@ -162,16 +174,26 @@ private:
     end_ = select(where & !on, Pack(LaneArrays::at_limit), end_);
     blend(a.flown, where, flown);
     blend(a.accepted, where, load(a.accepted) + Pack(1.0));
-    move_start(where);
+    const Mask watched = where & (Pack(0.0) < load(a.watched));
+    passed_ = select(watched, h_, passed_);
+    move_start(where, watched);
     begin_to_try(where, limit - flown);
     end_ = select(on & !(Pack(0.0) < load(a.h)), Pack(LaneArrays::unclear), end_);
   }
 
-  void move_start(Mask where) const {
+  // The start goes to the end where it is still to be seen.
+  void move_start(double *start, double *end, std::size_t group, Mask where, Mask watched) const {
+    const Pack before = load(start, group);
+    const Pack after = load(end, group);
+    store(start, group, select(where, after, before));
+    store(end, group, select(watched, before, after));
+  }
+
+  void move_start(Mask where, Mask watched) const {
     for (std::size_t j = 0; j < a.n_groups; ++j) {
-      blend(a.start_real, j, where, load(a.end_real, j));
-      blend(a.start_imaginary, j, where, load(a.end_imaginary, j));
-      blend(a.start_size, j, where, load(a.end_size, j));
+      move_start(a.start_real, a.end_real, j, where, watched);
+      move_start(a.start_imaginary, a.end_imaginary, j, where, watched);
+      move_start(a.start_size, a.end_size, j, where, watched);
     }
     for (std::size_t g = 0; g < a.n_guards; ++g) {
       blend(a.start_value, g, where, load(a.end_value, g));
@@ -181,7 +203,7 @@ private:
   }
 
   void begin_to_try(Mask where, Pack rest) const {
-    Pack h = rest;
+    Trial<Pack> trial(rest);
     for (std::size_t g = 0; g < a.n_guards; ++g) {
       Pack sum = absolute(load(a.constant, g));
       Pack bound(0.0);
@@ -193,9 +215,9 @@ private:
       const Pack margin = Pack(rounding_factor) * sum;
       blend(a.margin, g, where, margin);
       blend(a.bound, g, where, bound);
-      h = smaller(h, trial(rest, start(g), bound, margin));
+      trial.add(start(g), bound, margin);
     }
-    blend(a.h, where, h);
+    blend(a.h, where, trial.length());
     blend(a.tries, where, Pack(0.0));
   }
 
@@ -274,17 +296,18 @@ private:
 
   static Mask false_mask() { return Pack(1.0) < Pack(0.0); }
 
-  const LaneArrays &a;
+  const LaneArrays a;
   std::size_t first_;
-  Pack h_, growth_, falls_, falling_, end_;
+  Pack h_, growth_, falls_, falling_, end_, passed_;
   Mask trying_, locating_, unclear_;
 };
 
 template <class Pack> void fly_lanes(const LaneArrays &arrays) {
+  constexpr std::size_t n_packs = n_lanes / Pack::width;
   bool ended = false;
   while (!ended)
-    for (std::size_t first = 0; first < n_lanes; first += Pack::width)
-      ended = LaneMachine<Pack>(arrays, first).advance() || ended;
+    for (std::size_t i = 0; i < n_packs; ++i)
+      ended = LaneMachine<Pack>(arrays, i * Pack::width).advance() || ended;
 }
 
 } // namespace vibroimpact::flight_arithmetic

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vibroimpact {
 
@@ -177,6 +178,23 @@ double StepView::force(std::size_t contact, const ContactCurves &curves, double 
 
 double StepView::force(std::size_t contact, double tau) const {
   return force(contact, contact_curves(contact), tau);
+}
+
+Observers::Observers(std::vector<Observer *> list) : list_(std::move(list)) {
+  for (Observer *observer : list_) {
+    watchers_.push_back(observer->flight_watcher());
+    all_fly_ = all_fly_ && watchers_.back();
+  }
+}
+
+void Observers::watch(const Equations &equations, std::vector<WatchedForm> &forms) {
+  for (FlightWatcher *watcher : watchers_)
+    watcher->watch(equations, forms);
+}
+
+void Observers::flown(const Equations &equations, double start, double end) {
+  for (FlightWatcher *watcher : watchers_)
+    watcher->flown(equations, start, end);
 }
 
 } // namespace vibroimpact

@@ -3,6 +3,7 @@
 
 #include "integration/bernstein.h"
 #include "integration/equations.h"
+#include "integration/flight_watcher.h"
 
 #include <vector>
 
@@ -99,12 +100,15 @@ public:
   virtual ~Observer() = default;
   virtual void step(const StepView &view) = 0;
   virtual void event(const ContactEvent & /*event*/) {}
+  /// What it wants to see of a motion that is not stepped but flies; its events are told all the
+  /// same. None: it must see every step.
+  virtual FlightWatcher *flight_watcher() { return nullptr; }
 };
 
 /// Passes everything on to several observers.
-class Observers : public Observer {
+class Observers : public Observer, private FlightWatcher {
 public:
-  explicit Observers(std::vector<Observer *> list) : list_(std::move(list)) {}
+  explicit Observers(std::vector<Observer *> list);
   void step(const StepView &view) override {
     for (Observer *observer : list_)
       observer->step(view);
@@ -113,9 +117,15 @@ public:
     for (Observer *observer : list_)
       observer->event(event);
   }
+  FlightWatcher *flight_watcher() override { return all_fly_ ? this : nullptr; }
 
 private:
+  void watch(const Equations &equations, std::vector<WatchedForm> &forms) override;
+  void flown(const Equations &equations, double start, double end) override;
+
   std::vector<Observer *> list_;
+  std::vector<FlightWatcher *> watchers_;
+  bool all_fly_ = true;
 };
 
 } // namespace vibroimpact

@@ -258,14 +258,14 @@ bool Trajectory::locate(Crossing &crossing) {
                        " s could not be located to the event tolerance");
 }
 
-void Trajectory::change_mode(std::size_t contact, std::size_t guard, Vector &state,
+void Trajectory::change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
                              Observer &observer) {
   const Guard &passed = guard_of(equations_, contact, guard);
   const ContactPair &pair = equations_.contacts().pairs()[contact];
   const LocalState local =
-      equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
+      equations_.local_state(contact, instant, ConstVectorView(state.data(), state.size()));
   const Vector before = state;
-  ContactEvent event{.time = time(),
+  ContactEvent event{.time = instant,
                      .contact = contact,
                      .from = equations_.modes()[contact],
                      .to = passed.target,
@@ -312,7 +312,7 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
   Vector state = steppers_.present().state();
   // A copy: the mode it belongs to is about to be left.
   const AffineForm passed = guard_of(equations_, first.contact, first.guard).indicator;
-  change_mode(first.contact, first.guard, state, observer);
+  change_mode(time(), first.contact, first.guard, state, observer);
   begin_phase(time(), state);
   std::erase_if(zero_at_start_,
                 [&](const ZeroGuard &zero) { return zero.contact == first.contact; });
@@ -380,16 +380,23 @@ void Trajectory::advance(double end) {
   integrate(end, nobody);
 }
 
-// Goes on unwatched as far as that is clear. A guard that has just been zero is left to a step.
-bool Trajectory::fly(double limit) {
-  if (watched_ || !flight_ || !zero_at_start_.empty())
+// Goes on without steps as far as that is clear, and as all who watch can do without them. A guard
+// that has just been zero is left to a step.
+bool Trajectory::fly(double limit, Observer &observer) {
+  if (!flight_ || !zero_at_start_.empty() || (watched_ && !observer.flight_watcher()))
     return false;
   double instant = time();
   Vector state = steppers_.present().state();
-  const bool moved = flight_->fly(instant, state, limit);
+  const long events_before = events_;
+  const FlightCompany company{
+      .watcher = observer.flight_watcher(),
+      .change = [&](double when, std::size_t contact, std::size_t guard, Vector &changed) {
+        change_mode(when, contact, guard, changed, observer);
+      }};
+  const bool moved = flight_->fly(instant, state, limit, watched_ ? &company : nullptr);
   const UnwatchedFlight::Tally tally = flight_->take_tally();
   steps_ += tally.pieces;
-  events_ += tally.events;
+  events_ = events_before + tally.events;
   event_residual_ = std::max(event_residual_, tally.event_residual);
   last_event_time_ = std::max(last_event_time_, flight_->last_event());
   if (!moved)
@@ -417,7 +424,7 @@ void Trajectory::integrate(double end, Observer &observer) {
       throw NumericalError("more than " + std::to_string(settings_.maximum_steps) +
                            " steps (Maximum steps)");
     const double limit = std::min(end, equations_.source_break());
-    if (fly(limit))
+    if (fly(limit, observer))
       continue;
     if (flown_)
       take_over();

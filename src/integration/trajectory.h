@@ -90,7 +90,7 @@ private:
   Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
   void begin_phase(double time, const Vector &state);
   void integrate(double end, Observer &observer);
-  bool fly(double limit);
+  bool fly(double limit, Observer &observer);
   void take_over();
   void begin_balance();
   bool at_source_break() const;
@@ -109,7 +109,8 @@ private:
   void change_modes(const Crossing &first, Observer &observer);
   void collide(std::size_t first, Observer &observer);
   void note_zero_guards(const Crossing &crossing, const AffineForm &passed, const Vector &state);
-  void change_mode(std::size_t contact, std::size_t guard, Vector &state, Observer &observer);
+  void change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
+                   Observer &observer);
   StepView view() const;
   double time_tolerance() const;
   double energy_threshold() const;

@@ -142,6 +142,58 @@ bool UnwatchedFlight::take_off(double time, const Vector &state) {
   return true;
 }
 
+// Makes what it takes to watch a phase, the modes of the equations being its. False: its energies
+// cannot be told in closed form.
+bool UnwatchedFlight::prepare_watch(KnownPhase &known) {
+  if (!known.ledger)
+    known.ledger = std::make_unique<FlightLedger>(equations_, known.phase->basis());
+  if (!known.ledger->known())
+    return false;
+  if (known.watcher != company_->watcher->identity()) {
+    std::vector<WatchedForm> forms;
+    company_->watcher->watch(equations_, forms);
+    known.watched = std::make_unique<WatchedSums>(forms, known.phase->basis());
+    known.watcher = company_->watcher->identity();
+  }
+  return true;
+}
+
+// A stretch is a part of a phase that is told as a whole.
+bool UnwatchedFlight::begin_stretch(double time) {
+  if (!company_) {
+    kernel_.watch(nullptr);
+    return true;
+  }
+  if (!prepare_watch(*known_))
+    return false;
+  kernel_.watch(known_->watched.get());
+  stretch_ = kernel_.amplitudes();
+  stretch_start_ = time;
+  return true;
+}
+
+void UnwatchedFlight::end_stretch(double time, const Amplitudes &amplitudes) {
+  if (!company_ || time <= stretch_start_)
+    return;
+  known_->ledger->add(stretch_, amplitudes, time - stretch_start_, *state_);
+  company_->watcher->flown(equations_, stretch_start_, time);
+}
+
+// Tells of a contact change, which takes the equations to the modes after it. False, and nothing
+// happens: the phase to come cannot be watched.
+bool UnwatchedFlight::tell_change(double time, const FlightPhase &next) {
+  set_modes(next.contact_modes(), equations_);
+  const bool prepared = prepare_watch(phases_.at(equations_.modes()));
+  set_modes(known_->phase->contact_modes(), equations_);
+  if (!prepared)
+    return false;
+  const FlightGuard &passed = known_->phase->guards()[kernel_.guard()];
+  end_stretch(time, kernel_.amplitudes_at_guard());
+  state_->head(known_->phase->size()) = rows_.head(known_->phase->size());
+  company_->change(time, passed.contact, passed.guard, *state_);
+  return true;
+}
+
 // The new phase's guards of the contact that changed may be zero, and must rise then; all others
 // must be positive beyond doubt.
 bool UnwatchedFlight::begin_guards(const Transition &transition, std::size_t passed) {
@@ -183,7 +235,7 @@ bool UnwatchedFlight::change_phase() {
   set_inputs(time, *next->target, amplitudes_);
   next->target->find_modes(physical_, amplitudes_);
   next_.start(next->target->sums(), amplitudes_);
-  if (!begin_guards(*next, passed))
+  if (!begin_guards(*next, passed) || (company_ && !tell_change(time, *next->target)))
     return false;
   tally_.event_residual = std::max(tally_.event_residual, kernel_.residual());
   ++tally_.events;
@@ -191,20 +243,26 @@ bool UnwatchedFlight::change_phase() {
   set_modes(next->target->contact_modes(), equations_);
   known_ = &phases_.at(equations_.modes());
   std::swap(kernel_, next_);
+  begin_stretch(time);
   return true;
 }
 
 void UnwatchedFlight::land(double time, Vector &state) {
+  end_stretch(time, kernel_.amplitudes());
   known_->phase->rows(kernel_.amplitudes(), rows_);
   state.head(known_->phase->size()) = rows_.head(known_->phase->size());
   if (!state.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");
 }
 
-bool UnwatchedFlight::fly(double &time, Vector &state, double limit) {
-  if (!aloft_ && !take_off(time, state))
+bool UnwatchedFlight::fly(double &time, Vector &state, double limit, const FlightCompany *company) {
+  company_ = company;
+  state_ = &state;
+  if ((!aloft_ && !take_off(time, state)) || !begin_stretch(time))
     return false;
   const double from = time;
+  if (company_)
+    limit = std::min(limit, from + known_->ledger->longest());
   FlightKernel::End end = FlightKernel::End::guard;
   while (end == FlightKernel::End::guard) {
     const long before = kernel_.pieces();

@@ -1,5 +1,5 @@
-// A motion over any number of contact changes that nobody watches, as settling is: linear phases of
-// the flight kernel strung together.
+// A motion over any number of contact changes: linear phases of the flight kernel strung together.
+// Who watches it sees the extreme values of what is linear in the motion, and every contact change.
 //
 // Only what is clear is done here. Where the kernel cannot prove what happens, where contacts
 // change together or at once again, where a guard starts on the edge or a phase is not made of
@@ -8,14 +8,23 @@
 #pragma once
 
 #include "integration/flight_kernel.h"
+#include "integration/flight_ledger.h"
 #include "integration/flight_phase.h"
 #include "integration/flight_stepper.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
 
 namespace vibroimpact {
+
+/// Who watches a flight, and does what a contact change takes: `state` is that just before, with
+/// its ledger, in the modes before; the change is that of `contact` through `guard`.
+struct FlightCompany {
+  FlightWatcher *watcher = nullptr;
+  std::function<void(double time, std::size_t contact, std::size_t guard, Vector &state)> change;
+};
 
 class UnwatchedFlight {
 public:
@@ -34,9 +43,9 @@ public:
   void leave() { aloft_ = false; }
 
   /// Flies on from (time, state) in the present modes of the equations, to `limit` (no later than
-  /// the next break of the sources) at most. True when that moved the motion on; the entries of the
-  /// ledger stay as they are.
-  bool fly(double &time, Vector &state, double limit);
+  /// the next break of the sources) at most. True when that moved the motion on. Without company
+  /// the entries of the ledger stay as they are.
+  bool fly(double &time, Vector &state, double limit, const FlightCompany *company = nullptr);
   /// Of all flights so far; add up and clear.
   Tally take_tally();
   double last_event() const { return last_event_; }
@@ -49,12 +58,19 @@ private:
   struct KnownPhase {
     std::unique_ptr<FlightPhase> phase; ///< none: not made of exponentials
     std::vector<std::unique_ptr<Transition>> transitions;
+    std::unique_ptr<FlightLedger> ledger; ///< made when first watched
+    std::unique_ptr<WatchedSums> watched; ///< for that watcher
+    long watcher = -1;
   };
 
   bool take_off(double time, const Vector &state);
   bool same_inputs() const;
   KnownPhase &known_phase();
   const Transition *transition(std::size_t guard);
+  bool prepare_watch(KnownPhase &known);
+  bool begin_stretch(double time);
+  void end_stretch(double time, const Amplitudes &amplitudes);
+  bool tell_change(double time, const FlightPhase &next);
   void set_inputs(double time, const FlightPhase &phase, Amplitudes &amplitudes) const;
   bool change_phase();
   bool begin_guards(const Transition &transition, std::size_t passed);
@@ -74,6 +90,10 @@ private:
   double last_event_;
   bool aloft_ = false;
   Tally tally_;
+  const FlightCompany *company_ = nullptr; ///< of the present flight
+  Vector *state_ = nullptr;                ///< of the present flight
+  Amplitudes stretch_;                     ///< at its start
+  double stretch_start_ = 0;
 };
 
 } // namespace vibroimpact

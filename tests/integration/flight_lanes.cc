@@ -180,7 +180,7 @@ TEST_P(FlightLanesTest, AFailingNeighbour) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Units, FlightLanesTest,
-                         testing::Values(VectorUnit::none, VectorUnit::sse2, VectorUnit::avx,
+                         testing::Values(VectorUnit::none, VectorUnit::sse2, VectorUnit::avx2,
                                          VectorUnit::avx512));
 
 } // namespace

@@ -3,8 +3,7 @@
 #include "analyses/fields.h"
 #include "integration/impact_log.h"
 
-#include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace vibroimpact {
 
@@ -25,27 +24,6 @@ void add_bounds(PointResult &result, const WatchedQuantity &quantity, const Exte
 
 } // namespace
 
-void Extent::include(double value) {
-  minimum = std::min(minimum, value);
-  maximum = std::max(maximum, value);
-}
-
-// Most steps stay within what was seen before, as their coefficients tell at once.
-void Extent::include(const Bernstein &polynomial) {
-  if (polynomial.lower_bound() < minimum)
-    minimum = std::min(minimum, polynomial.minimum());
-  Bernstein negative = polynomial;
-  negative *= -1;
-  if (-negative.lower_bound() > maximum)
-    maximum = std::max(maximum, polynomial.maximum());
-}
-
-double Extent::peak_to_peak() const { return maximum >= minimum ? maximum - minimum : nan; }
-
-double Extent::peak() const {
-  return maximum >= minimum ? std::max(std::abs(minimum), std::abs(maximum)) : nan;
-}
-
 void add_extent(PointResult &result, const WatchedQuantity &quantity, const Extent &extent) {
   result.fields.push_back(scalar_field(quantity.path + "/peak_to_peak_excursion",
                                        extent.peak_to_peak(), quantity.unit,
@@ -59,8 +37,11 @@ void add_extent(PointResult &result, const WatchedQuantity &quantity, const Exte
 Excursions::Excursions(const WatchedSelection &selection, const System &system)
     : contacts_(system.contacts), quantities_(watched_quantities(selection, system)),
       extents_(quantities_.size()) {
+  // A contact that stays open has the largest force zero.
   if (selection.has("normal_force"))
-    largest_force_.resize(contacts_.size(), 0);
+    forces_.resize(contacts_.size(), {.minimum = 0, .maximum = 0});
+  for (const WatchedQuantity &quantity : quantities_)
+    linear_ = linear_ && quantity.form;
 }
 
 void Excursions::declare(parameters::Section &analysis) {
@@ -80,9 +61,17 @@ RecorderFactory Excursions::create(const parameters::Values &analysis) {
 void Excursions::step(const StepView &view) {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     extents_[i].include(quantities_[i].curve(view));
-  for (std::size_t c = 0; c < largest_force_.size(); ++c)
+  for (std::size_t c = 0; c < forces_.size(); ++c)
     if (in_contact(view, c))
-      largest_force_[c] = std::max(largest_force_[c], peak_force(view, c));
+      forces_[c].include(peak_force(view, c));
+}
+
+void Excursions::watch(const Equations &equations, std::vector<WatchedForm> &forms) {
+  for (std::size_t i = 0; i < quantities_.size(); ++i)
+    forms.push_back(quantities_[i].form(equations, extents_[i]));
+  for (std::size_t c = 0; c < forces_.size(); ++c)
+    if (const Mode &mode = equations.mode(c); mode.in_contact)
+      forms.push_back(watched_contact(equations, c, mode.affine->force, forces_[c]));
 }
 
 void Excursions::add_fields(PointResult &result) const {
@@ -91,10 +80,10 @@ void Excursions::add_fields(PointResult &result) const {
       add_bounds(result, quantities_[i], extents_[i]);
     else
       add_extent(result, quantities_[i], extents_[i]);
-  for (std::size_t c = 0; c < largest_force_.size(); ++c)
+  for (std::size_t c = 0; c < forces_.size(); ++c)
     result.fields.push_back(
         scalar_field("contact/" + contacts_.pairs()[c].name + "/normal_force/maximum",
-                     largest_force_[c], "N", "largest normal force in the recorded window"));
+                     forces_[c].maximum, "N", "largest normal force in the recorded window"));
 }
 
 } // namespace vibroimpact

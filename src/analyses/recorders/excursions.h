@@ -3,29 +3,16 @@
 
 #include "analyses/recorder.h"
 #include "analyses/recorders/watched_quantities.h"
+#include "integration/extent.h"
 
-#include <limits>
 #include <vector>
 
 namespace vibroimpact {
 
-/// Smallest and largest value seen.
-struct Extent {
-  double minimum = std::numeric_limits<double>::infinity();
-  double maximum = -std::numeric_limits<double>::infinity();
-
-  void include(const Bernstein &polynomial);
-  void include(double value);
-  /// maximum - minimum; NaN when nothing was seen.
-  double peak_to_peak() const;
-  /// Largest absolute value; NaN when nothing was seen.
-  double peak() const;
-};
-
 /// PATH/peak_to_peak_excursion, /peak_excursion, /minimum, /maximum of a quantity as scalar fields.
 void add_extent(PointResult &result, const WatchedQuantity &quantity, const Extent &extent);
 
-class Excursions : public Recorder {
+class Excursions : public Recorder, private FlightWatcher {
 public:
   Excursions(const WatchedSelection &selection, const System &system);
 
@@ -33,15 +20,20 @@ public:
   static RecorderFactory create(const parameters::Values &analysis);
 
   void step(const StepView &view) override;
+  /// None where something that is watched is not linear in the motion.
+  FlightWatcher *flight_watcher() override { return linear_ ? this : nullptr; }
   /// Extreme values of every quantity watched; of gaps only minimum and maximum, of contact forces
   /// only the maximum.
   void add_fields(PointResult &result) const override;
 
 private:
+  void watch(const Equations &equations, std::vector<WatchedForm> &forms) override;
+
   const ContactSet &contacts_;
   std::vector<WatchedQuantity> quantities_;
   std::vector<Extent> extents_;
-  std::vector<double> largest_force_; ///< per contact; empty when not watched
+  std::vector<Extent> forces_; ///< per contact; empty when not watched
+  bool linear_ = true;
 };
 
 } // namespace vibroimpact

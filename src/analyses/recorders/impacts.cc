@@ -55,6 +55,17 @@ void Impacts::step(const StepView &view) {
       time_in_contact_[c] += view.length();
 }
 
+void Impacts::watch(const Equations &equations, std::vector<WatchedForm> &forms) {
+  log_.flight_watcher()->watch(equations, forms);
+}
+
+void Impacts::flown(const Equations &equations, double start, double end) {
+  log_.flight_watcher()->flown(equations, start, end);
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    if (equations.mode(c).in_contact)
+      time_in_contact_[c] += end - start;
+}
+
 void Impacts::event(const ContactEvent &event) {
   log_.event(event);
   if (event.onset)

@@ -12,7 +12,7 @@
 
 namespace vibroimpact {
 
-class Impacts : public Recorder {
+class Impacts : public Recorder, private FlightWatcher {
 public:
   explicit Impacts(const System &system);
 
@@ -22,12 +22,16 @@ public:
   void begin(const Window &window, const Trajectory &trajectory) override;
   void step(const StepView &view) override;
   void event(const ContactEvent &event) override;
+  FlightWatcher *flight_watcher() override { return this; }
   /// For every contact C: contact/C/impacts, /impacts_per_period (where the window has periods),
   /// /contact_fraction, /chatters, and mean, minimum and maximum of /approach_speed, /impulse,
   /// /peak_force, /contact_duration, /penetration; these are NaN without an impact.
   void add_fields(PointResult &result) const override;
 
 private:
+  void watch(const Equations &equations, std::vector<WatchedForm> &forms) override;
+  void flown(const Equations &equations, double start, double end) override;
+
   const ContactSet &contacts_;
   Window window_;
   ImpactLog log_;

@@ -33,39 +33,60 @@ void add_channel(const Channel &channel, std::vector<WatchedQuantity> &list) {
   const std::string base = "point/" + channel.point + "/";
   const std::string along = std::string(" along ") + channel.axis;
   const std::string axis = std::string("_") + channel.axis;
-  list.push_back({base + "displacement" + axis, "displacement", "m",
-                  "displacement relative to the base" + along,
-                  [row = channel.relative](const StepView &v) { return v.displacement(row); }});
+  const Projection &relative = channel.relative;
+  const Projection &absolute = channel.absolute;
+  list.push_back(
+      {base + "displacement" + axis, "displacement", "m",
+       "displacement relative to the base" + along,
+       [relative](const StepView &v) { return v.displacement(relative); },
+       [relative](const Equations &e, Extent &x) { return watched_displacement(e, relative, x); }});
   if (channel.carried())
     list.push_back({base + "absolute_displacement" + axis, "absolute_displacement", "m",
                     "displacement in space" + along,
-                    [row = channel.absolute](const StepView &v) { return v.displacement(row); }});
-  list.push_back({base + "velocity" + axis, "velocity", "m/s",
-                  "velocity relative to the base" + along,
-                  [row = channel.relative](const StepView &v) { return v.velocity(row); }});
-  list.push_back({base + "acceleration" + axis, "acceleration", "m/s^2",
-                  "absolute acceleration" + along,
-                  [row = channel.absolute](const StepView &v) { return v.acceleration(row); }});
+                    [absolute](const StepView &v) { return v.displacement(absolute); },
+                    [absolute](const Equations &e, Extent &x) {
+                      return watched_displacement(e, absolute, x);
+                    }});
+  list.push_back(
+      {base + "velocity" + axis, "velocity", "m/s", "velocity relative to the base" + along,
+       [relative](const StepView &v) { return v.velocity(relative); },
+       [relative](const Equations &e, Extent &x) { return watched_velocity(e, relative, x); }});
+  list.push_back(
+      {base + "acceleration" + axis, "acceleration", "m/s^2", "absolute acceleration" + along,
+       [absolute](const StepView &v) { return v.acceleration(absolute); },
+       [absolute](const Equations &e, Extent &x) { return watched_acceleration(e, absolute, x); }});
+}
+
+void add_internal(const std::string &path, const InternalState &state, Index place, double offset,
+                  std::vector<WatchedQuantity> &list) {
+  list.push_back({path, "stop", state.unit, state.description,
+                  [place, offset](const StepView &v) {
+                    Bernstein curve = v.internal(place);
+                    curve += offset;
+                    return curve;
+                  },
+                  [place, offset](const Equations &e, Extent &x) {
+                    return watched_state(e, e.layout().internal() + place, offset, x);
+                  }});
 }
 
 void add_contact(const ContactPair &pair, std::size_t contact, std::vector<WatchedQuantity> &list) {
   const std::string base = "contact/" + pair.name + "/";
   list.push_back({base + "gap", "gap", "m", "gap, > 0 open",
-                  [contact](const StepView &v) { return v.gap(contact); }});
+                  [contact](const StepView &v) { return v.gap(contact); },
+                  [contact](const Equations &e, Extent &x) {
+                    return watched_contact(e, contact, {.gap = 1}, x);
+                  }});
   const std::vector<InternalState> states = pair.law->internal_states();
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Index place = pair.internal_offset + static_cast<Index>(i);
-    list.push_back({base + "internal/" + states[i].name, "stop", states[i].unit,
-                    states[i].description,
-                    [place](const StepView &v) { return v.internal(place); }});
+    add_internal(base + "internal/" + states[i].name, states[i], place, 0, list);
     if (states[i].name == "stop_deformation")
-      list.push_back({base + "stop_position", "stop", "m",
-                      "distance of the stop's end from the undeformed other side",
-                      [place, clearance = pair.clearance](const StepView &v) {
-                        Bernstein position = v.internal(place);
-                        position += clearance;
-                        return position;
-                      }});
+      add_internal(base + "stop_position",
+                   {.name = "",
+                    .unit = "m",
+                    .description = "distance of the stop's end from the undeformed other side"},
+                   place, pair.clearance, list);
   }
 }
 

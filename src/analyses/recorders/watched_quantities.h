@@ -21,6 +21,8 @@ struct WatchedQuantity {
   std::string unit;
   std::string meaning; ///< "displacement relative to the base along x"
   std::function<Bernstein(const StepView &view)> curve;
+  /// The same where it is linear in the motion; none where it is not.
+  std::function<WatchedForm(const Equations &equations, Extent &extent)> form{};
 };
 
 /// What a recorder watches, by name; empty lists mean everything.

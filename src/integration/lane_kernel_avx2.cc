@@ -61,7 +61,7 @@ inline void sine_cosine(Pack4 a, Pack4 &sine, Pack4 &cosine) {
 
 namespace vibroimpact {
 
-void fly_lanes_avx(const LaneArrays &arrays) {
+void fly_lanes_avx2(const LaneArrays &arrays) {
   flight_arithmetic::fly_lanes<flight_arithmetic::Pack4>(arrays);
 }
 

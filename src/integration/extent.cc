@@ -1,0 +1,33 @@
+#include "integration/extent.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibroimpact {
+
+namespace {
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+}
+
+void Extent::include(double value) {
+  minimum = std::min(minimum, value);
+  maximum = std::max(maximum, value);
+}
+
+// Most steps stay within what was seen before, as their coefficients tell at once.
+void Extent::include(const Bernstein &polynomial) {
+  if (polynomial.lower_bound() < minimum)
+    minimum = std::min(minimum, polynomial.minimum());
+  Bernstein negative = polynomial;
+  negative *= -1;
+  if (-negative.lower_bound() > maximum)
+    maximum = std::max(maximum, polynomial.maximum());
+}
+
+double Extent::peak_to_peak() const { return maximum >= minimum ? maximum - minimum : nan; }
+
+double Extent::peak() const {
+  return maximum >= minimum ? std::max(std::abs(minimum), std::abs(maximum)) : nan;
+}
+
+} // namespace vibroimpact

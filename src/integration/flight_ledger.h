@@ -1,0 +1,71 @@
+// Energies and impulses of a stretch of a linear phase in closed form.
+//
+// All powers are sums of products of two linear forms of the motion, so that with z the
+// exponentials of the phase, their conjugates and 1 a power is the sum over i <= j of
+// q_ij z_i z_j, and
+//
+//   integral of z_i z_j over h = [z_i z_j] / (e_i + e_j)         ([] = end - start)
+//
+// Where e_i + e_j is next to zero that is lost in rounding, and the integral is taken from both
+// ends by the trapezoidal rule with its first correction, which is exact to (|e_i + e_j| h)^4 /
+// 720.
+#pragma once
+
+#include "integration/exponential_basis.h"
+#include "integration/guard_forms.h"
+#include "integration/guard_sums.h"
+
+#include <vector>
+
+namespace vibroimpact {
+
+class FlightLedger {
+public:
+  /// For the present modes of the equations.
+  FlightLedger(const Equations &equations, const ExponentialBasis &basis);
+
+  /// False when some law dissipates in another way than by a quadratic form of its local state.
+  bool known() const { return known_; }
+  /// The longest stretch that is integrated to rounding [s].
+  double longest() const { return longest_; }
+
+  /// Adds the integrals over a stretch of length h to the ledger in `state`. In place of the
+  /// integral of |power| stands the absolute value of the integral, which is never larger.
+  void add(const Amplitudes &start, const Amplitudes &end, double h, Vector &state);
+
+private:
+  struct Pair {
+    std::size_t first = 0, second = 0;
+    Complex sum;          ///< e_first + e_second
+    Complex inverse;      ///< of the sum; of a slow pair 0
+    bool is_slow = false; ///< by the trapezoidal rule
+  };
+  struct Entry {
+    Index place = 0;                   ///< in the state
+    std::vector<Complex> coefficients; ///< of the pairs
+  };
+
+  void list_exponents(const ExponentialBasis &basis);
+  double slowest_vibration() const;
+  void list_pairs();
+  ComplexVector seen(const LinearRow &form, const ExponentialBasis &basis) const;
+  Entry &entry(Index place);
+  void add_product(double factor, const ComplexVector &a, const ComplexVector &b, Index place);
+  void add_loads(const Equations &equations, const ExponentialBasis &basis);
+  void add_damping(const Equations &equations, const ExponentialBasis &basis);
+  void add_contact(const Equations &equations, const ExponentialBasis &basis, std::size_t contact);
+  void add_dissipation(const Equations &equations, const ExponentialBasis &basis,
+                       std::size_t contact);
+  void exponentials(const Amplitudes &amplitudes, std::vector<Complex> &z) const;
+
+  bool known_ = true;
+  double longest_ = 0;
+  Index input_work_ = 0, absolute_input_work_ = 0;
+  std::vector<bool> is_pair_;      // of the groups
+  std::vector<Complex> exponents_; // of z
+  std::vector<Pair> pairs_;
+  std::vector<Entry> entries_;
+  std::vector<Complex> start_, end_, integrals_;
+};
+
+} // namespace vibroimpact

@@ -1,0 +1,111 @@
+// The same window recorded in flight, in closed form, and step by step: the same excursions,
+// impacts and energies.
+#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/impacts.h"
+#include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/linear_penalty.h"
+#include "contact/laws/piecewise_stop.h"
+#include "contact/laws/relaxing_stop.h"
+#include "support/recorded_windows.h"
+#include "support/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace vibroimpact {
+namespace {
+
+struct Recorded {
+  PointResult result;
+  Accuracy accuracy;
+  Vector state; ///< with the ledger
+};
+
+// A mass between two stops on a shaken base.
+System between_stops(const std::shared_ptr<const ContactLaw> &law, double frequency) {
+  Model model({testing::single_mass("mass", 2, 3, 0.4)});
+  model.add_base_motion("base", std::make_shared<Harmonic>(Given::acceleration, 0.3, frequency, 0),
+                        {0}, Vector3::UnitX());
+  ContactPair right = testing::contact_along_x(model, "mass.head", "", 0.2, law);
+  ContactPair left = testing::contact_along_x(model, "mass.head", "", 0.3, law);
+  right.name = "right";
+  left.name = "left";
+  left.gap.row *= -1;
+  for (double &carrier : left.gap.carrier)
+    carrier *= -1;
+  return testing::system_of(std::move(model), ContactSet({right, left}));
+}
+
+// Five settling periods, six recorded ones. Nobody must see steps for them to be taken.
+Recorded record(const System &system, double frequency, bool by_steps) {
+  const double period = 2 * std::numbers::pi / frequency;
+  Trajectory trajectory(system.model, system.contacts, system.integration);
+  trajectory.start(0, system.initial.displacement, system.initial.velocity);
+  trajectory.advance(5 * period);
+  WindowRecording recording(
+      {[](const System &s) { return std::make_unique<Excursions>(WatchedSelection{}, s); },
+       [](const System &s) { return std::make_unique<Impacts>(s); }},
+      system);
+  testing::Nobody nobody;
+  Observers flying({});
+  Observer &also = by_steps ? static_cast<Observer &>(nobody) : flying;
+  recording.run(periods_window(5 * period, period, 6), trajectory, also);
+  Recorded recorded{.result = {}, .accuracy = trajectory.accuracy(), .state = trajectory.state()};
+  recording.add_fields(recorded.result);
+  return recorded;
+}
+
+void compare(const std::shared_ptr<const ContactLaw> &law, double frequency) {
+  const System system = between_stops(law, frequency);
+  const Recorded flown = record(system, frequency, false);
+  const Recorded stepped = record(system, frequency, true);
+  const std::string where = law->name() + " at " + std::to_string(frequency) + " rad/s: ";
+  EXPECT_EQ(flown.accuracy.events, stepped.accuracy.events) << where;
+  EXPECT_LT(flown.accuracy.energy_residual, 1e-11) << where;
+  EXPECT_LT(stepped.accuracy.energy_residual, 1e-10) << where;
+
+  ASSERT_EQ(flown.result.fields.size(), stepped.result.fields.size()) << where;
+  for (std::size_t i = 0; i < flown.result.fields.size(); ++i) {
+    const Field &one = flown.result.fields[i];
+    const Field &other = stepped.result.fields[i];
+    ASSERT_EQ(one.name, other.name) << where;
+    if (std::isnan(other.values[0]))
+      EXPECT_TRUE(std::isnan(one.values[0])) << where << one.name;
+    else
+      EXPECT_NEAR(one.values[0], other.values[0], 1e-8 * (1 + std::abs(other.values[0])))
+          << where << one.name;
+  }
+
+  const StateLayout layout = Equations(system.model, system.contacts).layout();
+  const double turnover = stepped.state[layout.absolute_input_work()];
+  for (Index entry = 0; entry < layout.size(); ++entry)
+    if (entry != layout.absolute_input_work())
+      EXPECT_NEAR(flown.state[entry], stepped.state[entry], 1e-9 * (1 + turnover))
+          << where << "entry " << entry;
+  EXPECT_LE(flown.state[layout.absolute_input_work()], turnover * (1 + 1e-9)) << where;
+}
+
+TEST(FlownWindowsTest, AreTheSteppedOnes) {
+  for (const auto &law : std::vector<std::shared_ptr<const ContactLaw>>{
+           std::make_shared<LinearPenalty>(20), std::make_shared<KelvinVoigt>(5, 0.4),
+           std::make_shared<PiecewiseStop>(8, 0.5), std::make_shared<RelaxingStop>(10, 1),
+           std::make_shared<RelaxingStop>(0.5, 1)})
+    for (const double frequency : {0.3, 0.8, 1.2, 1.5, 2.1, 4.0})
+      compare(law, frequency);
+}
+
+// Flights take far fewer pieces than steps would be; a recorder that must see steps takes them.
+TEST(FlownWindowsTest, AreTakenByThoseWhoCan) {
+  const System system = between_stops(std::make_shared<LinearPenalty>(20), 1.2);
+  const Excursions excursions(WatchedSelection{}, system);
+  Observers none({});
+  testing::Nobody nobody;
+  Observers one({&nobody});
+  EXPECT_NE(none.flight_watcher(), nullptr);
+  EXPECT_EQ(one.flight_watcher(), nullptr);
+}
+
+} // namespace
+} // namespace vibroimpact
