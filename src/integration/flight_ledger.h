@@ -12,8 +12,8 @@
 #pragma once
 
 #include "integration/exponential_basis.h"
-#include "integration/guard_forms.h"
 #include "integration/guard_sums.h"
+#include "integration/phase_forms.h"
 
 #include <vector>
 
@@ -21,11 +21,9 @@ namespace vibroimpact {
 
 class FlightLedger {
 public:
-  /// For the present modes of the equations.
-  FlightLedger(const Equations &equations, const ExponentialBasis &basis);
+  /// For a phase with these powers, made of these exponentials.
+  FlightLedger(const PowerForms &powers, const ExponentialBasis &basis, const StateLayout &layout);
 
-  /// False when some law dissipates in another way than by a quadratic form of its local state.
-  bool known() const { return known_; }
   /// The longest stretch that is integrated to rounding [s].
   double longest() const { return longest_; }
 
@@ -40,31 +38,21 @@ private:
     Complex inverse;      ///< of the sum; of a slow pair 0
     bool is_slow = false; ///< by the trapezoidal rule
   };
-  struct Entry {
-    Index place = 0;                   ///< in the state
-    std::vector<Complex> coefficients; ///< of the pairs
-  };
 
   void list_exponents(const ExponentialBasis &basis);
   double slowest_vibration() const;
   void list_pairs();
-  ComplexVector seen(const LinearRow &form, const ExponentialBasis &basis) const;
-  Entry &entry(Index place);
-  void add_product(double factor, const ComplexVector &a, const ComplexVector &b, Index place);
-  void add_loads(const Equations &equations, const ExponentialBasis &basis);
-  void add_damping(const Equations &equations, const ExponentialBasis &basis);
-  void add_contact(const Equations &equations, const ExponentialBasis &basis, std::size_t contact);
-  void add_dissipation(const Equations &equations, const ExponentialBasis &basis,
-                       std::size_t contact);
+  void add_products(const PowerForms &powers, const ExponentialBasis &basis);
+  std::size_t place_of(Index entry);
   void exponentials(const Amplitudes &amplitudes, std::vector<Complex> &z) const;
 
-  bool known_ = true;
   double longest_ = 0;
   Index input_work_ = 0, absolute_input_work_ = 0;
   std::vector<bool> is_pair_;      // of the groups
   std::vector<Complex> exponents_; // of z
   std::vector<Pair> pairs_;
-  std::vector<Entry> entries_;
+  std::vector<Index> entries_;        // of the state
+  std::vector<Complex> coefficients_; // entries x pairs
   std::vector<Complex> start_, end_, integrals_;
 };
 

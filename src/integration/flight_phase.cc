@@ -4,18 +4,16 @@
 
 namespace vibroimpact {
 
-FlightPhase::FlightPhase(const Equations &equations, ExponentialBasis basis, Matrix inverse)
-    : contact_modes_(equations.modes()), basis_(std::move(basis)), inverse_(std::move(inverse)) {
-  add_sums(equations);
-  for (std::size_t c = 0; c < contact_modes_.size(); ++c)
-    add_guards(equations, c);
+FlightPhase::FlightPhase(const PhaseForms &forms, ExponentialBasis basis, Matrix inverse)
+    : forms_(forms), basis_(std::move(basis)), inverse_(std::move(inverse)) {
+  add_sums();
 }
 
 // A row sees c Re(a) + d Im(a) = Re((c - i d) a) of a group.
-void FlightPhase::add_sums(const Equations &equations) {
+void FlightPhase::add_sums() {
   for (const ExponentialBasis::Group &group : basis_.groups)
     sums_.add_exponent(group.is_pair ? group.exponent : group.exponent.real());
-  const GuardForms forms = guard_forms(equations);
+  const GuardForms &forms = forms_.guard_forms();
   const Matrix seen = forms.rows * basis_.columns;
   const Matrix parts = forms.rows.cwiseAbs() * basis_.columns.cwiseAbs();
   std::vector<Complex> coefficients;
@@ -29,23 +27,6 @@ void FlightPhase::add_sums(const Equations &equations) {
       sizes.push_back(parts(g, group.column) + (group.is_pair ? parts(g, group.column + 1) : 0.0));
     }
     sums_.add_guard(forms.constants[g], coefficients, sizes);
-  }
-}
-
-void FlightPhase::add_guards(const Equations &equations, std::size_t contact) {
-  const ContactPair &pair = equations.contacts().pairs()[contact];
-  const Mode &mode = pair.law->modes()[static_cast<std::size_t>(contact_modes_[contact])];
-  for (std::size_t g = 0; g < mode.guards.size(); ++g) {
-    const Guard &guard = mode.guards[g];
-    guards_.push_back({.contact = contact, .guard = g, .target = guard.target});
-    std::vector<Reset> &resets = resets_.emplace_back();
-    for (std::size_t i = 0; i < guard.reset.size(); ++i) {
-      LinearRow form = linear_row(equations, contact, guard.reset[i]);
-      resets.push_back(
-          {.row = equations.layout().internal() + pair.internal_offset + static_cast<Index>(i),
-           .form = std::move(form.row),
-           .constant = form.constant});
-    }
   }
 }
 
@@ -87,11 +68,6 @@ void FlightPhase::find_modes(const Vector &y, Amplitudes &amplitudes) {
     amplitudes.real[j] = modal(basis_.groups[j].column);
     amplitudes.imaginary[j] = basis_.groups[j].is_pair ? modal(basis_.groups[j].column + 1) : 0.0;
   }
-}
-
-void FlightPhase::reset(std::size_t guard, const Vector &rows, Vector &y) const {
-  for (const Reset &reset : resets_[guard])
-    y[reset.row] = reset.constant + reset.form.dot(rows.transpose());
 }
 
 } // namespace vibroimpact

@@ -38,31 +38,14 @@ FlightStepper::~FlightStepper() {
   VecDestroy(&solution_);
 }
 
-// The model may have changed between two motions.
-void FlightStepper::forget() {
-  for (CachedPhase &cached : phases_)
-    cached.checked = false;
-}
-
-// Decompositions stay where the equations are the same to the last digit.
-void FlightStepper::renew(CachedPhase &cached) const {
-  cached.checked = true;
-  if (!LinearSystem::holds(equations_))
-    cached.phase.reset();
-  else if (!cached.phase || !cached.phase->fits(equations_))
-    cached.phase = std::make_unique<LinearPhase>(equations_, tolerance_);
-}
-
 FlightStepper::CachedPhase &FlightStepper::cached_phase() {
-  const auto known = std::find_if(phases_.begin(), phases_.end(), [&](const CachedPhase &cached) {
-    return cached.modes == equations_.modes();
-  });
-  CachedPhase &cached = known != phases_.end()
-                            ? *known
-                            : phases_.emplace_back(CachedPhase{
-                                  .modes = equations_.modes(), .phase = nullptr, .checked = false});
-  if (!cached.checked)
-    renew(cached);
+  for (CachedPhase &cached : phases_)
+    if (cached.modes == equations_.modes())
+      return cached;
+  CachedPhase &cached =
+      phases_.emplace_back(CachedPhase{.modes = equations_.modes(), .phase = nullptr});
+  if (LinearSystem::holds(equations_))
+    cached.phase = std::make_unique<LinearPhase>(equations_, tolerance_);
   return cached;
 }
 

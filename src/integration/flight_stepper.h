@@ -27,7 +27,6 @@ public:
   /// modes of the contacts.
   bool handles(double time);
 
-  void forget() override;
   /// After handles(time).
   void restart(double time, const Vector &x) override;
   void step(double limit) override;
@@ -49,10 +48,8 @@ private:
   struct CachedPhase {
     std::vector<int> modes;
     std::unique_ptr<LinearPhase> phase; ///< none: not linear
-    bool checked = true;                ///< since the model may have changed
   };
   CachedPhase &cached_phase();
-  void renew(CachedPhase &cached) const;
   void fill(EndPoint &point) const;
   void take(double end);
   void propagate(double tau, ConstVectorView from, VectorView to) override;

@@ -20,21 +20,15 @@ double dense_step(double tenth_derivative, double eighth_derivative) {
 }
 
 LinearPhase::LinearPhase(const Equations &equations, const DenseTolerance &tolerance)
-    : system_(equations), guards_(guard_forms(equations)) {
+    : system_(equations) {
+  const GuardForms guards = guard_forms(equations);
   const Index n = equations.layout().n;
   if (system_.diagonalizable()) {
     modal_ = make_modal_motion(system_, n, tolerance);
-    modal_->watch(guards_);
+    modal_->watch(guards);
   }
   taylor_ = make_taylor_motion(system_, n, tolerance);
-  taylor_->watch(guards_);
-}
-
-bool LinearPhase::fits(const Equations &equations) const {
-  const GuardForms guards = guard_forms(equations);
-  return guards.rows.rows() == guards_.rows.rows() && guards.rows.cols() == guards_.rows.cols() &&
-         guards.rows == guards_.rows && guards.constants == guards_.constants &&
-         system_.fits(equations);
+  taylor_->watch(guards);
 }
 
 bool LinearPhase::describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis) {

@@ -86,12 +86,9 @@ public:
   /// See LinearMotion::describe.
   bool describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis);
   const LinearSystem &system() const { return system_; }
-  /// True when the equations are, in their present modes, still those of this phase.
-  bool fits(const Equations &equations) const;
 
 private:
   LinearSystem system_;
-  GuardForms guards_;
   std::unique_ptr<LinearMotion> modal_, taylor_;
 };
 

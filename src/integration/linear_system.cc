@@ -81,17 +81,6 @@ LinearSystem::LinearSystem(const Equations &equations) {
   decompose();
 }
 
-bool LinearSystem::fits(const Equations &equations) const {
-  LinearSystem other;
-  other.assemble(equations);
-  const auto same = [](const Load &a, const Load &b) {
-    return a.value == b.value && a.rate == b.rate && a.acceleration == b.acceleration;
-  };
-  return matrix_.rows() == other.matrix_.rows() && matrix_ == other.matrix_ &&
-         mass_ == other.mass_ && constant_ == other.constant_ &&
-         std::equal(loads_.begin(), loads_.end(), other.loads_.begin(), other.loads_.end(), same);
-}
-
 LinearSystem::HeldForces LinearSystem::held_forces(const Equations &equations) {
   LinearSystem system;
   system.assemble(equations);

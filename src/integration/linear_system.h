@@ -22,9 +22,6 @@ public:
   /// For the present modes of the equations. std::logic_error when they are not linear.
   explicit LinearSystem(const Equations &equations);
 
-  /// True when the equations, in their present modes, are the same as these to the last digit.
-  bool fits(const Equations &equations) const;
-
   /// True when the model and the present modes of all contacts are linear.
   static bool holds(const Equations &equations);
 

@@ -38,7 +38,7 @@ private:
 
   bool read_inputs(std::span<const ExponentialForm> sources);
   bool respond();
-  void add_group(Complex exponent, bool is_pair);
+  void add_group(Complex exponent, bool is_pair, Index column);
   bool add_response(const Input &input);
   void multiply(Matrix &rows) const;
   void measure_groups();
@@ -55,6 +55,7 @@ private:
   std::vector<Group> groups_; // of the modes, then of the inputs
   std::vector<Input> inputs_, responded_;
   std::vector<Complex> input_amplitudes_;
+  bool measured_ = false;
   Matrix columns_;    // rows x columns of all groups
   Matrix magnitudes_; // n + internal states + sources by groups
   Vector speeds_;     // of a unit amplitude of each group: square root of twice the kinetic energy
@@ -99,16 +100,14 @@ bool ModalMotion::read_inputs(std::span<const ExponentialForm> sources) {
   return true;
 }
 
-void ModalMotion::add_group(Complex exponent, bool is_pair) {
+void ModalMotion::add_group(Complex exponent, bool is_pair, Index column) {
   const double size = std::norm(exponent);
   const double size8 = size * size * size * size;
   groups_.push_back({.exponent = exponent,
-                     .column = columns_.cols(),
+                     .column = column,
                      .is_pair = is_pair,
                      .size10 = size8 * size,
                      .size8 = size8});
-  columns_.conservativeResize(Eigen::NoChange, columns_.cols() + (is_pair ? 2 : 1));
-  columns_.rightCols(is_pair ? 2 : 1).setZero();
 }
 
 bool ModalMotion::add_response(const Input &input) {
@@ -131,10 +130,12 @@ bool ModalMotion::add_response(const Input &input) {
     column[row + 1] = e;
     column[row + 2] = e * e;
   }
-  add_group(e, e.imag() != 0);
-  columns_.col(groups_.back().column) = column.real();
+  const Index place = columns_.cols();
+  add_group(e, e.imag() != 0, place);
+  columns_.conservativeResize(Eigen::NoChange, place + (groups_.back().is_pair ? 2 : 1));
+  columns_.col(place) = column.real();
   if (groups_.back().is_pair)
-    columns_.col(groups_.back().column + 1) = -column.imag();
+    columns_.col(place + 1) = -column.imag();
   return true;
 }
 
@@ -142,22 +143,23 @@ bool ModalMotion::add_response(const Input &input) {
 bool ModalMotion::respond() {
   const auto n_sources = static_cast<Index>(system_.loads().size());
   groups_.clear();
-  columns_ = Matrix::Zero(system_.size() + 3 * n_sources, 0);
-  for (const LinearSystem::Mode &mode : system_.modes())
-    add_group(mode.eigenvalue, mode.is_pair);
+  columns_ = Matrix::Zero(system_.size() + 3 * n_sources, system_.basis().cols());
   columns_.topRows(system_.size()) = system_.basis();
+  for (const LinearSystem::Mode &mode : system_.modes())
+    add_group(mode.eigenvalue, mode.is_pair, mode.column);
   responded_.clear();
   for (const Input &input : inputs_) {
     if (!add_response(input))
       return false;
     responded_.push_back(input);
   }
-  measure_groups();
-  watch_groups();
+  measured_ = false;
   return true;
 }
 
+// What steps need besides the columns; who only wants these described does without.
 void ModalMotion::measure_groups() {
+  measured_ = true;
   const Index size = system_.size();
   const Index n_internal = size - 2 * n_;
   const auto n_sources = static_cast<Index>(system_.loads().size());
@@ -197,6 +199,10 @@ bool ModalMotion::begin(const Vector &y, std::span<const ExponentialForm> source
     return false;
   if (inputs_ != responded_ && !respond())
     return false;
+  if (!measured_) {
+    measure_groups();
+    watch_groups();
+  }
   factors_at_ = -1;
   const std::size_t n_modes = system_.modes().size();
   initial_ = y;
@@ -343,7 +349,7 @@ double ModalMotion::quadrature_length(double start, double rest) const {
 
 void ModalMotion::watch(const GuardForms &forms) {
   watched_ = forms;
-  watch_groups();
+  measured_ = false;
 }
 
 // A row sees c Re(a) + d Im(a) = Re((c - i d) a) of a group.

@@ -27,10 +27,6 @@ void Steppers::place(double time, const Vector &x) {
   flight_->place(time, x);
 }
 
-void Steppers::forget() {
-  general_->forget();
-  if (flight_)
-    flight_->forget();
-}
+void Steppers::forget() { general_->forget(); }
 
 } // namespace vibroimpact

@@ -46,7 +46,8 @@ struct MotionState {
 
 class Trajectory {
 public:
-  /// Keeps references to the model and the contacts.
+  /// Keeps references to the model and the contacts. Of these only the frequencies of the
+  /// excitation may change, between two motions.
   Trajectory(const Model &model, const ContactSet &contacts, const IntegrationSettings &settings);
   ~Trajectory();
 

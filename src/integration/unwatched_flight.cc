@@ -44,10 +44,22 @@ UnwatchedFlight::UnwatchedFlight(Equations &equations, FlightStepper &stepper,
       last_event_(-std::numeric_limits<double>::infinity()) {}
 
 void UnwatchedFlight::forget() {
-  phases_.clear();
+  forget_exponentials();
   known_ = nullptr;
   aloft_ = false;
   last_event_ = -std::numeric_limits<double>::infinity();
+}
+
+void UnwatchedFlight::forget_exponentials() {
+  for (auto &[modes, known] : phases_) {
+    known.described = false;
+    known.phase.reset();
+    known.ledger.reset();
+    known.watched.reset();
+    for (const std::unique_ptr<Transition> &transition : known.transitions)
+      if (transition)
+        transition->change.reset();
+  }
 }
 
 double UnwatchedFlight::time_tolerance(double time) const {
@@ -67,38 +79,58 @@ bool UnwatchedFlight::same_inputs() const {
   return std::equal(now.begin(), now.end(), sources_.begin(), sources_.end(), same);
 }
 
+// Of the present modes of the equations.
 UnwatchedFlight::KnownPhase &UnwatchedFlight::known_phase() {
-  const auto [place, is_new] = phases_.try_emplace(equations_.modes());
-  KnownPhase &known = place->second;
+  KnownPhase &known = phases_[equations_.modes()];
+  if (known.described)
+    return known;
+  known.described = true;
+  if (!known.forms && LinearSystem::holds(equations_)) {
+    known.forms = std::make_unique<PhaseForms>(equations_);
+    known.transitions.resize(known.forms->guards().size());
+  }
   ExponentialBasis basis;
   Matrix inverse;
-  if (is_new && stepper_.describe(basis, inverse)) {
-    known.phase = std::make_unique<FlightPhase>(equations_, std::move(basis), std::move(inverse));
-    known.transitions.resize(known.phase->guards().size());
-  }
+  if (!known.forms || !stepper_.describe(basis, inverse))
+    return known;
+  known.phase = std::make_unique<FlightPhase>(*known.forms, std::move(basis), std::move(inverse));
   return known;
 }
 
-const UnwatchedFlight::Transition *UnwatchedFlight::transition(std::size_t guard) {
-  std::unique_ptr<Transition> &known = known_->transitions[guard];
-  if (known)
-    return known->target ? known.get() : nullptr;
-  known = std::make_unique<Transition>();
-  const FlightGuard passed = known_->phase->guards()[guard];
+// To the phase beyond a guard of the present one. None where it is left to others: impacts and rest
+// are for several contacts together.
+UnwatchedFlight::Transition *UnwatchedFlight::transition(std::size_t guard) {
+  const FlightGuard passed = known_->forms->guards()[guard];
   if (equations_.contacts().pairs()[passed.contact].law->rigid())
-    return nullptr; // impacts and rest are for several contacts together
+    return nullptr;
+  std::unique_ptr<Transition> &known = known_->transitions[guard];
+  if (!known)
+    known = std::make_unique<Transition>(find_transition(passed));
+  if (!known->target->described) {
+    equations_.set_mode(passed.contact, passed.target);
+    known_phase();
+    set_modes(known_->forms->contact_modes(), equations_);
+  }
+  if (!known->target->phase)
+    return nullptr;
+  if (!known->change)
+    known->change = std::make_unique<PhaseChange>(*known_->phase, guard, *known->target->phase);
+  return known.get();
+}
+
+UnwatchedFlight::Transition UnwatchedFlight::find_transition(const FlightGuard &passed) {
   const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
   equations_.set_mode(passed.contact, passed.target);
-  known->target = known_phase().phase.get();
-  if (known->target)
-    for (const FlightGuard &other : known->target->guards())
-      known->proportion.push_back(
+  Transition transition{.target = &known_phase(), .proportion = {}};
+  if (transition.target->forms)
+    for (const FlightGuard &other : transition.target->forms->guards())
+      transition.proportion.push_back(
           other.contact == passed.contact
               ? proportion(linear_row(equations_, other.contact, indicator(equations_, other)),
                            form)
               : 0);
-  set_modes(known_->phase->contact_modes(), equations_);
-  return known->target ? known.get() : nullptr;
+  set_modes(known_->forms->contact_modes(), equations_);
+  return transition;
 }
 
 void UnwatchedFlight::set_inputs(double time, const FlightPhase &phase,
@@ -126,17 +158,18 @@ bool UnwatchedFlight::take_off(double time, const Vector &state) {
   if (!stepper_.handles(time))
     return false;
   if (!same_inputs())
-    phases_.clear();
+    forget_exponentials();
   sources_ = stepper_.sources();
   known_ = &known_phase();
   if (!known_->phase)
     return false;
   physical_ = state.head(known_->phase->size());
   set_inputs(time, *known_->phase, amplitudes_);
+  changes_ = 0;
   known_->phase->find_modes(physical_, amplitudes_);
   kernel_.start(known_->phase->sums(), amplitudes_);
   origin_ = time;
-  for (std::size_t g = 0; g < known_->phase->guards().size(); ++g)
+  for (std::size_t g = 0; g < known_->forms->guards().size(); ++g)
     if (kernel_.value(g) <= kernel_.rounding(g))
       return false;
   return true;
@@ -145,16 +178,20 @@ bool UnwatchedFlight::take_off(double time, const Vector &state) {
 // Makes what it takes to watch a phase, the modes of the equations being its. False: its energies
 // cannot be told in closed form.
 bool UnwatchedFlight::prepare_watch(KnownPhase &known) {
-  if (!known.ledger)
-    known.ledger = std::make_unique<FlightLedger>(equations_, known.phase->basis());
-  if (!known.ledger->known())
+  if (!known.powers)
+    known.powers = std::make_unique<PowerForms>(equations_);
+  if (!known.powers->known())
     return false;
-  if (known.watcher != company_->watcher->identity()) {
-    std::vector<WatchedForm> forms;
-    company_->watcher->watch(equations_, forms);
-    known.watched = std::make_unique<WatchedSums>(forms, known.phase->basis());
-    known.watcher = company_->watcher->identity();
+  if (!known.ledger)
+    known.ledger =
+        std::make_unique<FlightLedger>(*known.powers, known.phase->basis(), equations_.layout());
+  if (known.wishes.watcher != company_->watcher->identity()) {
+    known.wishes = {.watcher = company_->watcher->identity(), .forms = {}};
+    company_->watcher->watch(equations_, known.wishes.forms);
+    known.watched.reset();
   }
+  if (!known.watched)
+    known.watched = std::make_unique<WatchedSums>(known.wishes.forms, known.phase->basis());
   return true;
 }
 
@@ -181,14 +218,15 @@ void UnwatchedFlight::end_stretch(double time, const Amplitudes &amplitudes) {
 
 // Tells of a contact change, which takes the equations to the modes after it. False, and nothing
 // happens: the phase to come cannot be watched.
-bool UnwatchedFlight::tell_change(double time, const FlightPhase &next) {
-  set_modes(next.contact_modes(), equations_);
-  const bool prepared = prepare_watch(phases_.at(equations_.modes()));
-  set_modes(known_->phase->contact_modes(), equations_);
+bool UnwatchedFlight::tell_change(double time, KnownPhase &next) {
+  set_modes(next.forms->contact_modes(), equations_);
+  const bool prepared = prepare_watch(next);
+  set_modes(known_->forms->contact_modes(), equations_);
   if (!prepared)
     return false;
-  const FlightGuard &passed = known_->phase->guards()[kernel_.guard()];
+  const FlightGuard &passed = known_->forms->guards()[kernel_.guard()];
   end_stretch(time, kernel_.amplitudes_at_guard());
+  known_->phase->rows(kernel_.amplitudes_at_guard(), rows_);
   state_->head(known_->phase->size()) = rows_.head(known_->phase->size());
   company_->change(time, passed.contact, passed.guard, *state_);
   return true;
@@ -199,12 +237,13 @@ bool UnwatchedFlight::tell_change(double time, const FlightPhase &next) {
 bool UnwatchedFlight::begin_guards(const Transition &transition, std::size_t passed) {
   const double tolerance = time_tolerance(origin_);
   const double left = std::abs(kernel_.value_at_guard(passed));
-  const std::size_t contact = known_->phase->guards()[passed].contact;
-  for (std::size_t g = 0; g < transition.target->guards().size(); ++g) {
+  const std::vector<FlightGuard> &guards = transition.target->forms->guards();
+  const std::size_t contact = known_->forms->guards()[passed].contact;
+  for (std::size_t g = 0; g < guards.size(); ++g) {
     const double value = next_.value(g);
     const double slope = next_.slope(g);
     double noise = next_.rounding(g);
-    if (transition.target->guards()[g].contact != contact) {
+    if (guards[g].contact != contact) {
       if (value <= noise)
         return false;
       continue;
@@ -219,29 +258,31 @@ bool UnwatchedFlight::begin_guards(const Transition &transition, std::size_t pas
   return true;
 }
 
-// False: the change is left to others; the flight stands before it.
+// Rounding turns the inputs that are carried along from phase to phase, so that they are taken from
+// their closed form again and again. False: the change is left to others; the flight stands before
+// it.
 bool UnwatchedFlight::change_phase() {
   const double time = origin_ + kernel_.flown() + kernel_.time_to_guard();
   const std::size_t passed = kernel_.guard();
   if (time - last_event_ <= time_tolerance(time))
     return false;
-  const Transition *next = transition(passed);
+  Transition *next = transition(passed);
   if (!next)
     return false;
-  const FlightPhase &phase = *known_->phase;
-  phase.rows(kernel_.amplitudes_at_guard(), rows_);
-  physical_ = rows_.head(phase.size());
-  phase.reset(passed, rows_, physical_);
-  set_inputs(time, *next->target, amplitudes_);
-  next->target->find_modes(physical_, amplitudes_);
-  next_.start(next->target->sums(), amplitudes_);
+  const FlightPhase &target = *next->target->phase;
+  next->change->apply(kernel_.amplitudes_at_guard(), amplitudes_);
+  constexpr int carried_changes = 32;
+  if (changes_ >= carried_changes)
+    set_inputs(time, target, amplitudes_);
+  next_.start(target.sums(), amplitudes_);
   if (!begin_guards(*next, passed) || (company_ && !tell_change(time, *next->target)))
     return false;
   tally_.event_residual = std::max(tally_.event_residual, kernel_.residual());
   ++tally_.events;
+  changes_ = changes_ < carried_changes ? changes_ + 1 : 0;
   last_event_ = origin_ = time;
-  set_modes(next->target->contact_modes(), equations_);
-  known_ = &phases_.at(equations_.modes());
+  known_ = next->target;
+  set_modes(known_->forms->contact_modes(), equations_);
   std::swap(kernel_, next_);
   begin_stretch(time);
   return true;

@@ -11,6 +11,7 @@
 #include "integration/flight_ledger.h"
 #include "integration/flight_phase.h"
 #include "integration/flight_stepper.h"
+#include "integration/phase_change.h"
 
 #include <functional>
 #include <map>
@@ -37,7 +38,7 @@ public:
   /// Keeps references.
   UnwatchedFlight(Equations &equations, FlightStepper &stepper, double event_tolerance);
 
-  /// The equations, or the excitation, are others.
+  /// The frequencies of the excitation may be others.
   void forget();
   /// The motion was moved on or changed by somebody else.
   void leave() { aloft_ = false; }
@@ -51,26 +52,40 @@ public:
   double last_event() const { return last_event_; }
 
 private:
+  struct KnownPhase;
   struct Transition {
-    FlightPhase *target = nullptr;
-    std::vector<double> proportion; ///< of the guards of the target to the one passed
+    KnownPhase *target = nullptr;          ///< none: left to others
+    std::vector<double> proportion;        ///< of the guards of the target to the one passed
+    std::unique_ptr<PhaseChange> change{}; ///< with the present exponentials
   };
-  struct KnownPhase {
-    std::unique_ptr<FlightPhase> phase; ///< none: not made of exponentials
-    std::vector<std::unique_ptr<Transition>> transitions;
-    std::unique_ptr<FlightLedger> ledger; ///< made when first watched
-    std::unique_ptr<WatchedSums> watched; ///< for that watcher
+  // What a watcher wants to see of a phase.
+  struct Wishes {
     long watcher = -1;
+    std::vector<WatchedForm> forms;
+  };
+  // The forms belong to the modes, the rest to the excitation as well; what is missing is not known
+  // yet.
+  struct KnownPhase {
+    std::unique_ptr<PhaseForms> forms; ///< none: not linear
+    std::vector<std::unique_ptr<Transition>> transitions;
+    std::unique_ptr<PowerForms> powers;
+    Wishes wishes;
+    bool described = false;
+    std::unique_ptr<FlightPhase> phase; ///< none though described: not made of exponentials
+    std::unique_ptr<FlightLedger> ledger;
+    std::unique_ptr<WatchedSums> watched; ///< for the wishes
   };
 
+  void forget_exponentials();
   bool take_off(double time, const Vector &state);
   bool same_inputs() const;
   KnownPhase &known_phase();
-  const Transition *transition(std::size_t guard);
+  Transition *transition(std::size_t guard);
+  Transition find_transition(const FlightGuard &passed);
   bool prepare_watch(KnownPhase &known);
   bool begin_stretch(double time);
   void end_stretch(double time, const Amplitudes &amplitudes);
-  bool tell_change(double time, const FlightPhase &next);
+  bool tell_change(double time, KnownPhase &next);
   void set_inputs(double time, const FlightPhase &phase, Amplitudes &amplitudes) const;
   bool change_phase();
   bool begin_guards(const Transition &transition, std::size_t passed);
@@ -85,6 +100,7 @@ private:
   KnownPhase *known_ = nullptr;
   FlightKernel kernel_, next_;
   Amplitudes amplitudes_;
+  int changes_ = 0; ///< since the inputs were taken from the sources
   Vector rows_, physical_;
   double origin_ = 0; ///< when kernel_ was started
   double last_event_;

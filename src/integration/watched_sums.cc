@@ -22,10 +22,14 @@ WatchedSums::WatchedSums(const std::vector<WatchedForm> &forms, const Exponentia
     rate_.push_back(group.exponent.real());
     frequency_.push_back(group.is_pair ? group.exponent.imag() : 0);
   }
+  Matrix rows(static_cast<Index>(forms.size()), basis.columns.rows());
+  for (std::size_t k = 0; k < forms.size(); ++k)
+    rows.row(static_cast<Index>(k)) = forms[k].row.row;
+  const Matrix all_seen = rows * basis.columns;
   for (const WatchedForm &form : forms) {
     extents_.push_back(form.extent);
     constants_.push_back(form.differentiated ? 0 : form.row.constant);
-    const RowVector seen = form.row.row * basis.columns;
+    const auto seen = all_seen.row(static_cast<Index>(extents_.size()) - 1);
     for (std::size_t j = 0; j < basis.groups.size(); ++j) {
       const ExponentialBasis::Group &group = basis.groups[j];
       const Complex exponent(rate_[j], frequency_[j]);
@@ -53,6 +57,7 @@ WatchedSums::Point WatchedSums::sum(std::size_t form, const std::vector<double> 
     const double y = real_[first + j] * imaginary[j] + imaginary_[first + j] * real[j];
     const double dx = x * rate - y * frequency;
     const double dy = y * rate + x * frequency;
+    result.fourth += fourth_[first + j] * (std::abs(real[j]) + std::abs(imaginary[j]));
     result.value += x;
     result.slope += dx;
     result.curvature += dx * rate - dy * frequency;
@@ -79,16 +84,12 @@ WatchedSums::Point WatchedSums::at(std::size_t form, double t) {
   return sum(form, now_real_, now_imaginary_);
 }
 
-void WatchedSums::measure(std::size_t form) {
-  double bound = 0;
+double WatchedSums::rounding(std::size_t form) const {
   double sum = std::abs(constants_[form]);
-  for (std::size_t j = 0; j < rate_.size(); ++j) {
-    const double amplitude = std::abs(start_->real[j]) + std::abs(start_->imaginary[j]);
-    bound += fourth_[form * rate_.size() + j] * amplitude;
-    sum += size_[form * rate_.size() + j] * amplitude;
-  }
-  bound_ = growth_ * bound;
-  rounding_ = growth_ * rounding_factor * sum;
+  for (std::size_t j = 0; j < rate_.size(); ++j)
+    sum += size_[form * rate_.size() + j] *
+           (std::abs(start_->real[j]) + std::abs(start_->imaginary[j]));
+  return growth_ * rounding_factor * sum;
 }
 
 void WatchedSums::include(const Amplitudes &start, const Amplitudes &end, double h) {
@@ -105,7 +106,7 @@ void WatchedSums::include(const Amplitudes &start, const Amplitudes &end, double
                       .last = sum(form, end.real, end.imaginary)};
     extents_[form]->include(piece.first.value);
     extents_[form]->include(piece.last.value);
-    measure(form);
+    rounding_ = rounding(form);
     include(form, piece, 0);
   }
 }
@@ -113,22 +114,23 @@ void WatchedSums::include(const Amplitudes &start, const Amplitudes &end, double
 // The values at the ends are included already.
 void WatchedSums::include(std::size_t form, const Piece &piece, int halvings) {
   const double h = piece.to - piece.from;
-  const auto [v0, s0, c0] = piece.first;
-  const auto [v1, s1, c1] = piece.last;
+  const double v0 = piece.first.value, v1 = piece.last.value;
+  const double s0 = piece.first.slope, s1 = piece.last.slope;
   const double b1 = v0 + h / 3 * s0;
   const double b2 = v1 - h / 3 * s1;
-  const double error = value_error * h * h * h * h * bound_;
+  const double bound = growth_ * piece.first.fourth;
+  const double error = bound > 0 ? value_error * h * h * h * h * bound : 0;
   Extent &extent = *extents_[form];
   if (std::max({v0, b1, b2, v1}) + error <= extent.maximum + rounding_ &&
       std::min({v0, b1, b2, v1}) - error >= extent.minimum - rounding_)
     return;
   const double middle = 3 * (b2 - b1) / h;
-  const double of_slope = slope_error * h * h * h * bound_;
+  const double of_slope = slope_error / value_error * error / h;
   if (std::min({s0, middle, s1}) - of_slope > 0 || std::max({s0, middle, s1}) + of_slope < 0)
     return;
   const double bend0 = 2 * (middle - s0) / h;
   const double bend1 = 2 * (s1 - middle) / h;
-  const double of_curvature = curvature_error * h * h * bound_;
+  const double of_curvature = curvature_error / value_error * error / (h * h);
   if (std::min(bend0, bend1) - of_curvature > 0 || std::max(bend0, bend1) + of_curvature < 0) {
     if ((s0 > 0) != (s1 > 0))
       include_turn(form, piece);

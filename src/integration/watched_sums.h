@@ -26,6 +26,7 @@ public:
 private:
   struct Point {
     double value = 0, slope = 0, curvature = 0;
+    double fourth = 0; ///< bound of the fourth derivative from here on, if nothing grows
   };
   struct Piece {
     double from = 0, to = 0; ///< after the start of the piece asked for
@@ -36,7 +37,7 @@ private:
   Point sum(std::size_t form, const std::vector<double> &real,
             const std::vector<double> &imaginary) const;
   Point at(std::size_t form, double t);
-  void measure(std::size_t form);
+  double rounding(std::size_t form) const;
   void include(std::size_t form, const Piece &piece, int halvings);
   void include_turn(std::size_t form, const Piece &piece);
 
@@ -45,10 +46,10 @@ private:
   std::vector<double> rate_, frequency_;
   std::vector<double> real_, imaginary_, size_, fourth_; // forms x groups
   const Amplitudes *start_ = nullptr;                    // of the present piece
-  double growth_ = 1;
-  double bound_ = 0, rounding_ = 0; // of a form in the piece: of its fourth derivative, its values
-  double moved_ = -1;               // the time of now_...
-  std::vector<double> now_real_, now_imaginary_; // amplitudes
+  double growth_ = 1;                                    // of any exponential in the piece
+  double rounding_ = 0;                                  // of the values of the present form
+  double moved_ = -1;                                    // the time of now_...
+  std::vector<double> now_real_, now_imaginary_;         // amplitudes
 };
 
 } // namespace vibroimpact
