@@ -2,13 +2,15 @@
 find_package(PkgConfig REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C CXX)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(Boost 1.74 REQUIRED COMPONENTS program_options serialization)
+find_package(Boost 1.74 REQUIRED COMPONENTS context program_options serialization)
 find_package(deal.II 9.4 REQUIRED)
 pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
 pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET SLEPc)
 # deal.II brings muParser along; its own wrapper of it prints errors to the terminal.
 pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
+# exp, sin and cos that are the same in all vector widths.
+pkg_check_modules(SLEEF REQUIRED IMPORTED_TARGET sleef)
 
 # deal.II's own macro fixes build types and flags for a whole target; its library and headers are
 # enough here. The release library is used throughout: the debug one refuses branching line meshes.

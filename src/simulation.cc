@@ -262,7 +262,7 @@ RunSummary Simulation::run(const RunOptions &options) {
     const RunSummary summary = run_analysis(
         job.name, job.keys, grid_axes(job.keys, *parameters_),
         [&](const std::vector<Override> &overrides) { return build_case(job, overrides); }, sink,
-        communicator_);
+        communicator_, options.lines_at_once);
     total.finished += summary.finished;
     total.failed += summary.failed;
     total.unbalanced += summary.unbalanced;

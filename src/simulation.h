@@ -24,6 +24,7 @@ struct RunOptions {
   std::filesystem::path folder; ///< of the results
   ExistingFolder existing = ExistingFolder::refuse;
   std::string command_line;
+  std::size_t lines_at_once = default_lines_at_once; ///< see run_analysis()
 };
 
 class Simulation {

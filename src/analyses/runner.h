@@ -1,8 +1,9 @@
 // Runs an analysis over MPI ranks, alone or at every point of a grid of parameter values.
 //
 // The work is dealt out line by line: each rank, rank 0 included, takes the next line when it has
-// finished one, because lines can differ a hundredfold in cost. Results do not depend on who
-// computed them.
+// finished one, because lines can differ a hundredfold in cost. A rank works at several lines at
+// once, fewer towards the end, when there is not enough left for all ranks. Results do not depend
+// on who computed them, nor beside which others.
 #pragma once
 
 #include "analyses/analysis.h"
@@ -37,10 +38,15 @@ struct RunSummary {
   bool interrupted = false;
 };
 
+/// Lines that a rank has in work at once, so that their motions share the vector lanes: twice as
+/// many as there are lanes, because some of them always do other things than fly.
+constexpr std::size_t default_lines_at_once = 16;
+
 /// Collective. Without keys the analysis runs once. In a grid, a point whose parameters cannot be
 /// used is recorded as failed; without grid the InputError is thrown on every rank.
 RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &keys,
                         const std::vector<Axis> &outer_axes, const CaseFactory &factory,
-                        ResultSink &sink, MPI_Comm communicator);
+                        ResultSink &sink, MPI_Comm communicator,
+                        std::size_t lines_at_once = default_lines_at_once);
 
 } // namespace vibroimpact

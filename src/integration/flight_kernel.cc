@@ -1,19 +1,13 @@
 #include "integration/flight_kernel.h"
 
+#include "integration/flight_functions.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vibroimpact {
 
-namespace {
-constexpr double value_error = 1.0 / 384;
-const double slope_error = std::sqrt(3.0) / 216;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double rounding_factor = 64 * epsilon;
-constexpr int halvings = 24;
-constexpr int corrections = 60;
-} // namespace
+using namespace flight_arithmetic;
 
 void FlightKernel::start(const GuardSums &sums, const Amplitudes &amplitudes) {
   sums_ = &sums;
@@ -21,7 +15,9 @@ void FlightKernel::start(const GuardSums &sums, const Amplitudes &amplitudes) {
   n_guards_ = sums.n_guards();
   start_.resize(n_groups_);
   end_.resize(n_groups_);
-  shrink_.resize(n_groups_);
+  factors_.assign(n_groups_, 1);
+  sines_.assign(n_groups_, 0);
+  cosines_.assign(n_groups_, 1);
   starts_.resize(n_guards_);
   ends_.resize(n_guards_);
   bounds_.resize(n_guards_);
@@ -44,39 +40,55 @@ void FlightKernel::zero_at_start(std::size_t guard) {
   starts_[guard].value = 0;
 }
 
-// Amplitudes h after the start of the piece.
-void FlightKernel::move(double h) {
-  const double *rate = sums_->rate.data();
-  const double *frequency = sums_->frequency.data();
-  growth_ = 1;
-  for (std::size_t j = 0; j < n_groups_; ++j) {
-    const double factor = rate[j] == 0 ? 1.0 : std::exp(rate[j] * h);
-    growth_ = std::max(growth_, factor);
-    end_.size[j] = start_.size[j] * factor;
-    if (frequency[j] == 0) {
-      end_.real[j] = start_.real[j] * factor;
-      end_.imaginary[j] = 0;
-      continue;
-    }
-    const double angle = frequency[j] * h;
-    const double c = factor * std::cos(angle);
-    const double s = factor * std::sin(angle);
-    end_.real[j] = start_.real[j] * c - start_.imaginary[j] * s;
-    end_.imaginary[j] = start_.real[j] * s + start_.imaginary[j] * c;
+// The functions take two groups at a time.
+void FlightKernel::find_factors(double h) {
+  const std::vector<std::size_t> &decaying = sums_->decaying;
+  for (std::size_t i = 0; i < decaying.size(); i += 2) {
+    const std::size_t j = decaying[i];
+    const std::size_t k = decaying[std::min(i + 1, decaying.size() - 1)];
+    const Two factor = exponential({sums_->rate[j] * h, sums_->rate[k] * h});
+    factors_[j] = factor.first;
+    factors_[k] = factor.second;
+  }
+  const std::vector<std::size_t> &oscillating = sums_->oscillating;
+  for (std::size_t i = 0; i < oscillating.size(); i += 2) {
+    const std::size_t j = oscillating[i];
+    const std::size_t k = oscillating[std::min(i + 1, oscillating.size() - 1)];
+    const TwoAngles angle = sine_cosine({sums_->frequency[j] * h, sums_->frequency[k] * h});
+    sines_[j] = angle.sine.first;
+    sines_[k] = angle.sine.second;
+    cosines_[j] = angle.cosine.first;
+    cosines_[k] = angle.cosine.second;
   }
 }
 
-// The slope multiplies each term by its exponent.
+// Amplitudes h after the start of the piece.
+void FlightKernel::move(double h) {
+  find_factors(h);
+  growth_ = 1;
+  for (const std::size_t j : sums_->decaying)
+    growth_ = larger(growth_, factors_[j]);
+  for (std::size_t j = 0; j < n_groups_; ++j) {
+    end_.size[j] = start_.size[j] * factors_[j];
+    rotate(start_.real[j], start_.imaginary[j], factors_[j], sines_[j], cosines_[j], end_.real[j],
+           end_.imaginary[j]);
+  }
+}
+
+// From where the last move has led.
+void FlightKernel::move_little(double time) {
+  for (std::size_t j = 0; j < n_groups_; ++j)
+    rotate_little(sums_->rate[j], sums_->frequency[j], time, end_.real[j], end_.imaginary[j],
+                  end_.size[j]);
+}
+
 FlightKernel::Value FlightKernel::evaluate(std::size_t guard) const {
   const double *real = &sums_->real[guard * n_groups_];
   const double *imaginary = &sums_->imaginary[guard * n_groups_];
-  Value result{.value = sums_->constant[guard]};
-  for (std::size_t j = 0; j < n_groups_; ++j) {
-    const double x = real[j] * end_.real[j] - imaginary[j] * end_.imaginary[j];
-    const double y = real[j] * end_.imaginary[j] + imaginary[j] * end_.real[j];
-    result.value += x;
-    result.slope += x * sums_->rate[j] - y * sums_->frequency[j];
-  }
+  Value result{.value = sums_->constant[guard], .slope = 0};
+  for (std::size_t j = 0; j < n_groups_; ++j)
+    add_group(real[j], imaginary[j], end_.real[j], end_.imaginary[j], sums_->rate[j],
+              sums_->frequency[j], result);
   return result;
 }
 
@@ -100,51 +112,35 @@ void FlightKernel::bound() {
   }
 }
 
-// Where value and error would be equal, and beyond which the straight line has long been negative;
-// for a guard that rises from zero, where the error would be as large as the rise.
+// For a guard that rises from zero, a length at which the error is well below the rise.
 double FlightKernel::first_trial(double limit) const {
+  Trial<double> trial(limit);
   double h = limit;
-  for (std::size_t g = 0; g < n_guards_; ++g) {
-    const auto [value, slope] = starts_[g];
-    const double bound = value_error * bounds_[g];
-    if (zero_[g] != 0) {
-      if (bound > 0)
-        h = std::min(h, std::cbrt(0.3 * slope / bound));
-      continue;
-    }
-    if (bound > 0)
-      h = std::min(h, std::sqrt(std::sqrt(value / bound)));
-    if (slope < 0)
-      h = std::min(h, -2.5 * value / slope);
-  }
-  return h;
+  for (std::size_t g = 0; g < n_guards_; ++g)
+    if (zero_[g] == 0)
+      trial.add(starts_[g], bounds_[g], margins_[g]);
+    else if (bounds_[g] > 0)
+      h = smaller(h, std::cbrt(0.04 * starts_[g].slope / (value_error * bounds_[g])));
+  return smaller(h, trial.length());
 }
 
-FlightKernel::Verdict FlightKernel::judge(std::size_t g, double h) const {
-  const auto [v0, s0] = starts_[g];
-  const auto [v1, s1] = ends_[g];
-  const double third = h / 3;
+FlightKernel::Verdict FlightKernel::judge(std::size_t g, const Span<double> &span) const {
   const double bound = growth_ * bounds_[g];
   const double margin = growth_ * margins_[g];
-  const double error = value_error * h * h * h * h * bound;
-  const double b1 = v0 + third * s0;
-  const double b2 = v1 - third * s1;
-  // Near a zero at the start the error t^2 (h - t)^2 / 24 max|f''''| vanishes faster than f.
   if (zero_[g] != 0)
-    return b1 > 0 && 3 * b2 > 16 * error + margin && v1 > margin ? Verdict::positive
-                                                                 : Verdict::unclear;
-  if (std::min(std::min(v0, b1), std::min(b2, v1)) > error + margin)
+    return positive_from_zero(starts_[g], ends_[g], span, bound, margin) ? Verdict::positive
+                                                                         : Verdict::unclear;
+  if (positive(starts_[g], ends_[g], span, bound, margin))
     return Verdict::positive;
-  const double steepest = std::max(b1 - v0, std::max(b2 - b1, v1 - b2)) * 3;
-  if (v1 < -margin && steepest + slope_error * h * h * h * h * bound + margin < 0)
-    return Verdict::falling;
-  return Verdict::unclear;
+  return flight_arithmetic::falling(starts_[g], ends_[g], span, bound, margin) ? Verdict::falling
+                                                                               : Verdict::unclear;
 }
 
 FlightKernel::Verdict FlightKernel::judge(double h) {
+  const Span<double> span(h);
   Verdict verdict = Verdict::positive;
   for (std::size_t g = 0; g < n_guards_; ++g) {
-    const Verdict own = judge(g, h);
+    const Verdict own = judge(g, span);
     if (own == Verdict::unclear || (own == Verdict::falling && verdict == Verdict::falling))
       return Verdict::unclear;
     if (own == Verdict::falling) {
@@ -165,32 +161,48 @@ void FlightKernel::accept(double h) {
   flown_ += h;
 }
 
+bool FlightKernel::is_zero() const {
+  return absolute(ends_[falling_].value) <= negligible_part * margins_[falling_];
+}
+
+bool FlightKernel::found(double instant) {
+  time_to_guard_ = instant;
+  residual_ = absolute(ends_[falling_].value / ends_[falling_].slope);
+  return ends_[falling_].slope < 0;
+}
+
 // The guard is positive at the start of the piece, negative at its end, and falls all along.
 bool FlightKernel::locate(double h) {
-  double low = 0;
-  double high = h;
-  double instant = h;
-  Value there = ends_[falling_];
+  Bracket<double> bracket{.low = 0, .high = h};
+  double instant = zero_of_cubic(starts_[falling_], ends_[falling_], h);
   for (int i = 0; i < corrections; ++i) {
-    const double wanted = instant - there.value / there.slope;
-    const double next = wanted > low && wanted < high ? wanted : 0.5 * (low + high);
-    const bool settled = std::abs(next - instant) <= 2 * epsilon * next || high - low <= 0;
-    instant = next;
     move(instant);
-    there = evaluate(falling_);
-    if (settled || std::abs(there.value) <= 0.02 * margins_[falling_]) {
+    evaluate_all();
+    if (is_zero())
+      return found(instant);
+    const double next = bracket.next(instant, ends_[falling_]);
+    const double rest = absolute(next - instant);
+    const bool settled = rest <= 2 * epsilon * next;
+    if (rest * sums_->fastest <= short_reach) {
+      move_little(next - instant);
       evaluate_all();
-      time_to_guard_ = instant;
-      residual_ = std::abs(there.value / there.slope);
-      return there.slope < 0;
+      if (settled || is_zero())
+        return found(next);
+      instant = bracket.next(next, ends_[falling_]);
+    } else {
+      instant = next;
     }
-    (there.value > 0 ? low : high) = instant;
   }
   return false;
 }
 
+// Pieces that shrink and shrink come to nothing: two guards that fall together.
+double FlightKernel::shortest(double limit) const {
+  return smaller(limit - flown_, rounding_factor * limit);
+}
+
 FlightKernel::End FlightKernel::fly(double limit) {
-  const double shortest = std::min(limit - flown_, rounding_factor * limit);
+  const double least = shortest(limit);
   while (flown_ < limit) {
     const double rest = limit - flown_;
     double h = first_trial(rest);
@@ -208,8 +220,7 @@ FlightKernel::End FlightKernel::fly(double limit) {
         watched_->include(start_, end_, time_to_guard_);
       return End::guard;
     }
-    // Pieces that shrink and shrink come to nothing: two guards that fall together.
-    if (verdict != Verdict::positive || h < shortest)
+    if (verdict != Verdict::positive || h < least)
       return End::unclear;
     accept(h);
     if (h == rest)

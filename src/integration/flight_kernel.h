@@ -6,9 +6,10 @@
 // derivative. A piece is passed when the cubics' Bernstein coefficients prove all guards positive
 // in it. A guard is taken to fall in a piece when its slope is proven negative there, it is
 // negative at the end, and all others are proven positive: then it has one zero, which Newton's
-// method finds to rounding. In all other cases the piece is halved.
+// method finds to rounding, from the zero of the cubic. In all other cases the piece is halved.
 #pragma once
 
+#include "integration/flight_arithmetic.h"
 #include "integration/watched_sums.h"
 
 namespace vibroimpact {
@@ -52,26 +53,30 @@ public:
   long pieces() const { return pieces_; }
 
 private:
-  struct Value {
-    double value = 0, slope = 0;
-  };
+  friend class FlightLanes;
+  using Value = flight_arithmetic::Height<double>;
   enum class Verdict { positive, falling, unclear };
 
+  void find_factors(double h);
   void move(double h);
+  void move_little(double time);
   Value evaluate(std::size_t guard) const;
   void evaluate_all();
   void bound();
   double first_trial(double limit) const;
+  double shortest(double limit) const;
   Verdict judge(double h);
-  Verdict judge(std::size_t guard, double h) const;
+  Verdict judge(std::size_t guard, const flight_arithmetic::Span<double> &span) const;
   void accept(double h);
   bool locate(double h);
+  bool is_zero() const;
+  bool found(double instant);
 
   const GuardSums *sums_ = nullptr;
   WatchedSums *watched_ = nullptr;
   std::size_t n_guards_ = 0, n_groups_ = 0;
   Amplitudes start_, end_;
-  std::vector<double> shrink_; ///< exp(rate h) of the groups
+  std::vector<double> factors_, sines_, cosines_; ///< of the exponentials of the groups
   std::vector<Value> starts_, ends_;
   std::vector<double> bounds_, margins_; ///< of the fourth derivatives; of rounding
   std::vector<char> zero_;

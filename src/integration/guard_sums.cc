@@ -1,10 +1,17 @@
 #include "integration/guard_sums.h"
 
+#include <algorithm>
+
 namespace vibroimpact {
 
 void GuardSums::add_exponent(std::complex<double> exponent) {
+  if (exponent.real() != 0)
+    decaying.push_back(rate.size());
+  if (exponent.imag() != 0)
+    oscillating.push_back(rate.size());
   rate.push_back(exponent.real());
   frequency.push_back(exponent.imag());
+  fastest = std::max(fastest, std::abs(exponent));
 }
 
 void GuardSums::add_guard(double constant_term, std::span<const std::complex<double>> coefficients,

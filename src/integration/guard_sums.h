@@ -22,7 +22,9 @@ struct Amplitudes {
 
 struct GuardSums {
   std::vector<double> rate, frequency; ///< real and imaginary part of the exponents [1/s]
-  std::vector<double> constant;        ///< of the guards
+  std::vector<std::size_t> decaying, oscillating; ///< exponents with a rate, with a frequency
+  double fastest = 0;                             ///< largest absolute value of the exponents [1/s]
+  std::vector<double> constant;                   ///< of the guards
   // guards x exponents
   std::vector<double> real, imaginary; ///< coefficients
   std::vector<double> fourth;          ///< |coefficient| |exponent|^4

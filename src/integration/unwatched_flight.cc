@@ -1,6 +1,7 @@
 #include "integration/unwatched_flight.h"
 
 #include "common/error.h"
+#include "integration/flight_batch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -307,7 +308,7 @@ bool UnwatchedFlight::fly(double &time, Vector &state, double limit, const Fligh
   FlightKernel::End end = FlightKernel::End::guard;
   while (end == FlightKernel::End::guard) {
     const long before = kernel_.pieces();
-    end = kernel_.fly(limit - origin_);
+    end = fly_in_batch(kernel_, limit - origin_);
     tally_.pieces += kernel_.pieces() - before;
     if (end == FlightKernel::End::guard && !change_phase())
       break;
