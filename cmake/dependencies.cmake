@@ -9,6 +9,7 @@ pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET SLEPc)
 # deal.II brings muParser along; its own wrapper of it prints errors to the terminal.
 pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
+find_package(ZLIB REQUIRED)
 
 # deal.II's own macro fixes build types and flags for a whole target; its library and headers are
 # enough here. The release library is used throughout: the debug one refuses branching line meshes.

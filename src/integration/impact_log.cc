@@ -138,4 +138,9 @@ void ImpactLog::clear() {
   }
 }
 
+void ImpactLog::start_afresh() {
+  for (Track &track : tracks_)
+    track = {};
+}
+
 } // namespace vibroimpact

@@ -39,6 +39,8 @@ public:
   void event(const ContactEvent &event) override;
   /// Forgets finished impacts; one that lasts goes on.
   void clear();
+  /// Forgets everything: as if it had just been made.
+  void start_afresh();
 
   /// Finished impacts of a contact in the order of time.
   const std::vector<Impact> &impacts(std::size_t contact) const { return tracks_[contact].done; }

@@ -22,8 +22,14 @@ struct Extent {
   double peak() const;
 };
 
-/// PATH/peak_to_peak_excursion, /peak_excursion, /minimum, /maximum of a quantity as scalar fields.
-void add_extent(PointResult &result, const WatchedQuantity &quantity, const Extent &extent);
+/// PATH/peak_to_peak_excursion, /peak_excursion, /minimum, /maximum of a quantity.
+struct ExtentLabels {
+  explicit ExtentLabels(const WatchedQuantity &quantity);
+  Label peak_to_peak, peak, minimum, maximum;
+};
+
+/// All four as scalar fields.
+void add_extent(PointResult &result, const ExtentLabels &labels, const Extent &extent);
 
 class Excursions : public Recorder {
 public:
@@ -32,6 +38,7 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
+  void begin(const Window &window, const Trajectory &trajectory) override;
   void step(const StepView &view) override;
   /// Extreme values of every quantity watched; of gaps only minimum and maximum, of contact forces
   /// only the maximum.
@@ -40,8 +47,10 @@ public:
 private:
   const ContactSet &contacts_;
   std::vector<WatchedQuantity> quantities_;
+  std::vector<ExtentLabels> labels_;
   std::vector<Extent> extents_;
-  std::vector<double> largest_force_; ///< per contact; empty when not watched
+  std::vector<Label> force_labels_;   ///< per contact; empty when not watched
+  std::vector<double> largest_force_; ///< the same
 };
 
 } // namespace vibroimpact
