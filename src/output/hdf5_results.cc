@@ -57,7 +57,7 @@ std::map<std::string, std::string> inner_scales(Hdf5File &file, const std::strin
   for (const InnerDimension &dimension : arrays.dimensions) {
     const bool counted = dimension.coordinate.empty();
     // The index must not take the name of a field that is no coordinate.
-    const auto taken = [&](const AssembledField &field) { return field.name == dimension.name; };
+    const auto taken = [&](const AssembledField &field) { return field.name() == dimension.name; };
     std::string name = counted ? link_name(dimension.name) : dimension.coordinate;
     if (counted && std::any_of(arrays.fields.begin(), arrays.fields.end(), taken))
       name += "_index";
@@ -73,13 +73,13 @@ void write_field(Hdf5File &file, const std::string &path, const AssembledField &
                  const std::vector<std::string> &outer_scales,
                  const std::map<std::string, std::string> &inner_scales) {
   file.write(path, field.shape, field.values);
-  describe(file, path, field.unit, field.description);
+  describe(file, path, field.label.unit(), field.label.description());
   if (!field.over_axes) {
     file.make_scale(path);
     return;
   }
   std::vector<std::string> scales = outer_scales;
-  for (const std::string &dimension : field.inner_dimensions)
+  for (const std::string &dimension : field.inner_dimensions())
     scales.push_back(inner_scales.at(dimension));
   attach_scales(file, path, scales);
 }
@@ -272,7 +272,7 @@ void write_analysis(Hdf5File &file, const AnalysisHeader &header, const Analysis
   for (const bool over_axes : {false, true})
     for (const AssembledField &field : arrays.fields)
       if (field.over_axes == over_axes)
-        write_field(file, group + "/" + field.name, field, outer_scales, scales);
+        write_field(file, group + "/" + field.name(), field, outer_scales, scales);
   Scales all_scales = scales;
   for (std::size_t a = 0; a < header.axes.size(); ++a)
     all_scales[header.axes[a].name] = outer_scales[a];

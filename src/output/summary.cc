@@ -97,9 +97,9 @@ std::string analysis_summary(const AnalysisHeader &header, const PointSequence &
     const std::string point_prefix =
         point.summary.empty() ? "" : prefix + index_in_brackets(point.index) + ".";
     for (const SummaryLine &line : point.summary) {
-      const bool absolute = line.name.rfind('/', 0) == 0;
-      text += summary_line(absolute ? line.name.substr(1) : point_prefix + line.name, line.value,
-                           line.unit);
+      const bool absolute = line.name().starts_with('/');
+      text += summary_line(absolute ? line.name().substr(1) : point_prefix + line.name(),
+                           line.value, line.unit());
     }
   });
   return text + totals.lines(prefix);
