@@ -40,6 +40,8 @@ BEST = [(.7, 2.177, (1.0625, 1.23832, .7960, .4587, .0960), (1.05, None, None, N
         (.0657506, .965, (1.3189, .53132, .2354, .3473, .1697), (1.32, None, None, None, None)),
         (0, 1.150, (1.4577, .40652, .1505, .2783, .1505), (1.47, .41, .15, .28, .15))]
 
+CURVES = [("0.4", "1"), ("0.7", "2"), ("0.0657506", "5")]
+
 
 def measures(analysis):
     """eta_a, eta_d, eta_F, eta_B over all points of an analysis."""
@@ -51,8 +53,9 @@ def measures(analysis):
             mass["displacement_x/peak_to_peak_excursion"][:] / 2, force / ACCELERATION, pushed / 2)
 
 
-def points(table):
-    analysis = table.run("bumpers.prm", "bumper-points", "Analyses=points")["analysis/points"]
+def points(table, *overrides):
+    analysis = table.run("bumpers.prm", "bumper-points", "Analyses=points",
+                         *overrides)["analysis/points"]
     found = measures(analysis)
     middle = found[0].shape[1] // 2
     for case, (gap, stiffness, beta, forward, backward) in enumerate(POINTS):
@@ -86,11 +89,11 @@ def best(table):
                       absolute=True)
 
 
-def coexisting(table):
+def coexisting(table, *overrides):
     """Two motions at the stiffness below which the paper sees none, and the opened gap."""
     around = table.run("bumpers.prm", "bumper-coexisting", "Analyses=around",
                        "Variables/delta0=0.4", "Variables/lambda=1.2",
-                       "Variables/centre=1.2 rad/s")["analysis/around"]
+                       "Variables/centre=1.2 rad/s", *overrides)["analysis/around"]
     acceleration = measures(around)[0]
     middle = len(acceleration) // 2
     for direction, name, wanted in [(0, "upward", .8863), (1, "downward", .4005)]:
@@ -126,7 +129,7 @@ def check(table):
     points(table)
     best(table)
     coexisting(table)
-    for gap, stiffness in [("0.4", "1"), ("0.7", "2"), ("0.0657506", "5")]:
+    for gap, stiffness in CURVES:
         curve(table, gap, stiffness)
 
 

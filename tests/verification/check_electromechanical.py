@@ -75,11 +75,16 @@ def other_frequency(table):
                   motion[CASING][0, 0] * 1e3, 2e-4)
 
 
-def without_impacts(table):
-    grid = table.run(FILE, "free", "Analyses=free_frequencies",
-                     "Integration/Relative tolerance=1e-7")["analysis/free_frequencies"]
-    omega = grid["Variables.omega"][:]
-    linear, cubic = grid[CASING][:] * 1e3
+def without_impacts(table, grids=((5, 200, 196),)):
+    """Over the frequency; `grids`: first, last and number of those that are run, in rad/s, with two
+    neighbours of each peak among them."""
+    keys = "Analysis/free_frequencies/Parameter grid/Key omega/"
+    runs = [table.run(FILE, f"free-{first}", "Analyses=free_frequencies",
+                      "Integration/Relative tolerance=1e-7", f"{keys}First={first} rad/s",
+                      f"{keys}Last={last} rad/s", f"{keys}Points={points}")
+            ["analysis/free_frequencies"] for first, last, points in grids]
+    omega = numpy.concatenate([run["Variables.omega"][:] for run in runs])
+    linear, cubic = numpy.concatenate([run[CASING][:] * 1e3 for run in runs], axis=1)
     reference = {row["omega"]: row["p2pY_mm"]
                  for row in table.reference("electromechanical-frc-linear.csv")}
     difference = numpy.array([linear[i] / reference.get(round(frequency), numpy.nan) - 1
@@ -121,8 +126,8 @@ def time_under_force(table):
               (time[last][released] - time[last][0]) * 1e3, 2e-3)
 
 
-def check(table, **chosen):
-    clearances(table, **chosen)
+def check(table):
+    clearances(table)
     other_frequency(table)
     without_impacts(table)
     start_up(table)
