@@ -9,7 +9,7 @@ import math
 
 import numpy
 
-from systems import Table, nearest
+from systems import Table
 
 XI = 0.1
 GROUND = 2 * XI * math.sqrt(1 - XI**2)
