@@ -2,7 +2,7 @@
 #pragma once
 
 #include "modes/normal_modes.h"
-#include "structure/beam_definition.h"
+#include "structure/shell_definition.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ struct Damping {
   enum class Model {
     ratio,    ///< a fraction of critical damping for each mode
     rayleigh, ///< C = alpha M + beta K
-    viscous   ///< external, spread like the mass of the beam: C = (constant / mass) M
+    viscous   ///< external, spread like the mass of the body: C = (constant / mass) M
   };
   Model model = Model::ratio;
   std::vector<double> ratios{0.0}; ///< for the kept modes in order; the last one repeats
@@ -40,10 +40,11 @@ struct RotorDefinition {
 };
 
 struct BodyDefinition {
-  enum class Type { beam, lumped, rotor };
+  enum class Type { beam, shell, lumped, rotor };
   std::string name;
   Type type = Type::beam;
   structure::BeamDefinition beam;
+  structure::ShellDefinition shell;
   modes::Selection selection;
   Damping damping;
   std::vector<LumpedMass> masses;

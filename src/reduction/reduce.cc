@@ -4,9 +4,13 @@
 #include "reduction/body_file.h"
 #include "reduction/lumped_body.h"
 #include "reduction/rotor_body.h"
+#include "common/log.h"
+#include "modes/static_solution.h"
 #include "structure/assembly.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace vibroimpact {
 
@@ -34,13 +38,16 @@ Matrix free_rows(const structure::FreeDofs &free, const Matrix &shapes) {
   return rows;
 }
 
+modes::EigenProblem problem_of(const AssembledBody &body) {
+  return {.stiffness = body.stiffness.get(),
+          .mass = body.mass.get(),
+          .accurate_stiffness = body.accurate_stiffness->matrix(),
+          .mass_rank = body.massive_dofs};
+}
+
 modes::NormalModes solve(const AssembledBody &body, const modes::Selection &selection) {
   try {
-    return modes::normal_modes({.stiffness = body.stiffness.get(),
-                                .mass = body.mass.get(),
-                                .accurate_stiffness = body.accurate_stiffness->matrix(),
-                                .mass_rank = body.massive_dofs},
-                               selection);
+    return modes::normal_modes(problem_of(body), selection);
   } catch (const modes::TooManyModes &too_many) {
     throw DefinitionError("Modes", "", "Number",
                           "must not exceed the number of free degrees of freedom with mass, " +
@@ -48,14 +55,57 @@ modes::NormalModes solve(const AssembledBody &body, const modes::Selection &sele
   }
 }
 
-Recovery recovery(const structure::LineMesh &mesh, Matrix shapes) {
+Recovery recovery(const structure::Mesh &mesh, Matrix shapes) {
   Recovery result;
   result.nodes.resize(3, static_cast<Index>(mesh.nodes.size()));
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
     result.nodes.col(static_cast<Index>(node)) = mesh.nodes[node];
-  result.lines = mesh.cells;
+  result.lines = mesh.lines;
+  for (const structure::Surface &surface : mesh.surfaces) {
+    result.surfaces.push_back(surface.corners);
+    if (surface.size == 3)
+      result.surfaces.back()[3] = -1;
+  }
   result.shapes = std::move(shapes);
   return result;
+}
+
+// Anything people build sounds between these; a body outside them mostly has a mesh in millimetres.
+constexpr double lowest_plausible = 1e-2;  // [Hz]
+constexpr double highest_plausible = 1e+6; // [Hz]
+
+void warn_of_implausible(const std::string &name, const AssembledBody &body,
+                         const Vector &eigenvalues) {
+  constexpr double two_pi = 6.283185307179586476925;
+  if (body.model.mesh.unused_nodes > 0)
+    log::warning("body " + name + ": " + std::to_string(body.model.mesh.unused_nodes) +
+                 " nodes of the mesh belong to no cell and are left out");
+  const auto first = std::find_if(eigenvalues.begin(), eigenvalues.end(),
+                                  [](double value) { return value > 0; });
+  if (first == eigenvalues.end())
+    return;
+  const double frequency = std::sqrt(*first) / two_pi;
+  if (frequency >= lowest_plausible && frequency <= highest_plausible)
+    return;
+  std::ostringstream text;
+  text << "body " << name << ": its first natural frequency, " << frequency
+       << " Hz, is hardly that of a structure. Are the units right? Its mesh is "
+       << body.model.mesh.extent() << " m across (coordinates in a mesh file are metres), waves run "
+       << "through it at " << body.model.wave_speed << " m/s, and its mass is "
+       << body.model.total_mass() << " kg";
+  log::warning(text.str());
+}
+
+/// Of the whole mesh; empty without loads.
+Vector static_displacement(const BodyDefinition &definition, const AssembledBody &body,
+                           const Vector &eigenvalues) {
+  if (!body.model.loaded)
+    return {};
+  if (eigenvalues[0] == 0)
+    throw DefinitionError("Body", definition.name, "Type",
+                          "= beam or shell with a subsection Load needs supports that hold it "
+                          "against every rigid motion");
+  return node_rows(body.free, modes::static_solution(problem_of(body), body.load));
 }
 
 Matrix diagonal(const Vector &entries) { return entries.asDiagonal(); }
@@ -82,31 +132,52 @@ Matrix modal_damping(const Damping &damping, const AssembledBody &body, const Ve
   return diagonal((2 * ratio.array() * stiffness.array().sqrt()).matrix());
 }
 
-ReducedBody beam_body(const BodyDefinition &definition, MPI_Comm communicator) {
-  const AssembledBody assembled =
-      structure::assemble(structure::build_frame(definition.beam), communicator);
+structure::BodyModel build(const BodyDefinition &definition) {
+  return definition.type == BodyDefinition::Type::shell ? structure::build_shell(definition.shell)
+                                                        : structure::build_frame(definition.beam);
+}
+
+void add_points(const structure::BodyModel &model, const Matrix &shapes, const Vector &deflection,
+                ReducedBody &body) {
+  for (const structure::NamedNode &point : model.points) {
+    const Index row = Index{6} * point.node;
+    Vector moved;
+    if (deflection.size() > 0)
+      moved = deflection.segment(row, 6);
+    body.points.push_back(
+        {point.name, model.mesh.nodes[point.node], shapes.middleRows(row, 6), moved});
+  }
+}
+
+/// The shapes of the selected modes on all nodes, in the basis that the rule takes.
+Matrix selected_shapes(const AssembledBody &body, const modes::NormalModes &modes) {
+  std::vector<int> point_nodes;
+  for (const structure::NamedNode &point : body.model.points)
+    point_nodes.push_back(point.node);
+  Matrix shapes = node_rows(body.free, modes.shapes);
+  fix_basis(modes.eigenvalues, point_nodes, shapes);
+  return shapes.middleCols(modes.first, modes.number);
+}
+
+ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator) {
+  const AssembledBody assembled = structure::assemble(build(definition), communicator);
   const modes::NormalModes modes = solve(assembled, definition.selection);
   if (modes.number == 0)
     throw DefinitionError("Modes", "", "Band", "must hold at least one natural frequency");
-
-  std::vector<int> point_nodes;
-  for (const structure::NamedNode &point : assembled.model.points)
-    point_nodes.push_back(point.node);
-  Matrix shapes = node_rows(assembled.free, modes.shapes);
-  fix_basis(modes.eigenvalues, point_nodes, shapes);
-  shapes = Matrix(shapes.middleCols(modes.first, modes.number));
+  warn_of_implausible(definition.name, assembled, modes.eigenvalues);
+  Matrix shapes = selected_shapes(assembled, modes);
 
   ReducedBody body;
   body.name = definition.name;
-  body.type = "beam";
+  body.type = definition.type == BodyDefinition::Type::shell ? "shell" : "beam";
   body.mass = Vector::Ones(modes.number);
   body.stiffness = merge_multiple(modes.eigenvalues).segment(modes.first, modes.number);
   body.damping = modal_damping(definition.damping, assembled, body.stiffness, shapes);
   body.base_participation = free_rows(assembled.free, shapes).transpose() * assembled.base_inertia;
-  for (const structure::NamedNode &point : assembled.model.points)
-    body.points.push_back(
-        {point.name, assembled.model.mesh.nodes[point.node], shapes.middleRows(6 * point.node, 6)});
+  const Vector deflection = static_displacement(definition, assembled, modes.eigenvalues);
+  add_points(assembled.model, shapes, deflection, body);
   body.recovery = recovery(assembled.model.mesh, std::move(shapes));
+  body.recovery.static_displacement = deflection;
   body.total_mass.setConstant(assembled.model.total_mass());
   body.eigen_residual = modes.error_bounds.segment(modes.first, modes.number);
   body.orthogonality_residual = modes.orthogonality_residual;
@@ -120,7 +191,7 @@ ReducedBody reduce(const BodyDefinition &definition, MPI_Comm communicator) {
     return lumped_body(definition);
   if (definition.type == BodyDefinition::Type::rotor)
     return rotor_body(definition);
-  return broadcast(beam_body(definition, communicator), communicator);
+  return broadcast(meshed_body(definition, communicator), communicator);
 }
 
 } // namespace vibroimpact

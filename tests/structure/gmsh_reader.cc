@@ -100,12 +100,12 @@ void expect_problem(const std::string &content, const std::string &words) {
 
 TEST(GmshReader, BothVersionsGiveTheSameMesh) {
   for (const std::string &content : {version_2, version_4}) {
-    const LineMesh mesh = parse_gmsh(content);
+    const Mesh mesh = parse_gmsh(content);
     ASSERT_EQ(mesh.nodes.size(), 3U);
     EXPECT_EQ(mesh.nodes[2], Vector3(1, 2.5, 0));
-    ASSERT_EQ(mesh.cells.size(), 2U);
-    EXPECT_EQ(mesh.cells[0], (std::array<int, 2>{0, 1}));
-    EXPECT_EQ(mesh.cells[1], (std::array<int, 2>{1, 2}));
+    ASSERT_EQ(mesh.lines.size(), 2U);
+    EXPECT_EQ(mesh.lines[0], (std::array<int, 2>{0, 1}));
+    EXPECT_EQ(mesh.lines[1], (std::array<int, 2>{1, 2}));
     EXPECT_EQ(mesh.groups.at("the tip"), std::vector<int>{2});
     EXPECT_EQ(mesh.groups.at("arm"), (std::vector<int>{0, 1, 2}));
     EXPECT_EQ(mesh.groups.at("5"), (std::vector<int>{0, 1}));
@@ -142,9 +142,9 @@ TEST(GmshReader, TheShippedDoubleCrossIsRead) {
   std::ifstream file(VIBROIMPACT_SOURCE_DIR "/meshes/double-cross.msh");
   std::ostringstream content;
   content << file.rdbuf();
-  const LineMesh mesh = parse_gmsh(content.str());
+  const Mesh mesh = parse_gmsh(content.str());
   EXPECT_EQ(mesh.nodes.size(), 161U);
-  EXPECT_EQ(mesh.cells.size(), 160U);
+  EXPECT_EQ(mesh.lines.size(), 160U);
   EXPECT_EQ(mesh.groups.at("ends").size(), 8U);
   EXPECT_EQ(mesh.groups.at("joint").size(), 1U);
   EXPECT_NO_THROW(check_mesh(mesh));
