@@ -117,6 +117,7 @@ void write(Writer &out, const ReducedBody &body) {
     out.matrix("position", point.position);
     out.matrix("rows", point.rows);
     out.matrix("static_displacement", point.static_displacement);
+    out.matrix("flexibility", point.flexibility);
   }
   out.matrix("nodes", body.recovery.nodes);
   out.matrix("lines", line_matrix(body.recovery.lines));
@@ -143,6 +144,7 @@ ReducedBody read(Reader &in) {
     point.position = in.matrix("position");
     point.rows = in.matrix("rows");
     point.static_displacement = in.matrix("static_displacement");
+    point.flexibility = in.matrix("flexibility");
     body.points.push_back(std::move(point));
   }
   body.recovery.nodes = in.matrix("nodes");

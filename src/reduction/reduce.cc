@@ -96,16 +96,44 @@ void warn_of_implausible(const std::string &name, const AssembledBody &body,
   log::warning(text.str());
 }
 
-/// Of the whole mesh; empty without loads.
-Vector static_displacement(const BodyDefinition &definition, const AssembledBody &body,
-                           const Vector &eigenvalues) {
-  if (!body.model.loaded)
-    return {};
-  if (eigenvalues[0] == 0)
+/// Static displacements of the whole mesh.
+struct Statics {
+  Vector deflection;               ///< under the loads of the body; empty without loads
+  std::vector<Vector> flexibility; ///< of each point, see BodyPoint; empty for a free body
+};
+
+/// Loads of the body (if any) first, then unit forces at the points along each axis.
+Matrix static_loads(const AssembledBody &body) {
+  const Index given = body.model.loaded ? 1 : 0;
+  const auto points = static_cast<Index>(body.model.points.size());
+  Matrix loads = Matrix::Zero(body.free.size, given + 3 * points);
+  if (given > 0)
+    loads.col(0) = body.load;
+  for (Index p = 0; p < points; ++p)
+    for (Index axis = 0; axis < 3; ++axis)
+      if (const int dof = body.free.number[body.model.points[p].node][axis]; dof >= 0)
+        loads(dof, given + 3 * p + axis) = 1;
+  return loads;
+}
+
+Statics solve_statics(const BodyDefinition &definition, const AssembledBody &body,
+                      const Vector &eigenvalues) {
+  if (eigenvalues[0] == 0 && body.model.loaded)
     throw DefinitionError("Body", definition.name, "Type",
                           "= beam or shell with a subsection Load needs supports that hold it "
                           "against every rigid motion");
-  return node_rows(body.free, modes::static_solution(problem_of(body), body.load));
+  const Matrix loads = static_loads(body);
+  Statics statics;
+  if (eigenvalues[0] == 0 || loads.cols() == 0)
+    return statics;
+  const Matrix solution = modes::static_solution(problem_of(body), loads);
+  const Vector work = loads.cwiseProduct(solution).colwise().sum();
+  const Index given = body.model.loaded ? 1 : 0;
+  if (given > 0)
+    statics.deflection = node_rows(body.free, solution.col(0));
+  for (std::size_t p = 0; p < body.model.points.size(); ++p)
+    statics.flexibility.emplace_back(work.segment(given + 3 * static_cast<Index>(p), 3));
+  return statics;
 }
 
 Matrix diagonal(const Vector &entries) { return entries.asDiagonal(); }
@@ -137,15 +165,17 @@ structure::BodyModel build(const BodyDefinition &definition) {
                                                         : structure::build_frame(definition.beam);
 }
 
-void add_points(const structure::BodyModel &model, const Matrix &shapes, const Vector &deflection,
+void add_points(const structure::BodyModel &model, const Matrix &shapes, const Statics &statics,
                 ReducedBody &body) {
-  for (const structure::NamedNode &point : model.points) {
-    const Index row = Index{6} * point.node;
-    Vector moved;
-    if (deflection.size() > 0)
-      moved = deflection.segment(row, 6);
-    body.points.push_back(
-        {point.name, model.mesh.nodes[point.node], shapes.middleRows(row, 6), moved});
+  for (std::size_t p = 0; p < model.points.size(); ++p) {
+    const structure::NamedNode &named = model.points[p];
+    const Index row = Index{6} * named.node;
+    BodyPoint point{named.name, model.mesh.nodes[named.node], shapes.middleRows(row, 6)};
+    if (statics.deflection.size() > 0)
+      point.static_displacement = statics.deflection.segment(row, 6);
+    if (!statics.flexibility.empty())
+      point.flexibility = statics.flexibility[p];
+    body.points.push_back(std::move(point));
   }
 }
 
@@ -174,10 +204,10 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
   body.stiffness = merge_multiple(modes.eigenvalues).segment(modes.first, modes.number);
   body.damping = modal_damping(definition.damping, assembled, body.stiffness, shapes);
   body.base_participation = free_rows(assembled.free, shapes).transpose() * assembled.base_inertia;
-  const Vector deflection = static_displacement(definition, assembled, modes.eigenvalues);
-  add_points(assembled.model, shapes, deflection, body);
+  const Statics statics = solve_statics(definition, assembled, modes.eigenvalues);
+  add_points(assembled.model, shapes, statics, body);
   body.recovery = recovery(assembled.model.mesh, std::move(shapes));
-  body.recovery.static_displacement = deflection;
+  body.recovery.static_displacement = statics.deflection;
   body.total_mass.setConstant(assembled.model.total_mass());
   body.eigen_residual = modes.error_bounds.segment(modes.first, modes.number);
   body.orthogonality_residual = modes.orthogonality_residual;

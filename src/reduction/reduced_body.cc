@@ -13,6 +13,18 @@ Vector ReducedBody::damping_ratio() const {
   return ratio;
 }
 
+Vector ReducedBody::flexibility_share(const BodyPoint &point) const {
+  if (point.flexibility.size() == 0)
+    return {};
+  const Vector carried =
+      point.rows.topRows(3).cwiseAbs2() * stiffness.cwiseInverse(); // sum of row^2 / k
+  Vector share = Vector::Ones(3); // of what cannot move, all is carried
+  for (Index axis = 0; axis < 3; ++axis)
+    if (point.flexibility[axis] > 0)
+      share[axis] = carried[axis] / point.flexibility[axis];
+  return share;
+}
+
 Matrix ReducedBody::effective_mass() const {
   return mass.cwiseInverse().asDiagonal() * base_participation.cwiseAbs2();
 }

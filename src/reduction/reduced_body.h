@@ -22,7 +22,11 @@ struct BodyPoint {
   std::string name;
   Vector3 position = Vector3::Zero(); ///< undeformed [m]
   Matrix rows; ///< 6 x n: three displacements [m], three rotations [rad] per unit coordinate
-  Vector static_displacement; ///< 6, under the body's loads [m, rad]; empty without loads
+  /// 6, under the body's loads [m, rad]; empty without loads.
+  Vector static_displacement{};
+  /// 3, static displacement along each axis per unit force along it, of the body before reduction
+  /// [m/N]; empty for bodies without a mesh and for those that no support holds.
+  Vector flexibility{};
 };
 
 /// Nodes, cells and mode shapes, to expand coordinates to the mesh.
@@ -33,7 +37,7 @@ struct Recovery {
   std::vector<std::array<int, 4>> surfaces;
   Matrix shapes; ///< 6N x n: rows 6 i + component of node i
   /// 6N, displacement of the mesh under the body's loads [m, rad]; empty without loads.
-  Vector static_displacement;
+  Vector static_displacement{};
 
   bool empty() const { return lines.empty() && surfaces.empty(); }
 };
@@ -64,6 +68,8 @@ struct ReducedBody {
   Vector omega() const { return (stiffness.array() / mass.array()).max(0.0).sqrt(); }
   /// Fraction of critical damping of each coordinate by itself; 0 where omega is 0.
   Vector damping_ratio() const;
+  /// Share of its flexibility along each axis that the coordinates carry: 3, or empty.
+  Vector flexibility_share(const BodyPoint &point) const;
   /// base_participation^2 / mass: n x 3 [kg].
   Matrix effective_mass() const;
   /// Throws std::logic_error when there is no such point.

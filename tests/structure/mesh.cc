@@ -1,4 +1,4 @@
-#include "structure/mesh.h"
+#include "structure/mesh_check.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ Mesh unit_line() { return generate_line({Vector3::Zero(), Vector3(0, 0, 1), 4});
 
 std::string problem_of(const Mesh &mesh) {
   try {
-    check_mesh(mesh);
+    check_line_mesh(mesh);
   } catch (const DefinitionError &error) {
     return error.problem();
   }
@@ -25,7 +25,7 @@ TEST(Mesh, GeneratedLineHasEqualElementsAndNamedEnds) {
   ASSERT_EQ(mesh.nodes.size(), 5U);
   ASSERT_EQ(mesh.lines.size(), 4U);
   for (std::size_t cell = 0; cell < 4; ++cell)
-    EXPECT_DOUBLE_EQ(mesh.cell_length(cell), 0.25);
+    EXPECT_DOUBLE_EQ(mesh.line_length(cell), 0.25);
   EXPECT_EQ(find_nodes(mesh, {"start", {}}, "Support", "a"), std::vector<int>{0});
   EXPECT_EQ(find_nodes(mesh, {"end", {}}, "Support", "a"), std::vector<int>{4});
   EXPECT_EQ(find_nodes(mesh, {"all", {}}, "Support", "a").size(), 5U);
