@@ -26,7 +26,8 @@ std::vector<std::vector<int>> neighbours(std::size_t nodes, const Elements &elem
 std::vector<int> order(const std::vector<std::vector<int>> &graph) {
   dealii::DynamicSparsityPattern pattern(graph.size(), graph.size());
   for (std::size_t node = 0; node < graph.size(); ++node)
-    pattern.add_entries(node, graph[node].begin(), graph[node].end(), true);
+    for (const int neighbour : graph[node])
+      pattern.add(node, neighbour);
   std::vector<dealii::DynamicSparsityPattern::size_type> places(graph.size());
   dealii::SparsityTools::reorder_Cuthill_McKee(pattern, places);
   return {places.begin(), places.end()};

@@ -77,13 +77,19 @@ NodalMatrix QuadrilateralShell::stiffness() const {
 }
 
 NodalMatrix QuadrilateralShell::mass() const {
-  Matrix products = Matrix::Zero(4, 4);
-  for (const auto &[r, s] : gauss_points()) {
-    const DirectorPoint point = at(r, s);
-    const Eigen::Vector4d &h = point.translation.value;
-    products += point.tangent_r.cross(point.tangent_s).norm() * h * h.transpose();
-  }
-  return mass_from(products);
+  NodalMatrix mass = NodalMatrix::Zero(24, 24);
+  const double g = std::sqrt(0.6); // 3 x 3 Gauss points
+  for (const auto &[r, weight_r] : {std::pair(-g, 5.0 / 9), {0.0, 8.0 / 9}, {g, 5.0 / 9}})
+    for (const auto &[s, weight_s] : {std::pair(-g, 5.0 / 9), {0.0, 8.0 / 9}, {g, 5.0 / 9}}) {
+      const DirectorPoint point = at(r, s);
+      const double along_r = (1 - r * r) / 2;
+      const double along_s = (1 - s * s) / 2;
+      const Eigen::Vector4d bows(along_r * (1 - s), along_s * (1 + r), along_r * (1 + s),
+                                 along_s * (1 - r));
+      const double area = point.tangent_r.cross(point.tangent_s).norm();
+      add_mass(point.translation.value, bows, weight_r * weight_s * area, mass);
+    }
+  return (mass + mass.transpose()) / 2;
 }
 
 double QuadrilateralShell::area() const {

@@ -71,18 +71,26 @@ void ShellElement::add_membrane(const std::array<int, 3> &corners, double weight
           weight * to_plane.transpose() * membrane.block<3, 3>(3 * i, 3 * j) * to_plane;
 }
 
-NodalMatrix ShellElement::mass_from(const Matrix &shape_products) const {
-  const Index size = shape_products.rows();
-  NodalMatrix mass = NodalMatrix::Zero(6 * size, 6 * size);
-  for (Index i = 0; i < size; ++i)
-    for (Index j = 0; j < size; ++j) {
-      mass.block<3, 3>(6 * i, 6 * j).diagonal().setConstant(properties_.mass_per_area *
-                                                            shape_products(i, j));
-      mass.block<3, 3>(6 * i + 3, 6 * j + 3)
-          .diagonal()
-          .setConstant(properties_.rotary_inertia * shape_products(i, j));
+void ShellElement::add_mass(const Eigen::Vector4d &shapes, const Eigen::Vector4d &bows, double area,
+                            NodalMatrix &mass) const {
+  const auto size = static_cast<int>(positions_.size());
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 24> displacement(3, 6 * size);
+  displacement.setZero();
+  for (int i = 0; i < size; ++i) {
+    displacement.block<3, 3>(0, 6 * i).diagonal().setConstant(shapes[i]);
+    const int next = (i + 1) % size;
+    const Vector3 edge = positions_[next] - positions_[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3 bow = bows[i] / 8 * Vector3::Unit(axis).cross(edge);
+      displacement.col(6 * i + 3 + axis) += bow;
+      displacement.col(6 * next + 3 + axis) -= bow;
     }
-  return mass;
+  }
+  mass += area * properties_.mass_per_area * displacement.transpose() * displacement;
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j)
+      mass.block<3, 3>(6 * i + 3, 6 * j + 3).diagonal().array() +=
+          area * properties_.rotary_inertia * shapes[i] * shapes[j];
 }
 
 } // namespace vibroimpact::structure

@@ -3,6 +3,13 @@
 //
 // The membrane of a quadrilateral is the mean of its two cuts into triangles, so that it depends on
 // no numbering and follows a warped element: each triangle lies in its own plane.
+//
+// The mass is consistent with a displacement that knows the rotations: an edge e from node i to node
+// j bows by (theta_i - theta_j) x e / 8 in its middle, as a beam with these end rotations does. For
+// bending this is the linked interpolation that the assumed shear of the MITC elements implies
+// (zienkiewicz1993), for the membrane Allman's (allman1984). It leaves rigid motions alone and takes
+// two thirds of the error out of the frequencies of bending that the plain interpolation of
+// displacements has.
 #pragma once
 
 #include "structure/element.h"
@@ -30,8 +37,10 @@ protected:
   const std::vector<Vector3> &positions() const { return positions_; }
   /// Adds `weight` times the membrane of the triangle over three of the nodes.
   void add_membrane(const std::array<int, 3> &corners, double weight, NodalMatrix &stiffness) const;
-  /// Mass of displacements and rotations from the integrals of h_i h_j over the mid-surface.
-  NodalMatrix mass_from(const Matrix &shape_products) const;
+  /// Adds the mass of a piece of the mid-surface [m^2] where the shape functions have these values;
+  /// `bows` are 1 in the middle of the edge from node i to the next and vanish on the others.
+  void add_mass(const Eigen::Vector4d &shapes, const Eigen::Vector4d &bows, double area,
+                NodalMatrix &mass) const;
 
 private:
   std::vector<int> nodes_;

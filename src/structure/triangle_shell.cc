@@ -110,9 +110,13 @@ NodalMatrix TriangleShell::stiffness() const {
 }
 
 NodalMatrix TriangleShell::mass() const {
-  Matrix products = Matrix::Constant(3, 3, area() / 12);
-  products.diagonal() *= 2;
-  return mass_from(products);
+  NodalMatrix mass = NodalMatrix::Zero(18, 18);
+  for (const TrianglePoint &p : integration_points()) {
+    const double t = 1 - p.r - p.s;
+    add_mass({t, p.r, p.s, 0}, {4 * t * p.r, 4 * p.r * p.s, 4 * p.s * t, 0}, p.weight * 2 * area(),
+             mass);
+  }
+  return (mass + mass.transpose()) / 2;
 }
 
 double TriangleShell::area() const { return normal_.norm() / 2; }

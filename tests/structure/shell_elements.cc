@@ -133,11 +133,14 @@ Vector eigenvalues(const Matrix &matrix) {
 
 } // namespace
 
+// Turned in space, round-off of the membrane meets the bending stiffness, (size / thickness)^2 times
+// smaller: some 1e4 for the thin patch.
 TEST(ShellElements, MembranePatchTest) {
   for (const CellShape shape : both)
     for (const double thickness : {1e-3, 0.1}) {
-      EXPECT_LT(patch_error(patch(shape, thickness), stretching), 1e-12);
-      EXPECT_LT(patch_error(patch(shape, thickness), turning_in_plane), 1e-12);
+      const double round_off = thickness < 0.01 ? 1e-9 : 1e-12;
+      EXPECT_LT(patch_error(patch(shape, thickness), stretching), round_off);
+      EXPECT_LT(patch_error(patch(shape, thickness), turning_in_plane), round_off);
     }
 }
 
@@ -257,7 +260,7 @@ TEST(ShellElements, InPlaneBendingIsExactForAllAspectRatios) {
       }
       const double exact = 1e7 * 0.01 / 12 * length;
       const double beta = (1 - 4 * nu * nu) / 2; // the optimum is bounded below near nu = 1/2
-      EXPECT_NEAR(u.dot(element.stiffness() * u) / exact, 1, beta > 0.01 ? 1e-11 : 0.1)
+      EXPECT_NEAR(u.dot(element.stiffness() * u) / exact, 1, beta > 0.01 ? 1e-10 : 0.1)
           << nu << " " << length;
     }
 }

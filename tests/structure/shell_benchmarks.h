@@ -1,0 +1,86 @@
+// Public cases of plates and shells, for tests and the verification.
+#pragma once
+
+#include "structure/shell_examples.h"
+
+namespace vibroimpact::examples {
+
+/// All edges held across the plate; the tangential rotation there is held as well (hard support).
+inline ShellDefinition simply_supported_plate(int elements,
+                                              CellShape shape = CellShape::quadrilateral) {
+  ShellDefinition shell = square_plate(elements, shape);
+  hold_in_plane(shell);
+  for (const char *edge : {"left", "right"})
+    shell.supports.push_back({edge, {edge, {}}, {false, false, true, true, false, false}, {}});
+  for (const char *edge : {"bottom", "top"})
+    shell.supports.push_back({edge, {edge, {}}, {false, false, true, false, true, false}, {}});
+  return shell;
+}
+
+/// NAFEMS FV22: clamped rhombus, side 10 m, 45 degrees, 1 m thick.
+inline ShellDefinition clamped_rhombus(int elements,
+                                       CellShape shape = CellShape::quadrilateral) {
+  ShellDefinition shell = square_plate(elements, shape);
+  shell.plate->second_end = {10 * std::sqrt(0.5), 10 * std::sqrt(0.5), 0};
+  shell.parts[0].thickness = 1;
+  hold_in_plane(shell);
+  shell.supports.push_back({"clamp", {"edges", {}}, hold_all, {}});
+  return shell;
+}
+
+inline constexpr std::array<bool, 6> symmetric_x = {true, false, false, false, true, true};
+inline constexpr std::array<bool, 6> symmetric_y = {false, true, false, true, false, true};
+inline constexpr std::array<bool, 6> symmetric_z = {false, false, true, true, true, false};
+inline constexpr std::array<bool, 6> diaphragm_x = {false, true, true, false, false, false};
+
+/// A quarter of the roof under its own weight, 90 per area. The point is the middle of the free
+/// edge; its displacement along z is -0.3024.
+inline ShellDefinition scordelis_lo_roof(int elements, CellShape shape = CellShape::quadrilateral) {
+  ShellDefinition shell;
+  shell.cylinder = structure::Cylinder{.start = {0, 0, 0},
+                                       .end = {25, 0, 0},
+                                       .radius = 25,
+                                       .angles = {0, 40 * M_PI / 180},
+                                       .zero = Vector3(0, 0, 1),
+                                       .elements = {elements, elements},
+                                       .shape = shape};
+  shell.parts.push_back({"roof", "all", 0.25, {4.32e8, 0, 360}});
+  shell.supports = {{"crown", {"left", {}}, symmetric_y, {}},
+                    {"middle", {"bottom", {}}, symmetric_x, {}},
+                    {"diaphragm", {"top", {}}, diaphragm_x, {}}};
+  const double angle = 40 * M_PI / 180;
+  shell.points.push_back(
+      {"edge", {"", Vector3(0, -25 * std::sin(angle), 25 * std::cos(angle))}, 0, {0, 0, 0}});
+  shell.loads.push_back({.name = "weight", .at = {}, .acceleration = {0, 0, -1}});
+  return shell;
+}
+
+/// An eighth of the cylinder between rigid diaphragms, pinched by two opposite unit forces. The
+/// point is under the force; its displacement along z is -1.8248e-5.
+inline ShellDefinition pinched_cylinder(int elements, CellShape shape = CellShape::quadrilateral) {
+  ShellDefinition shell;
+  shell.cylinder = structure::Cylinder{.start = {0, 0, 0},
+                                       .end = {300, 0, 0},
+                                       .radius = 300,
+                                       .angles = {0, M_PI / 2},
+                                       .zero = Vector3(0, 0, 1),
+                                       .elements = {elements, elements},
+                                       .shape = shape};
+  shell.parts.push_back({"wall", "all", 3, {3e6, 0.3, 1}});
+  shell.supports = {{"top", {"left", {}}, symmetric_y, {}},
+                    {"side", {"right", {}}, symmetric_z, {}},
+                    {"middle", {"bottom", {}}, symmetric_x, {}},
+                    {"diaphragm", {"top", {}}, diaphragm_x, {}}};
+  shell.points.push_back({"pinch", {"", Vector3(0, 0, 300)}, 0, {0, 0, 0}});
+  shell.loads.push_back(
+      {.name = "pinch", .at = {"", Vector3(0, 0, 300)}, .force = {0, 0, -0.25}});
+  return shell;
+}
+
+inline constexpr double scordelis_lo_reference = -0.3024;
+inline constexpr double pinched_cylinder_reference = -1.8248e-5;
+/// [Hz]
+inline const std::vector<double> free_plate_reference = {1.622, 2.360, 2.922, 4.233, 4.233, 7.416};
+inline const std::vector<double> rhombus_reference = {133.95, 201.41, 265.81, 283.68, 334.45};
+
+} // namespace vibroimpact::examples
