@@ -170,7 +170,9 @@ void add_points(const structure::BodyModel &model, const Matrix &shapes, const S
   for (std::size_t p = 0; p < model.points.size(); ++p) {
     const structure::NamedNode &named = model.points[p];
     const Index row = Index{6} * named.node;
-    BodyPoint point{named.name, model.mesh.nodes[named.node], shapes.middleRows(row, 6)};
+    BodyPoint point{.name = named.name,
+                    .position = model.mesh.nodes[named.node],
+                    .rows = shapes.middleRows(row, 6)};
     if (statics.deflection.size() > 0)
       point.static_displacement = statics.deflection.segment(row, 6);
     if (!statics.flexibility.empty())

@@ -86,39 +86,36 @@ TEST(ShellFrequencies, SimplySupportedPlateConvergesWithOrderTwo) {
   for (const CellShape shape : both) {
     const Vector coarse = plate_errors(8, 4, shape);
     const Vector fine = plate_errors(16, 4, shape);
-    for (int j = 0; j < 4; ++j) {
-      EXPECT_GT(fine[j], 0) << j;
-      EXPECT_NEAR(std::log2(coarse[j] / fine[j]), 2, 0.35) << j;
-    }
-    EXPECT_LT(fine.head(1).maxCoeff(), 0.01);
+    for (const int j : {0, 3}) // in the others errors of both directions nearly cancel
+      EXPECT_NEAR(std::log2(coarse[j] / fine[j]), 2, 0.2) << j;
+    EXPECT_LT(plate_errors(24, 7, shape).cwiseAbs().maxCoeff(), 0.01);
   }
 }
 
-// A mode that does not exist would shift all that follow: the next frequency is 14 % away or more,
-// but for the double ones.
+// A mode that does not exist, or one that is missing, would shift all that follow.
 TEST(ShellFrequencies, NoModeIsSpuriousOrMissing) {
   for (const CellShape shape : both) {
-    const Vector errors = plate_errors(24, 20, shape);
-    EXPECT_GT(errors.minCoeff(), -2e-3);
-    EXPECT_LT(errors.maxCoeff(), 0.05);
+    const Vector errors = plate_errors(32, 20, shape);
+    EXPECT_LT(errors.cwiseAbs().maxCoeff(), 0.02);
   }
 }
 
 TEST(ShellFrequencies, FreePlateHasSixRigidModesAndThoseOfFV12) {
   for (const CellShape shape : both) {
     const modes::NormalModes modes = solve_shell(square_plate(16, shape), 12);
-    for (int j = 0; j < 6; ++j)
-      EXPECT_EQ(modes.eigenvalues[j], 0) << j;
+    const double scale = plate_frequency_scale(square_plate(1)) / (2 * M_PI);
     for (int j = 0; j < 6; ++j) {
+      EXPECT_EQ(modes.eigenvalues[j], 0) << j;
       const double found = std::sqrt(modes.eigenvalues[6 + j]) / (2 * M_PI);
       EXPECT_NEAR(found / free_plate_reference[j], 1, 0.01) << j;
+      EXPECT_NEAR(found / (scale * free_plate_series[j]), 1, 0.013) << j;
     }
   }
 }
 
 TEST(ShellFrequencies, ClampedThickRhombusOfFV22) {
   for (const CellShape shape : both) {
-    const Vector found = frequencies(clamped_rhombus(20, shape), 5);
+    const Vector found = frequencies(clamped_rhombus(40, shape), 5);
     for (int j = 0; j < 5; ++j)
       EXPECT_NEAR(found[j] / rhombus_reference[j], 1, 0.01) << j;
   }

@@ -41,8 +41,8 @@ TEST(ShellStatics, ScordelisLoRoof) {
 }
 
 TEST(ShellStatics, PinchedCylinder) {
-  for (const CellShape shape : both)
-    EXPECT_NEAR(cylinder(32, shape), 1, 0.02);
+  EXPECT_NEAR(cylinder(40, CellShape::quadrilateral), 1, 0.01);
+  EXPECT_NEAR(cylinder(64, CellShape::triangle), 1, 0.01);
 }
 
 // P L^3 / 3 E I + P L / (5/6 G A), thin and thick.

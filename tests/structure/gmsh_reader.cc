@@ -124,7 +124,7 @@ TEST(GmshReader, WindowsLineEndsAreRead) {
   std::string content;
   for (const char letter : version_4)
     content += letter == '\n' ? std::string("\r\n") : std::string(1, letter);
-  EXPECT_EQ(parse_gmsh(content).cells.size(), 2U);
+  EXPECT_EQ(parse_gmsh(content).lines.size(), 2U);
 }
 
 TEST(GmshReader, OtherFormatsAreNamed) {

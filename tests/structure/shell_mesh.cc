@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
+#include <functional>
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
