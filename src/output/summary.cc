@@ -84,9 +84,12 @@ std::string body_summary(const ReducedBody &body) {
       text += along_axes(name + "rotation", point.static_displacement.tail(3).transpose(), "rad");
     }
   for (const BodyPoint &point : body.points)
-    if (point.flexibility.size() > 0)
-      text += along_axes(prefix + "flexibility_share." + point.name,
-                         body.flexibility_share(point).transpose(), "1");
+    if (point.flexibility.size() > 0) {
+      RowVector share(3);
+      for (int axis = 0; axis < 3; ++axis)
+        share[axis] = body.flexibility_share(point, Vector3::Unit(axis));
+      text += along_axes(prefix + "flexibility_share." + point.name, share, "1");
+    }
   if (body.modal())
     text += summary_line(prefix + "orthogonality_residual", body.orthogonality_residual, "1");
   return text;

@@ -99,7 +99,7 @@ void warn_of_implausible(const std::string &name, const AssembledBody &body,
 /// Static displacements of the whole mesh.
 struct Statics {
   Vector deflection;               ///< under the loads of the body; empty without loads
-  std::vector<Vector> flexibility; ///< of each point, see BodyPoint; empty for a free body
+  std::vector<Matrix> flexibility; ///< of each point, see BodyPoint; empty for a free body
 };
 
 /// Loads of the body (if any) first, then unit forces at the points along each axis.
@@ -127,12 +127,13 @@ Statics solve_statics(const BodyDefinition &definition, const AssembledBody &bod
   if (eigenvalues[0] == 0 || loads.cols() == 0)
     return statics;
   const Matrix solution = modes::static_solution(problem_of(body), loads);
-  const Vector work = loads.cwiseProduct(solution).colwise().sum();
   const Index given = body.model.loaded ? 1 : 0;
   if (given > 0)
     statics.deflection = node_rows(body.free, solution.col(0));
-  for (std::size_t p = 0; p < body.model.points.size(); ++p)
-    statics.flexibility.emplace_back(work.segment(given + 3 * static_cast<Index>(p), 3));
+  for (Index first = given; first < loads.cols(); first += 3) {
+    const Matrix moved = loads.middleCols(first, 3).transpose() * solution.middleCols(first, 3);
+    statics.flexibility.emplace_back((moved + moved.transpose()) / 2);
+  }
   return statics;
 }
 

@@ -13,16 +13,12 @@ Vector ReducedBody::damping_ratio() const {
   return ratio;
 }
 
-Vector ReducedBody::flexibility_share(const BodyPoint &point) const {
+double ReducedBody::flexibility_share(const BodyPoint &point, const Vector3 &direction) const {
   if (point.flexibility.size() == 0)
-    return {};
-  const Vector carried =
-      point.rows.topRows(3).cwiseAbs2() * stiffness.cwiseInverse(); // sum of row^2 / k
-  Vector share = Vector::Ones(3); // of what cannot move, all is carried
-  for (Index axis = 0; axis < 3; ++axis)
-    if (point.flexibility[axis] > 0)
-      share[axis] = carried[axis] / point.flexibility[axis];
-  return share;
+    return 1;
+  const double whole = direction.dot(point.flexibility * direction);
+  const RowVector along = direction.transpose() * point.rows.topRows(3);
+  return whole > 0 ? along.cwiseAbs2().dot(stiffness.cwiseInverse()) / whole : 1;
 }
 
 Matrix ReducedBody::effective_mass() const {

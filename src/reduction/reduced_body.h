@@ -24,9 +24,10 @@ struct BodyPoint {
   Matrix rows; ///< 6 x n: three displacements [m], three rotations [rad] per unit coordinate
   /// 6, under the body's loads [m, rad]; empty without loads.
   Vector static_displacement{};
-  /// 3, static displacement along each axis per unit force along it, of the body before reduction
-  /// [m/N]; empty for bodies without a mesh and for those that no support holds.
-  Vector flexibility{};
+  /// 3 x 3, static displacement along an axis (row) per unit force along another (column), of the
+  /// body before reduction [m/N]; empty for bodies without a mesh and for those that no support
+  /// holds.
+  Matrix flexibility{};
 };
 
 /// Nodes, cells and mode shapes, to expand coordinates to the mesh.
@@ -68,8 +69,9 @@ struct ReducedBody {
   Vector omega() const { return (stiffness.array() / mass.array()).max(0.0).sqrt(); }
   /// Fraction of critical damping of each coordinate by itself; 0 where omega is 0.
   Vector damping_ratio() const;
-  /// Share of its flexibility along each axis that the coordinates carry: 3, or empty.
-  Vector flexibility_share(const BodyPoint &point) const;
+  /// Share of a point's flexibility along a direction that the coordinates carry; 1 where there is
+  /// nothing to carry or the flexibility is not known.
+  double flexibility_share(const BodyPoint &point, const Vector3 &direction) const;
   /// base_participation^2 / mass: n x 3 [kg].
   Matrix effective_mass() const;
   /// Throws std::logic_error when there is no such point.

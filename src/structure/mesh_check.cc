@@ -12,7 +12,7 @@ namespace {
 
 // Sine of the sharpest and the bluntest corner that still gives useful strains: 3 degrees.
 constexpr double least_sine = 0.05;
-// Cosine between the normal at a corner of a quadrilateral and its mean normal: 60 degrees.
+// Cosine between the normals at opposite corners of a quadrilateral: 60 degrees.
 constexpr double least_alignment = 0.5;
 
 [[noreturn]] void fail(const std::string &problem) {
@@ -70,24 +70,32 @@ std::string place(const Mesh &mesh, const Surface &surface) {
   return "the one around " + coordinates(centre);
 }
 
+void check_corners(const Mesh &mesh, const Surface &surface) {
+  Vector3 mean = Vector3::Zero();
+  for (int corner = 0; corner < surface.size; ++corner)
+    mean += corner_normal(mesh, surface, corner);
+  for (int corner = 0; corner < surface.size; ++corner) {
+    const Vector3 normal = corner_normal(mesh, surface, corner);
+    const std::string at = coordinates(mesh.nodes[surface.corners[corner]]);
+    if (normal.dot(mean) < -least_sine || (mean.norm() < least_sine && surface.size == 4))
+      fail("must have convex cells, but " + place(mesh, surface) +
+           " is inverted or folded at the corner " + at);
+    if (!(normal.norm() >= least_sine))
+      fail("must have no cell with an angle below 3 or above 177 degrees, but " +
+           place(mesh, surface) + " has one at " + at);
+  }
+}
+
 void check_surface(const Mesh &mesh, const Surface &surface) {
   const auto nodes = surface.nodes();
   if (std::set<int>(nodes.begin(), nodes.end()).size() < nodes.size())
     fail("must have cells with different corners, but " + place(mesh, surface) +
          " has one twice");
-  Vector3 mean = Vector3::Zero();
-  for (int corner = 0; corner < surface.size; ++corner)
-    mean += corner_normal(mesh, surface, corner);
-  mean.normalize();
-  for (int corner = 0; corner < surface.size; ++corner) {
+  check_corners(mesh, surface);
+  for (int corner = 0; surface.size == 4 && corner < 2; ++corner) {
     const Vector3 normal = corner_normal(mesh, surface, corner);
-    if (normal.dot(mean) < -least_sine)
-      fail("must have convex cells, but " + place(mesh, surface) +
-           " is inverted or folded at the corner " + coordinates(mesh.nodes[nodes[corner]]));
-    if (!(normal.norm() >= least_sine))
-      fail("must have no cell with an angle below 3 or above 177 degrees, but " +
-           place(mesh, surface) + " has one at " + coordinates(mesh.nodes[nodes[corner]]));
-    if (normal.dot(mean) < least_alignment * normal.norm())
+    const Vector3 opposite = corner_normal(mesh, surface, corner + 2);
+    if (normal.dot(opposite) < least_alignment * normal.norm() * opposite.norm())
       fail("must have cells that are nearly flat, but " + place(mesh, surface) +
            " is warped by more than 60 degrees");
   }
@@ -129,13 +137,13 @@ void check_surface_mesh(const Mesh &mesh, const std::vector<int> &beams) {
   if (mesh.surfaces.empty())
     fail("must hold triangles or quadrilaterals, but has none (gmsh -2 makes them; they belong to "
          "a physical group when there are any groups)");
+  for (const Surface &surface : mesh.surfaces)
+    check_surface(mesh, surface);
   check_orphans(mesh, beams);
   Parts parts(mesh.nodes.size());
-  for (const Surface &surface : mesh.surfaces) {
-    check_surface(mesh, surface);
+  for (const Surface &surface : mesh.surfaces)
     for (int corner = 1; corner < surface.size; ++corner)
       parts.join(surface.corners[0], surface.corners[corner]);
-  }
   for (const int beam : beams) {
     check_length(mesh, beam);
     parts.join(mesh.lines[beam][0], mesh.lines[beam][1]);

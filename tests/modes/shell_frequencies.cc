@@ -115,7 +115,8 @@ TEST(ShellFrequencies, FreePlateHasSixRigidModesAndThoseOfFV12) {
 
 TEST(ShellFrequencies, ClampedThickRhombusOfFV22) {
   for (const CellShape shape : both) {
-    const Vector found = frequencies(clamped_rhombus(40, shape), 5);
+    const Vector found =
+        frequencies(clamped_rhombus(shape == CellShape::triangle ? 48 : 40, shape), 5);
     for (int j = 0; j < 5; ++j)
       EXPECT_NEAR(found[j] / rhombus_reference[j], 1, 0.01) << j;
   }

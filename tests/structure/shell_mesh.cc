@@ -136,8 +136,8 @@ TEST(ShellMesh, BadCellsAreFoundWithTheirPlace) {
   mesh = sound;
   mesh.nodes[0] = {0.9, 0.9, 0};
   expect_problem(mesh, "the one around (0.725, 0.725, 0) m");
-  mesh = sound;
-  mesh.nodes[0] = {0, 0.99, 0};
+  mesh = generate_plate(unit_plate(2, 1, CellShape::triangle));
+  mesh.nodes[3] = {0, 0.02, 0};
   expect_problem(mesh, "an angle below 3 or above 177 degrees");
   mesh = sound;
   mesh.nodes[0] = {0, 0, 3};
