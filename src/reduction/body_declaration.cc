@@ -105,6 +105,12 @@ void declare_modes(Section &body) {
       .quantities("Damping ratio", "0", dimension::none, range::non_negative, "\\zeta",
                   "One for each kept mode; the last one repeats.", 1,
                   std::numeric_limits<int>::max())
+      .names("Attachments", "",
+             "Places as POINT.x, POINT.y or POINT.z: the static answer to a force there is kept "
+             "beside the normal modes, as far as they lack it (residual attachment modes).")
+      .quantity("Attachment damping ratio", "", dimension::none, range::non_negative, "\\zeta_a",
+                "Of the attachment modes, with damping model ratio. Without it: the last Damping "
+                "ratio.")
       .quantity("Rayleigh alpha", "", dimension::inverse_time, range::non_negative, "\\alpha",
                 "Factor of the mass matrix.")
       .quantity("Rayleigh beta", "", dimension::time, range::non_negative, "\\beta",

@@ -46,11 +46,14 @@ modes::Selection read_selection(const Values &section) {
 Damping read_damping(const Values &section) {
   check_use(section, "Damping model",
             {{"Damping ratio", {"ratio"}},
+             {"Attachment damping ratio", {"ratio"}},
              {"Rayleigh alpha", {"rayleigh"}},
              {"Rayleigh beta", {"rayleigh"}},
              {"Viscous constant", {"viscous"}}});
   Damping damping;
   damping.ratios = section.quantities("Damping ratio");
+  if (section.has("Attachment damping ratio"))
+    damping.attachment_ratio = section.quantity("Attachment damping ratio");
   const std::string model = section.choice("Damping model");
   if (model == "rayleigh") {
     damping.model = Damping::Model::rayleigh;
@@ -62,6 +65,28 @@ Damping read_damping(const Values &section) {
     damping.viscous_constant = section.quantity("Viscous constant");
   }
   return damping;
+}
+
+std::vector<Attachment> read_attachments(const Values &section,
+                                         const std::vector<structure::Point> &points) {
+  std::vector<std::string> known;
+  for (const structure::Point &point : points)
+    for (const char *axis : {".x", ".y", ".z"})
+      known.push_back(point.name + axis);
+  std::vector<Attachment> attachments;
+  for (const std::string &place : section.names("Attachments")) {
+    section.require_known("Attachments", place, known);
+    attachments.push_back({place.substr(0, place.size() - 2), place.back() - 'x'});
+  }
+  return attachments;
+}
+
+/// Modes, attachments and damping of a body with a mesh.
+void read_modes(const Values &section, const std::vector<structure::Point> &points,
+                BodyDefinition &definition) {
+  definition.selection = read_selection(section);
+  definition.attachments = read_attachments(section, points);
+  definition.damping = read_damping(section);
 }
 
 std::vector<int> read_axes(const Values &section) {
@@ -114,16 +139,14 @@ void read_beam(const Values &body, const std::string &folder, MPI_Comm communica
   definition.beam.supports = read_supports(body);
   definition.beam.points = read_points(body);
   definition.beam.loads = read_loads(body);
-  definition.selection = read_selection(body.subsection("Modes"));
-  definition.damping = read_damping(body.subsection("Modes"));
+  read_modes(body.subsection("Modes"), definition.beam.points, definition);
 }
 
 void read_shell(const Values &body, const std::string &folder, MPI_Comm communicator,
                 BodyDefinition &definition) {
   refuse(body, {"Section", "Rotor", "Motor"}, {"Mass"});
   definition.shell = read_shell_definition(body, folder, communicator);
-  definition.selection = read_selection(body.subsection("Modes"));
-  definition.damping = read_damping(body.subsection("Modes"));
+  read_modes(body.subsection("Modes"), definition.shell.points, definition);
 }
 
 void read_rotor(const Values &body, BodyDefinition &definition) {

@@ -5,11 +5,13 @@
 #include "reduction/lumped_body.h"
 #include "reduction/rotor_body.h"
 #include "common/log.h"
+#include "modes/attachment_modes.h"
 #include "modes/static_solution.h"
 #include "structure/assembly.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace vibroimpact {
@@ -149,8 +151,9 @@ Matrix viscous_damping(const Damping &damping, const AssembledBody &body, const 
   return damping.viscous_constant / mass * (projected + projected.transpose()) / 2;
 }
 
+/// The first `normal` shapes are normal modes, the others attachment modes.
 Matrix modal_damping(const Damping &damping, const AssembledBody &body, const Vector &stiffness,
-                     const Matrix &shapes) {
+                     const Matrix &shapes, Index normal) {
   if (damping.model == Damping::Model::viscous)
     return viscous_damping(damping, body, shapes);
   if (damping.model == Damping::Model::rayleigh)
@@ -158,6 +161,8 @@ Matrix modal_damping(const Damping &damping, const AssembledBody &body, const Ve
   Vector ratio(stiffness.size());
   for (Index j = 0; j < ratio.size(); ++j)
     ratio[j] = damping.ratios[std::min<std::size_t>(j, damping.ratios.size() - 1)];
+  ratio.tail(ratio.size() - normal).setConstant(
+      damping.attachment_ratio.value_or(damping.ratios.back()));
   return diagonal((2 * ratio.array() * stiffness.array().sqrt()).matrix());
 }
 
@@ -182,14 +187,52 @@ void add_points(const structure::BodyModel &model, const Matrix &shapes, const S
   }
 }
 
-/// The shapes of the selected modes on all nodes, in the basis that the rule takes.
-Matrix selected_shapes(const AssembledBody &body, const modes::NormalModes &modes) {
+/// Shapes on all nodes, with omega^2: the selected normal modes, then the attachment modes.
+struct Basis {
+  Vector stiffness;
+  Matrix shapes;
+};
+
+/// The shapes in the basis that the rule takes.
+Matrix ruled(const AssembledBody &body, const Vector &eigenvalues, const Matrix &free_shapes) {
   std::vector<int> point_nodes;
   for (const structure::NamedNode &point : body.model.points)
     point_nodes.push_back(point.node);
-  Matrix shapes = node_rows(body.free, modes.shapes);
-  fix_basis(modes.eigenvalues, point_nodes, shapes);
-  return shapes.middleCols(modes.first, modes.number);
+  Matrix shapes = node_rows(body.free, free_shapes);
+  fix_basis(eigenvalues, point_nodes, shapes);
+  return shapes;
+}
+
+/// Unit forces that the attachments name; those on held degrees of freedom have no answer.
+Matrix attachment_loads(const BodyDefinition &definition, const AssembledBody &body) {
+  std::vector<int> dofs;
+  for (const Attachment &attachment : definition.attachments)
+    for (const structure::NamedNode &point : body.model.points)
+      if (const int dof = body.free.number[point.node][attachment.axis];
+          point.name == attachment.point && dof >= 0)
+        dofs.push_back(dof);
+  Matrix loads = Matrix::Zero(body.free.size, static_cast<Index>(dofs.size()));
+  for (std::size_t j = 0; j < dofs.size(); ++j)
+    loads(dofs[j], static_cast<Index>(j)) = 1;
+  return loads;
+}
+
+Basis make_basis(const BodyDefinition &definition, const AssembledBody &body,
+                 const modes::NormalModes &modes) {
+  const Matrix normal = ruled(body, modes.eigenvalues, modes.shapes);
+  Basis basis{merge_multiple(modes.eigenvalues).segment(modes.first, modes.number),
+              normal.middleCols(modes.first, modes.number)};
+  const Matrix loads = attachment_loads(definition, body);
+  if (loads.cols() == 0)
+    return basis;
+  const modes::AttachmentModes more =
+      modes::residual_attachment_modes(problem_of(body), modes, loads);
+  const Index size = modes.number + more.eigenvalues.size();
+  basis.stiffness.conservativeResize(size);
+  basis.stiffness.tail(more.eigenvalues.size()) = more.eigenvalues;
+  basis.shapes.conservativeResize(Eigen::NoChange, size);
+  basis.shapes.rightCols(more.eigenvalues.size()) = ruled(body, more.eigenvalues, more.shapes);
+  return basis;
 }
 
 ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator) {
@@ -198,21 +241,26 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
   if (modes.number == 0)
     throw DefinitionError("Modes", "", "Band", "must hold at least one natural frequency");
   warn_of_implausible(definition.name, assembled, modes.eigenvalues);
-  Matrix shapes = selected_shapes(assembled, modes);
+  Basis basis = make_basis(definition, assembled, modes);
 
   ReducedBody body;
   body.name = definition.name;
   body.type = definition.type == BodyDefinition::Type::shell ? "shell" : "beam";
-  body.mass = Vector::Ones(modes.number);
-  body.stiffness = merge_multiple(modes.eigenvalues).segment(modes.first, modes.number);
-  body.damping = modal_damping(definition.damping, assembled, body.stiffness, shapes);
-  body.base_participation = free_rows(assembled.free, shapes).transpose() * assembled.base_inertia;
+  body.mass = Vector::Ones(basis.stiffness.size());
+  body.stiffness = basis.stiffness;
+  body.damping =
+      modal_damping(definition.damping, assembled, body.stiffness, basis.shapes, modes.number);
+  body.base_participation =
+      free_rows(assembled.free, basis.shapes).transpose() * assembled.base_inertia;
   const Statics statics = solve_statics(definition, assembled, modes.eigenvalues);
-  add_points(assembled.model, shapes, statics, body);
-  body.recovery = recovery(assembled.model.mesh, std::move(shapes));
+  add_points(assembled.model, basis.shapes, statics, body);
+  body.recovery = recovery(assembled.model.mesh, std::move(basis.shapes));
   body.recovery.static_displacement = statics.deflection;
   body.total_mass.setConstant(assembled.model.total_mass());
-  body.eigen_residual = modes.error_bounds.segment(modes.first, modes.number);
+  // Attachment modes are no eigenvectors: nothing bounds their error as such.
+  body.eigen_residual =
+      Vector::Constant(body.size(), std::numeric_limits<double>::quiet_NaN());
+  body.eigen_residual.head(modes.number) = modes.error_bounds.segment(modes.first, modes.number);
   body.orthogonality_residual = modes.orthogonality_residual;
   return body;
 }

@@ -57,15 +57,16 @@ TEST(ShellStatics, StripBendsAndShears) {
     }
 }
 
-// The drilling rotation at the tip of a strip bent within its plane is that of the beam,
-// P L^2 / 2 E I, and its deflection P L^3 / 3 E I, with 3 E I / (5/6 G A L^2) = 0.6 (b/L)^2 more for
-// the shear.
+// In a strip bent within its plane the drilling rotation is that of the beam, P (L x - x^2 / 2) / E I
+// away from the forces, and the deflection of the tip P L^3 / 3 E I with 3 E I / (5/6 G A L^2) = 0.6
+// (b/L)^2 more for the shear.
 TEST(ShellStatics, DrillingIsARotationOfTheMaterial) {
   for (const CellShape shape : both) {
     const double stiffness = 2e11 * 0.01 * std::pow(0.2, 3) / 12;
-    const Vector tip = static_at_point(strip(0.01, shape, {0, 10, 0}, 4));
-    EXPECT_NEAR(tip[1] / (10 / (3 * stiffness)), 1.024, 0.01);
-    EXPECT_NEAR(tip[5] / (10 / (2 * stiffness)), 1, 0.01);
+    ShellDefinition shell = strip(0.01, shape, {0, 10, 0}, 4);
+    EXPECT_NEAR(static_at_point(shell)[1] / (10 / (3 * stiffness)), 1.024, 0.01);
+    shell.points[0].at.position = Vector3(0.75, 0.1, 0);
+    EXPECT_NEAR(static_at_point(shell)[5] / (10 * 0.46875 / stiffness), 1, 0.01);
   }
 }
 
