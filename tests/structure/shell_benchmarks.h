@@ -1,6 +1,7 @@
 // Public cases of plates and shells, for tests and the verification.
 #pragma once
 
+#include "structure/mapped_mesh.h"
 #include "structure/shell_examples.h"
 
 namespace vibroimpact::examples {
@@ -77,6 +78,48 @@ inline ShellDefinition pinched_cylinder(int elements, CellShape shape = CellShap
   return shell;
 }
 
+/// MacNeal's beam twisted by 90 degrees over its length: the elements are warped. The point is the
+/// middle of its end; under a unit force along `axis` (1: within the width there, 2: across it) it
+/// moves by the reference. `across` is even.
+inline ShellDefinition twisted_beam(int along, int across, int axis,
+                                    CellShape shape = CellShape::quadrilateral) {
+  ShellDefinition shell;
+  shell.mesh_content = mapped_mesh(along, across, shape, [](double a, double b) {
+    const double angle = a * M_PI / 2;
+    const double y = 1.1 * (b - 0.5);
+    return Vector3(12 * a, y * std::cos(angle), y * std::sin(angle));
+  });
+  shell.parts.push_back({"beam", "all", 0.32, {29e6, 0.22, 1}});
+  shell.supports.push_back({"root", {"left", {}}, hold_all, {}});
+  shell.points.push_back({"tip", {"", Vector3(12, 0, 0)}, 0, {0, 0, 0}});
+  shell.loads.push_back({.name = "tip", .at = {"", Vector3(12, 0, 0)}, .force = Vector3::Unit(axis)});
+  return shell;
+}
+
+/// A quarter of the hemisphere with a hole of 18 degrees, pulled and pushed by unit forces: nearly
+/// all bending without stretching, the severest case for membrane locking. The point is where the
+/// force along x acts; it moves by 0.094 along x.
+inline ShellDefinition hemisphere(int elements, CellShape shape = CellShape::quadrilateral) {
+  ShellDefinition shell;
+  shell.mesh_content = mapped_mesh(elements, elements, shape, [](double a, double b) {
+    const double around = a * M_PI / 2;
+    const double up = b * 72 * M_PI / 180;
+    return Vector3(10 * std::cos(up) * std::cos(around), 10 * std::cos(up) * std::sin(around),
+                   10 * std::sin(up));
+  });
+  shell.parts.push_back({"shell", "all", 0.04, {6.825e7, 0.3, 1}});
+  shell.supports = {{"y", {"left", {}}, symmetric_y, {}},
+                    {"x", {"right", {}}, symmetric_x, {}},
+                    {"z", {"", Vector3(10, 0, 0)}, {false, false, true, false, false, false}, {}}};
+  shell.points.push_back({"pull", {"", Vector3(10, 0, 0)}, 0, {0, 0, 0}});
+  shell.loads = {{.name = "pull", .at = {"", Vector3(10, 0, 0)}, .force = {1, 0, 0}},
+                 {.name = "push", .at = {"", Vector3(0, 10, 0)}, .force = {0, -1, 0}}};
+  return shell;
+}
+
+inline constexpr double twisted_beam_within_reference = 1.754e-3;
+inline constexpr double twisted_beam_across_reference = 5.424e-3;
+inline constexpr double hemisphere_reference = 0.094;
 inline constexpr double scordelis_lo_reference = -0.3024;
 inline constexpr double pinched_cylinder_reference = -1.8248e-5;
 /// omega a^2 sqrt(rho t / D) of a free thin square plate with nu = 0.3: Ritz' method with products of
