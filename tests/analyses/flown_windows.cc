@@ -73,12 +73,12 @@ void compare(const std::shared_ptr<const ContactLaw> &law, double frequency) {
   for (std::size_t i = 0; i < flown.result.fields.size(); ++i) {
     const Field &one = flown.result.fields[i];
     const Field &other = stepped.result.fields[i];
-    ASSERT_EQ(one.name, other.name) << where;
+    ASSERT_EQ(one.name(), other.name()) << where;
     if (std::isnan(other.values[0]))
-      EXPECT_TRUE(std::isnan(one.values[0])) << where << one.name;
+      EXPECT_TRUE(std::isnan(one.values[0])) << where << one.name();
     else
       EXPECT_NEAR(one.values[0], other.values[0], 1e-8 * (1 + std::abs(other.values[0])))
-          << where << one.name;
+          << where << one.name();
   }
 
   const StateLayout layout = Equations(system.model, system.contacts).layout();
