@@ -100,10 +100,15 @@ H5FD_t *open_file(const char *name, unsigned flags, hid_t access, haddr_t /*high
   return file;
 }
 
-herr_t close_file(H5FD_t *file) {
-  if (::close(file_of(file).descriptor) != 0 && file_of(file).failure->error == 0)
-    file_of(file).failure->error = errno;
-  delete &file_of(file);
+/// The library cuts a file to its length before the last writes to it; here that comes last.
+herr_t close_file(H5FD_t *opened) {
+  const File &file = file_of(opened);
+  int &error = file.failure->error;
+  if (error == 0 && ::ftruncate(file.descriptor, static_cast<off_t>(file.allocated)) != 0)
+    error = errno;
+  if (::close(file.descriptor) != 0 && error == 0)
+    error = errno;
+  delete &file;
   return 0;
 }
 
@@ -154,12 +159,8 @@ herr_t write(H5FD_t *opened, H5FD_mem_t kind, hid_t /*transfer*/, haddr_t addres
   return -1;
 }
 
-herr_t truncate(H5FD_t *opened, hid_t /*transfer*/, hbool_t /*closing*/) {
-  File &file = file_of(opened);
-  if (file.failure->error == 0 &&
-      ::ftruncate(file.descriptor, static_cast<off_t>(file.allocated)) != 0)
-    file.failure->error = errno;
-  file.written = file.allocated;
+herr_t truncate(H5FD_t *file, hid_t /*transfer*/, hbool_t /*closing*/) {
+  file_of(file).written = file_of(file).allocated;
   return 0;
 }
 
