@@ -11,6 +11,7 @@ pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
 # exp, sin and cos that are the same in all vector widths.
 pkg_check_modules(SLEEF REQUIRED IMPORTED_TARGET sleef)
+find_package(ZLIB REQUIRED)
 
 # deal.II's own macro fixes build types and flags for a whole target; its library and headers are
 # enough here. The release library is used throughout: the debug one refuses branching line meshes.

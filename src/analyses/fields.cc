@@ -13,14 +13,39 @@ struct Column {
   double (*value)(const Impact &impact);
 };
 
-constexpr const char *unbalanced_name = "unbalanced";
-constexpr const char *undecided_name = "undecided_events";
+struct AccuracyLabels {
+  Label energy_residual{"energy_residual", "1",
+                        "unaccounted energy over initial energy plus absolute input"};
+  Label unbalanced{"unbalanced", "1",
+                   "1 when the energy balance does not close: energy_residual above 1e-10 where "
+                   "all steps were exact, above 1000 relative tolerances elsewhere"};
+  Label event_residual{"event_residual", "s",
+                       "largest uncertainty of the instant of a contact change"};
+  Label relative_tolerance{"relative_tolerance", "1", "of one time step"};
+  Label steps{"steps", "1", "accepted time steps"};
+  Label rejected_steps{"rejected_steps", "1", "rejected time steps"};
+  Label events{"events", "1", "contact changes"};
+  Label undecided_events{"undecided_events", "1",
+                         "touches within the rounding of the gap, taken for none"};
+  Label chatters{"chatters", "1",
+                 "infinite sequences of rigid impacts that were completed at once"};
+};
+
+const AccuracyLabels &accuracy_labels() {
+  static const AccuracyLabels labels;
+  return labels;
+}
 
 // Of a scalar; 0 when the point does not have it.
-double scalar_of(const PointResult &result, const std::string &name) {
-  const auto found = std::find_if(result.fields.begin(), result.fields.end(),
-                                  [&](const Field &field) { return field.name == name; });
-  return found == result.fields.end() || found->values.empty() ? 0 : found->values[0];
+double scalar_of(const PointResult &result, const Label &label) {
+  const auto first = [&result](auto is_wanted) {
+    const auto found = std::find_if(result.fields.begin(), result.fields.end(), is_wanted);
+    return found == result.fields.end() ? nullptr : &*found;
+  };
+  const Field *found = first([&](const Field &field) { return field.label == label; });
+  if (found == nullptr) // an earlier version of the program may have described it otherwise
+    found = first([&](const Field &field) { return field.name() == label.name(); });
+  return found == nullptr || found->values.empty() ? 0 : found->values[0];
 }
 
 constexpr Column columns[] = {
@@ -45,57 +70,53 @@ constexpr Column columns[] = {
 
 } // namespace
 
+Field scalar_field(const Label &label, double value) {
+  return {.label = label, .shape = {}, .values = {value}};
+}
+
 Field scalar_field(const std::string &name, double value, const std::string &unit,
                    const std::string &description) {
-  return {.name = name,
-          .unit = unit,
-          .description = description,
-          .dimensions = {},
-          .shape = {},
-          .values = {value}};
+  return scalar_field(Label(name, unit, description), value);
 }
 
 Field series_field(const std::string &name, const std::string &dimension,
                    std::vector<double> values, const std::string &unit,
                    const std::string &description) {
   const std::size_t length = values.size();
-  return {.name = name,
-          .unit = unit,
-          .description = description,
-          .dimensions = {dimension},
+  return {.label = Label(name, unit, description, {dimension}),
           .shape = {length},
           .values = std::move(values)};
 }
 
-void add_accuracy(PointResult &result, const Accuracy &accuracy,
-                  const IntegrationSettings &settings) {
-  const std::vector<Field> fields = {
-      scalar_field("energy_residual", accuracy.energy_residual, "1",
-                   "unaccounted energy over initial energy plus absolute input"),
-      scalar_field(
-          unbalanced_name, accuracy.balanced() ? 0 : 1, "1",
-          "1 when the energy balance does not close: energy_residual above 1e-10 where all "
-          "steps were exact, above 1000 relative tolerances elsewhere"),
-      scalar_field("event_residual", accuracy.event_residual, "s",
-                   "largest uncertainty of the instant of a contact change"),
-      scalar_field("relative_tolerance", settings.relative_tolerance, "1", "of one time step"),
-      scalar_field("steps", static_cast<double>(accuracy.steps), "1", "accepted time steps"),
-      scalar_field("rejected_steps", static_cast<double>(accuracy.rejected_steps), "1",
-                   "rejected time steps"),
-      scalar_field("events", static_cast<double>(accuracy.events), "1", "contact changes"),
-      scalar_field(undecided_name, static_cast<double>(accuracy.undecided_events), "1",
-                   "touches within the rounding of the gap, taken for none"),
-      scalar_field("chatters", static_cast<double>(accuracy.chatters), "1",
-                   "infinite sequences of rigid impacts that were completed at once"),
-  };
-  result.fields.insert(result.fields.end(), fields.begin(), fields.end());
-  for (const Field &field : fields)
-    result.summary.push_back({.name = field.name, .value = field.values[0], .unit = field.unit});
+SummaryLine scalar_line(const std::string &name, double value, const std::string &unit) {
+  return {.label = Label(name, unit, ""), .value = value};
 }
 
-bool unbalanced(const PointResult &result) { return scalar_of(result, unbalanced_name) > 0; }
+void add_accuracy(PointResult &result, const Accuracy &accuracy,
+                  const IntegrationSettings &settings) {
+  const auto add = [&result](const Label &label, double value) {
+    result.fields.push_back(scalar_field(label, value));
+    result.summary.push_back({.label = label, .value = value});
+  };
+  const AccuracyLabels &labels = accuracy_labels();
+  add(labels.energy_residual, accuracy.energy_residual);
+  add(labels.unbalanced, accuracy.balanced() ? 0 : 1);
+  add(labels.event_residual, accuracy.event_residual);
+  add(labels.relative_tolerance, settings.relative_tolerance);
+  add(labels.steps, static_cast<double>(accuracy.steps));
+  add(labels.rejected_steps, static_cast<double>(accuracy.rejected_steps));
+  add(labels.events, static_cast<double>(accuracy.events));
+  add(labels.undecided_events, static_cast<double>(accuracy.undecided_events));
+  add(labels.chatters, static_cast<double>(accuracy.chatters));
+}
 
-double undecided_events(const PointResult &result) { return scalar_of(result, undecided_name); }
+bool unbalanced(const PointResult &result) {
+  return scalar_of(result, accuracy_labels().unbalanced) > 0;
+}
+
+double undecided_events(const PointResult &result) {
+  return scalar_of(result, accuracy_labels().undecided_events);
+}
 
 void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLog &log,
                  std::size_t summary_lines) {
@@ -109,15 +130,13 @@ void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLo
                                            "impact_" + name, std::move(values), column.unit,
                                            column.description));
     }
-    result.summary.push_back({.name = "contact." + name + ".impacts",
-                              .value = static_cast<double>(impacts.size()),
-                              .unit = "1"});
+    result.summary.push_back(
+        scalar_line("contact." + name + ".impacts", static_cast<double>(impacts.size()), "1"));
     for (std::size_t i = 0; i < std::min(summary_lines, impacts.size()); ++i)
       for (const Column &column : columns)
         result.summary.push_back(
-            {.name = "contact." + name + ".impact[" + std::to_string(i + 1) + "]." + column.name,
-             .value = column.value(impacts[i]),
-             .unit = column.unit});
+            scalar_line("contact." + name + ".impact[" + std::to_string(i + 1) + "]." + column.name,
+                        column.value(impacts[i]), column.unit));
   }
 }
 

@@ -11,12 +11,15 @@
 
 namespace vibroimpact {
 
+Field scalar_field(const Label &label, double value);
 Field scalar_field(const std::string &name, double value, const std::string &unit,
                    const std::string &description);
 /// One-dimensional field along `dimension`.
 Field series_field(const std::string &name, const std::string &dimension,
                    std::vector<double> values, const std::string &unit,
                    const std::string &description);
+
+SummaryLine scalar_line(const std::string &name, double value, const std::string &unit);
 
 /// Accuracy of a motion as fields and summary lines.
 void add_accuracy(PointResult &result, const Accuracy &accuracy,

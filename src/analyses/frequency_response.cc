@@ -82,8 +82,8 @@ void add_peak(PointResult &result, const Quantity &quantity, const Peak &peak) {
       scalar_field(base + "frequency", peak.frequency, "Hz", "frequency of the largest amplitude"));
   std::string line = "peak." + quantity.name;
   std::replace(line.begin(), line.end(), '/', '.');
-  result.summary.push_back({.name = line, .value = peak.value, .unit = quantity.unit});
-  result.summary.push_back({.name = line + ".frequency", .value = peak.frequency, .unit = "Hz"});
+  result.summary.push_back(scalar_line(line, peak.value, quantity.unit));
+  result.summary.push_back(scalar_line(line + ".frequency", peak.frequency, "Hz"));
 }
 
 } // namespace

@@ -31,7 +31,7 @@ public:
   void scalar(const std::string &name, double value, const std::string &unit,
               const std::string &description) {
     result_.fields.push_back(scalar_field(base_ + name, value, unit, description));
-    result_.summary.push_back({.name = with(base_ + name, '/', '.'), .value = value, .unit = unit});
+    result_.summary.push_back(scalar_line(with(base_ + name, '/', '.'), value, unit));
   }
 
   // One value per impact, the first `listed` of them in the summary.
@@ -40,9 +40,8 @@ public:
     result_.fields.push_back(series_field(base_ + name, impacts_, values, unit, description));
     const std::string base = with(base_, '/', '.') + "impact[";
     for (std::size_t i = 0; i < std::min(listed, values.size()); ++i)
-      result_.summary.push_back({.name = base + std::to_string(i + 1) + "]." + with(name, '/', '.'),
-                                 .value = values[i],
-                                 .unit = unit});
+      result_.summary.push_back(
+          scalar_line(base + std::to_string(i + 1) + "]." + with(name, '/', '.'), values[i], unit));
   }
 
   // The dimension whose coordinate is the field `name`.
@@ -57,12 +56,10 @@ public:
   void map(const std::string &name, const std::string &rows, const std::string &columns,
            const std::vector<std::size_t> &shape, std::vector<double> values,
            const std::string &description) {
-    result_.fields.push_back({.name = base_ + name,
-                              .unit = "1",
-                              .description = description,
-                              .dimensions = {dimension(rows), dimension(columns)},
-                              .shape = shape,
-                              .values = std::move(values)});
+    result_.fields.push_back(
+        {.label = Label(base_ + name, "1", description, {dimension(rows), dimension(columns)}),
+         .shape = shape,
+         .values = std::move(values)});
   }
 
 private:

@@ -27,9 +27,9 @@ void add_body(PointResult &result, const ReducedBody &body) {
         "1", "participation of a base motion along " + name);
     add("effective_modal_mass_" + name, effective, "kg", "effective modal mass along " + name);
     if (body.total_mass[axis] > 0)
-      result.summary.push_back({.name = "body." + body.name + ".effective_modal_mass_share." + name,
-                                .value = effective.sum() / body.total_mass[axis],
-                                .unit = "1"});
+      result.summary.push_back(
+          scalar_line("body." + body.name + ".effective_modal_mass_share." + name,
+                      effective.sum() / body.total_mass[axis], "1"));
   }
 }
 
@@ -44,8 +44,7 @@ void add_contact(PointResult &result, const System &system, std::size_t c) {
   const double mass = system.contacts.effective_mass(c, system.model);
   result.fields.push_back(
       scalar_field(base + "effective_mass", mass, "kg", "mass that meets at the contact"));
-  result.summary.push_back(
-      {.name = "contact." + pair.name + ".effective_mass", .value = mass, .unit = "kg"});
+  result.summary.push_back(scalar_line("contact." + pair.name + ".effective_mass", mass, "kg"));
 }
 
 } // namespace

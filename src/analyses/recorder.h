@@ -31,18 +31,20 @@ class Recorder : public Observer {
 public:
   void step(const StepView & /*view*/) override {}
 
-  /// The window begins: the trajectory stands at its start. Called once.
+  /// A window begins: the trajectory stands at its start. A recorder serves many windows one after
+  /// the other and forgets the one before here.
   virtual void begin(const Window & /*window*/, const Trajectory & /*trajectory*/) {}
   /// The trajectory stands exactly at the end of forcing period `cycle` (1, 2, ... Window::cycles).
   virtual void period_end(long /*cycle*/, const Trajectory & /*trajectory*/) {}
-  /// The window is over: the trajectory stands at its end. Called once, after all period_end().
+  /// The window is over: the trajectory stands at its end. Called after all period_end().
   virtual void end(const Trajectory & /*trajectory*/) {}
 
-  /// Fields and summary lines of what was seen between the window's start and its end.
+  /// Fields and summary lines of what was seen between the window's start and its end. Recorders
+  /// of cheap points make the labels of their fields when they are made.
   virtual void add_fields(PointResult &result) const = 0;
 };
 
-/// Makes the recorder of one point of an analysis. The system outlives the recorder. InputError
+/// Makes a recorder of the points of an analysis. The system outlives the recorder. InputError
 /// when the options do not fit the system.
 using RecorderFactory = std::function<std::unique_ptr<Recorder>(const System &system)>;
 

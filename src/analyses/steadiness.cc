@@ -5,20 +5,23 @@
 namespace vibroimpact {
 
 Steadiness::Steadiness(Vector scale, long longest, double tolerance)
-    : scale_(std::move(scale)), longest_(static_cast<std::size_t>(longest)), tolerance_(tolerance) {
+    : scale_(std::move(scale)), longest_(longest), tolerance_(tolerance),
+      states_(scale_.size(), 2 * longest + 1) {}
+
+auto Steadiness::state(Index periods) const {
+  return states_.col((seen_ - 1 - periods) % states_.cols());
 }
 
-double Steadiness::change(std::size_t newer, std::size_t older) const {
-  return (states_[newer] - states_[older]).cwiseAbs().maxCoeff();
+double Steadiness::change(Index newer, Index older) const {
+  return (state(newer) - state(older)).cwiseAbs().maxCoeff();
 }
 
 void Steadiness::add(const Vector &physical) {
-  states_.push_front(physical.cwiseProduct(scale_));
-  if (states_.size() > 2 * longest_ + 1)
-    states_.pop_back();
+  states_.col(seen_++ % states_.cols()) = physical.cwiseProduct(scale_);
+  const Index known = std::min(seen_, states_.cols());
   multiple_ = 0;
-  const double size = states_.front().cwiseAbs().maxCoeff();
-  for (std::size_t k = 1; k <= longest_ && 2 * k < states_.size() && multiple_ == 0; ++k) {
+  const double size = state(0).cwiseAbs().maxCoeff();
+  for (Index k = 1; k <= longest_ && 2 * k < known && multiple_ == 0; ++k) {
     const double last = change(0, k);
     const double before = change(k, 2 * k);
     // Changes that shrink by the factor r leave last r / (1 - r) to go.
@@ -26,7 +29,7 @@ void Steadiness::add(const Vector &physical) {
     const double remaining = factor < 1 ? last * std::max(1.0, factor / (1 - factor)) : last;
     const bool small_already = last <= 1e-3 * tolerance_ * size;
     if ((factor < 1 && remaining <= tolerance_ * size) || small_already)
-      multiple_ = static_cast<long>(k);
+      multiple_ = k;
   }
 }
 

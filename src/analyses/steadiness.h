@@ -3,8 +3,6 @@
 
 #include "integration/trajectory.h"
 
-#include <deque>
-
 namespace vibroimpact {
 
 class Steadiness {
@@ -20,12 +18,15 @@ public:
   long multiple() const { return multiple_; }
 
 private:
-  double change(std::size_t newer, std::size_t older) const;
+  /// The state of so many periods ago.
+  auto state(Index periods) const;
+  double change(Index newer, Index older) const;
 
   Vector scale_;
-  std::size_t longest_;
+  Index longest_;
   double tolerance_;
-  std::deque<Vector> states_; ///< scaled, newest first
+  Matrix states_; ///< scaled, the newest ones in turn, one after the other
+  Index seen_ = 0;
   long multiple_ = 0;
 };
 

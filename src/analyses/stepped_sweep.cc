@@ -30,22 +30,30 @@ SteppedSweep::Directions read_directions(const parameters::Values &values) {
   return name == "backward" ? SteppedSweep::Directions::backward : SteppedSweep::Directions::both;
 }
 
-Field state_field(const char *name, const Vector &physical, const std::string &description) {
-  return series_field(name, "state", {physical.begin(), physical.end()}, "SI",
-                      description + ": coordinates, their rates, internal states of contacts, "
-                                    "torques of motors");
+Label state_label(const char *name, const std::string &description) {
+  return {name,
+          "SI",
+          description + ": coordinates, their rates, internal states of contacts, torques of "
+                        "motors",
+          {"state"}};
+}
+
+Field state_field(const Label &label, const Vector &physical) {
+  return {.label = label,
+          .shape = {static_cast<std::size_t>(physical.size())},
+          .values = {physical.begin(), physical.end()}};
 }
 
 Vector stored_state(const PointResult &result, const char *name) {
   for (const Field &field : result.fields)
-    if (field.name == name)
+    if (field.name() == name)
       return ConstVectorView(field.values.data(), static_cast<Index>(field.values.size()));
   return {};
 }
 
 double stored_scalar(const PointResult &result, const char *name) {
   for (const Field &field : result.fields)
-    if (field.name == name)
+    if (field.name() == name)
       return field.values.at(0);
   return 0;
 }
@@ -61,28 +69,31 @@ SettledMotion stored_motion(const PointResult &result) {
 }
 
 void add_settling(PointResult &result, const SettledMotion &settled) {
-  result.fields.push_back(scalar_field("steady", settled.steady() ? 1 : 0, "1",
-                                       "1 when the motion was judged steady before recording"));
-  result.fields.push_back(scalar_field("period_multiple", static_cast<double>(settled.multiple),
-                                       "1", "forcing periods after which it repeats, 0 unknown"));
-  result.fields.push_back(scalar_field("settling_cycles", static_cast<double>(settled.cycles), "1",
-                                       "forcing periods before recording"));
+  static const Label steady("steady", "1", "1 when the motion was judged steady before recording");
+  static const Label multiple("period_multiple", "1",
+                              "forcing periods after which it repeats, 0 unknown");
+  static const Label cycles("settling_cycles", "1", "forcing periods before recording");
+  static const Label end_state = state_label(state, "state at the end");
+  result.fields.push_back(scalar_field(steady, settled.steady() ? 1 : 0));
+  result.fields.push_back(scalar_field(multiple, static_cast<double>(settled.multiple)));
+  result.fields.push_back(scalar_field(cycles, static_cast<double>(settled.cycles)));
+  result.fields.push_back(state_field(end_state, settled.state.physical));
 }
 
 void add_jump(PointResult &result, const Jump &jump, const SettledMotion &settled,
               const std::string &unit) {
-  result.fields.push_back(
-      state_field(lowest_state, settled.lowest, "smallest state at the ends of periods"));
-  result.fields.push_back(
-      state_field(highest_state, settled.highest, "largest state at the ends of periods"));
+  static const Label lowest = state_label(lowest_state, "smallest state at the ends of periods");
+  static const Label highest = state_label(highest_state, "largest state at the ends of periods");
+  result.fields.push_back(state_field(lowest, settled.lowest));
+  result.fields.push_back(state_field(highest, settled.highest));
   result.fields.push_back(scalar_field("jump_from", jump.from, unit,
                                        "last value before a jump between the previous point of "
                                        "the sweep and this one, NaN when there is none"));
   result.fields.push_back(
       scalar_field("jump_to", jump.to, unit, "first value after that jump, NaN without one"));
   if (jump.found()) {
-    result.summary.push_back({.name = "jump_from", .value = jump.from, .unit = unit});
-    result.summary.push_back({.name = "jump_to", .value = jump.to, .unit = unit});
+    result.summary.push_back(scalar_line("jump_from", jump.from, unit));
+    result.summary.push_back(scalar_line("jump_to", jump.to, unit));
   }
 }
 
@@ -217,7 +228,7 @@ PointResult SteppedSweep::compute(const Step &step, SweptSystem &swept, const Mo
                                   SettledMotion &settled) const {
   const System &system = swept.system();
   Trajectory &trajectory = swept.trajectory();
-  WindowRecording recording(settings_.recorders, system);
+  WindowRecording &recording = swept.recording();
   PointResult result{.index = step.index()};
   trajectory.start(from);
   settled = settle(trajectory, swept.period(), swept.scale(), settings_.settling);
@@ -228,7 +239,6 @@ PointResult SteppedSweep::compute(const Step &step, SweptSystem &swept, const Mo
 
   recording.add_fields(result);
   add_settling(result, settled);
-  result.fields.push_back(state_field(state, settled.state.physical, "state at the end"));
   add_accuracy(result, trajectory.accuracy(), system.integration);
   return result;
 }
@@ -275,7 +285,8 @@ PointResult SteppedSweep::advance(const Step &step, SweptSystem &swept, MotionSt
 }
 
 void SteppedSweep::run_line(std::size_t line, System &system, LineContext &context) const {
-  SweptSystem swept(settings_.parameter, settings_.excitation, system, context);
+  SweptSystem swept(settings_.parameter, settings_.excitation, settings_.recorders, system,
+                    context);
   MotionState from;                  // empty until a first point has started
   std::optional<BranchPoint> before; // the last point of this direction that succeeded
   std::size_t direction = 0;

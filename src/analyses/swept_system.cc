@@ -43,9 +43,10 @@ std::size_t sweep_source(const System &system, const std::string &name) {
 }
 
 SweptSystem::SweptSystem(const SweptParameter &parameter, const std::string &excitation,
-                         System &system, const LineContext &context)
-    : parameter_(parameter), excitation_(excitation), original_(system), context_(context),
-      present_(&system), trajectory_(trajectory_of(system)),
+                         const std::vector<RecorderFactory> &recorders, System &system,
+                         const LineContext &context)
+    : parameter_(parameter), excitation_(excitation), recorders_(recorders), original_(system),
+      context_(context), present_(&system), trajectory_(trajectory_of(system)),
       size_(trajectory_->layout().physical_size()) {}
 
 void SweptSystem::move_to(double value) {
@@ -57,7 +58,12 @@ void SweptSystem::move_to(double value) {
   period_ = 1 / value;
 }
 
+WindowRecording &SweptSystem::recording() {
+  return recording_ ? *recording_ : recording_.emplace(recorders_, *present_);
+}
+
 void SweptSystem::build(double value) {
+  recording_.reset();
   trajectory_.reset();
   built_ = std::make_unique<System>(context_.build({parameter_.at(value)}));
   present_ = built_.get();

@@ -3,9 +3,11 @@
 
 #include "analyses/analysis.h"
 #include "analyses/swept_parameter.h"
+#include "analyses/window_recording.h"
 #include "integration/trajectory.h"
 
 #include <memory>
+#include <optional>
 
 namespace vibroimpact {
 
@@ -17,7 +19,8 @@ class SweptSystem {
 public:
   /// Keeps references. A frequency is set in `system` itself; for another key the systems are built
   /// by `context`.
-  SweptSystem(const SweptParameter &parameter, const std::string &excitation, System &system,
+  SweptSystem(const SweptParameter &parameter, const std::string &excitation,
+              const std::vector<RecorderFactory> &recorders, System &system,
               const LineContext &context);
 
   /// InputError when the system cannot be built or has other coordinates than before.
@@ -25,6 +28,8 @@ public:
 
   const System &system() const { return *present_; }
   Trajectory &trajectory() { return *trajectory_; }
+  /// The recorders of the analysis for the present system.
+  WindowRecording &recording();
   double period() const { return period_; } ///< [s]
   /// Scale of the states, see state_scale().
   Vector scale() const;
@@ -34,11 +39,13 @@ private:
 
   const SweptParameter &parameter_;
   std::string excitation_;
+  const std::vector<RecorderFactory> &recorders_;
   System &original_;
   const LineContext &context_;
   std::unique_ptr<System> built_;
   const System *present_;
   std::unique_ptr<Trajectory> trajectory_;
+  std::optional<WindowRecording> recording_; ///< once asked for
   Index size_ = 0;
   double period_ = 0;
 };

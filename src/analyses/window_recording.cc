@@ -4,6 +4,14 @@
 
 namespace vibroimpact {
 
+namespace {
+
+Label behind(const std::string &prefix, const Label &label) {
+  return {prefix + label.name(), label.unit(), label.description(), label.dimensions()};
+}
+
+} // namespace
+
 WindowRecording::WindowRecording(const std::vector<RecorderFactory> &factories,
                                  const System &system) {
   for (const RecorderFactory &factory : factories)
@@ -37,19 +45,18 @@ void WindowRecording::run(const Window &window, Trajectory &trajectory, Observer
 }
 
 void WindowRecording::add_fields(PointResult &result, const std::string &prefix) const {
-  PointResult seen;
+  const std::size_t first_field = result.fields.size();
+  const std::size_t first_line = result.summary.size();
   for (const auto &recorder : recorders_)
-    recorder->add_fields(seen);
+    recorder->add_fields(result);
+  if (prefix.empty())
+    return;
   std::string line_prefix = prefix;
   std::replace(line_prefix.begin(), line_prefix.end(), '/', '.');
-  for (Field &field : seen.fields) {
-    field.name = prefix + field.name;
-    result.fields.push_back(std::move(field));
-  }
-  for (SummaryLine &line : seen.summary) {
-    line.name = line_prefix + line.name;
-    result.summary.push_back(std::move(line));
-  }
+  for (std::size_t f = first_field; f < result.fields.size(); ++f)
+    result.fields[f].label = behind(prefix, result.fields[f].label);
+  for (std::size_t l = first_line; l < result.summary.size(); ++l)
+    result.summary[l].label = behind(line_prefix, result.summary[l].label);
 }
 
 Window periods_window(double start, double period, long cycles) {

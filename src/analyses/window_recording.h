@@ -8,9 +8,10 @@
 
 namespace vibroimpact {
 
+/// Serves any number of windows of motions of one system, one after the other.
 class WindowRecording {
 public:
-  /// Makes a new set of recorders; the system must outlive them. InputError when options do not fit
+  /// Makes a set of recorders; the system must outlive them. InputError when options do not fit
   /// the system.
   WindowRecording(const std::vector<RecorderFactory> &factories, const System &system);
 

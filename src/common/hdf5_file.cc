@@ -1,7 +1,9 @@
 #include "common/hdf5_file.h"
 
 #include "common/durable_file.h"
+#include "common/hdf5_file_driver.h"
 
+#include <cerrno>
 #include <functional>
 #include <hdf5.h>
 #include <hdf5_hl.h>
@@ -14,9 +16,6 @@ namespace vibroimpact {
 static_assert(sizeof(hid_t) == sizeof(std::int64_t), "identifiers are kept as 64-bit integers");
 
 namespace {
-
-/// A file in memory grows by this many bytes at a time.
-constexpr std::size_t memory_increment = std::size_t{1} << 22;
 
 /// An open object of the library, closed when it goes out of scope.
 class Handle {
@@ -53,6 +52,13 @@ Result check(Result result, const std::filesystem::path &file, const std::string
   if (result < 0)
     fail(file, action);
   return result;
+}
+
+void throw_noted(const WriteFailure &failure, const std::filesystem::path &file,
+                 const std::string &action) {
+  errno = failure.error;
+  if (failure.error != 0)
+    fail_with_reason(file, action);
 }
 
 Handle string_type() {
@@ -129,12 +135,13 @@ std::size_t number_of_values(const Shape &shape) {
   return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
 }
 
-Hdf5File::Hdf5File(std::int64_t identifier, std::filesystem::path file, bool created)
-    : identifier_(identifier), file_(std::move(file)), created_(created) {}
+Hdf5File::Hdf5File(std::int64_t identifier, std::filesystem::path file,
+                   std::unique_ptr<WriteFailure> failure)
+    : identifier_(identifier), file_(std::move(file)), failure_(std::move(failure)) {}
 
 Hdf5File::Hdf5File(Hdf5File &&other) noexcept
     : identifier_(std::exchange(other.identifier_, -1)), file_(std::move(other.file_)),
-      created_(other.created_) {}
+      failure_(std::move(other.failure_)) {}
 
 Hdf5File::~Hdf5File() {
   if (identifier_ >= 0)
@@ -147,32 +154,23 @@ Hdf5File Hdf5File::create(const std::filesystem::path &file) {
   H5Pset_obj_track_times(creation, false);
   H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  // The library ends in a segmentation fault after a write that fails, on a full disk for one. So
-  // it gets memory, and this program writes the file.
-  H5Pset_fapl_core(access, memory_increment, false);
-  return {check(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, access), file, "create the file"),
-          file, true};
+  auto failure = std::make_unique<WriteFailure>();
+  const Handle access(access_noting_failures(*failure), H5Pclose);
+  const hid_t created = H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, access);
+  throw_noted(*failure, file, "create the file");
+  return {check(created, file, "create the file"), file, std::move(failure)};
 }
 
 Hdf5File Hdf5File::open(const std::filesystem::path &file) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   return {check(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), file, "open the file"), file,
-          false};
+          nullptr};
 }
 
 void Hdf5File::close() {
-  std::string image;
-  if (created_) {
-    check(H5Fflush(identifier_, H5F_SCOPE_LOCAL), file_, "complete the file");
-    const ssize_t size =
-        check(H5Fget_file_image(identifier_, nullptr, 0), file_, "measure the file");
-    image.resize(static_cast<std::size_t>(size));
-    check(H5Fget_file_image(identifier_, image.data(), image.size()), file_, "complete the file");
-  }
   check(H5Fclose(std::exchange(identifier_, -1)), file_, "close the file");
-  if (created_)
-    write_file(file_, image);
+  if (failure_)
+    throw_noted(*failure_, file_, "write");
 }
 
 void Hdf5File::create_group(const std::string &path) {

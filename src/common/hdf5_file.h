@@ -9,10 +9,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace vibroimpact {
+
+struct WriteFailure;
 
 /// Lengths of the dimensions, last one fastest; empty for a scalar.
 using Shape = std::vector<std::size_t>;
@@ -24,7 +27,7 @@ std::size_t number_of_values(const Shape &shape);
 /// reason; values that do not fill their shape are a std::logic_error.
 class Hdf5File {
 public:
-  /// For writing. The file is built in memory: close() writes it, and without it nothing happens.
+  /// For writing, replacing a file that is there. It is of use after close() only.
   static Hdf5File create(const std::filesystem::path &file);
   /// For reading.
   static Hdf5File open(const std::filesystem::path &file);
@@ -33,7 +36,7 @@ public:
   Hdf5File &operator=(const Hdf5File &) = delete;
   Hdf5File &operator=(Hdf5File &&) = delete;
   ~Hdf5File();
-  /// Writes a created file, replacing one that is there. The object is of no use afterwards.
+  /// Completes a created file: failures to write it show here. The object is of no use afterwards.
   void close();
 
   void create_group(const std::string &path);
@@ -63,12 +66,13 @@ public:
   std::string read_attribute(const std::string &path, const std::string &name) const;
 
 private:
-  Hdf5File(std::int64_t identifier, std::filesystem::path file, bool created);
+  Hdf5File(std::int64_t identifier, std::filesystem::path file,
+           std::unique_ptr<WriteFailure> failure);
   void create_parent(const std::string &path);
 
   std::int64_t identifier_;
   std::filesystem::path file_;
-  bool created_;
+  std::unique_ptr<WriteFailure> failure_; ///< of a created file
 };
 
 } // namespace vibroimpact

@@ -2,6 +2,7 @@
 // independent case. The sink makes them durable and turns them into files; analyses never write.
 #pragma once
 
+#include "common/label.h"
 #include "common/linear_algebra.h"
 
 #include <cstdint>
@@ -26,21 +27,26 @@ struct Axis {
 /// that dimension's coordinate ("time" along "time"). The array is stored row-major, last dimension
 /// fastest. Lengths may differ between points; the file pads shorter ones with NaN.
 struct Field {
-  std::string name; ///< path below the analysis, e.g. "contact/heads/impact/peak_force"
-  std::string unit; ///< SI unit, "1" when dimensionless
-  std::string description;
-  std::vector<std::string> dimensions; ///< names of the inner dimensions; empty for a scalar
-  std::vector<std::size_t> shape;      ///< their lengths
-  std::vector<double> values;
+  Label label; ///< its name is a path below the analysis, "contact/heads/impact/peak_force"
+  std::vector<std::size_t> shape{}; ///< lengths of the inner dimensions
+  std::vector<double> values{};
+
+  const std::string &name() const { return label.name(); }
+  const std::string &unit() const { return label.unit(); } ///< SI, "1" when dimensionless
+  const std::string &description() const { return label.description(); }
+  /// Names of the inner dimensions; empty for a scalar.
+  const std::vector<std::string> &dimensions() const { return label.dimensions(); }
 };
 
 /// One line of summary.txt: `name = value [unit]`. The name is relative to the analysis
 /// ("contact.heads.impact[1].time"); the sink puts "analysis.NAME." (and the outer indices) before
 /// it, unless the name is absolute (begins with '/').
 struct SummaryLine {
-  std::string name;
+  Label label; ///< name and unit count
   double value = 0;
-  std::string unit;
+
+  const std::string &name() const { return label.name(); }
+  const std::string &unit() const { return label.unit(); }
 };
 
 /// The motion of all bodies at some instants, for the expansion to the mesh.

@@ -78,7 +78,7 @@ std::size_t FlightLedger::place_of(Index entry) {
 
 // A form c Re(a) + d Im(a) of an amplitude is (c - i d) / 2 a + (c + i d) / 2 conj(a).
 void FlightLedger::add_products(const PowerForms &powers, const ExponentialBasis &basis) {
-  const Matrix seen = powers.rows() * basis.columns;
+  const Matrix seen = powers.rows().lazyProduct(basis.columns);
   const std::size_t count = exponents_.size();
   std::vector<Complex> forms(2 * count);
   for (std::size_t k = 0; k < powers.size(); ++k) {

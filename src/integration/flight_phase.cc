@@ -14,8 +14,8 @@ void FlightPhase::add_sums() {
   for (const ExponentialBasis::Group &group : basis_.groups)
     sums_.add_exponent(group.is_pair ? group.exponent : group.exponent.real());
   const GuardForms &forms = forms_.guard_forms();
-  const Matrix seen = forms.rows * basis_.columns;
-  const Matrix parts = forms.rows.cwiseAbs() * basis_.columns.cwiseAbs();
+  const Matrix seen = forms.rows.lazyProduct(basis_.columns);
+  const Matrix parts = forms.rows.cwiseAbs().lazyProduct(basis_.columns.cwiseAbs());
   std::vector<Complex> coefficients;
   std::vector<double> sizes;
   for (Index g = 0; g < seen.rows(); ++g) {

@@ -53,6 +53,16 @@ WatchedForm watched_state(const Equations &equations, Index entry, double consta
   return {.row = std::move(form), .extent = &extent};
 }
 
+WatchedForms::WatchedForms(const std::vector<WatchedForm> &forms)
+    : rows(static_cast<Index>(forms.size()), forms.empty() ? 0 : forms[0].row.row.size()) {
+  for (const WatchedForm &form : forms) {
+    rows.row(static_cast<Index>(extents.size())) = form.row.row;
+    constants.push_back(form.row.constant);
+    differentiated.push_back(form.differentiated);
+    extents.push_back(form.extent);
+  }
+}
+
 FlightWatcher::FlightWatcher() {
   static std::atomic<long> watchers = 0;
   identity_ = watchers++;

@@ -29,6 +29,16 @@ WatchedForm watched_contact(const Equations &equations, std::size_t contact, con
 /// An entry of the physical state plus a constant.
 WatchedForm watched_state(const Equations &equations, Index entry, double constant, Extent &extent);
 
+/// The forms of a phase together: rows and constants one below the other.
+struct WatchedForms {
+  explicit WatchedForms(const std::vector<WatchedForm> &forms);
+
+  Matrix rows; ///< forms x (physical size + 3 sources)
+  std::vector<double> constants;
+  std::vector<bool> differentiated;
+  std::vector<Extent *> extents;
+};
+
 class FlightWatcher {
 public:
   FlightWatcher();

@@ -155,4 +155,9 @@ void ImpactLog::clear() {
   }
 }
 
+void ImpactLog::start_afresh() {
+  for (Track &track : tracks_)
+    track = {};
+}
+
 } // namespace vibroimpact

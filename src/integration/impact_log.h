@@ -41,6 +41,8 @@ public:
   FlightWatcher *flight_watcher() override { return pulse_limit_ == 0 ? this : nullptr; }
   /// Forgets finished impacts; one that lasts goes on.
   void clear();
+  /// Forgets everything: as if it had just been made.
+  void start_afresh();
 
   /// Finished impacts of a contact in the order of time.
   const std::vector<Impact> &impacts(std::size_t contact) const { return tracks_[contact].done; }

@@ -109,6 +109,7 @@ private:
   double event_uncertainty(const StepView &view, Crossing &crossing) const;
   void change_modes(const Crossing &first, Observer &observer);
   void collide(std::size_t first, Observer &observer);
+  void note_zero_guards(const Vector &state);
   void note_zero_guards(const Crossing &crossing, const AffineForm &passed, const Vector &state);
   void change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
                    Observer &observer);

@@ -186,8 +186,9 @@ bool UnwatchedFlight::prepare_watch(KnownPhase &known) {
     known.ledger =
         std::make_unique<FlightLedger>(*known.powers, known.phase->basis(), equations_.layout());
   if (known.wishes.watcher != company_->watcher->identity()) {
-    known.wishes = {.watcher = company_->watcher->identity(), .forms = {}};
-    company_->watcher->watch(equations_, known.wishes.forms);
+    std::vector<WatchedForm> forms;
+    company_->watcher->watch(equations_, forms);
+    known.wishes = {.watcher = company_->watcher->identity(), .forms = WatchedForms(forms)};
     known.watched.reset();
   }
   if (!known.watched)

@@ -61,7 +61,7 @@ private:
   // What a watcher wants to see of a phase.
   struct Wishes {
     long watcher = -1;
-    std::vector<WatchedForm> forms;
+    WatchedForms forms{{}};
   };
   // The forms belong to the modes, the rest to the excitation as well; what is missing is not known
   // yet.

@@ -17,33 +17,39 @@ constexpr int most_corrections = 60;
 
 // A row sees c Re(a) + d Im(a) = Re((c - i d) a) of a group, and its derivative the exponent times
 // that.
-WatchedSums::WatchedSums(const std::vector<WatchedForm> &forms, const ExponentialBasis &basis) {
+WatchedSums::WatchedSums(const WatchedForms &forms, const ExponentialBasis &basis)
+    : extents_(forms.extents), constants_(forms.constants) {
   for (const ExponentialBasis::Group &group : basis.groups) {
     rate_.push_back(group.exponent.real());
     frequency_.push_back(group.is_pair ? group.exponent.imag() : 0);
   }
-  Matrix rows(static_cast<Index>(forms.size()), basis.columns.rows());
-  for (std::size_t k = 0; k < forms.size(); ++k)
-    rows.row(static_cast<Index>(k)) = forms[k].row.row;
-  const Matrix all_seen = rows * basis.columns;
-  for (const WatchedForm &form : forms) {
-    extents_.push_back(form.extent);
-    constants_.push_back(form.differentiated ? 0 : form.row.constant);
-    const auto seen = all_seen.row(static_cast<Index>(extents_.size()) - 1);
-    for (std::size_t j = 0; j < basis.groups.size(); ++j) {
-      const ExponentialBasis::Group &group = basis.groups[j];
-      const Complex exponent(rate_[j], frequency_[j]);
-      Complex coefficient(seen[group.column], group.is_pair ? -seen[group.column + 1] : 0.0);
-      if (form.differentiated)
-        coefficient *= exponent;
-      real_.push_back(coefficient.real());
-      imaginary_.push_back(coefficient.imag());
-      size_.push_back(std::abs(coefficient));
-      fourth_.push_back(size_.back() * std::norm(exponent) * std::norm(exponent));
-    }
-  }
   now_real_.resize(rate_.size());
   now_imaginary_.resize(rate_.size());
+  const std::size_t count = extents_.size() * rate_.size();
+  for (std::vector<double> *list : {&real_, &imaginary_, &size_, &fourth_})
+    list->reserve(count);
+  if (extents_.empty())
+    return;
+  const Matrix seen = forms.rows.lazyProduct(basis.columns);
+  for (std::size_t form = 0; form < extents_.size(); ++form)
+    add_form(forms.differentiated[form], seen.row(static_cast<Index>(form)), basis);
+}
+
+void WatchedSums::add_form(bool differentiated, const RowVector &seen,
+                           const ExponentialBasis &basis) {
+  if (differentiated)
+    constants_[real_.size() / rate_.size()] = 0;
+  for (const ExponentialBasis::Group &group : basis.groups) {
+    const Complex exponent = group.is_pair ? group.exponent : group.exponent.real();
+    Complex coefficient(seen[group.column], group.is_pair ? -seen[group.column + 1] : 0.0);
+    if (differentiated)
+      coefficient *= exponent;
+    const double square = std::norm(exponent);
+    real_.push_back(coefficient.real());
+    imaginary_.push_back(coefficient.imag());
+    size_.push_back(std::sqrt(std::norm(coefficient)));
+    fourth_.push_back(size_.back() * square * square);
+  }
 }
 
 WatchedSums::Point WatchedSums::sum(std::size_t form, const std::vector<double> &real,

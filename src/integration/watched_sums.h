@@ -18,7 +18,7 @@ namespace vibroimpact {
 class WatchedSums {
 public:
   /// The forms in a phase made of these exponentials.
-  WatchedSums(const std::vector<WatchedForm> &forms, const ExponentialBasis &basis);
+  WatchedSums(const WatchedForms &forms, const ExponentialBasis &basis);
 
   /// The extents grow by a piece of the motion, `h` [s] long, from its amplitudes at both ends.
   void include(const Amplitudes &start, const Amplitudes &end, double h);
@@ -33,6 +33,7 @@ private:
     Point first, last;
   };
 
+  void add_form(bool differentiated, const RowVector &seen, const ExponentialBasis &basis);
   void move(double t);
   Point sum(std::size_t form, const std::vector<double> &real,
             const std::vector<double> &imaginary) const;

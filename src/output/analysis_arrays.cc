@@ -17,40 +17,40 @@ std::size_t flat_index(const std::vector<std::size_t> &index, const Shape &shape
   return flat;
 }
 
-const Field *find_field(const PointResult &point, const std::string &name) {
-  const auto found = std::find_if(point.fields.begin(), point.fields.end(),
-                                  [&](const Field &field) { return field.name == name; });
-  return found == point.fields.end() ? nullptr : &*found;
-}
-
-template <class Named> Named *find_named(std::vector<Named> &list, const std::string &name) {
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const Named &item) { return item.name == name; });
-  return found == list.end() ? nullptr : &*found;
-}
-
-/// The same for the field at `place` in its point: most points hold the same fields in one order.
-AssembledField *find_assembled(std::vector<AssembledField> &fields, const std::string &name,
+/// The one of the same name as the field at `place` in its point: most points hold the same fields
+/// in one order.
+AssembledField *find_assembled(std::vector<AssembledField> &fields, const Field &field,
                                std::size_t place) {
-  return place < fields.size() && fields[place].name == name ? &fields[place]
-                                                             : find_named(fields, name);
+  if (place < fields.size() && fields[place].label == field.label)
+    return &fields[place];
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const AssembledField &item) {
+    return item.name() == field.name();
+  });
+  return found == fields.end() ? nullptr : &*found;
+}
+
+InnerDimension *find_dimension(std::vector<InnerDimension> &dimensions, const std::string &name) {
+  const auto found = std::find_if(dimensions.begin(), dimensions.end(),
+                                  [&](const InnerDimension &item) { return item.name == name; });
+  return found == dimensions.end() ? nullptr : &*found;
 }
 
 void note_dimensions(const Field &field, std::vector<InnerDimension> &dimensions) {
-  for (std::size_t d = 0; d < field.dimensions.size(); ++d) {
-    InnerDimension *dimension = find_named(dimensions, field.dimensions[d]);
+  for (std::size_t d = 0; d < field.shape.size(); ++d) {
+    const std::string &name = field.dimensions()[d];
+    InnerDimension *dimension = find_dimension(dimensions, name);
     if (dimension == nullptr)
-      dimension = &dimensions.emplace_back(InnerDimension{field.dimensions[d], 0, ""});
+      dimension = &dimensions.emplace_back(InnerDimension{name, 0, ""});
     dimension->length = std::max(dimension->length, field.shape[d]);
   }
 }
 
 void note_field(const Field &field, std::size_t place, std::vector<AssembledField> &fields) {
-  const AssembledField *known = find_assembled(fields, field.name, place);
-  if (known != nullptr && known->inner_dimensions != field.dimensions)
-    throw std::logic_error("field " + field.name + " has other dimensions in another point");
+  const AssembledField *known = find_assembled(fields, field, place);
   if (known == nullptr)
-    fields.push_back({field.name, field.unit, field.description, field.dimensions, true, {}, {}});
+    fields.push_back({.label = field.label});
+  else if (known->inner_dimensions() != field.dimensions())
+    throw std::logic_error("field " + field.name() + " has other dimensions in another point");
 }
 
 /// "time" of the dimension "time", and so is "identification/impulse_axis" of "impulse_axis".
@@ -63,11 +63,11 @@ bool named_like(const std::string &field, const std::string &dimension) {
 
 /// A reader finds a dimension in the group of a dataset or above; so must its coordinate be.
 bool above_all_users(const AssembledField &coordinate, const std::vector<AssembledField> &fields) {
-  const std::string group = coordinate.name.substr(0, coordinate.name.rfind('/') + 1);
+  const std::string group = coordinate.name().substr(0, coordinate.name().rfind('/') + 1);
   return std::all_of(fields.begin(), fields.end(), [&](const AssembledField &field) {
-    const auto &used = field.inner_dimensions;
-    return std::find(used.begin(), used.end(), coordinate.inner_dimensions[0]) == used.end() ||
-           field.name.rfind(group, 0) == 0;
+    const auto &used = field.inner_dimensions();
+    return std::find(used.begin(), used.end(), coordinate.inner_dimensions()[0]) == used.end() ||
+           field.name().starts_with(group);
   });
 }
 
@@ -79,8 +79,10 @@ bool same_in_all_points(const AssembledField &field, const PointSequence &points
   points([&](const PointResult &point) {
     if (point.status != Status::finished || !same)
       return;
-    const Field *here = find_field(point, field.name);
-    same = here != nullptr && (!found || here->values == first);
+    const auto here =
+        std::find_if(point.fields.begin(), point.fields.end(),
+                     [&](const Field &candidate) { return candidate.name() == field.name(); });
+    same = here != point.fields.end() && (!found || here->values == first);
     if (same && !found)
       first = here->values;
     found = true;
@@ -90,20 +92,25 @@ bool same_in_all_points(const AssembledField &field, const PointSequence &points
 
 void choose_coordinates(AnalysisArrays &arrays, const PointSequence &points) {
   for (AssembledField &field : arrays.fields) {
-    if (field.inner_dimensions.size() != 1 ||
-        !named_like(field.name, field.inner_dimensions.front()))
+    if (field.inner_dimensions().size() != 1 ||
+        !named_like(field.name(), field.inner_dimensions().front()))
       continue;
-    InnerDimension &dimension = *find_named(arrays.dimensions, field.inner_dimensions.front());
+    InnerDimension &dimension =
+        *find_dimension(arrays.dimensions, field.inner_dimensions().front());
     if (!dimension.coordinate.empty() || !above_all_users(field, arrays.fields) ||
         !same_in_all_points(field, points))
       continue;
-    dimension.coordinate = field.name;
+    dimension.coordinate = field.name();
     field.over_axes = false;
   }
 }
 
 /// Copies a row-major block into the corner of a larger one of shape `full`.
 void copy_block(const Field &field, const Shape &full, double *target) {
+  if (field.shape == full) {
+    std::copy(field.values.begin(), field.values.end(), target);
+    return;
+  }
   for (std::size_t flat = 0; flat < field.values.size(); ++flat) {
     std::size_t rest = flat;
     std::size_t position = 0;
@@ -117,34 +124,26 @@ void copy_block(const Field &field, const Shape &full, double *target) {
   }
 }
 
-Shape inner_shape(const AssembledField &field, std::vector<InnerDimension> &dimensions) {
-  Shape shape;
-  for (const std::string &name : field.inner_dimensions)
-    shape.push_back(find_named(dimensions, name)->length);
-  return shape;
-}
-
 void make_room(AnalysisArrays &arrays, const Shape &outer) {
   for (AssembledField &field : arrays.fields) {
-    const Shape inner = inner_shape(field, arrays.dimensions);
+    for (const std::string &name : field.inner_dimensions())
+      field.inner_shape.push_back(find_dimension(arrays.dimensions, name)->length);
     if (field.over_axes)
       field.shape = outer;
-    field.shape.insert(field.shape.end(), inner.begin(), inner.end());
+    field.shape.insert(field.shape.end(), field.inner_shape.begin(), field.inner_shape.end());
     field.values.assign(number_of_values(field.shape), missing_value);
   }
 }
 
-void fill_point(const PointResult &point, std::size_t position, std::size_t outer_dimensions,
+void fill_point(const PointResult &point, std::size_t position,
                 std::vector<AssembledField> &fields) {
   for (std::size_t place = 0; place < point.fields.size(); ++place) {
     const Field &here = point.fields[place];
-    AssembledField &field = *find_assembled(fields, here.name, place);
+    AssembledField &field = *find_assembled(fields, here, place);
     if (!field.over_axes && point.status != Status::finished)
       continue; // only finished points agree on a coordinate
-    const auto inner_begin = field.shape.begin() + (field.over_axes ? outer_dimensions : 0);
-    const Shape inner(inner_begin, field.shape.end());
-    const std::size_t start = field.over_axes ? position * number_of_values(inner) : 0;
-    copy_block(here, inner, field.values.data() + start);
+    const std::size_t start = field.over_axes ? position * number_of_values(field.inner_shape) : 0;
+    copy_block(here, field.inner_shape, field.values.data() + start);
   }
 }
 
@@ -165,9 +164,9 @@ void check_point(const AnalysisHeader &header, const PointResult &result) {
   if (!inside)
     throw std::logic_error("a point of analysis " + header.name + " lies outside its axes");
   for (const Field &field : result.fields)
-    if (field.shape.size() != field.dimensions.size() ||
+    if (field.shape.size() != field.dimensions().size() ||
         number_of_values(field.shape) != field.values.size())
-      throw std::logic_error("the values of field " + field.name + " do not fill its shape");
+      throw std::logic_error("the values of field " + field.name() + " do not fill its shape");
 }
 
 AnalysisArrays assemble(const AnalysisHeader &header, const PointSequence &points) {
@@ -187,7 +186,7 @@ AnalysisArrays assemble(const AnalysisHeader &header, const PointSequence &point
   choose_coordinates(arrays, points);
   make_room(arrays, outer);
   points([&](const PointResult &point) {
-    fill_point(point, flat_index(point.index, outer), outer.size(), arrays.fields);
+    fill_point(point, flat_index(point.index, outer), arrays.fields);
   });
   return arrays;
 }

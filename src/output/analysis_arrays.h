@@ -10,13 +10,15 @@ namespace vibroimpact {
 
 /// One field over all points: outer axes first, then its own dimensions.
 struct AssembledField {
-  std::string name;
-  std::string unit;
-  std::string description;
-  std::vector<std::string> inner_dimensions; ///< names; their scales are in AnalysisArrays
+  Label label;
   bool over_axes = true; ///< false for a coordinate: the same in all points, stored once
-  Shape shape;
-  std::vector<double> values; ///< row-major; NaN where a point is missing, failed or shorter
+  Shape inner_shape{};   ///< of one point
+  Shape shape{};
+  std::vector<double> values{}; ///< row-major; NaN where a point is missing, failed or shorter
+
+  const std::string &name() const { return label.name(); }
+  /// Names of the inner dimensions; their scales are in AnalysisArrays.
+  const std::vector<std::string> &inner_dimensions() const { return label.dimensions(); }
 };
 
 /// One inner dimension of the fields.

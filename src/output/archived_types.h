@@ -4,6 +4,7 @@
 #include "common/result_sink.h"
 
 #include <boost/serialization/array_wrapper.hpp>
+#include <boost/serialization/split_free.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
@@ -18,13 +19,27 @@ void serialize(Archive &archive, vibroimpact::AnalysisHeader &header, unsigned) 
   archive &header.name &header.type &header.axes &header.grid;
 }
 
-template <class Archive> void serialize(Archive &archive, vibroimpact::Field &field, unsigned) {
-  archive &field.name &field.unit &field.description &field.dimensions &field.shape &field.values;
+template <class Archive> void save(Archive &archive, const vibroimpact::Field &field, unsigned) {
+  archive << field.name() << field.unit() << field.description() << field.dimensions()
+          << field.shape << field.values;
+}
+
+template <class Archive> void load(Archive &archive, vibroimpact::Field &field, unsigned) {
+  std::string name, unit, description;
+  std::vector<std::string> dimensions;
+  archive >> name >> unit >> description >> dimensions >> field.shape >> field.values;
+  field.label = vibroimpact::Label(name, unit, description, dimensions);
 }
 
 template <class Archive>
-void serialize(Archive &archive, vibroimpact::SummaryLine &line, unsigned) {
-  archive &line.name &line.value &line.unit;
+void save(Archive &archive, const vibroimpact::SummaryLine &line, unsigned) {
+  archive << line.name() << line.value << line.unit();
+}
+
+template <class Archive> void load(Archive &archive, vibroimpact::SummaryLine &line, unsigned) {
+  std::string name, unit;
+  archive >> name >> line.value >> unit;
+  line.label = vibroimpact::Label(name, unit, "");
 }
 
 template <class Archive> void serialize(Archive &archive, vibroimpact::Matrix &matrix, unsigned) {
@@ -40,3 +55,6 @@ template <class Archive> void serialize(Archive &archive, vibroimpact::Motion &m
 }
 
 } // namespace boost::serialization
+
+BOOST_SERIALIZATION_SPLIT_FREE(vibroimpact::Field)
+BOOST_SERIALIZATION_SPLIT_FREE(vibroimpact::SummaryLine)

@@ -18,23 +18,23 @@ constexpr std::size_t longest_summary = 100;
 Axis inner_axis(const InnerDimension &dimension, const AnalysisArrays &arrays) {
   const auto field = std::find_if(
       arrays.fields.begin(), arrays.fields.end(), [&](const AssembledField &candidate) {
-        return !candidate.over_axes && candidate.name == dimension.coordinate;
+        return !candidate.over_axes && candidate.name() == dimension.coordinate;
       });
   if (field != arrays.fields.end())
-    return {dimension.name, field->values, {}, field->unit, field->description};
+    return {dimension.name, field->values, {}, field->label.unit(), field->label.description()};
   Axis axis{dimension.name, std::vector<double>(dimension.length), {}, "1", "index from 1"};
   std::iota(axis.values.begin(), axis.values.end(), 1);
   return axis;
 }
 
 LabelledArray labelled(const AnalysisHeader &header, const AssembledField &field) {
-  LabelledArray array{field.name, field.unit,  field.description,
-                      {},         field.shape, field.values.data()};
+  LabelledArray array{field.name(), field.label.unit(), field.label.description(),
+                      {},           field.shape,        field.values.data()};
   if (field.over_axes)
     for (const Axis &axis : header.axes)
       array.dimensions.push_back(axis.name);
-  array.dimensions.insert(array.dimensions.end(), field.inner_dimensions.begin(),
-                          field.inner_dimensions.end());
+  array.dimensions.insert(array.dimensions.end(), field.inner_dimensions().begin(),
+                          field.inner_dimensions().end());
   return array;
 }
 

@@ -57,7 +57,7 @@ std::map<std::string, std::string> inner_scales(Hdf5File &file, const std::strin
   for (const InnerDimension &dimension : arrays.dimensions) {
     const bool counted = dimension.coordinate.empty();
     // The index must not take the name of a field that is no coordinate.
-    const auto taken = [&](const AssembledField &field) { return field.name == dimension.name; };
+    const auto taken = [&](const AssembledField &field) { return field.name() == dimension.name; };
     std::string name = counted ? link_name(dimension.name) : dimension.coordinate;
     if (counted && std::any_of(arrays.fields.begin(), arrays.fields.end(), taken))
       name += "_index";
@@ -73,13 +73,13 @@ void write_field(Hdf5File &file, const std::string &path, const AssembledField &
                  const std::vector<std::string> &outer_scales,
                  const std::map<std::string, std::string> &inner_scales) {
   file.write(path, field.shape, field.values);
-  describe(file, path, field.unit, field.description);
+  describe(file, path, field.label.unit(), field.label.description());
   if (!field.over_axes) {
     file.make_scale(path);
     return;
   }
   std::vector<std::string> scales = outer_scales;
-  for (const std::string &dimension : field.inner_dimensions)
+  for (const std::string &dimension : field.inner_dimensions())
     scales.push_back(inner_scales.at(dimension));
   attach_scales(file, path, scales);
 }
@@ -217,21 +217,44 @@ void write_points(BodyGroup &group, const ReducedBody &body) {
               "displacement [m] or rotation [rad] of a point per unit coordinate");
 }
 
-void write_recovery(BodyGroup &group, const Recovery &recovery) {
-  if (recovery.nodes.size() == 0)
-    return;
-  group.index("node", static_cast<std::size_t>(recovery.nodes.cols()));
+void write_lines(BodyGroup &group, const Recovery &recovery) {
   group.index("line", recovery.lines.size());
   group.labels("end", {"first", "second"}, "end of a line");
   std::vector<std::int64_t> ends;
   for (const auto &line : recovery.lines)
     ends.insert(ends.end(), {line[0], line[1]});
-  group.array("nodes", {"node", "axis"}, row_major(recovery.nodes.transpose()), "m",
-              "undeformed position");
   group.array("lines", {"line", "end"}, ends, "1",
               "ends of a beam element, as positions in nodes from 0");
+}
+
+void write_surfaces(BodyGroup &group, const Recovery &recovery) {
+  group.index("surface", recovery.surfaces.size());
+  group.index("corner", 4);
+  std::vector<std::int64_t> corners;
+  for (const auto &surface : recovery.surfaces)
+    corners.insert(corners.end(), surface.begin(), surface.end());
+  group.array("surfaces", {"surface", "corner"}, corners, "1",
+              "corners around a shell element, as positions in nodes from 0; the last one of a "
+              "triangle is -1");
+}
+
+void write_recovery(BodyGroup &group, const Recovery &recovery) {
+  if (recovery.nodes.size() == 0)
+    return;
+  group.index("node", static_cast<std::size_t>(recovery.nodes.cols()));
+  group.array("nodes", {"node", "axis"}, row_major(recovery.nodes.transpose()), "m",
+              "undeformed position");
+  if (!recovery.lines.empty())
+    write_lines(group, recovery);
+  if (!recovery.surfaces.empty())
+    write_surfaces(group, recovery);
   group.array("shapes", {"node", "component", "mode"}, row_major(recovery.shapes), "1",
               "displacement [m] or rotation [rad] of a node per unit coordinate");
+  if (recovery.static_displacement.size() > 0)
+    group.array("static_displacement", {"node", "component"},
+                std::vector<double>(recovery.static_displacement.begin(),
+                                    recovery.static_displacement.end()),
+                "1", "displacement [m] or rotation [rad] of a node under the loads of the body");
 }
 
 } // namespace
@@ -272,7 +295,7 @@ void write_analysis(Hdf5File &file, const AnalysisHeader &header, const Analysis
   for (const bool over_axes : {false, true})
     for (const AssembledField &field : arrays.fields)
       if (field.over_axes == over_axes)
-        write_field(file, group + "/" + field.name, field, outer_scales, scales);
+        write_field(file, group + "/" + field.name(), field, outer_scales, scales);
   Scales all_scales = scales;
   for (std::size_t a = 0; a < header.axes.size(); ++a)
     all_scales[header.axes[a].name] = outer_scales[a];

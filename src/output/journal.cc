@@ -3,14 +3,19 @@
 #include "common/durable_file.h"
 #include "common/log.h"
 
+#include <algorithm>
 #include <array>
-#include <boost/crc.hpp>
+#include <boost/interprocess/exceptions.hpp>
+#include <boost/interprocess/file_mapping.hpp>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <stdexcept>
 #include <unistd.h>
 #include <utility>
+#include <vector>
+#include <zlib.h>
 
 namespace vibroimpact {
 
@@ -20,60 +25,107 @@ constexpr std::size_t length_size = sizeof(std::uint64_t);
 constexpr std::size_t prefix_size = length_size + sizeof(std::uint32_t);
 using Prefix = std::array<char, prefix_size>;
 
+uLong checksum(uLong before, std::string_view bytes) {
+  return ::crc32_z(before, reinterpret_cast<const Bytef *>(bytes.data()), bytes.size());
+}
+
 /// The length takes part, so that a stretch of zeros is no valid record.
-std::uint32_t checksum(std::uint64_t length, std::string_view payload) {
-  boost::crc_32_type crc;
-  crc.process_bytes(&length, length_size);
-  crc.process_bytes(payload.data(), payload.size());
-  return crc.checksum();
+uLong checksum_of_length(std::uint64_t length) {
+  return checksum(0, {reinterpret_cast<const char *>(&length), length_size});
 }
 
 Prefix prefix_of(std::string_view payload) {
   const std::uint64_t length = payload.size();
-  const std::uint32_t sum = checksum(length, payload);
+  const auto sum = static_cast<std::uint32_t>(checksum(checksum_of_length(length), payload));
   Prefix prefix;
   std::memcpy(prefix.data(), &length, sizeof length);
   std::memcpy(prefix.data() + length_size, &sum, sizeof sum);
   return prefix;
 }
 
-/// The first complete record of the bytes, with its prefix; empty when there is none.
-std::string_view first_record(std::string_view bytes) {
-  if (bytes.size() < prefix_size)
-    return {};
+std::uint64_t length_in(const char *prefix) {
   std::uint64_t length = 0;
-  std::uint32_t sum = 0;
-  std::memcpy(&length, bytes.data(), sizeof length);
-  std::memcpy(&sum, bytes.data() + length_size, sizeof sum);
-  if (length > bytes.size() - prefix_size ||
-      checksum(length, bytes.substr(prefix_size, length)) != sum)
-    return {};
-  return bytes.substr(0, prefix_size + length);
+  std::memcpy(&length, prefix, sizeof length);
+  return length;
+}
+
+/// Goes through a journal that may be cut off meanwhile: by reading, not by mapping.
+class Scan {
+public:
+  explicit Scan(const std::filesystem::path &file) : buffer_(std::size_t{1} << 20) {
+    stream_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    stream_.open(file, std::ios::binary);
+    if (!stream_)
+      fail_with_reason(file, "read the file");
+    left_ = std::filesystem::file_size(file);
+  }
+
+  /// The size of the next record with its prefix; 0 when there is no complete one.
+  std::size_t next() {
+    Prefix prefix;
+    if (!read(prefix.data(), prefix.size()))
+      return 0;
+    const std::uint64_t length = length_in(prefix.data());
+    std::uint32_t sum = 0;
+    std::memcpy(&sum, prefix.data() + length_size, sizeof sum);
+    return length <= left_ && checksum_of_payload(length) == sum ? prefix_size + length : 0;
+  }
+
+private:
+  bool read(char *target, std::size_t size) {
+    stream_.read(target, static_cast<std::streamsize>(size));
+    left_ -= std::min<std::uint64_t>(left_, size);
+    return stream_.gcount() == static_cast<std::streamsize>(size);
+  }
+
+  uLong checksum_of_payload(std::uint64_t length) {
+    uLong sum = checksum_of_length(length);
+    std::array<char, 4096> piece;
+    for (std::uint64_t rest = length; rest > 0;) {
+      const std::size_t size = std::min<std::uint64_t>(rest, piece.size());
+      if (!read(piece.data(), size))
+        return ~std::uint64_t{0}; // no checksum
+      sum = checksum(sum, {piece.data(), size});
+      rest -= size;
+    }
+    return sum;
+  }
+
+  std::vector<char> buffer_;
+  std::ifstream stream_;
+  std::uint64_t left_ = 0;
+};
+
+std::size_t size_of_records(const std::filesystem::path &file) {
+  if (!std::filesystem::is_regular_file(file))
+    return 0;
+  Scan scan(file);
+  std::size_t total = 0;
+  for (std::size_t size = scan.next(); size > 0; size = scan.next())
+    total += size;
+  return total;
+}
+
+boost::interprocess::mapped_region mapped(const std::filesystem::path &file, std::size_t size) try {
+  using namespace boost::interprocess;
+  return size == 0 ? mapped_region()
+                   : mapped_region(file_mapping(file.c_str(), read_only), read_only, 0, size);
+} catch (const boost::interprocess::interprocess_exception &error) {
+  throw std::runtime_error(file.string() + ": cannot read the file: " + error.what());
 }
 
 } // namespace
 
-std::string journal_bytes(const std::filesystem::path &file) {
-  if (!std::filesystem::is_regular_file(file))
-    return {};
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    fail_with_reason(file, "read the file");
-  std::string bytes(std::filesystem::file_size(file), '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  return bytes;
-}
+JournalRecords::JournalRecords(const std::filesystem::path &file)
+    : size_(size_of_records(file)), region_(mapped(file, size_)) {}
 
-std::size_t visit_records(std::string_view bytes,
-                          const std::function<void(std::string_view)> &visit) {
-  std::size_t position = 0;
-  for (std::string_view record = first_record(bytes); !record.empty();
-       record = first_record(bytes.substr(position))) {
-    position += record.size();
-    visit(record.substr(prefix_size));
+void JournalRecords::visit(const std::function<void(std::string_view)> &visit) const {
+  const char *const bytes = static_cast<const char *>(region_.get_address());
+  for (std::size_t position = 0; position < size_;) {
+    const std::size_t length = length_in(bytes + position);
+    visit({bytes + position + prefix_size, length});
+    position += prefix_size + length;
   }
-  return position;
 }
 
 JournalWriter::JournalWriter(std::filesystem::path file)
@@ -96,7 +148,7 @@ JournalWriter::~JournalWriter() {
 void JournalWriter::cut_off_unfinished_record() {
   if (!std::filesystem::is_regular_file(file_))
     return;
-  size_ = visit_records(journal_bytes(file_), [](std::string_view) {});
+  size_ = size_of_records(file_);
   const std::uintmax_t surplus = std::filesystem::file_size(file_) - size_;
   if (surplus == 0)
     return;
@@ -108,24 +160,51 @@ void JournalWriter::cut_off_unfinished_record() {
 
 void JournalWriter::append(std::string_view payload) {
   const Prefix prefix = prefix_of(payload);
-  std::string record(prefix.data(), prefix.size());
-  record.append(payload);
+  record_.assign(prefix.data(), prefix.size());
+  record_.append(payload);
   try {
-    write_completely(descriptor_, record, file_);
+    write_completely(descriptor_, record_, file_);
     synchronised_ = false;
     if (Clock::now() >= next_synchronisation_)
-      synchronise();
+      begin_synchronisation();
   } catch (...) {
     // A half-written record would hide all later ones. If even this fails, the reader stops here.
     [[maybe_unused]] const int failed = ::ftruncate(descriptor_, static_cast<off_t>(size_));
     throw;
   }
-  size_ += record.size();
+  size_ += record_.size();
+}
+
+// The disk takes milliseconds, in which other points can be computed.
+void JournalWriter::begin_synchronisation() {
+  next_synchronisation_ = Clock::now() + synchronisation_interval;
+  if (synchronising_ && ::aio_error(&request_) == EINPROGRESS)
+    return;
+  end_synchronisation();
+  request_ = {};
+  request_.aio_fildes = descriptor_;
+  request_.aio_sigevent.sigev_notify = SIGEV_NONE;
+  if (::aio_fsync(O_SYNC, &request_) != 0)
+    fail_with_reason(file_, "synchronise with the disk");
+  synchronising_ = true;
+}
+
+// Waits for it.
+void JournalWriter::end_synchronisation() {
+  if (!std::exchange(synchronising_, false))
+    return;
+  const aiocb *const requests[] = {&request_};
+  while (::aio_error(&request_) == EINPROGRESS)
+    ::aio_suspend(requests, 1, nullptr);
+  errno = ::aio_error(&request_);
+  if (::aio_return(&request_) != 0)
+    fail_with_reason(file_, "synchronise with the disk");
 }
 
 void JournalWriter::synchronise() {
   if (synchronised_)
     return;
+  end_synchronisation();
   if (::fsync(descriptor_) != 0)
     fail_with_reason(file_, "synchronise with the disk");
   synchronised_ = true;

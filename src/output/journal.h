@@ -1,12 +1,15 @@
 // The append-only file in which a rank keeps what it has finished. A record is in the hands of the
 // operating system when append() returns, so that no death of the program loses it, and is complete
-// or absent after a kill at any moment. It is on the disk after synchronise(), which append() calls
-// by itself when the last time was a fifth of a second ago: only a power cut can take what came
-// since.
+// or absent after a kill at any moment. It is on the disk after synchronise(). append() sets that
+// going in the background when the last time was a fifth of a second ago: only a power cut can take
+// what came since.
 //
 // Record: length of the payload (8 bytes), checksum over length and payload (CRC-32, 4 bytes),
 // payload. All numbers in the byte order of the machine.
 #pragma once
+
+#include <aio.h>
+#include <boost/interprocess/mapped_region.hpp>
 
 #include <chrono>
 #include <cstdint>
@@ -17,14 +20,24 @@
 
 namespace vibroimpact {
 
-/// The content of a journal. A file that does not exist is empty. Throws std::runtime_error when
-/// the file cannot be read.
-std::string journal_bytes(const std::filesystem::path &file);
+/// The complete records of a journal as they are when it is opened. They are mapped, not copied:
+/// the operating system takes their memory back when it is short.
+class JournalRecords {
+public:
+  /// Goes through the file up to the first record that is torn or damaged. A file that does not
+  /// exist has no records. Throws std::runtime_error when the file cannot be read.
+  explicit JournalRecords(const std::filesystem::path &file);
 
-/// Calls `visit` for the payload of each complete record in the order they were appended and stops
-/// at the first one that is torn or damaged. Returns the size of the readable part [bytes].
-std::size_t visit_records(std::string_view bytes,
-                          const std::function<void(std::string_view payload)> &visit);
+  /// Calls `visit` for the payload of each record in the order they were appended. A payload stays
+  /// where it is as long as this object.
+  void visit(const std::function<void(std::string_view payload)> &visit) const;
+  /// What the records take [bytes].
+  std::size_t size() const { return size_; }
+
+private:
+  std::size_t size_;
+  boost::interprocess::mapped_region region_;
+};
 
 /// Appends to a journal. Every failure (full disk, folder not writable) is a std::runtime_error
 /// that names the file and the reason; the records before it stay readable.
@@ -45,11 +58,16 @@ private:
   static constexpr std::chrono::milliseconds synchronisation_interval{200};
 
   void cut_off_unfinished_record();
+  void begin_synchronisation();
+  void end_synchronisation();
 
   std::filesystem::path file_;
   int descriptor_;
   std::uintmax_t size_ = 0;
+  std::string record_; ///< the newest
   bool synchronised_ = true;
+  bool synchronising_ = false;
+  aiocb request_{};                        ///< of the synchronisation in the background
   Clock::time_point next_synchronisation_; ///< the epoch: at once
 };
 

@@ -85,13 +85,8 @@ std::vector<Motion> read_motion(std::string_view bytes) {
   return motion;
 }
 
-bool same_description(const Field &one, const Field &other) {
-  return one.name == other.name && one.unit == other.unit && one.description == other.description &&
-         one.dimensions == other.dimensions;
-}
-
-bool same_name(const SummaryLine &one, const SummaryLine &other) {
-  return one.name == other.name && one.unit == other.unit;
+template <class Labelled> bool same_label(const Labelled &one, const Labelled &other) {
+  return one.label == other.label;
 }
 
 } // namespace
@@ -99,14 +94,9 @@ bool same_name(const SummaryLine &one, const SummaryLine &other) {
 PointLayout layout_of(const PointResult &result) {
   PointLayout layout;
   for (const Field &field : result.fields)
-    layout.fields.push_back({.name = field.name,
-                             .unit = field.unit,
-                             .description = field.description,
-                             .dimensions = field.dimensions,
-                             .shape = {},
-                             .values = {}});
+    layout.fields.push_back({.label = field.label});
   for (const SummaryLine &line : result.summary)
-    layout.summary.push_back({.name = line.name, .value = 0, .unit = line.unit});
+    layout.summary.push_back({.label = line.label});
   return layout;
 }
 
@@ -114,9 +104,9 @@ bool has_layout(const PointResult &result, const PointLayout &layout) {
   const auto &fields = layout.fields;
   const auto &summary = layout.summary;
   return std::equal(result.fields.begin(), result.fields.end(), fields.begin(), fields.end(),
-                    same_description) &&
+                    same_label<Field>) &&
          std::equal(result.summary.begin(), result.summary.end(), summary.begin(), summary.end(),
-                    same_name);
+                    same_label<SummaryLine>);
 }
 
 void append_point(const PointResult &result, std::string &bytes) {
@@ -164,7 +154,7 @@ const PointResult &PointReader::read(std::string_view bytes, const PointLayout &
     point_.fields = layout.fields;
     point_.summary = layout.summary;
     for (Field &field : point_.fields)
-      field.shape.resize(field.dimensions.size());
+      field.shape.resize(field.dimensions().size());
     layout_ = &layout;
   }
   Cursor cursor(bytes);

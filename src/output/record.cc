@@ -51,10 +51,10 @@ void Recorder::append(const AnalysisHeader &header) {
 
 void Recorder::append(const std::string &analysis, const PointResult &result) {
   const std::uint32_t layout = number_of_layout(analysis, result);
-  std::string record(1, point_kind);
-  record.append(reinterpret_cast<const char *>(&layout), sizeof layout);
-  append_point(result, record);
-  journal_.append(record);
+  record_.assign(1, point_kind);
+  record_.append(reinterpret_cast<const char *>(&layout), sizeof layout);
+  append_point(result, record_);
+  journal_.append(record_);
 }
 
 bool Recorder::fits(const std::string &analysis, const PointResult &result,
@@ -107,9 +107,9 @@ void StoredPoints::sort() {
 class RunReader {
 public:
   void read(const std::filesystem::path &journal) try {
-    bytes_ = std::make_shared<const std::string>(journal_bytes(journal));
+    records_ = std::make_shared<const JournalRecords>(journal);
     layouts_.clear();
-    visit_records(*bytes_, [this](std::string_view record) { take(record); });
+    records_->visit([this](std::string_view record) { take(record); });
   } catch (const boost::archive::archive_exception &error) {
     fail(journal, error.what());
   } catch (const std::out_of_range &) {
@@ -155,8 +155,8 @@ private:
     extract(record, number, analysis, *layout);
     StoredPoints &points = points_[analysis];
     points.layouts_.push_back(layout);
-    if (points.journals_.empty() || points.journals_.back() != bytes_)
-      points.journals_.push_back(bytes_);
+    if (points.journals_.empty() || points.journals_.back() != records_)
+      points.journals_.push_back(records_);
     layouts_.insert_or_assign(number, Layout{.points = &points, .layout = std::move(layout)});
   }
 
@@ -168,8 +168,8 @@ private:
     layout.points->entries_.push_back({.bytes = bytes, .layout = layout.layout.get()});
   }
 
-  std::shared_ptr<const std::string> bytes_;
-  std::map<std::uint32_t, Layout> layouts_; ///< of the journal at hand
+  std::shared_ptr<const JournalRecords> records_; ///< of the journal at hand
+  std::map<std::uint32_t, Layout> layouts_;       ///< of the same
   std::map<std::string, StoredPoints> points_;
 };
 

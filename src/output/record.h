@@ -36,6 +36,7 @@ private:
   bool fits(const std::string &analysis, const PointResult &result, std::size_t number) const;
 
   JournalWriter journal_;
+  std::string record_; ///< the newest
   std::vector<KnownLayout> layouts_;
   std::size_t latest_ = 0; ///< the layout of the point before
 };
@@ -65,7 +66,7 @@ private:
   void sort();
 
   std::vector<Entry> entries_; ///< by index; of a point that is there twice, the first
-  std::vector<std::shared_ptr<const std::string>> journals_;
+  std::vector<std::shared_ptr<const JournalRecords>> journals_;
   std::vector<std::shared_ptr<const PointLayout>> layouts_;
   mutable PointReader found_;
 };

@@ -69,7 +69,7 @@ void FileSink::store(const PointResult &result) {
   check_point(header_, result);
   recorder_->append(header_.name, result);
   if (rank_in(communicator_) == 0 && Clock::now() >= next_rebuild_)
-    rebuild();
+    replace_files();
 }
 
 void FileSink::end() {
@@ -77,14 +77,15 @@ void FileSink::end() {
   stored_ = {};
   run_on_all_ranks(communicator_, [this] { recorder_->synchronise(); });
   run_on_first_rank(communicator_, [this] {
-    rebuild();
-    write_motion();
+    for (const auto &[header, points] : replace_files())
+      if (header.name == header_.name)
+        write_motion(points);
   });
 }
 
-void FileSink::rebuild() {
+std::vector<StoredAnalysis> FileSink::replace_files() {
   const Clock::time_point start = Clock::now();
-  const std::vector<StoredAnalysis> analyses = read_run(folder_.journal_files());
+  std::vector<StoredAnalysis> analyses = read_run(folder_.journal_files());
   std::vector<std::string> derived_lines;
   replace_file(folder_.results_file(), [&](const std::filesystem::path &file) {
     derived_lines = write_results(file, analyses);
@@ -94,6 +95,7 @@ void FileSink::rebuild() {
   const std::chrono::duration<double> took = Clock::now() - start;
   next_rebuild_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                      std::max(rebuild_interval_, 20 * took));
+  return analyses;
 }
 
 std::vector<std::string> FileSink::write_results(const std::filesystem::path &file,
@@ -143,8 +145,8 @@ std::string FileSink::summary(const std::vector<StoredAnalysis> &analyses,
   return text;
 }
 
-void FileSink::write_motion() {
-  read_points(folder_.journal_files(), header_.name).visit([this](const PointResult &point) {
+void FileSink::write_motion(const StoredPoints &points) {
+  points.visit([this](const PointResult &point) {
     for (const Motion &motion : point.motion)
       write_motion_files(folder_, header_.name + index_suffix(point.index), bodies_, motion);
   });

@@ -37,20 +37,22 @@ public:
 
   /// Rank 0: replaces results.h5 and summary.txt by what all journals hold now. Warns of derived
   /// quantities that cannot be computed from the fields there are.
-  void rebuild();
+  void rebuild() { replace_files(); }
 
   /// Collective, behind the last end(). Throws InputError when the files lack derived quantities.
   void check_derived() const;
 
 private:
   void register_header(const AnalysisHeader &header);
+  /// Returns what all journals hold now.
+  std::vector<StoredAnalysis> replace_files();
   /// The lines of the summary about derived quantities, for each analysis.
   std::vector<std::string> write_results(const std::filesystem::path &file,
                                          const std::vector<StoredAnalysis> &analyses);
   std::string summary(const std::vector<StoredAnalysis> &analyses,
                       const std::vector<std::string> &derived_lines) const;
   void note_problems(const std::vector<std::string> &problems);
-  void write_motion();
+  void write_motion(const StoredPoints &points);
 
   MPI_Comm communicator_;
   RunFolder &folder_;

@@ -77,6 +77,19 @@ std::string body_summary(const ReducedBody &body) {
   for (Index j = 0; j < body.size(); ++j)
     text += along_axes(numbered("effective_mass", j), body.effective_mass().row(j), "kg");
   text += along_axes(prefix + "total_mass", body.total_mass.transpose(), "kg");
+  for (const BodyPoint &point : body.points)
+    if (point.static_displacement.size() > 0) {
+      const std::string name = prefix + "static." + point.name + ".";
+      text += along_axes(name + "displacement", point.static_displacement.head(3).transpose(), "m");
+      text += along_axes(name + "rotation", point.static_displacement.tail(3).transpose(), "rad");
+    }
+  for (const BodyPoint &point : body.points)
+    if (point.flexibility.size() > 0) {
+      RowVector share(3);
+      for (int axis = 0; axis < 3; ++axis)
+        share[axis] = body.flexibility_share(point, Vector3::Unit(axis));
+      text += along_axes(prefix + "flexibility_share." + point.name, share, "1");
+    }
   if (body.modal())
     text += summary_line(prefix + "orthogonality_residual", body.orthogonality_residual, "1");
   return text;
@@ -97,9 +110,9 @@ std::string analysis_summary(const AnalysisHeader &header, const PointSequence &
     const std::string point_prefix =
         point.summary.empty() ? "" : prefix + index_in_brackets(point.index) + ".";
     for (const SummaryLine &line : point.summary) {
-      const bool absolute = line.name.rfind('/', 0) == 0;
-      text += summary_line(absolute ? line.name.substr(1) : point_prefix + line.name, line.value,
-                           line.unit);
+      const bool absolute = line.name().starts_with('/');
+      text += summary_line(absolute ? line.name().substr(1) : point_prefix + line.name(),
+                           line.value, line.unit());
     }
   });
   return text + totals.lines(prefix);

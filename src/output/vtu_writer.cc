@@ -62,6 +62,27 @@ void add_lines(const Recovery &recovery, const Vector &motion, std::size_t body_
   }
 }
 
+/// One patch for each shell element.
+void add_surfaces(const Recovery &recovery, const Vector &motion, std::size_t body_number,
+                  std::vector<Patch<2, 3>> &patches) {
+  for (const auto &nodes : recovery.surfaces) {
+    const bool triangle = nodes[3] < 0;
+    // deal.II numbers the corners of a quadrilateral line by line, not around it.
+    const std::array<int, 4> order = {nodes[0], nodes[1], triangle ? nodes[2] : nodes[3], nodes[2]};
+    Patch<2, 3> patch;
+    patch.reference_cell = triangle ? dealii::ReferenceCells::Triangle
+                                    : dealii::ReferenceCells::Quadrilateral;
+    patch.patch_index = static_cast<unsigned>(patches.size());
+    const unsigned corners = triangle ? 3 : 4;
+    patch.data.reinit(n_components, corners);
+    for (unsigned i = 0; i < corners; ++i) {
+      patch.vertices[i] = to_point(recovery.nodes.col(order[i]));
+      set_column(patch.data, i, motion.segment<6>(Index{6} * order[i]), body_number);
+    }
+    patches.push_back(std::move(patch));
+  }
+}
+
 void add_points(const ReducedBody &body, const Vector &coordinates, const Vector3 &base,
                 std::size_t body_number, std::vector<Patch<0, 3>> &patches) {
   for (const BodyPoint &point : body.points) {
@@ -132,19 +153,52 @@ double mode_scale(const Vector &mode, double body_size) {
   return only_twists ? mode_amplitude / rotation : mode_amplitude * body_size / displacement;
 }
 
+/// Lines to NAME.vtu, or to NAME-lines.vtu when there are surfaces, which then take NAME.vtu; the
+/// names of the files.
+std::vector<std::string> write_mesh(RunFolder &folder, const std::string &name,
+                                    const std::vector<Patch<1, 3>> &lines,
+                                    const std::vector<Patch<2, 3>> &surfaces) {
+  std::vector<std::string> files;
+  if (!surfaces.empty()) {
+    files.push_back(name + ".vtu");
+    write_patches(folder.claim(files.back()), surfaces);
+  }
+  if (!lines.empty()) {
+    files.push_back(name + (surfaces.empty() ? ".vtu" : "-lines.vtu"));
+    write_patches(folder.claim(files.back()), lines);
+  }
+  return files;
+}
+
+std::vector<std::string> write_shape(RunFolder &folder, const std::string &name,
+                                     const Recovery &recovery, const Vector &motion,
+                                     std::size_t body_number) {
+  std::vector<Patch<1, 3>> lines;
+  std::vector<Patch<2, 3>> surfaces;
+  add_lines(recovery, motion, body_number, lines);
+  add_surfaces(recovery, motion, body_number, surfaces);
+  return write_mesh(folder, name, lines, surfaces);
+}
+
 void write_modes_of(RunFolder &folder, const ReducedBody &body, std::size_t body_number,
                     std::vector<Frame> &frames) {
   constexpr double two_pi = 6.283185307179586476925;
   const double size = size_of(body.recovery.nodes);
   for (Index j = 0; j < body.size(); ++j) {
     const std::string name =
-        "modes/" + body.name + numbered("-mode-%03zu.vtu", static_cast<std::size_t>(j) + 1);
+        "modes/" + body.name + numbered("-mode-%03zu", static_cast<std::size_t>(j) + 1);
     const Vector mode = body.recovery.shapes.col(j);
-    std::vector<Patch<1, 3>> patches;
-    add_lines(body.recovery, mode_scale(mode, size) * mode, body_number, patches);
-    write_patches(folder.claim(name), patches);
-    frames.push_back({body.omega()[j] / two_pi, {name}});
+    frames.push_back({body.omega()[j] / two_pi,
+                      write_shape(folder, name, body.recovery, mode_scale(mode, size) * mode,
+                                  body_number)});
   }
+}
+
+void write_static_files(RunFolder &folder, const std::vector<ReducedBody> &bodies) {
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (const Recovery &recovery = bodies[b].recovery; recovery.static_displacement.size() > 0)
+      write_shape(folder, "static/" + bodies[b].name, recovery, recovery.static_displacement,
+                  b + 1);
 }
 
 /// Two bodies with the same frequency are two parts of one instant.
@@ -154,7 +208,8 @@ std::vector<Frame> merged_by_time(std::vector<Frame> frames) {
   std::vector<Frame> merged;
   for (Frame &frame : frames)
     if (!merged.empty() && merged.back().time == frame.time)
-      merged.back().files.push_back(frame.files.front());
+      merged.back().files.insert(merged.back().files.end(), frame.files.begin(),
+                                 frame.files.end());
     else
       merged.push_back(std::move(frame));
   return merged;
@@ -171,22 +226,22 @@ Frame write_frame(RunFolder &folder, const std::string &name,
                   const std::vector<ReducedBody> &bodies, const Motion &motion,
                   std::size_t instant) {
   std::vector<Patch<1, 3>> lines;
+  std::vector<Patch<2, 3>> surfaces;
   std::vector<Patch<0, 3>> points;
   const auto row = static_cast<Index>(instant);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Vector coordinates = motion.coordinates[b].row(row);
     const Vector3 base = motion.base_displacement[b].row(row);
-    if (bodies[b].recovery.lines.empty())
+    if (bodies[b].recovery.empty()) {
       add_points(bodies[b], coordinates, base, b + 1, points);
-    else
-      add_lines(bodies[b].recovery, node_motion(bodies[b].recovery, coordinates, base), b + 1,
-                lines);
+      continue;
+    }
+    const Vector moved = node_motion(bodies[b].recovery, coordinates, base);
+    add_lines(bodies[b].recovery, moved, b + 1, lines);
+    add_surfaces(bodies[b].recovery, moved, b + 1, surfaces);
   }
-  Frame frame{motion.time[instant], {}};
-  if (!lines.empty()) {
-    frame.files.push_back(name + numbered("/frame-%05zu.vtu", instant + 1));
-    write_patches(folder.claim(frame.files.back()), lines);
-  }
+  Frame frame{motion.time[instant],
+              write_mesh(folder, name + numbered("/frame-%05zu", instant + 1), lines, surfaces)};
   if (!points.empty()) {
     frame.files.push_back(name + numbered("/lumped-%05zu.vtu", instant + 1));
     write_patches(folder.claim(frame.files.back()), points);
@@ -199,10 +254,11 @@ Frame write_frame(RunFolder &folder, const std::string &name,
 void write_mode_files(RunFolder &folder, const std::vector<ReducedBody> &bodies) {
   std::vector<Frame> frames;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    if (!bodies[b].recovery.lines.empty())
+    if (!bodies[b].recovery.empty())
       write_modes_of(folder, bodies[b], b + 1, frames);
   if (!frames.empty())
     write_pvd(folder.claim("modes.pvd"), merged_by_time(std::move(frames)));
+  write_static_files(folder, bodies);
 }
 
 void write_motion_files(RunFolder &folder, const std::string &name,

@@ -1,5 +1,5 @@
 // Mode shapes and recorded motion as VTU files for ParaView, with a PVD file that lists them.
-// Beam elements are drawn with their cubic bending shape.
+// Beam elements are drawn with their cubic bending shape, shell elements by their corners.
 #pragma once
 
 #include "common/result_sink.h"
@@ -15,10 +15,12 @@ namespace vibroimpact {
 /// mode is its frequency [Hz]. Point data "displacement" and "rotation"; each mode is scaled so
 /// that its largest displacement is a tenth of the body's size (the diagonal of its bounding box),
 /// ready for Warp By Vector with factor 1. A mode that only twists is scaled to a rotation of 0.1
-/// rad. Nothing is written when there is no modal body. Throws std::runtime_error.
+/// rad. The stiffeners of a shell are in BODY-mode-001-lines.vtu. static/BODY.vtu holds the static
+/// displacement [m] of bodies with loads, not scaled. Nothing is written when there is no modal
+/// body. Throws std::runtime_error.
 void write_mode_files(RunFolder &folder, const std::vector<ReducedBody> &bodies);
 
-/// Rank 0. NAME/frame-00001.vtu ... and NAME.pvd with the instants of `motion`: displacement [m]
+/// Rank 0. NAME/frame-00001.vtu (and frame-00001-lines.vtu beside shells) ... and NAME.pvd with the instants of `motion`: displacement [m]
 /// and rotation [rad] of all bodies with a mesh, base motion included, and the number of the body
 /// ("body", from 1). Lumped bodies are points in NAME/lumped-00001.vtu ...; each point of such a
 /// body is one.

@@ -63,14 +63,14 @@ std::string list_expectation(const Key &key) {
          (example.empty() ? "" : ", for example " + example);
 }
 
-/// Adds to a refusal what would be right.
-Number evaluated(const std::string &text, const VariableTable &variables,
-                 const std::string &expected) {
+/// Adds to a refusal what would be right, which `expected` gives.
+template <class Expected>
+Number evaluated(const std::string &text, const VariableTable &variables, Expected expected) {
   try {
     return evaluate(text, variables);
   } catch (const Refused &refused) {
     const std::string problem = refused.what();
-    throw Refused(problem + (problem.ends_with('?') ? " " : "; ") + expected);
+    throw Refused(problem + (problem.ends_with('?') ? " " : "; ") + expected());
   }
 }
 
@@ -89,7 +89,7 @@ void check_quantities(Value &value, const VariableTable &variables) {
 
 void check_integer(Value &value, const VariableTable &variables) {
   const Key &key = *value.key;
-  const Number number = evaluated(value.text, variables, expectation(key));
+  const Number number = evaluated(value.text, variables, [&key] { return expectation(key); });
   const bool whole = number.dimension == dimension::none && std::rint(number.value) == number.value;
   // Above 2^53 a double cannot hold every whole number.
   if (!whole || std::abs(number.value) > 9007199254740992.0)
@@ -132,7 +132,8 @@ std::string wrong_dimension(const std::string &text, const Number &number,
 
 Number checked_number(const std::string &text, const Dimension &dimension, const Range &range,
                       const std::string &example, const VariableTable &variables) {
-  const Number number = evaluated(text, variables, number_expectation(dimension, range, example));
+  const Number number =
+      evaluated(text, variables, [&] { return number_expectation(dimension, range, example); });
   if (!fits(number, dimension))
     throw Refused(wrong_dimension(text, number, dimension, range, example));
   if (!range.contains(number.value))

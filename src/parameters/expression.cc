@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <unordered_map>
 #include <utility>
 
 namespace vibroimpact::parameters {
@@ -272,16 +273,49 @@ void determine_at_zero(const std::string &text, const VariableTable &variables, 
     number.dimension = dimension_of(formula, value, text);
 }
 
+/// What formulas came to that were computed before. The cases of a parameter grid meet the same
+/// ones again and again, and muParser takes its time to read one.
+class KnownFormulas {
+public:
+  struct Result {
+    double value = 0;
+    Dimension dimension{};
+  };
+
+  const Result *find(const std::string &formula) const {
+    const auto found = results_.find(formula);
+    return found == results_.end() ? nullptr : &found->second;
+  }
+  void add(const std::string &formula, const Result &result) {
+    constexpr std::size_t most = 10000;
+    if (results_.size() == most)
+      results_.clear();
+    results_.emplace(formula, result);
+  }
+
+private:
+  std::unordered_map<std::string, Result> results_;
+};
+
 Number expression_value(const std::string &text, const VariableTable &variables) {
+  static thread_local KnownFormulas known_formulas;
   const Translation translation(text, variables, false);
+  Number number{.bare = translation.bare(), .literal = false};
+  if (const auto *const known = known_formulas.find(translation.formula())) {
+    number.value = known->value;
+    number.dimension = known->dimension;
+    return number;
+  }
   Formula formula(translation.formula(), text);
-  Number number{.value = formula.at({1, 1, 1, 1}), .bare = translation.bare(), .literal = false};
+  number.value = formula.at({1, 1, 1, 1});
   if (!std::isfinite(number.value))
     throw Refused("'" + text + "' is not a finite number");
-  if (number.value != 0)
-    number.dimension = dimension_of(formula, number.value, text);
-  else
+  if (number.value == 0) {
     determine_at_zero(text, variables, number);
+    return number;
+  }
+  number.dimension = dimension_of(formula, number.value, text);
+  known_formulas.add(translation.formula(), {number.value, number.dimension});
   return number;
 }
 
@@ -352,19 +386,37 @@ double Function::operator()(const std::vector<double> &arguments) {
   }
 }
 
-std::vector<std::string> used_variables(const std::string &text, const VariableTable &variables) {
-  std::vector<std::string> used;
+namespace {
+
+/// The words of letters, digits and underscores in a text, empty ones between other characters.
+template <class Visit> void visit_words(const std::string &text, Visit visit) {
   std::string word;
-  for (const char c : text + " ") {
+  for (const char c : text) {
     if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
       word += c;
       continue;
     }
-    if (variables.contains(word) && !contains(used, word))
-      used.push_back(word);
+    visit(word);
     word.clear();
   }
+  visit(word);
+}
+
+} // namespace
+
+std::vector<std::string> used_variables(const std::string &text, const VariableTable &variables) {
+  std::vector<std::string> used;
+  visit_words(text, [&](const std::string &word) {
+    if (variables.contains(word) && !contains(used, word))
+      used.push_back(word);
+  });
   return used;
+}
+
+bool uses_any(const std::string &text, const std::set<std::string> &names) {
+  bool found = false;
+  visit_words(text, [&](const std::string &word) { found = found || names.contains(word); });
+  return found;
 }
 
 void check_variable_name(const std::string &name) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -54,6 +55,9 @@ private:
 
 /// The variables that `text` uses. Text that is no expression gives those whose names stand in it.
 std::vector<std::string> used_variables(const std::string &text, const VariableTable &variables);
+
+/// Does one of the names stand in `text`?
+bool uses_any(const std::string &text, const std::set<std::string> &names);
 
 /// Throws Refused unless a variable may be called so: letters, digits and underscores, beginning
 /// with a letter, and not the name of a unit, function or constant.

@@ -105,7 +105,8 @@ bool is_variable_override(const Override &replacement) {
   return replacement.path.starts_with(variables_prefix);
 }
 
-void override_variable(std::vector<VariableDefinition> &definitions, const Override &replacement) {
+std::string override_variable(std::vector<VariableDefinition> &definitions,
+                              const Override &replacement) {
   const std::string name = normalised(replacement.path.substr(variables_prefix.size()));
   std::vector<std::string> known;
   for (VariableDefinition &definition : definitions) {
@@ -114,7 +115,7 @@ void override_variable(std::vector<VariableDefinition> &definitions, const Overr
       continue;
     definition.text = normalised(replacement.value);
     definition.origin = override_origin(replacement);
-    return;
+    return name;
   }
   std::string problem = "there is no variable '" + name + "'";
   if (nearest(name, known).empty())

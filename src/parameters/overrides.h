@@ -13,8 +13,10 @@ Origin override_origin(const Override &replacement);
 /// Is it "Variables/NAME"?
 bool is_variable_override(const Override &replacement);
 
-/// Replaces one definition. Throws InputError for a variable the file does not define.
-void override_variable(std::vector<VariableDefinition> &definitions, const Override &replacement);
+/// Replaces one definition; returns its name. Throws InputError for a variable the file does not
+/// define.
+std::string override_variable(std::vector<VariableDefinition> &definitions,
+                              const Override &replacement);
 
 /// Replaces the text of the value the path names, and marks it and the sections around it as given.
 /// The new text is not checked. Throws InputError for an unknown path.

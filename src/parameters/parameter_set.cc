@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -74,9 +75,19 @@ void check_in_order(std::vector<Pending> pending, const VariableTable &variables
     check(item, variables);
 }
 
-bool depends_on_variables(const Value &value) {
-  return std::any_of(value.numbers.begin(), value.numbers.end(),
-                     [](const Number &number) { return !number.literal; });
+/// What overrides have changed in a tree.
+struct Changes {
+  std::vector<const Value *> values;
+  std::set<std::string> variables; ///< by name
+  bool all_variables = false;
+};
+
+/// Changed itself, or by a variable in it.
+bool outdated(const Value &value, const Changes &changes) {
+  const bool expression = std::any_of(value.numbers.begin(), value.numbers.end(),
+                                      [](const Number &number) { return !number.literal; });
+  return (expression && (changes.all_variables || uses_any(value.text, changes.variables))) ||
+         std::find(changes.values.begin(), changes.values.end(), &value) != changes.values.end();
 }
 
 /// The definitions as the value of the key "Variables" now has them.
@@ -88,26 +99,25 @@ std::vector<VariableDefinition> read_definitions(const Value &value) {
   }
 }
 
-/// Replaces texts only; returns whether a variable changed.
-bool replace_texts(Node &root, std::vector<VariableDefinition> &definitions,
-                   const std::vector<Override> &overrides, std::vector<const Value *> &changed) {
-  bool variables_changed = false;
+/// Replaces texts only.
+Changes replace_texts(Node &root, std::vector<VariableDefinition> &definitions,
+                      const std::vector<Override> &overrides) {
+  Changes changes;
   for (const Override &replacement : overrides) {
     if (is_variable_override(replacement)) {
-      override_variable(definitions, replacement);
+      changes.variables.insert(override_variable(definitions, replacement));
       root.find_value("Variables")->text = definitions_text(definitions);
       root.find_value("Variables")->given = true;
-      variables_changed = true;
       continue;
     }
     const Value &value = override_value(root, replacement);
-    changed.push_back(&value);
+    changes.values.push_back(&value);
     if (value.key->kind == KeyKind::variables) {
       definitions = read_definitions(value);
-      variables_changed = true;
+      changes.all_variables = true;
     }
   }
-  return variables_changed;
+  return changes;
 }
 
 bool is_json(const std::string &file) {
@@ -142,8 +152,7 @@ std::shared_ptr<const ParameterSet> ParameterSet::parse(std::shared_ptr<const Se
   data->declarations = std::move(declarations);
   if (const Value *variables = std::as_const(data->root).find_value("Variables"))
     data->definitions = read_definitions(*variables);
-  std::vector<const Value *> changed;
-  replace_texts(data->root, data->definitions, overrides, changed);
+  replace_texts(data->root, data->definitions, overrides);
   data->variables = evaluate_variables(data->definitions);
   check_in_order(values_where(data->root, [](const Value &) { return true; }), data->variables);
   return std::make_shared<const ParameterSet>(std::move(data));
@@ -151,15 +160,13 @@ std::shared_ptr<const ParameterSet> ParameterSet::parse(std::shared_ptr<const Se
 
 std::shared_ptr<const ParameterSet> ParameterSet::with(const std::vector<Override> &more) const {
   auto data = std::make_shared<Data>(*data_);
-  std::vector<const Value *> changed;
-  const bool variables_changed = replace_texts(data->root, data->definitions, more, changed);
-  if (variables_changed)
+  Changes changes = replace_texts(data->root, data->definitions, more);
+  if (changes.all_variables)
     data->variables = evaluate_variables(data->definitions);
-  const auto outdated = [&](const Value &value) {
-    return (variables_changed && depends_on_variables(value)) ||
-           std::find(changed.begin(), changed.end(), &value) != changed.end();
-  };
-  check_in_order(values_where(data->root, outdated), data->variables);
+  else if (!changes.variables.empty())
+    data->variables = evaluate_variables(data->definitions, data_->variables, changes.variables);
+  const auto is_outdated = [&](const Value &value) { return outdated(value, changes); };
+  check_in_order(values_where(data->root, is_outdated), data->variables);
   return std::make_shared<const ParameterSet>(std::move(data));
 }
 

@@ -31,17 +31,36 @@ std::string definitions_text(const std::vector<VariableDefinition> &definitions)
   return join(parts, ", ");
 }
 
+namespace {
+
+Number evaluated(const VariableDefinition &definition, const VariableTable &table) {
+  try {
+    return evaluate(definition.text, table);
+  } catch (const Refused &refused) {
+    const bool overridden = definition.origin.kind == Origin::Kind::override;
+    const std::string value =
+        overridden ? definition.text : definition.name + " = " + definition.text;
+    refuse_value(definition.origin, {"Variables"}, value, refused.what());
+  }
+}
+
+} // namespace
+
 VariableTable evaluate_variables(const std::vector<VariableDefinition> &definitions) {
   VariableTable table;
+  for (const VariableDefinition &definition : definitions)
+    table[definition.name] = evaluated(definition, table);
+  return table;
+}
+
+VariableTable evaluate_variables(const std::vector<VariableDefinition> &definitions,
+                                 const VariableTable &known, std::set<std::string> &changed) {
+  VariableTable table;
   for (const VariableDefinition &definition : definitions) {
-    try {
-      table[definition.name] = evaluate(definition.text, table);
-    } catch (const Refused &refused) {
-      const bool overridden = definition.origin.kind == Origin::Kind::override;
-      const std::string value =
-          overridden ? definition.text : definition.name + " = " + definition.text;
-      refuse_value(definition.origin, {"Variables"}, value, refused.what());
-    }
+    if (uses_any(definition.text, changed))
+      changed.insert(definition.name);
+    table[definition.name] = changed.contains(definition.name) ? evaluated(definition, table)
+                                                               : known.at(definition.name);
   }
   return table;
 }

@@ -4,6 +4,7 @@
 #include "parameters/expression.h"
 #include "parameters/origin.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,9 @@ std::string definitions_text(const std::vector<VariableDefinition> &definitions)
 
 /// Evaluates the definitions in turn; throws the InputError at the one that fails.
 VariableTable evaluate_variables(const std::vector<VariableDefinition> &definitions);
+/// The same, where `known` holds the values of the definitions that are not `changed` and do not
+/// use one that is, near or far. The names of all those that do are added to `changed`.
+VariableTable evaluate_variables(const std::vector<VariableDefinition> &definitions,
+                                 const VariableTable &known, std::set<std::string> &changed);
 
 } // namespace vibroimpact::parameters

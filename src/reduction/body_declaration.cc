@@ -1,5 +1,6 @@
 // What a `subsection Body NAME` may hold.
 #include "reduction/body_parameters.h"
+#include "reduction/shell_parameters.h"
 
 namespace vibroimpact {
 
@@ -11,59 +12,46 @@ namespace dimension = parameters::dimension;
 namespace range = parameters::range;
 
 void declare_geometry(Section &body) {
-  body.subsection("Geometry", "The line or mesh along which a beam runs.")
+  body.subsection("Geometry", "The line or mesh along which a beam runs, or the surfaces of a shell.")
       .text("Mesh", "",
-            "Gmsh file (ASCII, version 2.2 or 4.1) with line cells, relative to the folder of the "
-            "parameter file. Either this or Line.")
+            "Gmsh file (version 2.2 or 4.1, ASCII or binary) with lines for a beam, triangles and "
+            "quadrilaterals for a shell, relative to the folder of the parameter file. Instead of "
+            "it: Line for a beam, Plate or Cylinder for a shell.")
       .quantities("Line", "", dimension::length, range::any, "",
                   "Ends of a straight beam, x, y, z -> x, y, z. Either this or Mesh.", 6, 6)
       .integer("Elements", "40", Range{.lower = 1}, "", "Number of equal elements along Line.")
       .quantities("Orientation", "", dimension::none, range::any, "",
                   "Direction of the local y axis, the first dimension of the cross-section; only "
                   "its part normal to the beam counts. Without it: global y, or global z for "
-                  "elements along y.",
+                  "elements along y. For a Cylinder: the direction of angle zero, x or else y "
+                  "without it.",
                   3, 3);
+  declare_shell_geometry(body.subsection("Geometry", ""));
 }
 
 void declare_section(Section &body) {
-  const auto length = [](Section &section, const char *name, const char *symbol,
-                         const char *sentence) {
-    section.quantity(name, "", dimension::length, range::positive, symbol, sentence);
-  };
-  Section &section = body.subsection("Section", "The cross-section of a beam.");
-  section.choice("Shape", "rectangle", {"rectangle", "circle", "tube", "given"},
-                 "rectangle: Width, Thickness; circle: Diameter; tube: Diameter, Wall thickness; "
-                 "given: area, second moments and torsion constant.");
-  length(section, "Width", "b", "Along the local y axis.");
-  length(section, "Thickness", "h", "Along the local z axis.");
-  length(section, "Diameter", "d", "Outer diameter.");
-  length(section, "Wall thickness", "t", "Of a tube.");
-  section.quantity("Area", "", dimension::area, range::positive, "A", "Of a given section.")
-      .quantity("Second moment y", "", dimension::second_moment, range::positive, "I_y",
-                "Integral of z^2: bending in the local x-z plane.")
-      .quantity("Second moment z", "", dimension::second_moment, range::positive, "I_z",
-                "Integral of y^2: bending in the local x-y plane.")
-      .quantity("Torsion constant", "", dimension::second_moment, range::positive, "J",
-                "St Venant torsion.");
+  declare_section_keys(body.subsection("Section", "The cross-section of a beam."));
 }
 
 void declare_material(Section &body) {
-  body.subsection("Material", "The linear elastic material of a beam.")
+  body.subsection("Material", "The linear elastic material of a beam or shell.")
       .quantity("Young modulus", "", dimension::stress, range::positive, "E", "Must be given.")
       .quantity("Poisson ratio", "0.3", dimension::none,
                 Range{.lower = -1, .upper = 0.5, .lower_open = true}, "\\nu",
-                "Counts for torsion only.")
+                "Counts for the torsion of beams and for shells.")
       .quantity("Density", "", dimension::density, range::non_negative, "\\rho",
-                "Must be given; 0 for a massless beam between lumped masses.");
+                "Must be given; 0 for a massless body between lumped masses.");
 }
 
 void declare_place(Section &section) {
   section
       .text("At", "",
-            "start or end of a generated line, the name of a physical group of the mesh, or all "
-            "nodes. Either this or Position.")
-      .quantities("Position", "", dimension::length, range::any, "",
-                  "Coordinates of a node. Either this or At.", 3, 3);
+            "start or end of a generated line; left, right, bottom, top or edges of a plate or "
+            "cylinder; the name of a physical group of the mesh; or all nodes. One of At, Position "
+            "and Near.")
+      .quantities("Position", "", dimension::length, range::any, "", "Coordinates of a node.", 3, 3)
+      .quantities("Near", "", dimension::length, range::any, "",
+                  "Coordinates; the node nearest to them is meant.", 3, 3);
 }
 
 void declare_support(Section &body) {
@@ -72,7 +60,8 @@ void declare_support(Section &body) {
   declare_place(support);
   support
       .names("Fix", "",
-             "Any of x, y, z (displacements), rx, ry, rz (rotations), pinned (x, y, z), all.")
+             "Any of x, y, z (displacements), rx, ry, rz (rotations), pinned (x, y, z), all, and "
+             "symmetric x, symmetric y, symmetric z (at a plane of symmetry with this normal).")
       .quantities("Stiffness", "", dimension::stiffness, range::non_negative, "k",
                   "Springs to the base along x, y, z.", 3, 3)
       .quantities("Rotational stiffness", "", dimension::rotational_stiffness, range::non_negative,
@@ -88,23 +77,46 @@ void declare_point(Section &body) {
                   "Of the lumped mass about x, y, z.", 3, 3);
 }
 
+void declare_load(Section &body) {
+  Section &load = body.named_subsection(
+      "Load", "What acts on a beam or shell in its static solution, which is part of the results "
+              "of every run (figures under static in the summary and in ParaView). All loads act "
+              "together. It does not act in any other analysis.");
+  declare_place(load);
+  load.quantities("Force", "", dimension::force, range::any, "F", "On each node of the place.", 3, 3)
+      .quantities("Moment", "", dimension::torque, range::any, "M", "On each node of the place.", 3,
+                  3)
+      .quantities("Acceleration", "", dimension::acceleration, range::any, "g",
+                  "Of gravity: acts on all mass.", 3, 3)
+      .quantity("Pressure", "0 Pa", dimension::stress, range::any, "p",
+                "Pushes along the normal of a shell, which follows the numbering of its cells by "
+                "the right-hand rule.")
+      .text("On", "all", "Group of surfaces under pressure.");
+}
+
 void declare_modes(Section &body) {
-  body.subsection("Modes", "Which normal modes of a beam are kept, and their damping.")
+  body.subsection("Modes", "Which normal modes of a beam or shell are kept, and their damping.")
       .integer("Number", "5", Range{.lower = 1}, "n", "The lowest modes. Either this or Band.")
       .quantities("Band", "", dimension::frequency, range::non_negative, "",
                   "Lower and upper frequency: all modes between them.", 2, 2)
       .choice("Damping model", "ratio", {"ratio", "rayleigh", "viscous"},
               "ratio: a fraction of critical damping for each mode; rayleigh: alpha M + beta K; "
-              "viscous: external damping spread evenly along the beam.")
+              "viscous: external damping spread like the mass of the body.")
       .quantities("Damping ratio", "0", dimension::none, range::non_negative, "\\zeta",
                   "One for each kept mode; the last one repeats.", 1,
                   std::numeric_limits<int>::max())
+      .names("Attachments", "",
+             "Places as POINT.x, POINT.y or POINT.z: the static answer to a force there is kept "
+             "beside the normal modes, as far as they lack it (residual attachment modes).")
+      .quantity("Attachment damping ratio", "", dimension::none, range::non_negative, "\\zeta_a",
+                "Of the attachment modes, with damping model ratio. Without it: the last Damping "
+                "ratio.")
       .quantity("Rayleigh alpha", "", dimension::inverse_time, range::non_negative, "\\alpha",
                 "Factor of the mass matrix.")
       .quantity("Rayleigh beta", "", dimension::time, range::non_negative, "\\beta",
                 "Factor of the stiffness matrix.")
       .quantity("Viscous constant", "", dimension::damping, range::non_negative, "c",
-                "External damping of the whole beam, without lumped masses.")
+                "External damping of the whole body, without lumped masses.")
       .text("Store", "",
             "File that keeps the reduced body for later runs, relative to the folder of the "
             "parameter file; computed anew when the definition of the body has changed.");
@@ -157,14 +169,17 @@ void declare_rotor(Section &body) {
 
 void declare_body(Section &root) {
   Section &body = root.named_subsection("Body", "A deformable or lumped body with named points.");
-  body.choice("Type", "beam", {"beam", "lumped", "rotor"},
-              "beam: normal modes of an Euler-Bernoulli frame; lumped: masses, springs, dashpots; "
-              "rotor: an unbalanced rotor with its motor on a point of another body.");
+  body.choice("Type", "beam", {"beam", "shell", "lumped", "rotor"},
+              "beam: normal modes of an Euler-Bernoulli frame; shell: normal modes of plates and "
+              "shells with their stiffeners; lumped: masses, springs, dashpots; rotor: an "
+              "unbalanced rotor with its motor on a point of another body.");
   declare_geometry(body);
   declare_section(body);
   declare_material(body);
   declare_support(body);
   declare_point(body);
+  declare_shells(body);
+  declare_load(body);
   declare_modes(body);
   declare_mass(body);
   declare_rotor(body);

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "modes/normal_modes.h"
-#include "structure/beam_definition.h"
+#include "structure/shell_definition.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,13 +14,20 @@ struct Damping {
   enum class Model {
     ratio,    ///< a fraction of critical damping for each mode
     rayleigh, ///< C = alpha M + beta K
-    viscous   ///< external, spread like the mass of the beam: C = (constant / mass) M
+    viscous   ///< external, spread like the mass of the body: C = (constant / mass) M
   };
   Model model = Model::ratio;
   std::vector<double> ratios{0.0}; ///< for the kept modes in order; the last one repeats
+  std::optional<double> attachment_ratio; ///< of attachment modes; the last of the ratios without
   double alpha = 0;                ///< [1/s]
   double beta = 0;                 ///< [s]
   double viscous_constant = 0;     ///< of the whole body [N s/m]
+};
+
+/// A force at a point, along an axis (0, 1, 2), whose static answer is kept beside the modes.
+struct Attachment {
+  std::string point;
+  int axis = 0;
 };
 
 /// One mass of a lumped body: moves along its axes, held to the base by the same spring and dashpot
@@ -40,11 +48,13 @@ struct RotorDefinition {
 };
 
 struct BodyDefinition {
-  enum class Type { beam, lumped, rotor };
+  enum class Type { beam, shell, lumped, rotor };
   std::string name;
   Type type = Type::beam;
   structure::BeamDefinition beam;
+  structure::ShellDefinition shell;
   modes::Selection selection;
+  std::vector<Attachment> attachments;
   Damping damping;
   std::vector<LumpedMass> masses;
   RotorDefinition rotor;

@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little, "the format is little-
 
 namespace {
 
-const std::string title = "vibroimpact reduced body 1";
+const std::string title = "vibroimpact reduced body 2";
 
 class Writer {
 public:
@@ -93,6 +93,14 @@ Matrix line_matrix(const std::vector<std::array<int, 2>> &lines) {
   return matrix;
 }
 
+Matrix surface_matrix(const std::vector<std::array<int, 4>> &surfaces) {
+  Matrix matrix(4, static_cast<Index>(surfaces.size()));
+  for (std::size_t j = 0; j < surfaces.size(); ++j)
+    for (int i = 0; i < 4; ++i)
+      matrix(i, static_cast<Index>(j)) = surfaces[j][i];
+  return matrix;
+}
+
 void write(Writer &out, const ReducedBody &body) {
   out.text("name", body.name);
   out.text("type", body.type);
@@ -108,10 +116,14 @@ void write(Writer &out, const ReducedBody &body) {
     out.text("point", point.name);
     out.matrix("position", point.position);
     out.matrix("rows", point.rows);
+    out.matrix("static_displacement", point.static_displacement);
+    out.matrix("flexibility", point.flexibility);
   }
   out.matrix("nodes", body.recovery.nodes);
   out.matrix("lines", line_matrix(body.recovery.lines));
+  out.matrix("surfaces", surface_matrix(body.recovery.surfaces));
   out.matrix("shapes", body.recovery.shapes);
+  out.matrix("static_displacement", body.recovery.static_displacement);
 }
 
 ReducedBody read(Reader &in) {
@@ -131,13 +143,23 @@ ReducedBody read(Reader &in) {
     point.name = in.text("point");
     point.position = in.matrix("position");
     point.rows = in.matrix("rows");
+    point.static_displacement = in.matrix("static_displacement");
+    point.flexibility = in.matrix("flexibility");
     body.points.push_back(std::move(point));
   }
   body.recovery.nodes = in.matrix("nodes");
   const Matrix lines = in.matrix("lines");
   for (Index j = 0; j < lines.cols(); ++j)
     body.recovery.lines.push_back({static_cast<int>(lines(0, j)), static_cast<int>(lines(1, j))});
+  const Matrix surfaces = in.matrix("surfaces");
+  for (Index j = 0; j < surfaces.cols(); ++j) {
+    std::array<int, 4> nodes{};
+    for (int i = 0; i < 4; ++i)
+      nodes[i] = static_cast<int>(surfaces(i, j));
+    body.recovery.surfaces.push_back(nodes);
+  }
   body.recovery.shapes = in.matrix("shapes");
+  body.recovery.static_displacement = in.matrix("static_displacement");
   return body;
 }
 

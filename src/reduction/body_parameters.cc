@@ -1,56 +1,15 @@
 #include "reduction/body_parameters.h"
 
-#include "reduction/body_file.h"
+#include "reduction/body_sections.h"
+#include "reduction/shell_parameters.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <map>
 
 namespace vibroimpact {
 
 namespace {
 
-using parameters::Values;
-
-constexpr std::array<const char *, 6> components = {"x", "y", "z", "rx", "ry", "rz"};
-
-Vector3 vector3(const Values &section, const std::string &key, std::size_t first = 0) {
-  const std::vector<double> values = section.quantities(key);
-  return {values[first], values[first + 1], values[first + 2]};
-}
-
-double optional_quantity(const Values &section, const std::string &key) {
-  return section.has(key) ? section.quantity(key) : 0.0;
-}
-
-/// Of the keys that only some choices of `chooser` use, the others must not be given.
-struct KeyUse {
-  const char *key;
-  std::vector<std::string> choices;
-};
-void check_use(const Values &section, const std::string &chooser, const std::vector<KeyUse> &uses) {
-  const std::string choice = section.choice(chooser);
-  for (const KeyUse &use : uses) {
-    const bool used =
-        std::find(use.choices.begin(), use.choices.end(), choice) != use.choices.end();
-    if (!used && section.given(use.key))
-      section.reject(use.key, "is not used with " + chooser + " = " + choice);
-  }
-}
-
-std::string read_mesh(const Values &geometry, const std::string &folder, MPI_Comm communicator) {
-  const auto file = (std::filesystem::path(folder) / geometry.text("Mesh")).string();
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  std::string content;
-  if (rank == 0)
-    content = read_file(file).value_or("");
-  content = broadcast(std::move(content), communicator);
-  if (content.empty())
-    geometry.reject("Mesh",
-                    "must name a file that can be read and is not empty; there is none at " + file);
-  return content;
-}
+using namespace sections;
 
 void read_geometry(const Values &geometry, const std::string &folder, MPI_Comm communicator,
                    structure::BeamDefinition &beam) {
@@ -70,82 +29,6 @@ void read_geometry(const Values &geometry, const std::string &folder, MPI_Comm c
     beam.local_y = vector3(geometry, "Orientation");
 }
 
-structure::SectionShape read_section(const Values &section) {
-  check_use(section, "Shape",
-            {{"Width", {"rectangle"}},
-             {"Thickness", {"rectangle"}},
-             {"Diameter", {"circle", "tube"}},
-             {"Wall thickness", {"tube"}},
-             {"Area", {"given"}},
-             {"Second moment y", {"given"}},
-             {"Second moment z", {"given"}},
-             {"Torsion constant", {"given"}}});
-  using Kind = structure::SectionShape::Kind;
-  const std::map<std::string, Kind> kinds = {{"rectangle", Kind::rectangle},
-                                             {"circle", Kind::circle},
-                                             {"tube", Kind::tube},
-                                             {"given", Kind::given}};
-  return {.kind = kinds.at(section.choice("Shape")),
-          .width = optional_quantity(section, "Width"),
-          .thickness = optional_quantity(section, "Thickness"),
-          .diameter = optional_quantity(section, "Diameter"),
-          .wall_thickness = optional_quantity(section, "Wall thickness"),
-          .area = optional_quantity(section, "Area"),
-          .second_moment_y = optional_quantity(section, "Second moment y"),
-          .second_moment_z = optional_quantity(section, "Second moment z"),
-          .torsion_constant = optional_quantity(section, "Torsion constant")};
-}
-
-structure::Material read_material(const Values &material) {
-  material.require("Young modulus");
-  material.require("Density");
-  return {material.quantity("Young modulus"), material.quantity("Poisson ratio"),
-          material.quantity("Density")};
-}
-
-structure::Location read_place(const Values &section) {
-  if (section.has("At") == section.has("Position"))
-    section.reject_section("needs either At or Position");
-  if (section.has("Position"))
-    return {"", vector3(section, "Position")};
-  return {section.text("At"), std::nullopt};
-}
-
-void fix(const Values &section, const std::string &word, std::array<bool, 6> &fixed) {
-  if (word == "all")
-    fixed.fill(true);
-  else if (word == "pinned")
-    fixed[0] = fixed[1] = fixed[2] = true;
-  else {
-    std::vector<std::string> known(components.begin(), components.end());
-    known.insert(known.end(), {"pinned", "all"});
-    section.require_known("Fix", word, known);
-    fixed[std::find(components.begin(), components.end(), word) - components.begin()] = true;
-  }
-}
-
-structure::Support read_support(const Values &section, const std::string &name) {
-  structure::Support support{.name = name, .at = read_place(section)};
-  for (const std::string &word : section.names("Fix"))
-    fix(section, word, support.fixed);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (section.has("Stiffness"))
-      support.stiffness[axis] = section.quantities("Stiffness")[axis];
-    if (section.has("Rotational stiffness"))
-      support.stiffness[3 + axis] = section.quantities("Rotational stiffness")[axis];
-  }
-  if (!section.has("Fix") && !section.has("Stiffness") && !section.has("Rotational stiffness"))
-    section.reject_section("holds nothing: give Fix, Stiffness or Rotational stiffness");
-  return support;
-}
-
-structure::Point read_point(const Values &section, const std::string &name) {
-  structure::Point point{.name = name, .at = read_place(section), .mass = section.quantity("Mass")};
-  if (section.has("Rotary inertia"))
-    point.rotary_inertia = vector3(section, "Rotary inertia");
-  return point;
-}
-
 modes::Selection read_selection(const Values &section) {
   modes::Selection selection;
   selection.number = static_cast<int>(section.integer("Number"));
@@ -163,11 +46,14 @@ modes::Selection read_selection(const Values &section) {
 Damping read_damping(const Values &section) {
   check_use(section, "Damping model",
             {{"Damping ratio", {"ratio"}},
+             {"Attachment damping ratio", {"ratio"}},
              {"Rayleigh alpha", {"rayleigh"}},
              {"Rayleigh beta", {"rayleigh"}},
              {"Viscous constant", {"viscous"}}});
   Damping damping;
   damping.ratios = section.quantities("Damping ratio");
+  if (section.has("Attachment damping ratio"))
+    damping.attachment_ratio = section.quantity("Attachment damping ratio");
   const std::string model = section.choice("Damping model");
   if (model == "rayleigh") {
     damping.model = Damping::Model::rayleigh;
@@ -179,6 +65,28 @@ Damping read_damping(const Values &section) {
     damping.viscous_constant = section.quantity("Viscous constant");
   }
   return damping;
+}
+
+std::vector<Attachment> read_attachments(const Values &section,
+                                         const std::vector<structure::Point> &points) {
+  std::vector<std::string> known;
+  for (const structure::Point &point : points)
+    for (const char *axis : {".x", ".y", ".z"})
+      known.push_back(point.name + axis);
+  std::vector<Attachment> attachments;
+  for (const std::string &place : section.names("Attachments")) {
+    section.require_known("Attachments", place, known);
+    attachments.push_back({place.substr(0, place.size() - 2), place.back() - 'x'});
+  }
+  return attachments;
+}
+
+/// Modes, attachments and damping of a body with a mesh.
+void read_modes(const Values &section, const std::vector<structure::Point> &points,
+                BodyDefinition &definition) {
+  definition.selection = read_selection(section);
+  definition.attachments = read_attachments(section, points);
+  definition.damping = read_damping(section);
 }
 
 std::vector<int> read_axes(const Values &section) {
@@ -223,20 +131,26 @@ void read_beam(const Values &body, const std::string &folder, MPI_Comm communica
                BodyDefinition &definition) {
   if (!body.instances("Mass").empty())
     body.reject("Type", "= beam has no use for a subsection Mass (a Point can carry a mass)");
-  refuse(body, {"Rotor", "Motor"}, {});
+  refuse(body, {"Rotor", "Motor"}, {"Shell", "Stiffener"});
+  refuse_shell_geometry(body);
   read_geometry(body.subsection("Geometry"), folder, communicator, definition.beam);
   definition.beam.section = read_section(body.subsection("Section"));
   definition.beam.material = read_material(body.subsection("Material"));
-  for (const std::string &name : body.instances("Support"))
-    definition.beam.supports.push_back(read_support(body.instance("Support", name), name));
-  for (const std::string &name : body.instances("Point"))
-    definition.beam.points.push_back(read_point(body.instance("Point", name), name));
-  definition.selection = read_selection(body.subsection("Modes"));
-  definition.damping = read_damping(body.subsection("Modes"));
+  definition.beam.supports = read_supports(body);
+  definition.beam.points = read_points(body);
+  definition.beam.loads = read_loads(body);
+  read_modes(body.subsection("Modes"), definition.beam.points, definition);
+}
+
+void read_shell(const Values &body, const std::string &folder, MPI_Comm communicator,
+                BodyDefinition &definition) {
+  refuse(body, {"Section", "Rotor", "Motor"}, {"Mass"});
+  definition.shell = read_shell_definition(body, folder, communicator);
+  read_modes(body.subsection("Modes"), definition.shell.points, definition);
 }
 
 void read_rotor(const Values &body, BodyDefinition &definition) {
-  refuse(body, {"Geometry", "Section", "Material", "Modes"}, {"Support", "Point", "Mass"});
+  refuse(body, {"Geometry", "Section", "Material", "Modes"}, {"Support", "Point", "Mass", "Shell", "Stiffener", "Load"});
   const Values rotor = body.subsection("Rotor");
   rotor.require("Mass");
   rotor.require("Inertia");
@@ -245,7 +159,7 @@ void read_rotor(const Values &body, BodyDefinition &definition) {
 
 void read_lumped(const Values &body, BodyDefinition &definition) {
   refuse(body, {"Geometry", "Section", "Material", "Modes", "Rotor", "Motor"},
-         {"Support", "Point"});
+         {"Support", "Point", "Shell", "Stiffener", "Load"});
   for (const std::string &name : body.instances("Mass"))
     definition.masses.push_back(read_mass(body.instance("Mass", name), name));
 }
@@ -262,6 +176,9 @@ BodyDefinition read_body(const Values &body, const std::string &name, const std:
   } else if (body.choice("Type") == "rotor") {
     definition.type = BodyDefinition::Type::rotor;
     read_rotor(body, definition);
+  } else if (body.choice("Type") == "shell") {
+    definition.type = BodyDefinition::Type::shell;
+    read_shell(body, folder, communicator, definition);
   } else {
     read_beam(body, folder, communicator, definition);
   }

@@ -8,7 +8,8 @@ namespace {
 Index add_mass(const LumpedMass &mass, Index first, ReducedBody &body) {
   if (!(mass.mass > 0))
     throw structure::DefinitionError("Mass", mass.name, "Mass", "must be greater than 0");
-  BodyPoint point{mass.name, mass.position, Matrix::Zero(6, body.size())};
+  BodyPoint point{
+      .name = mass.name, .position = mass.position, .rows = Matrix::Zero(6, body.size())};
   for (const int axis : mass.axes) {
     body.mass[first] = mass.mass;
     body.stiffness[first] = mass.stiffness;

@@ -4,9 +4,15 @@
 #include "reduction/body_file.h"
 #include "reduction/lumped_body.h"
 #include "reduction/rotor_body.h"
+#include "common/log.h"
+#include "modes/attachment_modes.h"
+#include "modes/static_solution.h"
 #include "structure/assembly.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace vibroimpact {
 
@@ -34,13 +40,16 @@ Matrix free_rows(const structure::FreeDofs &free, const Matrix &shapes) {
   return rows;
 }
 
+modes::EigenProblem problem_of(const AssembledBody &body) {
+  return {.stiffness = body.stiffness.get(),
+          .mass = body.mass.get(),
+          .accurate_stiffness = body.accurate_stiffness->matrix(),
+          .mass_rank = body.massive_dofs};
+}
+
 modes::NormalModes solve(const AssembledBody &body, const modes::Selection &selection) {
   try {
-    return modes::normal_modes({.stiffness = body.stiffness.get(),
-                                .mass = body.mass.get(),
-                                .accurate_stiffness = body.accurate_stiffness->matrix(),
-                                .mass_rank = body.massive_dofs},
-                               selection);
+    return modes::normal_modes(problem_of(body), selection);
   } catch (const modes::TooManyModes &too_many) {
     throw DefinitionError("Modes", "", "Number",
                           "must not exceed the number of free degrees of freedom with mass, " +
@@ -48,14 +57,86 @@ modes::NormalModes solve(const AssembledBody &body, const modes::Selection &sele
   }
 }
 
-Recovery recovery(const structure::LineMesh &mesh, Matrix shapes) {
+Recovery recovery(const structure::Mesh &mesh, Matrix shapes) {
   Recovery result;
   result.nodes.resize(3, static_cast<Index>(mesh.nodes.size()));
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
     result.nodes.col(static_cast<Index>(node)) = mesh.nodes[node];
-  result.lines = mesh.cells;
+  result.lines = mesh.lines;
+  for (const structure::Surface &surface : mesh.surfaces) {
+    result.surfaces.push_back(surface.corners);
+    if (surface.size == 3)
+      result.surfaces.back()[3] = -1;
+  }
   result.shapes = std::move(shapes);
   return result;
+}
+
+// Anything people build sounds between these; a body outside them mostly has a mesh in millimetres.
+constexpr double lowest_plausible = 1e-2;  // [Hz]
+constexpr double highest_plausible = 1e+6; // [Hz]
+
+void warn_of_implausible(const std::string &name, const AssembledBody &body,
+                         const Vector &eigenvalues) {
+  constexpr double two_pi = 6.283185307179586476925;
+  if (body.model.mesh.unused_nodes > 0)
+    log::warning("body " + name + ": " + std::to_string(body.model.mesh.unused_nodes) +
+                 " nodes of the mesh belong to no cell and are left out");
+  const auto first = std::find_if(eigenvalues.begin(), eigenvalues.end(),
+                                  [](double value) { return value > 0; });
+  if (first == eigenvalues.end())
+    return;
+  const double frequency = std::sqrt(*first) / two_pi;
+  if (frequency >= lowest_plausible && frequency <= highest_plausible)
+    return;
+  std::ostringstream text;
+  text << "body " << name << ": its first natural frequency, " << frequency
+       << " Hz, is hardly that of a structure. Are the units right? Its mesh is "
+       << body.model.mesh.extent() << " m across (coordinates in a mesh file are metres), waves run "
+       << "through it at " << body.model.wave_speed << " m/s, and its mass is "
+       << body.model.total_mass() << " kg";
+  log::warning(text.str());
+}
+
+/// Static displacements of the whole mesh.
+struct Statics {
+  Vector deflection;               ///< under the loads of the body; empty without loads
+  std::vector<Matrix> flexibility; ///< of each point, see BodyPoint; empty for a free body
+};
+
+/// Loads of the body (if any) first, then unit forces at the points along each axis.
+Matrix static_loads(const AssembledBody &body) {
+  const Index given = body.model.loaded ? 1 : 0;
+  const auto points = static_cast<Index>(body.model.points.size());
+  Matrix loads = Matrix::Zero(body.free.size, given + 3 * points);
+  if (given > 0)
+    loads.col(0) = body.load;
+  for (Index p = 0; p < points; ++p)
+    for (Index axis = 0; axis < 3; ++axis)
+      if (const int dof = body.free.number[body.model.points[p].node][axis]; dof >= 0)
+        loads(dof, given + 3 * p + axis) = 1;
+  return loads;
+}
+
+Statics solve_statics(const BodyDefinition &definition, const AssembledBody &body,
+                      const Vector &eigenvalues) {
+  if (eigenvalues[0] == 0 && body.model.loaded)
+    throw DefinitionError("Body", definition.name, "Type",
+                          "= beam or shell with a subsection Load needs supports that hold it "
+                          "against every rigid motion");
+  const Matrix loads = static_loads(body);
+  Statics statics;
+  if (eigenvalues[0] == 0 || loads.cols() == 0)
+    return statics;
+  const Matrix solution = modes::static_solution(problem_of(body), loads);
+  const Index given = body.model.loaded ? 1 : 0;
+  if (given > 0)
+    statics.deflection = node_rows(body.free, solution.col(0));
+  for (Index first = given; first < loads.cols(); first += 3) {
+    const Matrix moved = loads.middleCols(first, 3).transpose() * solution.middleCols(first, 3);
+    statics.flexibility.emplace_back((moved + moved.transpose()) / 2);
+  }
+  return statics;
 }
 
 Matrix diagonal(const Vector &entries) { return entries.asDiagonal(); }
@@ -70,8 +151,9 @@ Matrix viscous_damping(const Damping &damping, const AssembledBody &body, const 
   return damping.viscous_constant / mass * (projected + projected.transpose()) / 2;
 }
 
+/// The first `normal` shapes are normal modes, the others attachment modes.
 Matrix modal_damping(const Damping &damping, const AssembledBody &body, const Vector &stiffness,
-                     const Matrix &shapes) {
+                     const Matrix &shapes, Index normal) {
   if (damping.model == Damping::Model::viscous)
     return viscous_damping(damping, body, shapes);
   if (damping.model == Damping::Model::rayleigh)
@@ -79,36 +161,106 @@ Matrix modal_damping(const Damping &damping, const AssembledBody &body, const Ve
   Vector ratio(stiffness.size());
   for (Index j = 0; j < ratio.size(); ++j)
     ratio[j] = damping.ratios[std::min<std::size_t>(j, damping.ratios.size() - 1)];
+  ratio.tail(ratio.size() - normal).setConstant(
+      damping.attachment_ratio.value_or(damping.ratios.back()));
   return diagonal((2 * ratio.array() * stiffness.array().sqrt()).matrix());
 }
 
-ReducedBody beam_body(const BodyDefinition &definition, MPI_Comm communicator) {
-  const AssembledBody assembled =
-      structure::assemble(structure::build_frame(definition.beam), communicator);
+structure::BodyModel build(const BodyDefinition &definition) {
+  return definition.type == BodyDefinition::Type::shell ? structure::build_shell(definition.shell)
+                                                        : structure::build_frame(definition.beam);
+}
+
+void add_points(const structure::BodyModel &model, const Matrix &shapes, const Statics &statics,
+                ReducedBody &body) {
+  for (std::size_t p = 0; p < model.points.size(); ++p) {
+    const structure::NamedNode &named = model.points[p];
+    const Index row = Index{6} * named.node;
+    BodyPoint point{.name = named.name,
+                    .position = model.mesh.nodes[named.node],
+                    .rows = shapes.middleRows(row, 6)};
+    if (statics.deflection.size() > 0)
+      point.static_displacement = statics.deflection.segment(row, 6);
+    if (!statics.flexibility.empty())
+      point.flexibility = statics.flexibility[p];
+    body.points.push_back(std::move(point));
+  }
+}
+
+/// Shapes on all nodes, with omega^2: the selected normal modes, then the attachment modes.
+struct Basis {
+  Vector stiffness;
+  Matrix shapes;
+};
+
+/// The shapes in the basis that the rule takes.
+Matrix ruled(const AssembledBody &body, const Vector &eigenvalues, const Matrix &free_shapes) {
+  std::vector<int> point_nodes;
+  for (const structure::NamedNode &point : body.model.points)
+    point_nodes.push_back(point.node);
+  Matrix shapes = node_rows(body.free, free_shapes);
+  fix_basis(eigenvalues, point_nodes, shapes);
+  return shapes;
+}
+
+/// Unit forces that the attachments name; those on held degrees of freedom have no answer.
+Matrix attachment_loads(const BodyDefinition &definition, const AssembledBody &body) {
+  std::vector<int> dofs;
+  for (const Attachment &attachment : definition.attachments)
+    for (const structure::NamedNode &point : body.model.points)
+      if (const int dof = body.free.number[point.node][attachment.axis];
+          point.name == attachment.point && dof >= 0)
+        dofs.push_back(dof);
+  Matrix loads = Matrix::Zero(body.free.size, static_cast<Index>(dofs.size()));
+  for (std::size_t j = 0; j < dofs.size(); ++j)
+    loads(dofs[j], static_cast<Index>(j)) = 1;
+  return loads;
+}
+
+Basis make_basis(const BodyDefinition &definition, const AssembledBody &body,
+                 const modes::NormalModes &modes) {
+  const Matrix normal = ruled(body, modes.eigenvalues, modes.shapes);
+  Basis basis{merge_multiple(modes.eigenvalues).segment(modes.first, modes.number),
+              normal.middleCols(modes.first, modes.number)};
+  const Matrix loads = attachment_loads(definition, body);
+  if (loads.cols() == 0)
+    return basis;
+  const modes::AttachmentModes more =
+      modes::residual_attachment_modes(problem_of(body), modes, loads);
+  const Index size = modes.number + more.eigenvalues.size();
+  basis.stiffness.conservativeResize(size);
+  basis.stiffness.tail(more.eigenvalues.size()) = more.eigenvalues;
+  basis.shapes.conservativeResize(Eigen::NoChange, size);
+  basis.shapes.rightCols(more.eigenvalues.size()) = ruled(body, more.eigenvalues, more.shapes);
+  return basis;
+}
+
+ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator) {
+  const AssembledBody assembled = structure::assemble(build(definition), communicator);
   const modes::NormalModes modes = solve(assembled, definition.selection);
   if (modes.number == 0)
     throw DefinitionError("Modes", "", "Band", "must hold at least one natural frequency");
-
-  std::vector<int> point_nodes;
-  for (const structure::NamedNode &point : assembled.model.points)
-    point_nodes.push_back(point.node);
-  Matrix shapes = node_rows(assembled.free, modes.shapes);
-  fix_basis(modes.eigenvalues, point_nodes, shapes);
-  shapes = Matrix(shapes.middleCols(modes.first, modes.number));
+  warn_of_implausible(definition.name, assembled, modes.eigenvalues);
+  Basis basis = make_basis(definition, assembled, modes);
 
   ReducedBody body;
   body.name = definition.name;
-  body.type = "beam";
-  body.mass = Vector::Ones(modes.number);
-  body.stiffness = merge_multiple(modes.eigenvalues).segment(modes.first, modes.number);
-  body.damping = modal_damping(definition.damping, assembled, body.stiffness, shapes);
-  body.base_participation = free_rows(assembled.free, shapes).transpose() * assembled.base_inertia;
-  for (const structure::NamedNode &point : assembled.model.points)
-    body.points.push_back(
-        {point.name, assembled.model.mesh.nodes[point.node], shapes.middleRows(6 * point.node, 6)});
-  body.recovery = recovery(assembled.model.mesh, std::move(shapes));
+  body.type = definition.type == BodyDefinition::Type::shell ? "shell" : "beam";
+  body.mass = Vector::Ones(basis.stiffness.size());
+  body.stiffness = basis.stiffness;
+  body.damping =
+      modal_damping(definition.damping, assembled, body.stiffness, basis.shapes, modes.number);
+  body.base_participation =
+      free_rows(assembled.free, basis.shapes).transpose() * assembled.base_inertia;
+  const Statics statics = solve_statics(definition, assembled, modes.eigenvalues);
+  add_points(assembled.model, basis.shapes, statics, body);
+  body.recovery = recovery(assembled.model.mesh, std::move(basis.shapes));
+  body.recovery.static_displacement = statics.deflection;
   body.total_mass.setConstant(assembled.model.total_mass());
-  body.eigen_residual = modes.error_bounds.segment(modes.first, modes.number);
+  // Attachment modes are no eigenvectors: nothing bounds their error as such.
+  body.eigen_residual =
+      Vector::Constant(body.size(), std::numeric_limits<double>::quiet_NaN());
+  body.eigen_residual.head(modes.number) = modes.error_bounds.segment(modes.first, modes.number);
   body.orthogonality_residual = modes.orthogonality_residual;
   return body;
 }
@@ -120,7 +272,7 @@ ReducedBody reduce(const BodyDefinition &definition, MPI_Comm communicator) {
     return lumped_body(definition);
   if (definition.type == BodyDefinition::Type::rotor)
     return rotor_body(definition);
-  return broadcast(beam_body(definition, communicator), communicator);
+  return broadcast(meshed_body(definition, communicator), communicator);
 }
 
 } // namespace vibroimpact

@@ -13,6 +13,14 @@ Vector ReducedBody::damping_ratio() const {
   return ratio;
 }
 
+double ReducedBody::flexibility_share(const BodyPoint &point, const Vector3 &direction) const {
+  if (point.flexibility.size() == 0)
+    return 1;
+  const double whole = direction.dot(point.flexibility * direction);
+  const RowVector along = direction.transpose() * point.rows.topRows(3);
+  return whole > 0 ? along.cwiseAbs2().dot(stiffness.cwiseInverse()) / whole : 1;
+}
+
 Matrix ReducedBody::effective_mass() const {
   return mass.cwiseInverse().asDiagonal() * base_participation.cwiseAbs2();
 }

@@ -22,18 +22,30 @@ struct BodyPoint {
   std::string name;
   Vector3 position = Vector3::Zero(); ///< undeformed [m]
   Matrix rows; ///< 6 x n: three displacements [m], three rotations [rad] per unit coordinate
+  /// 6, under the body's loads [m, rad]; empty without loads.
+  Vector static_displacement{};
+  /// 3 x 3, static displacement along an axis (row) per unit force along another (column), of the
+  /// body before reduction [m/N]; empty for bodies without a mesh and for those that no support
+  /// holds.
+  Matrix flexibility{};
 };
 
 /// Nodes, cells and mode shapes, to expand coordinates to the mesh.
 struct Recovery {
   Matrix nodes;                          ///< 3 x N, undeformed positions [m]
   std::vector<std::array<int, 2>> lines; ///< node pairs of beam elements
-  Matrix shapes;                         ///< 6N x n: rows 6 i + component of node i
+  /// Nodes around each shell element; the last one is -1 for a triangle.
+  std::vector<std::array<int, 4>> surfaces;
+  Matrix shapes; ///< 6N x n: rows 6 i + component of node i
+  /// 6N, displacement of the mesh under the body's loads [m, rad]; empty without loads.
+  Vector static_displacement{};
+
+  bool empty() const { return lines.empty() && surfaces.empty(); }
 };
 
 struct ReducedBody {
   std::string name;
-  std::string type; ///< "beam", "lumped" or "rotor"
+  std::string type; ///< "beam", "shell", "lumped" or "rotor"
 
   Vector mass;               ///< n
   Vector stiffness;          ///< n
@@ -52,11 +64,14 @@ struct ReducedBody {
   double orthogonality_residual = 0; ///< max |Phi^T M Phi - I|, for modal bodies
 
   Index size() const { return mass.size(); }
-  bool modal() const { return type == "beam"; }
+  bool modal() const { return type == "beam" || type == "shell"; }
   /// Undamped natural angular frequency of each coordinate by itself [rad/s]; 0 for rigid modes.
   Vector omega() const { return (stiffness.array() / mass.array()).max(0.0).sqrt(); }
   /// Fraction of critical damping of each coordinate by itself; 0 where omega is 0.
   Vector damping_ratio() const;
+  /// Share of a point's flexibility along a direction that the coordinates carry; 1 where there is
+  /// nothing to carry or the flexibility is not known.
+  double flexibility_share(const BodyPoint &point, const Vector3 &direction) const;
   /// base_participation^2 / mass: n x 3 [kg].
   Matrix effective_mass() const;
   /// Throws std::logic_error when there is no such point.

@@ -11,7 +11,7 @@ ReducedBody rotor_body(const BodyDefinition &definition) {
   body.stiffness = Vector::Zero(1);
   body.damping = Matrix::Constant(1, 1, definition.rotor.friction);
   body.base_participation = Matrix::Zero(1, 3);
-  BodyPoint shaft{"shaft", Vector3::Zero(), Matrix::Zero(6, 1)};
+  BodyPoint shaft{.name = "shaft", .position = Vector3::Zero(), .rows = Matrix::Zero(6, 1)};
   shaft.rows(rotation_z, 0) = 1;
   body.points.push_back(std::move(shaft));
   return body;

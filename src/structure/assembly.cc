@@ -8,7 +8,7 @@ namespace {
 
 using petsc::check;
 
-FreeDofs number_free(const FrameModel &model, const Discretisation &space) {
+FreeDofs number_free(const BodyModel &model, const Discretisation &space) {
   const std::size_t nodes = model.mesh.nodes.size();
   std::vector<int> number(6 * nodes, 0);
   for (std::size_t node = 0; node < nodes; ++node)
@@ -32,31 +32,39 @@ FreeDofs number_free(const FrameModel &model, const Discretisation &space) {
   return free;
 }
 
-// A node couples with itself and with its neighbours, six components each.
-std::vector<PetscInt> row_lengths(const FrameModel &model, const FreeDofs &free) {
-  std::vector<int> neighbours(model.mesh.nodes.size(), 0);
-  for (const auto &cell : model.mesh.cells)
-    for (const int node : cell)
-      ++neighbours[node];
-  std::vector<PetscInt> lengths(free.own_end - free.own_begin, 0);
-  for (std::size_t node = 0; node < neighbours.size(); ++node)
+/// Entries of this rank's rows, in its own columns and in those of others.
+struct RowLengths {
+  std::vector<PetscInt> inside;
+  std::vector<PetscInt> outside;
+};
+
+RowLengths row_lengths(const FreeDofs &free, const Discretisation &space) {
+  RowLengths lengths;
+  lengths.inside.assign(free.own_end - free.own_begin, 0);
+  lengths.outside = lengths.inside;
+  const auto own = [&](int dof) { return dof >= free.own_begin && dof < free.own_end; };
+  for (std::size_t node = 0; node < space.neighbours.size(); ++node) {
+    PetscInt inside = 0;
+    PetscInt outside = 0;
+    for (const int neighbour : space.neighbours[node])
+      for (const int dof : free.number[neighbour])
+        if (dof >= 0)
+          ++(own(dof) ? inside : outside);
     for (const int dof : free.number[node])
-      if (dof >= free.own_begin && dof < free.own_end)
-        lengths[dof - free.own_begin] = 6 * (1 + neighbours[node]);
+      if (own(dof)) {
+        lengths.inside[dof - free.own_begin] = inside;
+        lengths.outside[dof - free.own_begin] = outside;
+      }
+  }
   return lengths;
 }
 
-petsc::Matrix empty_matrix(const FrameModel &model, const FreeDofs &free, MPI_Comm communicator) {
+petsc::Matrix empty_matrix(const FreeDofs &free, const RowLengths &lengths,
+                           MPI_Comm communicator) {
   const PetscInt own = free.own_end - free.own_begin;
-  std::vector<PetscInt> inside = row_lengths(model, free);
-  std::vector<PetscInt> outside = inside;
-  for (std::size_t row = 0; row < inside.size(); ++row) {
-    inside[row] = std::min(inside[row], own);
-    outside[row] = std::min(outside[row], free.size - own);
-  }
   petsc::Matrix matrix;
-  check(MatCreateAIJ(communicator, own, own, free.size, free.size, 0, inside.data(), 0,
-                     outside.data(), matrix.address()),
+  check(MatCreateAIJ(communicator, own, own, free.size, free.size, 0, lengths.inside.data(), 0,
+                     lengths.outside.data(), matrix.address()),
         "Making a matrix");
   return matrix;
 }
@@ -68,25 +76,12 @@ void finish(const petsc::Matrix &matrix) {
   check(MatSetOption(matrix.get(), MAT_SYMMETRY_ETERNAL, PETSC_TRUE), "Marking a matrix symmetric");
 }
 
-std::array<PetscInt, 12> cell_dofs(const FrameModel &model, const FreeDofs &free,
-                                   std::size_t cell) {
-  std::array<PetscInt, 12> dofs{};
-  for (int i = 0; i < 12; ++i)
-    dofs[i] = free.number[model.mesh.cells[cell][i / 6]][i % 6];
-  return dofs;
-}
-
 // PETSc leaves out rows and columns with negative numbers: that eliminates the held ones. Element
 // matrices are symmetric, so their column-major storage serves as row-major.
-template <class ElementFunction>
-void add_elements(const AssembledBody &body, const std::vector<int> &own_cells, Mat matrix,
-                  ElementFunction element) {
-  for (const int cell : own_cells) {
-    const ElementMatrix values = element(body.model.properties, body.model.frames[cell]);
-    const std::array<PetscInt, 12> dofs = cell_dofs(body.model, body.free, cell);
-    check(MatSetValues(matrix, 12, dofs.data(), 12, dofs.data(), values.data(), ADD_VALUES),
-          "Assembling a matrix");
-  }
+void add_element(const std::vector<int> &dofs, const NodalMatrix &values, Mat matrix) {
+  const auto size = static_cast<PetscInt>(dofs.size());
+  check(MatSetValues(matrix, size, dofs.data(), size, dofs.data(), values.data(), ADD_VALUES),
+        "Assembling a matrix");
 }
 
 void add_diagonal(const FreeDofs &free, const std::vector<std::array<double, 6>> &values,
@@ -100,14 +95,38 @@ void add_diagonal(const FreeDofs &free, const std::vector<std::array<double, 6>>
     }
 }
 
-vibroimpact::Matrix base_inertia(const FrameModel &model, const FreeDofs &free) {
+void assemble_matrices(AssembledBody &body, const Discretisation &space, MPI_Comm communicator) {
+  const RowLengths lengths = row_lengths(body.free, space);
+  for (petsc::Matrix *matrix : {&body.stiffness, &body.mass, &body.distributed_mass})
+    *matrix = empty_matrix(body.free, lengths, communicator);
+  body.accurate_stiffness = std::make_unique<StiffnessOperator>(body.free);
+  for (const int number : space.own_elements) {
+    const std::shared_ptr<const Element> &element = body.model.elements[number];
+    const std::vector<int> dofs = body.free.of(*element);
+    const NodalMatrix stiffness = element->stiffness();
+    const NodalMatrix mass = element->mass();
+    add_element(dofs, stiffness, body.stiffness.get());
+    add_element(dofs, mass, body.mass.get());
+    add_element(dofs, mass, body.distributed_mass.get());
+    body.accurate_stiffness->add(element, stiffness, dofs);
+  }
+  add_diagonal(body.free, body.model.spring, body.stiffness.get());
+  add_diagonal(body.free, body.model.lumped_mass, body.mass.get());
+  for (const petsc::Matrix *matrix : {&body.stiffness, &body.mass, &body.distributed_mass})
+    finish(*matrix);
+  body.accurate_stiffness->add_springs(body.model.spring);
+  body.accurate_stiffness->finish(communicator);
+}
+
+vibroimpact::Matrix base_inertia(const BodyModel &model, const FreeDofs &free) {
   vibroimpact::Matrix inertia = vibroimpact::Matrix::Zero(free.size, 3);
-  for (std::size_t cell = 0; cell < model.mesh.cells.size(); ++cell) {
-    const ElementMatrix mass = mass_matrix(model.properties, model.frames[cell]);
-    const std::array<PetscInt, 12> dofs = cell_dofs(model, free, cell);
-    for (int i = 0; i < 12; ++i)
-      for (int axis = 0; dofs[i] >= 0 && axis < 3; ++axis)
-        inertia(dofs[i], axis) += mass(i, axis) + mass(i, 6 + axis);
+  for (const auto &element : model.elements) {
+    const NodalMatrix mass = element->mass();
+    const std::vector<int> dofs = free.of(*element);
+    for (std::size_t i = 0; i < dofs.size(); ++i)
+      for (Index column = 0; dofs[i] >= 0 && column < mass.cols(); ++column)
+        if (column % 6 < 3)
+          inertia(dofs[i], column % 6) += mass(static_cast<Index>(i), column);
   }
   for (std::size_t node = 0; node < model.lumped_mass.size(); ++node)
     for (int axis = 0; axis < 3; ++axis)
@@ -116,39 +135,45 @@ vibroimpact::Matrix base_inertia(const FrameModel &model, const FreeDofs &free) 
   return inertia;
 }
 
-// The mass of a beam with density is positive definite; without density only lumped masses count.
-int count_massive(const FrameModel &model, const FreeDofs &free) {
-  if (model.properties.mass_per_length > 0)
-    return free.size;
-  int count = 0;
-  for (std::size_t node = 0; node < model.lumped_mass.size(); ++node)
+vibroimpact::Vector static_load(const AssembledBody &body) {
+  vibroimpact::Vector load = body.base_inertia * body.model.acceleration;
+  for (std::size_t node = 0; node < body.model.load.size(); ++node)
     for (int component = 0; component < 6; ++component)
-      count += free.number[node][component] >= 0 && model.lumped_mass[node][component] > 0;
+      if (const int dof = body.free.number[node][component]; dof >= 0)
+        load[dof] += body.model.load[node][component];
+  return load;
+}
+
+// The mass matrix of an element with density is positive definite; elsewhere only lumped masses
+// count.
+int count_massive(const BodyModel &model, const FreeDofs &free) {
+  std::vector<bool> heavy(model.mesh.nodes.size(), false);
+  for (const auto &element : model.elements)
+    if (element->total_mass() > 0)
+      for (const int node : element->nodes())
+        heavy[node] = true;
+  int count = 0;
+  for (std::size_t node = 0; node < heavy.size(); ++node)
+    for (int component = 0; component < 6; ++component)
+      count += free.number[node][component] >= 0 &&
+               (heavy[node] || model.lumped_mass[node][component] > 0);
   return count;
 }
 
 } // namespace
 
-AssembledBody assemble(FrameModel model, MPI_Comm communicator) {
+AssembledBody assemble(BodyModel model, MPI_Comm communicator) {
   AssembledBody body;
   body.model = std::move(model);
-  const Discretisation space = discretise(body.model.mesh, communicator);
+  const Discretisation space =
+      discretise(body.model.mesh.nodes.size(), body.model.elements, communicator);
   body.free = number_free(body.model, space);
   if (body.free.size == 0)
     throw DefinitionError("Modes", "", "Number",
                           "cannot be met: the supports hold every degree of freedom");
-  for (petsc::Matrix *matrix : {&body.stiffness, &body.mass, &body.distributed_mass})
-    *matrix = empty_matrix(body.model, body.free, communicator);
-  add_elements(body, space.own_cells, body.stiffness.get(), stiffness_matrix);
-  add_elements(body, space.own_cells, body.mass.get(), mass_matrix);
-  add_elements(body, space.own_cells, body.distributed_mass.get(), mass_matrix);
-  add_diagonal(body.free, body.model.spring, body.stiffness.get());
-  add_diagonal(body.free, body.model.lumped_mass, body.mass.get());
-  for (const petsc::Matrix *matrix : {&body.stiffness, &body.mass, &body.distributed_mass})
-    finish(*matrix);
-  body.accurate_stiffness =
-      std::make_unique<StiffnessOperator>(body.model, body.free, space.own_cells, communicator);
+  assemble_matrices(body, space, communicator);
   body.base_inertia = base_inertia(body.model, body.free);
+  body.load = static_load(body);
   body.massive_dofs = count_massive(body.model, body.free);
   return body;
 }

@@ -1,4 +1,4 @@
-// The matrices of a beam body, distributed over the ranks of a communicator. Held degrees of
+// The matrices of a body, distributed over the ranks of a communicator. Held degrees of
 // freedom are eliminated: a unit diagonal in their place would put modes into the spectrum that do
 // not exist.
 #pragma once
@@ -10,7 +10,7 @@ namespace vibroimpact::structure {
 /// Everything that the eigen-solution and the reduction need; the mesh and the points stay in the
 /// model. Rows are the free degrees of freedom.
 struct AssembledBody {
-  FrameModel model;
+  BodyModel model;
   FreeDofs free;
   petsc::Matrix stiffness;        ///< elements and springs
   petsc::Matrix mass;             ///< elements and lumped masses
@@ -19,10 +19,11 @@ struct AssembledBody {
   /// (M r) at the free rows, for a unit displacement r of the whole body, supports included, along
   /// x, y and z: size x 3 [kg], the same on every rank.
   vibroimpact::Matrix base_inertia;
-  int massive_dofs = 0; ///< rank of the mass matrix
+  vibroimpact::Vector load; ///< of the static solution at the free rows, the same on every rank
+  int massive_dofs = 0;     ///< rank of the mass matrix
 };
 
 /// Collective. Throws DefinitionError when every degree of freedom is held.
-AssembledBody assemble(FrameModel model, MPI_Comm communicator);
+AssembledBody assemble(BodyModel model, MPI_Comm communicator);
 
 } // namespace vibroimpact::structure

@@ -60,10 +60,12 @@ struct Material {
 };
 
 /// Where a support or a point is: at the nodes of a group ("start" and "end" of a generated line,
-/// the physical groups of a mesh file, "all") or at the node with these coordinates.
+/// the physical groups of a mesh file, "all"), at the node with these coordinates, or at the node
+/// nearest to them.
 struct Location {
   std::string group;
   std::optional<Vector3> position; ///< [m]
+  bool nearest = false;            ///< the position need not be that of a node
 };
 
 /// Degrees of freedom held, and springs to the base. Components: x, y, z, rx, ry, rz.
@@ -82,6 +84,17 @@ struct Point {
   Vector3 rotary_inertia = Vector3::Zero(); ///< about the global axes [kg m^2]
 };
 
+/// What acts on a body in its static solution. Force and moment act at each node of the location.
+struct Load {
+  std::string name;
+  Location at;                              ///< empty without force and moment
+  Vector3 force = Vector3::Zero();          ///< [N]
+  Vector3 moment = Vector3::Zero();         ///< [N m]
+  Vector3 acceleration = Vector3::Zero();   ///< of gravity, on all mass [m/s^2]
+  double pressure = 0;                      ///< along the normals of shells [Pa]
+  std::string on = "all";                   ///< surfaces under pressure
+};
+
 struct BeamDefinition {
   std::string mesh_content;       ///< text of a Gmsh mesh file; empty: the generated line
   Line line;                      ///< used without a mesh
@@ -90,6 +103,7 @@ struct BeamDefinition {
   Material material;
   std::vector<Support> supports;
   std::vector<Point> points;
+  std::vector<Load> loads;
 };
 
 } // namespace vibroimpact::structure

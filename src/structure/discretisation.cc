@@ -1,63 +1,62 @@
 #include "structure/discretisation.h"
 
-#include <deal.II/distributed/shared_tria.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_system.h>
-#include <deal.II/grid/tria.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
+
+#include <algorithm>
 
 namespace vibroimpact::structure {
 
 namespace {
 
-using Triangulation = dealii::parallel::shared::Triangulation<1, 3>;
-
-std::vector<dealii::Point<3>> deal_points(const LineMesh &mesh) {
-  std::vector<dealii::Point<3>> points;
-  for (const Vector3 &node : mesh.nodes)
-    points.emplace_back(node[0], node[1], node[2]);
-  return points;
+std::vector<std::vector<int>> neighbours(std::size_t nodes, const Elements &elements) {
+  std::vector<std::vector<int>> graph(nodes);
+  for (const auto &element : elements)
+    for (const int node : element->nodes())
+      graph[node].insert(graph[node].end(), element->nodes().begin(), element->nodes().end());
+  for (std::vector<int> &row : graph) {
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+  }
+  return graph;
 }
 
-std::vector<dealii::CellData<1>> deal_cells(const LineMesh &mesh) {
-  std::vector<dealii::CellData<1>> cells;
-  for (const auto &cell : mesh.cells) {
-    dealii::CellData<1> data;
-    data.vertices = {static_cast<unsigned int>(cell[0]), static_cast<unsigned int>(cell[1])};
-    cells.push_back(data);
-  }
-  return cells;
-}
-
-void read_cells(const dealii::DoFHandler<1, 3> &space, Discretisation &result) {
-  for (const auto &cell : space.active_cell_iterators()) {
-    if (cell->is_locally_owned())
-      result.own_cells.push_back(cell->index());
-    for (unsigned int vertex = 0; vertex < 2; ++vertex)
-      for (unsigned int component = 0; component < 6; ++component)
-        result.dofs[cell->vertex_index(vertex)][component] =
-            static_cast<int>(cell->vertex_dof_index(vertex, component));
-  }
+/// Place of each node in an order along the body, after Cuthill and McKee. Cutting that order into
+/// equal parts needs no partitioner and gives the same parts on every machine.
+std::vector<int> order(const std::vector<std::vector<int>> &graph) {
+  dealii::DynamicSparsityPattern pattern(graph.size(), graph.size());
+  for (std::size_t node = 0; node < graph.size(); ++node)
+    for (const int neighbour : graph[node])
+      pattern.add(node, neighbour);
+  std::vector<dealii::DynamicSparsityPattern::size_type> places(graph.size());
+  dealii::SparsityTools::reorder_Cuthill_McKee(pattern, places);
+  return {places.begin(), places.end()};
 }
 
 } // namespace
 
-Discretisation discretise(const LineMesh &mesh, MPI_Comm communicator) {
-  // Ordering the cells along the mesh and cutting that order into equal parts needs no partitioner
-  // and gives the same parts on every machine.
-  Triangulation triangulation(communicator, Triangulation::MeshSmoothing::none, false,
-                              Triangulation::Settings::partition_zorder);
-  triangulation.create_triangulation(deal_points(mesh), deal_cells(mesh), dealii::SubCellData());
-  const dealii::FESystem<1, 3> element(dealii::FE_Q<1, 3>(1), 6);
-  dealii::DoFHandler<1, 3> space(triangulation);
-  space.distribute_dofs(element);
-
+Discretisation discretise(std::size_t nodes, const Elements &elements, MPI_Comm communicator) {
+  int rank = 0;
+  int ranks = 1;
+  MPI_Comm_rank(communicator, &rank);
+  MPI_Comm_size(communicator, &ranks);
   Discretisation result;
-  result.dofs.resize(mesh.nodes.size());
-  read_cells(space, result);
-  const dealii::IndexSet &own = space.locally_owned_dofs();
-  result.own_begin = own.is_empty() ? 0 : static_cast<int>(own.nth_index_in_set(0));
-  result.own_end = result.own_begin + static_cast<int>(own.n_elements());
+  result.neighbours = neighbours(nodes, elements);
+  const std::vector<int> places = order(result.neighbours);
+  result.dofs.resize(nodes);
+  for (std::size_t node = 0; node < nodes; ++node)
+    for (int component = 0; component < 6; ++component)
+      result.dofs[node][component] = 6 * places[node] + component;
+  const auto begin_of = [&](int r) { return static_cast<int>(nodes * r / ranks); };
+  result.own_begin = 6 * begin_of(rank);
+  result.own_end = 6 * begin_of(rank + 1);
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    int first = static_cast<int>(nodes);
+    for (const int node : elements[e]->nodes())
+      first = std::min(first, places[node]);
+    if (first >= begin_of(rank) && first < begin_of(rank + 1))
+      result.own_elements.push_back(static_cast<int>(e));
+  }
   return result;
 }
 

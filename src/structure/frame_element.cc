@@ -118,4 +118,31 @@ ElementMatrix mass_matrix(const BeamProperties &properties, const ElementFrame &
   return (mass + mass.transpose()) / 2;
 }
 
+FrameElement::FrameElement(const std::array<int, 2> &nodes, const BeamProperties &properties,
+                           const ElementFrame &frame, const Vector3 &offset)
+    : nodes_(nodes), properties_(properties), frame_(frame), offset_(offset) {}
+
+ElementMatrix FrameElement::link() const {
+  ElementMatrix link = ElementMatrix::Identity();
+  for (const int node : {0, 6})
+    for (int axis = 0; axis < 3; ++axis)
+      link.block<3, 1>(node, node + 3 + axis) = Vector3::Unit(axis).cross(offset_);
+  return link;
+}
+
+NodalMatrix FrameElement::stiffness() const {
+  return link().transpose() * stiffness_matrix(properties_, frame_) * link();
+}
+
+NodalMatrix FrameElement::mass() const {
+  return link().transpose() * mass_matrix(properties_, frame_) * link();
+}
+
+NodalVector FrameElement::force(const Eigen::Ref<const Matrix> & /*stiffness*/,
+                                const NodalVector &u) const {
+  if (offset_.isZero(0))
+    return stiffness_product(properties_, frame_, u);
+  return link().transpose() * stiffness_product(properties_, frame_, link() * u);
+}
+
 } // namespace vibroimpact::structure

@@ -8,8 +8,11 @@
 #pragma once
 
 #include "structure/cross_section.h"
+#include "structure/element.h"
 
 #include <Eigen/Dense>
+
+#include <array>
 
 #include <optional>
 
@@ -39,5 +42,27 @@ ElementVector stiffness_product(const BeamProperties &properties, const ElementF
 /// Both symmetric, in global components.
 ElementMatrix stiffness_matrix(const BeamProperties &properties, const ElementFrame &frame);
 ElementMatrix mass_matrix(const BeamProperties &properties, const ElementFrame &frame);
+
+/// The element in a body. Its axis may run beside the line of its nodes: `offset` is the vector from
+/// a node to the axis [m], a rigid link, u_axis = u + theta x offset.
+class FrameElement : public Element {
+public:
+  FrameElement(const std::array<int, 2> &nodes, const BeamProperties &properties,
+               const ElementFrame &frame, const Vector3 &offset = Vector3::Zero());
+
+  std::span<const int> nodes() const override { return nodes_; }
+  NodalMatrix stiffness() const override;
+  NodalMatrix mass() const override;
+  NodalVector force(const Eigen::Ref<const Matrix> &stiffness, const NodalVector &u) const override;
+  double total_mass() const override { return properties_.mass_per_length * frame_.length; }
+
+private:
+  ElementMatrix link() const;
+
+  std::array<int, 2> nodes_;
+  BeamProperties properties_;
+  ElementFrame frame_;
+  Vector3 offset_;
+};
 
 } // namespace vibroimpact::structure

@@ -1,10 +1,10 @@
-// The stiffness of a frame as a PETSc shell matrix that works element by element, from deformations
-// (see stiffness_product). It is the same operator as the assembled matrix, with far less
-// round-off: residuals and Rayleigh quotients of low modes of fine meshes need that.
+// The stiffness of a body as a PETSc shell matrix that works element by element (see
+// Element::force). It is the same operator as the assembled matrix, with far less round-off:
+// residuals and Rayleigh quotients of low modes of fine meshes need that.
 #pragma once
 
+#include "structure/body_model.h"
 #include "structure/discretisation.h"
-#include "structure/frame_model.h"
 #include "structure/petsc_object.h"
 
 #include <memory>
@@ -17,23 +17,33 @@ struct FreeDofs {
   int size = 0;                           ///< of all ranks
   int own_begin = 0;                      ///< this rank owns own_begin <= number < own_end
   int own_end = 0;
+
+  /// Of all nodes of an element, one after the other.
+  std::vector<int> of(const Element &element) const;
 };
 
+/// Filled with the elements and springs of this rank and then finished.
 class StiffnessOperator {
 public:
-  /// Collective.
-  StiffnessOperator(const FrameModel &model, const FreeDofs &free,
-                    const std::vector<int> &own_cells, MPI_Comm communicator);
+  explicit StiffnessOperator(const FreeDofs &free);
   StiffnessOperator(const StiffnessOperator &) = delete;
   StiffnessOperator &operator=(const StiffnessOperator &) = delete;
+
+  void add(std::shared_ptr<const Element> element, const NodalMatrix &stiffness,
+           const std::vector<int> &dofs);
+  /// Those whose degrees of freedom this rank owns, out of all.
+  void add_springs(const std::vector<std::array<double, 6>> &springs);
+  /// Collective.
+  void finish(MPI_Comm communicator);
 
   /// The shell matrix; it may be used as long as this object lives.
   Mat matrix() const { return shell_.get(); }
 
 private:
-  struct Element {
-    ElementFrame frame;
-    std::array<int, 12> local{}; ///< positions in the ghosted vector; -1 where held
+  struct Part {
+    std::shared_ptr<const Element> element;
+    vibroimpact::Matrix stiffness;
+    std::vector<int> local; ///< positions in the ghosted vector; -1 where held
   };
   struct Spring {
     int local = 0;
@@ -42,11 +52,11 @@ private:
 
   static PetscErrorCode multiply(Mat shell, Vec x, Vec y);
   void apply(Vec x, Vec y);
+  void add_products(const double *in, double *out) const;
   int local_number(int dof);
-  void add_springs(const FrameModel &model, const FreeDofs &free);
 
-  BeamProperties properties_;
-  std::vector<Element> elements_;
+  FreeDofs free_;
+  std::vector<Part> parts_;
   std::vector<Spring> springs_;
   std::map<int, int> local_of_dof_;
   petsc::Vector ghosted_x_;

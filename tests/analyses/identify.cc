@@ -48,7 +48,7 @@ public:
 
   const std::vector<double> &values(const std::string &name) const {
     for (const Field &field : result_.fields)
-      if (field.name == name)
+      if (field.name() == name)
         return field.values;
     throw std::logic_error("no field " + name);
   }

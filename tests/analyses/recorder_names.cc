@@ -56,10 +56,10 @@ TEST(RecorderNamesTest, EveryResultHasANameOfItsOwn) {
   const PointResult result = all_recorded();
   std::set<std::string> datasets, groups;
   for (const Field &field : result.fields) {
-    EXPECT_TRUE(datasets.insert(field.name).second) << field.name;
-    for (std::size_t at = field.name.find('/'); at != std::string::npos;
-         at = field.name.find('/', at + 1))
-      groups.insert(field.name.substr(0, at));
+    EXPECT_TRUE(datasets.insert(field.name()).second) << field.name();
+    for (std::size_t at = field.name().find('/'); at != std::string::npos;
+         at = field.name().find('/', at + 1))
+      groups.insert(field.name().substr(0, at));
   }
   EXPECT_GT(datasets.size(), 100u);
   for (const std::string &name : datasets)

@@ -97,7 +97,7 @@ TEST(RecordersTest, OnlyWhatIsSelectedIsStored) {
                                     recorded<Statistics>(system, three_periods(), selection)}) {
     ASSERT_FALSE(result.fields.empty());
     for (const Field &field : result.fields)
-      EXPECT_TRUE(field.name.starts_with("point/other.head/velocity_x/")) << field.name;
+      EXPECT_TRUE(field.name().starts_with("point/other.head/velocity_x/")) << field.name();
   }
 }
 

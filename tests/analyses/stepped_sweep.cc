@@ -167,9 +167,9 @@ TEST(SteppedSweepTest, AResumedSweepWithRefinementIsTheSame) {
     for (const auto &[index, result] : rest.all())
       for (const Field &field : result.fields)
         for (std::size_t i = 0; i < field.values.size(); ++i)
-          EXPECT_TRUE(field.values[i] == whole.values(index, field.name)[i] ||
+          EXPECT_TRUE(field.values[i] == whole.values(index, field.name())[i] ||
                       std::isnan(field.values[i]))
-              << field.name;
+              << field.name();
   }
 }
 

@@ -115,6 +115,29 @@ TEST_F(Hdf5FileTest, ErrorsNameFileObjectAndReason) {
   EXPECT_THROW(file.write("/twice", {}, std::vector<double>{0}), std::runtime_error);
 }
 
+// The library must not learn of it: whatever is written after the disk is full, the program lives,
+// and the first reason is told when the file is to be complete.
+TEST_F(Hdf5FileTest, GoesOnWithAFullDiskUpToTheEnd) {
+  std::filesystem::create_symlink("/dev/full", name);
+  for (const bool completed : {true, false}) {
+    Hdf5File file = Hdf5File::create(name);
+    const std::vector<double> many(1000000, 1.5);
+    file.write("/x", {many.size()}, std::vector<double>(many.size(), 0.5));
+    file.make_scale("/x");
+    for (int i = 0; i < 20; ++i) {
+      const std::string path = "/group/" + std::to_string(i) + "/y";
+      file.write(path, {many.size()}, many);
+      file.attach_scale(path, 0, "/x");
+      file.set_attribute(path, "description", "a value over x");
+    }
+    EXPECT_EQ(file.members("/group").size(), 20U);
+    EXPECT_EQ(file.read_attribute("/group/7/y", "description"), "a value over x");
+    if (completed)
+      EXPECT_EQ(message_of<std::runtime_error>([&] { file.close(); }),
+                name.string() + ": cannot write: No space left on device");
+  }
+}
+
 TEST_F(Hdf5FileTest, ValuesMustFillTheShape) {
   Hdf5File file = Hdf5File::create(name);
   EXPECT_THROW(file.write("/x", {2, 2}, std::vector<double>{1, 2, 3}), std::logic_error);

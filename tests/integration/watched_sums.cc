@@ -52,7 +52,7 @@ struct Sum {
   Extent extent_over(double h) {
     Extent extent;
     form.extent = &extent;
-    WatchedSums({form}, basis).include(amplitudes, at(h), h);
+    WatchedSums(WatchedForms({form}), basis).include(amplitudes, at(h), h);
     return extent;
   }
 };

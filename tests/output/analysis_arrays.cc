@@ -9,7 +9,7 @@ namespace {
 
 Field field(const std::string &name, const std::vector<std::string> &dimensions, const Shape &shape,
             const std::vector<double> &values) {
-  return {name, "1", "", dimensions, shape, values};
+  return {Label(name, "1", "", dimensions), shape, values};
 }
 
 PointSequence sequence(const std::vector<PointResult> &points) {
@@ -29,7 +29,7 @@ PointResult point(std::size_t index, const std::vector<Field> &fields) {
 
 const AssembledField &named(const AnalysisArrays &arrays, const std::string &name) {
   for (const AssembledField &candidate : arrays.fields)
-    if (candidate.name == name)
+    if (candidate.name() == name)
       return candidate;
   throw std::logic_error("no field " + name);
 }

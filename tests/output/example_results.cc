@@ -76,11 +76,11 @@ ReducedBody damper() {
 Field history(const std::string &name, const std::string &unit, const std::string &dimension,
               std::vector<double> values) {
   const std::size_t size = values.size();
-  return {name, unit, name, {dimension}, {size}, std::move(values)};
+  return {Label(name, unit, name, {dimension}), {size}, std::move(values)};
 }
 
 Field scalar(const std::string &name, const std::string &unit, double value) {
-  return {name, unit, name, {}, {}, {value}};
+  return {Label(name, unit, name), {}, {value}};
 }
 
 struct Impact {
@@ -247,8 +247,10 @@ PointResult sweep_point(double frequency, bool forward, double clearance,
   point.fields.push_back(
       scalar("contact/heads/impacts_per_period", "1", penetration > 0 ? 1.0 : 0.0));
   point.fields.push_back(scalar("steady", "1", frequency > 3.3 && frequency < 3.4 ? 0 : 1));
-  point.fields.push_back({"state", "1", "state at the end", {"state"}, {2}, {amplitude, omega}});
-  point.summary = {{"left.head.displacement_x.peak_to_peak_excursion", 2 * amplitude, "m"}};
+  point.fields.push_back(
+      {Label("state", "1", "state at the end", {"state"}), {2}, {amplitude, omega}});
+  point.summary = {
+      {Label("left.head.displacement_x.peak_to_peak_excursion", "m", ""), 2 * amplitude}};
   return point;
 }
 
@@ -278,8 +280,9 @@ Example transient_example() {
   add_fit(point);
   point.fields.push_back(scalar("energy_residual", "1", 1e-9));
   point.fields.push_back(scalar("steps", "1", 17));
-  point.summary = {{"contact.heads.impacts", static_cast<double>(collision.impacts.size()), "1"},
-                   {"/release.peak_force", 45.25, "N"}};
+  point.summary = {
+      {Label("contact.heads.impacts", "1", ""), static_cast<double>(collision.impacts.size())},
+      {Label("/release.peak_force", "N", ""), 45.25}};
   point.motion = {example_motion()};
   return {{"release", "transient", {}}, {point}};
 }

@@ -4,6 +4,8 @@
 #include "text_of.h"
 
 #include <gtest/gtest.h>
+
+#include <thread>
 #include <vector>
 
 namespace vibroimpact {
@@ -16,8 +18,7 @@ using testing::write_text;
 
 std::vector<std::string> records_of(const std::filesystem::path &file) {
   std::vector<std::string> records;
-  visit_records(journal_bytes(file),
-                [&](std::string_view payload) { records.emplace_back(payload); });
+  JournalRecords(file).visit([&](std::string_view payload) { records.emplace_back(payload); });
   return records;
 }
 
@@ -70,6 +71,38 @@ TEST_F(JournalTest, StopsAtEveryDamagedByte) {
     write_text(file, damaged);
     EXPECT_EQ(records_of(file), std::vector<std::string>{"intact"}) << "byte " << position;
   }
+}
+
+TEST_F(JournalTest, RecordsAreThoseThereWereWhenItWasOpened) {
+  JournalWriter journal(file);
+  journal.append("first");
+  const std::size_t whole = std::filesystem::file_size(file);
+  journal.append("second");
+  const JournalRecords both(file);
+  EXPECT_EQ(both.size(), std::filesystem::file_size(file));
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
+  const JournalRecords one(file);
+  EXPECT_EQ(one.size(), whole);
+  JournalWriter(file).append("third");
+  std::vector<std::string> records;
+  one.visit([&](std::string_view payload) { records.emplace_back(payload); });
+  EXPECT_EQ(records, std::vector<std::string>{"first"});
+}
+
+// Longer than the disk is left alone: some appends find the synchronisation before still going on.
+TEST_F(JournalTest, GoesOnWhileTheDiskIsBusy) {
+  std::vector<std::string> records;
+  {
+    JournalWriter journal(file);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(700);
+    while (std::chrono::steady_clock::now() < end) {
+      journal.append(records.emplace_back(std::to_string(records.size())));
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    EXPECT_EQ(records_of(file), records);
+    journal.synchronise();
+  }
+  EXPECT_EQ(records_of(file), records);
 }
 
 TEST_F(JournalTest, ZerosAreNoRecord) {

@@ -16,9 +16,9 @@ using testing::TemporaryFolder;
 PointResult point(std::size_t row, std::size_t column, double value) {
   PointResult result;
   result.index = {row, column};
-  result.fields = {{"force", "N", "largest force on the head", {}, {}, {value}},
-                   {"state", "SI", "state at the end", {"state"}, {2}, {value, -value}}};
-  result.summary = {{"force", value, "N"}};
+  result.fields = {{Label("force", "N", "largest force on the head"), {}, {value}},
+                   {Label("state", "SI", "state at the end", {"state"}), {2}, {value, -value}}};
+  result.summary = {{Label("force", "N", ""), value}};
   return result;
 }
 
@@ -42,10 +42,10 @@ TEST_F(RecordTest, PointComesBackAsItWas) {
   EXPECT_EQ(found->status, Status::failed);
   EXPECT_EQ(found->reason, "diverged");
   ASSERT_EQ(found->fields.size(), 2U);
-  EXPECT_EQ(found->fields[1].name, "state");
-  EXPECT_EQ(found->fields[1].unit, "SI");
-  EXPECT_EQ(found->fields[1].description, "state at the end");
-  EXPECT_EQ(found->fields[1].dimensions, original.fields[1].dimensions);
+  EXPECT_EQ(found->fields[1].name(), "state");
+  EXPECT_EQ(found->fields[1].unit(), "SI");
+  EXPECT_EQ(found->fields[1].description(), "state at the end");
+  EXPECT_EQ(found->fields[1].dimensions(), original.fields[1].dimensions());
   EXPECT_EQ(found->fields[1].shape, original.fields[1].shape);
   EXPECT_EQ(found->fields[1].values, original.fields[1].values);
   EXPECT_EQ(found->summary[0].value, 1e-300);
@@ -100,11 +100,11 @@ TEST_F(RecordTest, OtherFieldsAreAnotherLayout) {
 TEST_F(RecordTest, AResumedRunNumbersItsLayoutsAnew) {
   Recorder(file).append("map", point(0, 0, 1));
   PointResult other = point(1, 0, 2);
-  other.fields[0].name = "displacement";
+  other.fields[0].label = Label("displacement", "m", "of the head");
   Recorder(file).append("map", other);
   const StoredPoints stored = points("map");
-  EXPECT_EQ(stored.find({0, 0})->fields[0].name, "force");
-  EXPECT_EQ(stored.find({1, 0})->fields[0].name, "displacement");
+  EXPECT_EQ(stored.find({0, 0})->fields[0].name(), "force");
+  EXPECT_EQ(stored.find({1, 0})->fields[0].name(), "displacement");
 }
 
 TEST_F(RecordTest, JournalsOfSeveralRanksMakeOneAnalysis) {

@@ -89,7 +89,7 @@ TEST_F(ResultFiles, HoldEveryPointAtItsPlace) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto &fields = example.points[i].fields;
     const auto found = std::find_if(fields.begin(), fields.end(), [](const Field &candidate) {
-      return candidate.name == "point/right.head/displacement_x/peak_to_peak_excursion";
+      return candidate.name() == "point/right.head/displacement_x/peak_to_peak_excursion";
     });
     EXPECT_EQ(values[i], found->values[0]);
   }

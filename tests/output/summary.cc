@@ -44,7 +44,7 @@ TEST(Summary, PointsAreCountedFromOne) {
   for (const std::vector<std::size_t> &index : {std::vector<std::size_t>{0, 9}, {1, 2}, {1, 16}}) {
     PointResult &point = points.emplace_back();
     point.index = index;
-    point.summary = {{"force", static_cast<double>(index[1]), "N"}};
+    point.summary = {{Label("force", "N", ""), static_cast<double>(index[1])}};
   }
   EXPECT_EQ(analysis_summary(header, sequence(points)), "analysis.response[1,10].force = 9 [N]\n"
                                                         "analysis.response[2,3].force = 2 [N]\n"
@@ -59,7 +59,7 @@ TEST(Summary, LongMapsAreNotListed) {
                          .unit = "Hz",
                          .description = ""});
   PointResult point{.index = {3}, .status = Status::failed};
-  point.summary = {{"force", 1, "N"}};
+  point.summary = {{Label("force", "N", ""), 1}};
   EXPECT_EQ(analysis_summary(header, sequence({point})),
             "analysis.map.points = 10001 [1]\nanalysis.map.failed_points = 1 [1]\n");
   header.axes[0].values.pop_back();
@@ -69,7 +69,7 @@ TEST(Summary, LongMapsAreNotListed) {
 
 TEST(Summary, WithoutAxesThereIsNoIndex) {
   PointResult point;
-  point.summary = {{"steps", 3, "1"}, {"/model.mass", 2, "kg"}};
+  point.summary = {{Label("steps", "1", ""), 3}, {Label("/model.mass", "kg", ""), 2}};
   EXPECT_EQ(analysis_summary({"release", "transient", {}}, sequence({point})),
             "analysis.release.steps = 3 [1]\nmodel.mass = 2 [kg]\n");
 }

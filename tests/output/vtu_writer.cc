@@ -96,6 +96,38 @@ TEST_F(VtuWriter, LumpedBodiesAloneHaveNoModes) {
   EXPECT_FALSE(fs::exists(path / "modes.pvd"));
 }
 
+/// A quadrilateral and a triangle with a stiffener between them, one mode and a static displacement.
+ReducedBody small_shell() {
+  ReducedBody body;
+  body.name = "panel";
+  body.type = "shell";
+  body.mass = Vector::Ones(1);
+  body.stiffness = Vector::Constant(1, 100);
+  body.damping = Matrix::Zero(1, 1);
+  body.recovery.nodes.resize(3, 5);
+  body.recovery.nodes << 0, 1, 1, 0, 2, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0;
+  body.recovery.surfaces = {{0, 1, 2, 3}, {1, 4, 2, -1}};
+  body.recovery.lines = {{1, 2}};
+  body.recovery.shapes = Matrix::Zero(30, 1);
+  body.recovery.shapes(6 * 2 + 2, 0) = 4;
+  body.recovery.static_displacement = Vector::Constant(30, 0.25);
+  return body;
+}
+
+TEST_F(VtuWriter, ShellsAreSurfacesWithTheirStiffeners) {
+  write_mode_files(folder, {small_shell()});
+  const std::vector<Entry> entries = pvd_entries(path / "modes.pvd");
+  ASSERT_EQ(entries.size(), 2U);
+  EXPECT_EQ(entries[0].file, "modes/panel-mode-001.vtu");
+  EXPECT_EQ(entries[1].file, "modes/panel-mode-001-lines.vtu");
+  EXPECT_EQ(attribute_of_piece(path / entries[0].file, "NumberOfCells"), 2);
+  EXPECT_EQ(attribute_of_piece(path / entries[0].file, "NumberOfPoints"), 7);
+  EXPECT_EQ(point_arrays(path / entries[0].file), expected_arrays);
+  EXPECT_EQ(point_arrays(path / entries[1].file), expected_arrays);
+  EXPECT_EQ(attribute_of_piece(path / "static/panel.vtu", "NumberOfCells"), 2);
+  EXPECT_TRUE(fs::exists(path / "static/panel-lines.vtu"));
+}
+
 TEST_F(VtuWriter, IndexIsCountedFromOne) {
   EXPECT_EQ(index_suffix({}), "");
   EXPECT_EQ(index_suffix({1, 0, 16}), "-2-1-17");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace vibroimpact::parameters {
 namespace {
 
@@ -53,6 +55,31 @@ TEST(Overrides, a_variable_changes_later_variables) {
   const Values geometry = set->root().instance("Body", "left").subsection("Geometry");
   EXPECT_EQ(geometry.quantities("Start"), (std::vector<double>{0, 0.01, 1}));
   EXPECT_EQ(geometry.part("Section", "L", dimension::length), 0.5);
+}
+
+// Only what depends on the changed variable is evaluated anew, also over other variables; names
+// that begin alike are others.
+TEST(Overrides, a_variable_changes_what_depends_on_it_near_and_far) {
+  const std::string text = "set Variables = a = 2, ab = 3 * a, far = ab + 1, other = 7\n"
+                           "subsection Contact heads\n"
+                           "  set Clearance = far * 1 mm\n"
+                           "  set Stiffness = other * 1 kN/m\n"
+                           "end\n";
+  const auto original = parse_prm(text);
+  EXPECT_DOUBLE_EQ(clearance(*original), 0.007);
+  for (const auto &[path, value, expected] :
+       {std::tuple("Variables/a", "4", 0.013), std::tuple("Variables/ab", "9", 0.010),
+        std::tuple("Variables/other", "1", 0.007), std::tuple("Variables/far", "a", 0.002)}) {
+    const auto changed = original->with({{path, value, "grid"}});
+    EXPECT_DOUBLE_EQ(clearance(*changed), expected) << path;
+    EXPECT_EQ(changed->echo(), parse_prm(text, {{path, value, "grid"}})->echo());
+    EXPECT_EQ(changed->root().fingerprint(),
+              parse_prm(text, {{path, value, "grid"}})->root().fingerprint());
+  }
+  const auto twice = original->with({{"Variables/a", "4", "grid"}})
+                         ->with({{"Variables/other", "2", "grid"}, {"Variables/ab", "5", "grid"}});
+  EXPECT_DOUBLE_EQ(clearance(*twice), 0.006);
+  EXPECT_EQ(twice->root().instance("Contact", "heads").quantity("Stiffness"), 2000);
 }
 
 TEST(Overrides, all_variables_at_once) {

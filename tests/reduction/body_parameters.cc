@@ -144,7 +144,7 @@ TEST(BodyParameters, SupportErrorsAreClear) {
                  {"Support odd", "At", "end, start, all"});
   expect_message(head_beam(section("Support odd", "set At = end\n")), {"Support odd", "Fix"});
   expect_message(head_beam(section("Support odd", "set Fix = all\n")),
-                 {"Support odd", "either At or Position"});
+                 {"Support odd", "one of At, Position and Near"});
   expect_message(
       head_beam(section("Support odd", "set At = end\nset Stiffness = -1 N/m, 0 N/m, 0 N/m\n")),
       {"Support odd", "Stiffness"});

@@ -1,6 +1,7 @@
 // One body on any number of ranks: the distributed solution against the one of each rank alone.
 #include "reduction/beam_bodies.h"
 #include "reduction/body_file.h"
+#include "structure/shell_examples.h"
 
 #include <gtest/gtest.h>
 
@@ -67,6 +68,33 @@ TEST(RankIndependence, FewerElementsThanRanks) {
   BodyDefinition definition = body_of(tuned_cantilever(1), 2);
   definition.damping.ratios = {0.01};
   expect_same(definition);
+}
+
+TEST(RankIndependence, ShellWithStiffenerLoadsAndAttachments) {
+  BodyDefinition definition;
+  definition.name = "panel";
+  definition.type = BodyDefinition::Type::shell;
+  structure::ShellDefinition &shell = definition.shell;
+  shell = square_plate(6, CellShape::triangle);
+  structure::Stiffener rib{.name = "rib", .on = "bottom"};
+  rib.section.width = rib.section.thickness = 0.1;
+  rib.material = shell.parts[0].material;
+  rib.offset = {0, -0.08};
+  shell.stiffeners.push_back(rib);
+  shell.supports.push_back({"wall", {"left", {}}, hold_all, {}});
+  shell.points.push_back({"corner", {"", Vector3(10, 10, 0)}, 100, {1, 1, 1}});
+  shell.loads.push_back({.name = "weight", .at = {}, .acceleration = {0, 0, -9.81}});
+  definition.selection.number = 8;
+  definition.attachments = {{"corner", 2}};
+  definition.damping.ratios = {0.01};
+  expect_same(definition);
+  expect_same_bytes(definition);
+  const ReducedBody together = reduce(definition, MPI_COMM_WORLD);
+  const ReducedBody alone = reduce(definition, MPI_COMM_SELF);
+  EXPECT_LT((together.recovery.static_displacement - alone.recovery.static_displacement).norm(),
+            1e-9 * alone.recovery.static_displacement.norm());
+  EXPECT_LT((together.points[0].flexibility - alone.points[0].flexibility).norm(),
+            1e-9 * alone.points[0].flexibility.norm());
 }
 
 TEST(RankIndependence, TheSameRunGivesTheSameBody) {

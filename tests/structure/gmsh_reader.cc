@@ -1,4 +1,5 @@
 #include "structure/gmsh_reader.h"
+#include "structure/mesh_check.h"
 
 #include <gtest/gtest.h>
 
@@ -92,6 +93,13 @@ std::string problem_of(const std::string &content) {
   return "";
 }
 
+std::string content_of(const std::string &path) {
+  std::ifstream file(VIBROIMPACT_SOURCE_DIR "/" + path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  return content.str();
+}
+
 void expect_problem(const std::string &content, const std::string &words) {
   EXPECT_NE(problem_of(content).find(words), std::string::npos) << problem_of(content);
 }
@@ -100,12 +108,12 @@ void expect_problem(const std::string &content, const std::string &words) {
 
 TEST(GmshReader, BothVersionsGiveTheSameMesh) {
   for (const std::string &content : {version_2, version_4}) {
-    const LineMesh mesh = parse_gmsh(content);
+    const Mesh mesh = parse_gmsh(content);
     ASSERT_EQ(mesh.nodes.size(), 3U);
     EXPECT_EQ(mesh.nodes[2], Vector3(1, 2.5, 0));
-    ASSERT_EQ(mesh.cells.size(), 2U);
-    EXPECT_EQ(mesh.cells[0], (std::array<int, 2>{0, 1}));
-    EXPECT_EQ(mesh.cells[1], (std::array<int, 2>{1, 2}));
+    ASSERT_EQ(mesh.lines.size(), 2U);
+    EXPECT_EQ(mesh.lines[0], (std::array<int, 2>{0, 1}));
+    EXPECT_EQ(mesh.lines[1], (std::array<int, 2>{1, 2}));
     EXPECT_EQ(mesh.groups.at("the tip"), std::vector<int>{2});
     EXPECT_EQ(mesh.groups.at("arm"), (std::vector<int>{0, 1, 2}));
     EXPECT_EQ(mesh.groups.at("5"), (std::vector<int>{0, 1}));
@@ -116,18 +124,21 @@ TEST(GmshReader, WindowsLineEndsAreRead) {
   std::string content;
   for (const char letter : version_4)
     content += letter == '\n' ? std::string("\r\n") : std::string(1, letter);
-  EXPECT_EQ(parse_gmsh(content).cells.size(), 2U);
+  EXPECT_EQ(parse_gmsh(content).lines.size(), 2U);
 }
 
 TEST(GmshReader, OtherFormatsAreNamed) {
-  expect_problem(replace(version_4, "4.1 0 8", "4.1 1 8"), "binary");
+  expect_problem(replace(version_4, "4.1 0 8", "4.1 0 4"), "8 bytes");
+  expect_problem(replace(version_4, "4.1 0 8\n", std::string("4.1 1 8\n\0\0\0\1", 12)),
+                 "byte order");
   expect_problem(replace(version_4, "4.1 0 8", "4 0 8"), "version 2.2 or 4.1, but is 4");
   expect_problem("solid nothing", "$MeshFormat");
 }
 
 TEST(GmshReader, OtherCellsAreRefused) {
-  expect_problem(replace(version_2, "3 1 2 2 2 2 3", "3 2 2 2 2 1 2 3"), "element type 2");
+  expect_problem(replace(version_2, "3 1 2 2 2 2 3", "3 4 2 2 2 1 2 3 7"), "volumes");
   expect_problem(replace(version_2, "3 1 2 2 2 2 3", "3 8 2 2 2 1 2 3"), "-order 1");
+  expect_problem(replace(version_2, "3 1 2 2 2 2 3", "3 9 2 2 2 1 2 3"), "type 9; gmsh: -order 1");
 }
 
 TEST(GmshReader, DamagedFilesAreRefused) {
@@ -138,14 +149,46 @@ TEST(GmshReader, DamagedFilesAreRefused) {
   expect_problem(replace(version_2, "3 1 2 2 2 2 3", "3 1 2 2 2 2 8"), "node 8 is missing");
 }
 
+TEST(GmshReader, ACellTwiceInAGroupIsRefused) {
+  expect_problem(replace(version_2, "4 1 2 5 1 1 2", "4 1 2 2 1 2 1"), "group arm has the one");
+}
+
+// Two triangles and a quadrilateral with a stiffened edge, written by Gmsh in all four forms: the
+// same mesh must come out.
+TEST(GmshReader, AllFourFormsGiveTheSameSurfaces) {
+  const Mesh first = parse_gmsh(content_of("tests/structure/meshes/mixed-22-ascii.msh"));
+  EXPECT_GT(first.surfaces.size(), 4U);
+  EXPECT_GT(first.surface_groups.at("thick part").size(), 0U);
+  EXPECT_GT(first.surface_groups.at("thin part").size(), 0U);
+  EXPECT_EQ(first.groups.at("corner").size(), 1U);
+  EXPECT_EQ(first.line_groups.at("left edge").size(), 3U);
+  EXPECT_EQ(first.groups.at("left edge").size(), 4U);
+  for (const char *form : {"22-binary", "41-ascii", "41-binary"}) {
+    const Mesh other = parse_gmsh(content_of(std::string("tests/structure/meshes/mixed-") + form +
+                                             ".msh"));
+    EXPECT_EQ(other.surfaces, first.surfaces) << form;
+    EXPECT_EQ(other.lines, first.lines) << form;
+    EXPECT_EQ(other.groups, first.groups) << form;
+    EXPECT_EQ(other.surface_groups, first.surface_groups) << form;
+    EXPECT_EQ(other.line_groups, first.line_groups) << form;
+    ASSERT_EQ(other.nodes.size(), first.nodes.size()) << form;
+    for (std::size_t i = 0; i < first.nodes.size(); ++i)
+      EXPECT_LT((other.nodes[i] - first.nodes[i]).norm(), 1e-14) << form;
+  }
+}
+
+TEST(GmshReader, DamagedBinaryFilesAreRefused) {
+  const std::string content = content_of("tests/structure/meshes/mixed-41-binary.msh");
+  const std::size_t end = content.find("$EndElements");
+  expect_problem(content.substr(0, end - 20) + content.substr(end), "$Elements breaks off");
+  expect_problem(content.substr(0, end), "$Elements does not end");
+}
+
 TEST(GmshReader, TheShippedDoubleCrossIsRead) {
-  std::ifstream file(VIBROIMPACT_SOURCE_DIR "/meshes/double-cross.msh");
-  std::ostringstream content;
-  content << file.rdbuf();
-  const LineMesh mesh = parse_gmsh(content.str());
+  const Mesh mesh = parse_gmsh(content_of("meshes/double-cross.msh"));
   EXPECT_EQ(mesh.nodes.size(), 161U);
-  EXPECT_EQ(mesh.cells.size(), 160U);
+  EXPECT_EQ(mesh.lines.size(), 160U);
   EXPECT_EQ(mesh.groups.at("ends").size(), 8U);
   EXPECT_EQ(mesh.groups.at("joint").size(), 1U);
-  EXPECT_NO_THROW(check_mesh(mesh));
+  EXPECT_NO_THROW(check_line_mesh(mesh));
 }

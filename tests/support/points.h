@@ -33,7 +33,7 @@ public:
   const std::vector<double> &values(const std::vector<std::size_t> &index,
                                     const std::string &name) const {
     for (const Field &field : stored_.at(index).fields)
-      if (field.name == name)
+      if (field.name() == name)
         return field.values;
     throw std::logic_error("no field " + name);
   }

@@ -22,14 +22,14 @@ inline System system_of(Model model, ContactSet contacts = {}) {
 
 inline bool has_field(const PointResult &result, const std::string &name) {
   for (const Field &field : result.fields)
-    if (field.name == name)
+    if (field.name() == name)
       return true;
   return false;
 }
 
 inline const Field &field_of(const PointResult &result, const std::string &name) {
   for (const Field &field : result.fields)
-    if (field.name == name)
+    if (field.name() == name)
       return field;
   throw std::logic_error("no field " + name);
 }

@@ -34,7 +34,7 @@ inline MotionState record(const System &system, Recorder &recorder, double perio
 /// The field of that name; std::logic_error when there is none.
 inline const Field &field(const PointResult &result, const std::string &name) {
   for (const Field &field : result.fields)
-    if (field.name == name)
+    if (field.name() == name)
       return field;
   throw std::logic_error("no field " + name);
 }

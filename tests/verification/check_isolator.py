@@ -17,16 +17,18 @@ STOPS = [(.5, .52, None), (1, .52, (1.242077, 1.226409)), (2, .52, (1.362748253,
 DESIGNS = [(.471239, .509296, None), (.824668, 1.068355, None),
            (1.099557, .807083, (1.326452, 1.324758)), (3.298672, 1.422456, (1.755699, 1.548395))]
 
+ENDS = ("from", "to")
+STOPS_OF_ANALYSIS = {"folds": STOPS, "designs": DESIGNS}
 
-def main():
-    table = Table(__file__)
+
+def check(table):
     analyses = table.run("isolator-stop.prm", "isolator-stop",
                          "Analyses=response, motions, folds, designs")["analysis"]
     motions(table, analyses["response"], analyses["motions"])
-    for name, stops in (("folds", STOPS), ("designs", DESIGNS)):
+    for name, stops in STOPS_OF_ANALYSIS.items():
         for case, (stiffness, force, folds) in enumerate(stops):
-            jumps(table, analyses[name], case, f"μ {stiffness}, f {force}", folds)
-    table.finish()
+            ends = [analyses[name]["jump_" + end][case] for end in ENDS]
+            jumps(table, ends, f"μ {stiffness}, f {force}", folds)
 
 
 def motions(table, response, chosen):
@@ -40,12 +42,12 @@ def motions(table, response, chosen):
                   chosen[peak][direction], 1e-7)
 
 
-def jumps(table, analysis, case, name, folds):
-    """A jump is bracketed to 2e-6; close to a fold the motion needs its time to leave it."""
+def jumps(table, brackets, name, folds):
+    """`brackets`: lower and upper ends of the jumps over frequency and direction. A jump is bracketed
+    to 2e-6; close to a fold the motion needs its time to leave it."""
     found = {}
     for direction, word in enumerate(("upward", "downward")):
-        ends = [analysis["jump_" + end][case, :, direction] * 2 * math.pi
-                for end in ("from", "to")]
+        ends = [end[:, direction] * 2 * math.pi for end in brackets]
         places = numpy.flatnonzero(numpy.isfinite(ends[0]))
         table.add(f"jumps {word}, {name}", 0 if folds is None else 1, len(places), 0, absolute=True)
         found[word] = [(ends[0][i] + ends[1][i]) / 2 for i in places]
@@ -55,4 +57,6 @@ def jumps(table, analysis, case, name, folds):
 
 
 if __name__ == "__main__":
-    main()
+    main = Table(__file__)
+    check(main)
+    main.finish()

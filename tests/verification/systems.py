@@ -9,28 +9,82 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import typing
 
 import h5py
+import numpy
 
 BEGIN, END = "<!-- table made by {} -->", "<!-- end of table -->"
+
+
+class Row(typing.NamedTuple):
+    """One figure beside its reference; several whole numbers that belong together are a tuple."""
+
+    quantity: str
+    paper: object
+    reference: object
+    value: object
+    tolerance: float
+    absolute: bool
+    differences: object = None  # from the reference, point by point, where the figure sums them up
+
+    def difference(self):
+        """From the reference, relative unless `absolute`; None between tuples."""
+        if isinstance(self.value, tuple):
+            return None
+        return self.value - self.reference if self.absolute else self.value / self.reference - 1
+
+    def good(self):
+        difference = self.difference()
+        return (self.value == self.reference if difference is None
+                else abs(difference) <= self.tolerance)
+
+    def cells(self):
+        difference = self.difference()
+        if difference is None:
+            last = "same" if self.good() else "**different**"
+        else:
+            last = signed(difference, self.absolute)
+            last += "" if self.good() else " **beyond tolerance**"
+        return (self.quantity, shown(self.paper, "g"), shown(self.reference), shown(self.value),
+                last)
+
+
+def shown(value, precision=".7g"):
+    """A number, a tuple of whole numbers or nothing as the text of a cell."""
+    if isinstance(value, tuple):
+        return ", ".join(f"{number:g}" for number in value)
+    return "" if value is None else format(value, precision)
+
+
+def signed(difference, absolute):
+    return f"{difference:+.1e}" + (" (absolute)" if absolute else "")
+
+
+def arguments_of_checks():
+    """The parser of what every check is told."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program", help="the vibroimpact program")
+    parser.add_argument("source", type=pathlib.Path, help="folder of the source")
+    parser.add_argument("--page", type=pathlib.Path, help="page that takes up the table")
+    parser.add_argument("--keep", type=pathlib.Path, help="folder that keeps the results")
+    parser.add_argument("--ranks", type=int, default=1, help="ranks of the runs")
+    return parser
 
 
 class Table:
     """Rows of quantity, paper, reference, result, relative difference."""
 
-    def __init__(self, script):
-        parser = argparse.ArgumentParser()
-        parser.add_argument("program", help="the vibroimpact program")
-        parser.add_argument("source", type=pathlib.Path, help="folder of the source")
-        parser.add_argument("--page", type=pathlib.Path, help="page that takes up the table")
-        parser.add_argument("--keep", type=pathlib.Path, help="folder that keeps the results")
-        parser.add_argument("--ranks", type=int, default=1, help="ranks of the runs")
-        self.arguments = parser.parse_args()
+    def __init__(self, script, arguments=None):
+        self.arguments = arguments or arguments_of_checks().parse_args()
         self.script = pathlib.Path(script).name
-        self.rows, self.failed = [], 0
+        self.rows = []
 
     def run(self, file, name, *overrides):
         """The opened results of a run of params/FILE, with the overrides KEY=VALUE."""
+        return h5py.File(self.folder_of_run(file, name, *overrides) / "results.h5")
+
+    def folder_of_run(self, file, name, *overrides):
         folder = pathlib.Path(self.arguments.keep or tempfile.mkdtemp()) / name
         command = [self.arguments.program, str(self.arguments.source / "params" / file), "--output",
                    str(folder), "--overwrite"]
@@ -39,7 +93,7 @@ class Table:
         if self.arguments.ranks > 1:
             command = ["mpirun", "-np", str(self.arguments.ranks)] + command
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        return h5py.File(folder / "results.h5")
+        return folder
 
     def reference(self, name):
         """Rows of a reference table as dictionaries of numbers."""
@@ -50,12 +104,18 @@ class Table:
 
     def add(self, quantity, reference, value, tolerance, paper=None, absolute=False):
         """A figure that must lie within `tolerance`, relative unless `absolute`."""
-        difference = value - reference if absolute else value / reference - 1
-        good = abs(difference) <= tolerance
-        self.failed += not good
-        shown = f"{difference:+.1e}" + (" (absolute)" if absolute else "")
-        self.rows.append((quantity, "" if paper is None else f"{paper:g}", f"{reference:.7g}",
-                          f"{value:.7g}", shown + ("" if good else " **beyond tolerance**")))
+        self.rows.append(Row(quantity, paper, reference, value, tolerance, absolute))
+
+    def add_curve(self, quantity, differences, tolerance):
+        """Differences from a reference curve, of which 99 % must lie within `tolerance`; NaN where
+        the curve is not compared."""
+        worst = numpy.nanquantile(numpy.abs(differences), 0.99)
+        self.rows.append(Row(f"{quantity}: 99 % of {numpy.isfinite(differences).sum()} points differ "
+                             "by less than", None, 0, worst, tolerance, True, differences))
+
+    def add_whole(self, quantity, reference, value, paper=None):
+        """Several whole numbers that must be the same."""
+        self.rows.append(Row(quantity, paper, tuple(reference), tuple(value), 0, True))
 
     def add_digits(self, quantity, reference, value, paper=None):
         """A figure that must agree in every digit of the reference, given as text."""
@@ -64,21 +124,31 @@ class Table:
         self.add(quantity, float(reference), value, tolerance, paper)
 
     def markdown(self):
-        head = ("quantity", "paper", "reference", "vibroimpact", "relative difference")
-        lines = [head, ("---",) * len(head), *self.rows]
-        return "".join("| " + " | ".join(line) + " |\n" for line in lines)
+        return markdown([("quantity", "paper", "reference", "vibroimpact", "relative difference"),
+                         *(row.cells() for row in self.rows)])
 
     def finish(self):
         text = self.markdown()
         print(text)
         if self.arguments.page:
-            page = self.arguments.page.read_text(encoding="utf-8")
-            begin = BEGIN.format(self.script)
-            first, last = page.index(begin) + len(begin), page.index(END, page.index(begin))
-            self.arguments.page.write_text(page[:first] + "\n" + text + page[last:],
-                                           encoding="utf-8")
-        print(f"{len(self.rows) - self.failed} of {len(self.rows)} within their tolerances")
-        sys.exit(1 if self.failed else 0)
+            write_into(self.arguments.page, self.script, text)
+        good = sum(row.good() for row in self.rows)
+        print(f"{good} of {len(self.rows)} within their tolerances")
+        sys.exit(0 if good == len(self.rows) else 1)
+
+
+def markdown(lines):
+    """A table whose first line is its head."""
+    lines = [lines[0], ("---",) * len(lines[0]), *lines[1:]]
+    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
+
+
+def write_into(path, name, text):
+    """Puts a table between the marker lines of a page that name what makes it."""
+    page = path.read_text(encoding="utf-8")
+    begin = BEGIN.format(name)
+    first = page.index(begin) + len(begin)
+    path.write_text(page[:first] + "\n" + text + page[page.index(END, first):], encoding="utf-8")
 
 
 def nearest(values, wanted):

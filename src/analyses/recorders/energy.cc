@@ -61,7 +61,23 @@ double total(const std::vector<double> &parts) {
 Energy::Energy(const System &system)
     : system_(system), by_body_(system.model.bodies().size(), 0),
       by_connection_(system.model.connections().size(), 0),
-      by_motor_(system.model.rotors().list().size(), 0) {}
+      by_motor_(system.model.rotors().list().size(), 0) {
+  for (const ContactPair &pair : system.contacts.pairs())
+    part_labels_.emplace_back("contact/" + pair.name + "/dissipated_energy",
+                              "energy lost in the contact");
+  for (const auto &body : system.model.bodies())
+    part_labels_.emplace_back("body/" + body->name + "/dissipated_energy",
+                              "energy lost by the damping of the body");
+  for (const Connection &connection : system.model.connections())
+    part_labels_.emplace_back("connection/" + connection.name + "/dissipated_energy",
+                              "energy lost in the connection");
+  for (const Rotor &rotor : system.model.rotors().list())
+    part_labels_.emplace_back("rotor/" + rotor.name + "/motor_work", "work of the motor");
+}
+
+Energy::WorkLabels::WorkLabels(const std::string &path, const std::string &meaning)
+    : whole(path, "J", meaning + " in the recorded window"),
+      per_period(path + "_per_period", "J", meaning + ", mean of the forcing periods") {}
 
 void Energy::declare(parameters::Section & /*analysis*/) {}
 
@@ -89,6 +105,8 @@ double Energy::stored_energy(const Trajectory &trajectory) const {
 
 void Energy::begin(const Window &window, const Trajectory &trajectory) {
   window_ = window;
+  for (std::vector<double> *works : {&by_body_, &by_connection_, &by_motor_})
+    std::fill(works->begin(), works->end(), 0);
   first_state_ = trajectory.state();
   first_energy_ = stored_energy(trajectory);
   base_work_ = -energy_beyond(trajectory);
@@ -121,13 +139,11 @@ void Energy::end(const Trajectory &trajectory) {
   base_work_ += energy_beyond(trajectory);
 }
 
-void Energy::add_work(PointResult &result, const std::string &path, double work,
-                      const std::string &meaning) const {
-  result.fields.push_back(scalar_field(path, work, "J", meaning + " in the recorded window"));
+void Energy::add_work(PointResult &result, const WorkLabels &labels, double work) const {
+  result.fields.push_back(scalar_field(labels.whole, work));
   if (window_.cycles > 0)
-    result.fields.push_back(scalar_field(path + "_per_period",
-                                         work / static_cast<double>(window_.cycles), "J",
-                                         meaning + ", mean of the forcing periods"));
+    result.fields.push_back(
+        scalar_field(labels.per_period, work / static_cast<double>(window_.cycles)));
 }
 
 void Energy::add_fields(PointResult &result) const {
@@ -139,29 +155,28 @@ void Energy::add_fields(PointResult &result) const {
   const double input = change[layout.input_work()] + base_work_;
   const double damping = total(by_body_) + total(by_connection_);
   double contacts = 0;
+  auto labels = part_labels_.begin();
   for (std::size_t c = 0; c < system_.contacts.size(); ++c) {
     const double work = change[layout.contact_work(static_cast<Index>(c))];
     contacts += work;
-    add_work(result, "contact/" + system_.contacts.pairs()[c].name + "/dissipated_energy", work,
-             "energy lost in the contact");
+    add_work(result, *labels++, work);
   }
-  for (std::size_t b = 0; b < by_body_.size(); ++b)
-    add_work(result, "body/" + system_.model.bodies()[b]->name + "/dissipated_energy", by_body_[b],
-             "energy lost by the damping of the body");
-  for (std::size_t c = 0; c < by_connection_.size(); ++c)
-    add_work(result, "connection/" + system_.model.connections()[c].name + "/dissipated_energy",
-             by_connection_[c], "energy lost in the connection");
-  for (std::size_t r = 0; r < by_motor_.size(); ++r)
-    add_work(result, "rotor/" + system_.model.rotors().list()[r].name + "/motor_work", by_motor_[r],
-             "work of the motor");
-  add_work(result, "energy/input_work", input, "work of loads, moving bases and motors");
-  add_work(result, "energy/damping_work", damping, "energy lost by bodies and connections");
-  add_work(result, "energy/contact_work", contacts, "energy lost in contacts");
+  for (const std::vector<double> *works : {&by_body_, &by_connection_, &by_motor_})
+    for (const double work : *works)
+      add_work(result, *labels++, work);
+  static const WorkLabels input_work("energy/input_work", "work of loads, moving bases and motors");
+  static const WorkLabels damping_work("energy/damping_work",
+                                       "energy lost by bodies and connections");
+  static const WorkLabels contact_work("energy/contact_work", "energy lost in contacts");
+  static const Label stored_change("energy/stored_change", "J",
+                                   "stored energy at the end less the start");
+  static const Label residual("energy/residual", "J", "what the balance leaves over");
+  add_work(result, input_work, input);
+  add_work(result, damping_work, damping);
+  add_work(result, contact_work, contacts);
   const double stored = last_energy_ - first_energy_;
-  result.fields.push_back(
-      scalar_field("energy/stored_change", stored, "J", "stored energy at the end less the start"));
-  result.fields.push_back(scalar_field("energy/residual", stored - input + damping + contacts, "J",
-                                       "what the balance leaves over"));
+  result.fields.push_back(scalar_field(stored_change, stored));
+  result.fields.push_back(scalar_field(residual, stored - input + damping + contacts));
 }
 
 } // namespace vibroimpact

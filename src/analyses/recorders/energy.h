@@ -28,13 +28,19 @@ public:
   void add_fields(PointResult &result) const override;
 
 private:
-  void add_work(PointResult &result, const std::string &path, double work,
-                const std::string &meaning) const;
+  /// A work and its mean per period.
+  struct WorkLabels {
+    WorkLabels(const std::string &path, const std::string &meaning);
+    Label whole, per_period;
+  };
+  void add_work(PointResult &result, const WorkLabels &labels, double work) const;
   double energy_beyond(const Trajectory &trajectory) const;
   double stored_energy(const Trajectory &trajectory) const;
   void add_connection(std::size_t connection, const StepView &view);
 
   const System &system_;
+  /// Of contacts, bodies, connections and rotors, in this order.
+  std::vector<WorkLabels> part_labels_;
   Window window_;
   Vector first_state_, last_state_;
   double first_energy_ = 0, last_energy_ = 0;

@@ -12,36 +12,41 @@ namespace {
 constexpr const char *section_name = "Excursions";
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-void add_bounds(PointResult &result, const WatchedQuantity &quantity, const Extent &extent) {
+void add_bounds(PointResult &result, const ExtentLabels &labels, const Extent &extent) {
   const bool seen = extent.maximum >= extent.minimum;
-  result.fields.push_back(
-      scalar_field(quantity.path + "/minimum", seen ? extent.minimum : nan, quantity.unit,
-                   "smallest value in the recorded window, " + quantity.meaning));
-  result.fields.push_back(
-      scalar_field(quantity.path + "/maximum", seen ? extent.maximum : nan, quantity.unit,
-                   "largest value in the recorded window, " + quantity.meaning));
+  result.fields.push_back(scalar_field(labels.minimum, seen ? extent.minimum : nan));
+  result.fields.push_back(scalar_field(labels.maximum, seen ? extent.maximum : nan));
 }
 
 } // namespace
 
-void add_extent(PointResult &result, const WatchedQuantity &quantity, const Extent &extent) {
-  result.fields.push_back(scalar_field(quantity.path + "/peak_to_peak_excursion",
-                                       extent.peak_to_peak(), quantity.unit,
-                                       "largest minus smallest value in the recorded window"));
-  result.fields.push_back(scalar_field(quantity.path + "/peak_excursion", extent.peak(),
-                                       quantity.unit,
-                                       "largest absolute value in the recorded window"));
-  add_bounds(result, quantity, extent);
+ExtentLabels::ExtentLabels(const WatchedQuantity &quantity)
+    : peak_to_peak(quantity.path + "/peak_to_peak_excursion", quantity.unit,
+                   "largest minus smallest value in the recorded window"),
+      peak(quantity.path + "/peak_excursion", quantity.unit,
+           "largest absolute value in the recorded window"),
+      minimum(quantity.path + "/minimum", quantity.unit,
+              "smallest value in the recorded window, " + quantity.meaning),
+      maximum(quantity.path + "/maximum", quantity.unit,
+              "largest value in the recorded window, " + quantity.meaning) {}
+
+void add_extent(PointResult &result, const ExtentLabels &labels, const Extent &extent) {
+  result.fields.push_back(scalar_field(labels.peak_to_peak, extent.peak_to_peak()));
+  result.fields.push_back(scalar_field(labels.peak, extent.peak()));
+  add_bounds(result, labels, extent);
 }
 
 Excursions::Excursions(const WatchedSelection &selection, const System &system)
     : contacts_(system.contacts), quantities_(watched_quantities(selection, system)),
-      extents_(quantities_.size()) {
-  // A contact that stays open has the largest force zero.
-  if (selection.has("normal_force"))
-    forces_.resize(contacts_.size(), {.minimum = 0, .maximum = 0});
+      labels_(quantities_.begin(), quantities_.end()), extents_(quantities_.size()) {
   for (const WatchedQuantity &quantity : quantities_)
     linear_ = linear_ && quantity.form;
+  if (!selection.has("normal_force"))
+    return;
+  for (const ContactPair &pair : contacts_.pairs())
+    force_labels_.emplace_back("contact/" + pair.name + "/normal_force/maximum", "N",
+                               "largest normal force in the recorded window");
+  forces_.resize(contacts_.size());
 }
 
 void Excursions::declare(parameters::Section &analysis) {
@@ -56,6 +61,12 @@ RecorderFactory Excursions::create(const parameters::Values &analysis) {
     check_points(selection, system, section);
     return std::make_unique<Excursions>(selection, system);
   };
+}
+
+void Excursions::begin(const Window & /*window*/, const Trajectory & /*trajectory*/) {
+  std::fill(extents_.begin(), extents_.end(), Extent{});
+  // A contact that stays open has the largest force zero.
+  std::fill(forces_.begin(), forces_.end(), Extent{.minimum = 0, .maximum = 0});
 }
 
 void Excursions::step(const StepView &view) {
@@ -77,13 +88,11 @@ void Excursions::watch(const Equations &equations, std::vector<WatchedForm> &for
 void Excursions::add_fields(PointResult &result) const {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     if (quantities_[i].kind == "gap")
-      add_bounds(result, quantities_[i], extents_[i]);
+      add_bounds(result, labels_[i], extents_[i]);
     else
-      add_extent(result, quantities_[i], extents_[i]);
+      add_extent(result, labels_[i], extents_[i]);
   for (std::size_t c = 0; c < forces_.size(); ++c)
-    result.fields.push_back(
-        scalar_field("contact/" + contacts_.pairs()[c].name + "/normal_force/maximum",
-                     forces_[c].maximum, "N", "largest normal force in the recorded window"));
+    result.fields.push_back(scalar_field(force_labels_[c], forces_[c].maximum));
 }
 
 } // namespace vibroimpact

@@ -9,8 +9,14 @@
 
 namespace vibroimpact {
 
-/// PATH/peak_to_peak_excursion, /peak_excursion, /minimum, /maximum of a quantity as scalar fields.
-void add_extent(PointResult &result, const WatchedQuantity &quantity, const Extent &extent);
+/// PATH/peak_to_peak_excursion, /peak_excursion, /minimum, /maximum of a quantity.
+struct ExtentLabels {
+  explicit ExtentLabels(const WatchedQuantity &quantity);
+  Label peak_to_peak, peak, minimum, maximum;
+};
+
+/// All four as scalar fields.
+void add_extent(PointResult &result, const ExtentLabels &labels, const Extent &extent);
 
 class Excursions : public Recorder, private FlightWatcher {
 public:
@@ -19,6 +25,7 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
+  void begin(const Window &window, const Trajectory &trajectory) override;
   void step(const StepView &view) override;
   /// None where something that is watched is not linear in the motion.
   FlightWatcher *flight_watcher() override { return linear_ ? this : nullptr; }
@@ -31,8 +38,10 @@ private:
 
   const ContactSet &contacts_;
   std::vector<WatchedQuantity> quantities_;
+  std::vector<ExtentLabels> labels_;
   std::vector<Extent> extents_;
-  std::vector<Extent> forces_; ///< per contact; empty when not watched
+  std::vector<Label> force_labels_; ///< per contact; empty when not watched
+  std::vector<Extent> forces_;      ///< the same
   bool linear_ = true;
 };
 

@@ -39,13 +39,21 @@ std::size_t single_force(const Model &model) {
   return found;
 }
 
+Label ratio_label(const std::string &path, const std::string &meaning) {
+  return {path + "/transmissibility", "1", meaning + ", amplitudes"};
+}
+
 } // namespace
+
+Forces::Watched::Watched(WatchedQuantity watched)
+    : quantity(std::move(watched)), extent_labels(quantity),
+      average_labels(quantity.path, quantity.unit) {}
 
 Forces::Forces(const System &system) {
   for (WatchedQuantity &quantity : connection_forces(system.model))
-    forces_.push_back({.quantity = std::move(quantity)});
+    forces_.emplace_back(std::move(quantity));
   for (WatchedQuantity &quantity : base_forces(system.model))
-    forces_.push_back({.quantity = std::move(quantity)});
+    forces_.emplace_back(std::move(quantity));
   add_ratios_of_points(system.model);
   add_ratios_of_forces(system.model);
 }
@@ -57,12 +65,12 @@ void Forces::add_ratios_of_points(const Model &model) {
     const std::string base = "point/" + channel.point + "/";
     const Projection whole = channel.absolute;
     const Projection carrier = base_of(channel.absolute);
-    ratios_.push_back({.path = base + "displacement_" + channel.axis,
-                       .meaning = "absolute displacement over that of the base",
+    ratios_.push_back({.label = ratio_label(base + "displacement_" + channel.axis,
+                                            "absolute displacement over that of the base"),
                        .output = [whole](const StepView &v) { return v.displacement(whole); },
                        .input = [carrier](const StepView &v) { return v.displacement(carrier); }});
-    ratios_.push_back({.path = base + "acceleration_" + channel.axis,
-                       .meaning = "absolute acceleration over that of the base",
+    ratios_.push_back({.label = ratio_label(base + "acceleration_" + channel.axis,
+                                            "absolute acceleration over that of the base"),
                        .output = [whole](const StepView &v) { return v.acceleration(whole); },
                        .input = [carrier](const StepView &v) { return v.acceleration(carrier); }});
   }
@@ -74,8 +82,7 @@ void Forces::add_ratios_of_forces(const Model &model) {
     return;
   const Projection applied = history_of(source, model);
   for (WatchedQuantity &force : base_forces(model))
-    ratios_.push_back({.path = force.path,
-                       .meaning = "force on the base over the applied force",
+    ratios_.push_back({.label = ratio_label(force.path, "force on the base over the applied force"),
                        .output = std::move(force.curve),
                        .input = [applied](const StepView &v) { return v.displacement(applied); }});
 }
@@ -84,6 +91,15 @@ void Forces::declare(parameters::Section & /*analysis*/) {}
 
 RecorderFactory Forces::create(const parameters::Values & /*analysis*/) {
   return [](const System &system) { return std::make_unique<Forces>(system); };
+}
+
+void Forces::begin(const Window & /*window*/, const Trajectory & /*trajectory*/) {
+  for (Watched &force : forces_) {
+    force.extent = {};
+    force.average = {};
+  }
+  for (Ratio &ratio : ratios_)
+    ratio.output_extent = ratio.input_extent = {};
 }
 
 void Forces::step(const StepView &view) {
@@ -100,15 +116,14 @@ void Forces::step(const StepView &view) {
 
 void Forces::add_fields(PointResult &result) const {
   for (const Watched &force : forces_) {
-    add_extent(result, force.quantity, force.extent);
-    add_average(result, force.quantity.path, force.quantity.unit, force.average);
+    add_extent(result, force.extent_labels, force.extent);
+    add_average(result, force.average_labels, force.average);
   }
   for (const Ratio &ratio : ratios_) {
     const double input = ratio.input_extent.peak_to_peak();
-    result.fields.push_back(scalar_field(ratio.path + "/transmissibility",
-                                         input > 0 ? ratio.output_extent.peak_to_peak() / input
-                                                   : std::numeric_limits<double>::quiet_NaN(),
-                                         "1", ratio.meaning + ", amplitudes"));
+    result.fields.push_back(
+        scalar_field(ratio.label, input > 0 ? ratio.output_extent.peak_to_peak() / input
+                                            : std::numeric_limits<double>::quiet_NaN()));
   }
 }
 

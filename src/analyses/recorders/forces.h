@@ -17,6 +17,7 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
+  void begin(const Window &window, const Trajectory &trajectory) override;
   void step(const StepView &view) override;
   /// Extreme values, mean and root mean squares of connection/NAME/force and
   /// body/NAME/base_force_x; transmissibility below point/BODY.POINT/displacement_x and
@@ -25,13 +26,16 @@ public:
 
 private:
   struct Watched {
+    explicit Watched(WatchedQuantity watched);
     WatchedQuantity quantity;
+    ExtentLabels extent_labels;
+    AverageLabels average_labels;
     Extent extent{};
     TimeAverage average{};
   };
   /// One amplitude over another.
   struct Ratio {
-    std::string path, meaning;
+    Label label;
     std::function<Bernstein(const StepView &view)> output, input;
     Extent output_extent{}, input_extent{};
   };

@@ -56,6 +56,10 @@ void History::begin(const Window &window, const Trajectory & /*trajectory*/) {
   if (window.length() / interval > most_samples)
     throw NumericalError("the recorded history would have more than 1e8 samples");
   instants_ = equal_instants(window.start, window.end, interval);
+  next_ = 0;
+  for (auto *series : {&values_, &forces_})
+    for (std::vector<double> &values : *series)
+      values.clear();
 }
 
 void History::step(const StepView &view) {

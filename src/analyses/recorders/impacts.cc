@@ -11,19 +11,15 @@ namespace vibroimpact {
 
 namespace {
 
-void add_summary_of(PointResult &result, const std::string &path, const std::vector<double> &values,
-                    const std::string &unit, const std::string &meaning) {
+void add_range(PointResult &result, const RangeLabels &labels, const std::vector<double> &values) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) /
                       static_cast<double>(std::max<std::size_t>(values.size(), 1));
   const bool none = values.empty();
-  result.fields.push_back(
-      scalar_field(path + "/mean", none ? nan : mean, unit, meaning + ", mean of the impacts"));
-  result.fields.push_back(
-      scalar_field(path + "/minimum", none ? nan : *lowest, unit, meaning + ", smallest"));
-  result.fields.push_back(
-      scalar_field(path + "/maximum", none ? nan : *highest, unit, meaning + ", largest"));
+  result.fields.push_back(scalar_field(labels.mean, none ? nan : mean));
+  result.fields.push_back(scalar_field(labels.minimum, none ? nan : *lowest));
+  result.fields.push_back(scalar_field(labels.maximum, none ? nan : *highest));
 }
 
 std::vector<double> values_of(const std::vector<Impact> &impacts, double Impact::*member) {
@@ -35,10 +31,34 @@ std::vector<double> values_of(const std::vector<Impact> &impacts, double Impact:
 
 } // namespace
 
+RangeLabels::RangeLabels(const std::string &path, const std::string &unit,
+                         const std::string &meaning)
+    : mean(path + "/mean", unit, meaning + ", mean of the impacts"),
+      minimum(path + "/minimum", unit, meaning + ", smallest"),
+      maximum(path + "/maximum", unit, meaning + ", largest") {}
+
+Impacts::Labels::Labels(const std::string &contact)
+    : impacts("contact/" + contact + "/impacts", "1", "impacts begun in the recorded window"),
+      impacts_per_period("contact/" + contact + "/impacts_per_period", "1",
+                         "impacts begun per forcing period"),
+      contact_fraction("contact/" + contact + "/contact_fraction", "1",
+                       "share of the recorded window in contact"),
+      chatters("contact/" + contact + "/chatters", "1",
+               "infinite sequences of rigid impacts that were completed in the recorded window"),
+      approach_speed("contact/" + contact + "/approach_speed", "m/s",
+                     "closing speed just before contact"),
+      impulse("contact/" + contact + "/impulse", "N s", "time integral of the normal force"),
+      peak_force("contact/" + contact + "/peak_force", "N", "largest normal force"),
+      contact_duration("contact/" + contact + "/contact_duration", "s", "time in contact"),
+      penetration("contact/" + contact + "/penetration", "m", "largest overlap") {}
+
 Impacts::Impacts(const System &system)
     : contacts_(system.contacts), log_(system.contacts, 0),
       time_in_contact_(system.contacts.size(), 0), chatters_(system.contacts.size(), 0),
-      approach_speeds_(system.contacts.size()) {}
+      approach_speeds_(system.contacts.size()) {
+  for (const ContactPair &pair : contacts_.pairs())
+    labels_.emplace_back(pair.name);
+}
 
 void Impacts::declare(parameters::Section & /*analysis*/) {}
 
@@ -46,7 +66,14 @@ RecorderFactory Impacts::create(const parameters::Values & /*analysis*/) {
   return [](const System &system) { return std::make_unique<Impacts>(system); };
 }
 
-void Impacts::begin(const Window &window, const Trajectory & /*trajectory*/) { window_ = window; }
+void Impacts::begin(const Window &window, const Trajectory & /*trajectory*/) {
+  window_ = window;
+  log_.start_afresh();
+  std::fill(time_in_contact_.begin(), time_in_contact_.end(), 0);
+  std::fill(chatters_.begin(), chatters_.end(), 0);
+  for (std::vector<double> &speeds : approach_speeds_)
+    speeds.clear();
+}
 
 void Impacts::step(const StepView &view) {
   log_.step(view);
@@ -76,31 +103,21 @@ void Impacts::event(const ContactEvent &event) {
 
 void Impacts::add_fields(PointResult &result) const {
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const std::string base = "contact/" + contacts_.pairs()[c].name + "/";
+    const Labels &labels = labels_[c];
     const auto begun = static_cast<double>(log_.begun(c));
     const std::vector<Impact> &whole = log_.impacts(c);
-    result.fields.push_back(
-        scalar_field(base + "impacts", begun, "1", "impacts begun in the recorded window"));
+    result.fields.push_back(scalar_field(labels.impacts, begun));
     if (window_.cycles > 0)
-      result.fields.push_back(scalar_field(base + "impacts_per_period",
-                                           begun / static_cast<double>(window_.cycles), "1",
-                                           "impacts begun per forcing period"));
-    result.fields.push_back(scalar_field(base + "contact_fraction",
-                                         time_in_contact_[c] / window_.length(), "1",
-                                         "share of the recorded window in contact"));
-    result.fields.push_back(scalar_field(
-        base + "chatters", static_cast<double>(chatters_[c]), "1",
-        "infinite sequences of rigid impacts that were completed in the recorded window"));
-    add_summary_of(result, base + "approach_speed", approach_speeds_[c], "m/s",
-                   "closing speed just before contact");
-    add_summary_of(result, base + "impulse", values_of(whole, &Impact::impulse), "N s",
-                   "time integral of the normal force");
-    add_summary_of(result, base + "peak_force", values_of(whole, &Impact::peak_force), "N",
-                   "largest normal force");
-    add_summary_of(result, base + "contact_duration", values_of(whole, &Impact::duration), "s",
-                   "time in contact");
-    add_summary_of(result, base + "penetration", values_of(whole, &Impact::maximum_penetration),
-                   "m", "largest overlap");
+      result.fields.push_back(
+          scalar_field(labels.impacts_per_period, begun / static_cast<double>(window_.cycles)));
+    result.fields.push_back(
+        scalar_field(labels.contact_fraction, time_in_contact_[c] / window_.length()));
+    result.fields.push_back(scalar_field(labels.chatters, static_cast<double>(chatters_[c])));
+    add_range(result, labels.approach_speed, approach_speeds_[c]);
+    add_range(result, labels.impulse, values_of(whole, &Impact::impulse));
+    add_range(result, labels.peak_force, values_of(whole, &Impact::peak_force));
+    add_range(result, labels.contact_duration, values_of(whole, &Impact::duration));
+    add_range(result, labels.penetration, values_of(whole, &Impact::maximum_penetration));
   }
 }
 

@@ -12,6 +12,12 @@
 
 namespace vibroimpact {
 
+/// PATH/mean, /minimum, /maximum of the impacts.
+struct RangeLabels {
+  RangeLabels(const std::string &path, const std::string &unit, const std::string &meaning);
+  Label mean, minimum, maximum;
+};
+
 class Impacts : public Recorder, private FlightWatcher {
 public:
   explicit Impacts(const System &system);
@@ -29,10 +35,17 @@ public:
   void add_fields(PointResult &result) const override;
 
 private:
+  /// Of the impacts of one contact.
+  struct Labels {
+    explicit Labels(const std::string &contact);
+    Label impacts, impacts_per_period, contact_fraction, chatters;
+    RangeLabels approach_speed, impulse, peak_force, contact_duration, penetration;
+  };
   void watch(const Equations &equations, std::vector<WatchedForm> &forms) override;
   void flown(const Equations &equations, double start, double end) override;
 
   const ContactSet &contacts_;
+  std::vector<Labels> labels_;
   Window window_;
   ImpactLog log_;
   std::vector<double> time_in_contact_; ///< [s]

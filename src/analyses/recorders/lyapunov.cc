@@ -32,6 +32,7 @@ Vector usable_scale(const Trajectory &trajectory, double period) {
 
 void LyapunovExponent::begin(const Window &window, const Trajectory &trajectory) {
   const Vector scale = usable_scale(trajectory, window.period);
+  growth_ = Growth(settings_.discarded_share);
   variation_.emplace(trajectory.equations(), scale, settings_.tolerance);
   variation_->set_columns(generic_deviation(scale));
   variation_->normalise(0);
@@ -99,9 +100,9 @@ void LyapunovRecorder::add_fields(PointResult &result) const {
     scalars.push_back(scalar_field("lyapunov/exponent_per_period", exponent_.exponent() * period_,
                                    "1", "largest Lyapunov exponent times the forcing period"));
   for (const Field &field : scalars) {
-    result.summary.push_back({.name = "lyapunov." + field.name.substr(field.name.find('/') + 1),
-                              .value = field.values[0],
-                              .unit = field.unit});
+    result.summary.push_back(
+        scalar_line("lyapunov." + field.name().substr(field.name().find('/') + 1), field.values[0],
+                    field.unit()));
     result.fields.push_back(field);
   }
   result.fields.push_back(series_field("lyapunov/elapsed", "lyapunov_interval",

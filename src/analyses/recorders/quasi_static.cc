@@ -51,6 +51,9 @@ void QuasiStatic::consider(double time) {
 
 void QuasiStatic::begin(const Window &window, const Trajectory & /*trajectory*/) {
   window_ = window;
+  peak_time_ = longest_step_ = 0;
+  peak_size_ = -1;
+  displacements_.clear();
   consider(window.start);
 }
 

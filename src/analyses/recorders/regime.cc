@@ -3,6 +3,7 @@
 #include "analyses/fields.h"
 #include "analyses/steadiness.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -20,7 +21,7 @@ void put(PointResult &result, const std::string &name, double value, const std::
   std::string line = "regime." + name;
   for (char &c : line)
     c = c == '/' ? '.' : c;
-  result.summary.push_back({.name = line, .value = value, .unit = unit});
+  result.summary.push_back(scalar_line(line, value, unit));
 }
 
 } // namespace
@@ -76,7 +77,8 @@ void RegimeRecorder::begin(const Window &window, const Trajectory &trajectory) {
   const double forcing = period_ > 0 ? 2 * std::numbers::pi / period_ : 1;
   const Vector reach = state_scale(trajectory.equations(), forcing);
   reach_ = (reach.array() > 0).select(reach, 1);
-  states_.push_back(trajectory.motion_state().physical);
+  states_ = {trajectory.motion_state().physical};
+  std::fill(impacts_.begin(), impacts_.end(), 0);
   smallest_ = largest_ = states_.front();
   if (exponent_)
     exponent_->begin(window, trajectory);

@@ -80,6 +80,14 @@ std::size_t SectionRecorder::new_section(const std::string &name, const std::str
   return sections_.size() - 1;
 }
 
+void SectionRecorder::Samples::clear() {
+  time.clear();
+  for (auto *series : {&displacement, &velocity})
+    for (std::vector<double> &values : *series)
+      values.clear();
+  left_out = 0;
+}
+
 bool SectionRecorder::full(Samples &samples) const {
   const bool full = samples.time.size() >= settings_.maximum_samples;
   samples.left_out += full ? 1 : 0;
@@ -112,6 +120,11 @@ void SectionRecorder::begin(const Window &window, const Trajectory &trajectory) 
   start_ = window.start;
   period_ = window.period;
   layout_ = trajectory.layout();
+  for (Samples &samples : sections_)
+    samples.clear();
+  for (auto *rates : {&gap_rates_, &channel_rates_})
+    for (RateSection &section : *rates)
+      section.last_rate = 0;
 }
 
 // A rate that jumps through zero at a contact change makes an extremum at the start of the step.

@@ -41,6 +41,8 @@ private:
     std::vector<double> time;
     std::vector<std::vector<double>> displacement, velocity; ///< [channel][sample]
     long left_out = 0;
+
+    void clear();
   };
   // A surface through zeros of a rate, inside the steps or jumped over between them.
   struct RateSection {

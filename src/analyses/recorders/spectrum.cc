@@ -45,6 +45,7 @@ void SpectrumRecorder::begin(const Window &window, const Trajectory & /*trajecto
   count_ = static_cast<std::size_t>(std::max(window.cycles, 1L) * settings_.samples_per_cycle);
   const double interval = (window.end - window.start) / static_cast<double>(count_);
   samples_.emplace(signals_, window.start, interval, count_);
+  orders_.reset();
   if (period_ > 0)
     orders_.emplace(window.start, 2 * std::numbers::pi / period_,
                     static_cast<std::size_t>(settings_.orders), signals_.size());

@@ -27,21 +27,28 @@ double TimeAverage::rms_about_mean() const {
   return std::sqrt(boost::accumulators::weighted_variance(moments_));
 }
 
-void add_average(PointResult &result, const std::string &path, const std::string &unit,
-                 const TimeAverage &average) {
-  result.fields.push_back(
-      scalar_field(path + "/mean", average.mean(), unit, "mean over the recorded window"));
-  result.fields.push_back(
-      scalar_field(path + "/rms", average.rms(), unit, "root mean square over the window"));
-  result.fields.push_back(scalar_field(path + "/rms_about_mean", average.rms_about_mean(), unit,
-                                       "root mean square of the difference from the mean"));
+AverageLabels::AverageLabels(const std::string &path, const std::string &unit)
+    : mean(path + "/mean", unit, "mean over the recorded window"),
+      rms(path + "/rms", unit, "root mean square over the window"),
+      rms_about_mean(path + "/rms_about_mean", unit,
+                     "root mean square of the difference from the mean") {}
+
+void add_average(PointResult &result, const AverageLabels &labels, const TimeAverage &average) {
+  result.fields.push_back(scalar_field(labels.mean, average.mean()));
+  result.fields.push_back(scalar_field(labels.rms, average.rms()));
+  result.fields.push_back(scalar_field(labels.rms_about_mean, average.rms_about_mean()));
 }
 
 Statistics::Statistics(const WatchedSelection &selection, const System &system)
     : contacts_(system.contacts), quantities_(watched_quantities(selection, system)),
       averages_(quantities_.size()) {
-  if (selection.has("normal_force"))
-    forces_.resize(contacts_.size());
+  for (const WatchedQuantity &quantity : quantities_)
+    labels_.emplace_back(quantity.path, quantity.unit);
+  if (!selection.has("normal_force"))
+    return;
+  for (const ContactPair &pair : contacts_.pairs())
+    labels_.emplace_back("contact/" + pair.name + "/normal_force", "N");
+  forces_.resize(contacts_.size());
 }
 
 void Statistics::declare(parameters::Section &analysis) {
@@ -58,6 +65,11 @@ RecorderFactory Statistics::create(const parameters::Values &analysis) {
   };
 }
 
+void Statistics::begin(const Window & /*window*/, const Trajectory & /*trajectory*/) {
+  std::fill(averages_.begin(), averages_.end(), TimeAverage{});
+  std::fill(forces_.begin(), forces_.end(), TimeAverage{});
+}
+
 void Statistics::step(const StepView &view) {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     averages_[i].add(quantities_[i].curve(view), view.length());
@@ -71,9 +83,9 @@ void Statistics::step(const StepView &view) {
 
 void Statistics::add_fields(PointResult &result) const {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
-    add_average(result, quantities_[i].path, quantities_[i].unit, averages_[i]);
+    add_average(result, labels_[i], averages_[i]);
   for (std::size_t c = 0; c < forces_.size(); ++c)
-    add_average(result, "contact/" + contacts_.pairs()[c].name + "/normal_force", "N", forces_[c]);
+    add_average(result, labels_[quantities_.size() + c], forces_[c]);
 }
 
 } // namespace vibroimpact

@@ -37,9 +37,14 @@ private:
       moments_;
 };
 
-/// PATH/mean, /rms, /rms_about_mean of a quantity as scalar fields.
-void add_average(PointResult &result, const std::string &path, const std::string &unit,
-                 const TimeAverage &average);
+/// PATH/mean, /rms, /rms_about_mean of a quantity.
+struct AverageLabels {
+  AverageLabels(const std::string &path, const std::string &unit);
+  Label mean, rms, rms_about_mean;
+};
+
+/// All three as scalar fields.
+void add_average(PointResult &result, const AverageLabels &labels, const TimeAverage &average);
 
 class Statistics : public Recorder {
 public:
@@ -48,12 +53,14 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
+  void begin(const Window &window, const Trajectory &trajectory) override;
   void step(const StepView &view) override;
   void add_fields(PointResult &result) const override;
 
 private:
   const ContactSet &contacts_;
   std::vector<WatchedQuantity> quantities_;
+  std::vector<AverageLabels> labels_; ///< of the quantities, then of the forces
   std::vector<TimeAverage> averages_;
   std::vector<TimeAverage> forces_; ///< per contact; empty when not watched
 };

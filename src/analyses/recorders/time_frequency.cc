@@ -39,10 +39,8 @@ Field time_field(const std::string &name, double start, double interval,
 Field map_field(const std::string &name, const std::vector<std::string> &dimensions,
                 const std::vector<std::size_t> &shape, std::vector<double> values,
                 const ObservedSignal &signal) {
-  return {.name = name + "/" + signal.name,
-          .unit = signal.unit,
-          .description = "amplitude of the " + signal.description,
-          .dimensions = dimensions,
+  return {.label = Label(name + "/" + signal.name, signal.unit,
+                         "amplitude of the " + signal.description, dimensions),
           .shape = shape,
           .values = std::move(values)};
 }

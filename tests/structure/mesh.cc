@@ -1,4 +1,4 @@
-#include "structure/line_mesh.h"
+#include "structure/mesh_check.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@ using namespace vibroimpact::structure;
 
 namespace {
 
-LineMesh unit_line() { return generate_line({Vector3::Zero(), Vector3(0, 0, 1), 4}); }
+Mesh unit_line() { return generate_line({Vector3::Zero(), Vector3(0, 0, 1), 4}); }
 
-std::string problem_of(const LineMesh &mesh) {
+std::string problem_of(const Mesh &mesh) {
   try {
-    check_mesh(mesh);
+    check_line_mesh(mesh);
   } catch (const DefinitionError &error) {
     return error.problem();
   }
@@ -20,29 +20,29 @@ std::string problem_of(const LineMesh &mesh) {
 
 } // namespace
 
-TEST(LineMesh, GeneratedLineHasEqualElementsAndNamedEnds) {
-  const LineMesh mesh = unit_line();
+TEST(Mesh, GeneratedLineHasEqualElementsAndNamedEnds) {
+  const Mesh mesh = unit_line();
   ASSERT_EQ(mesh.nodes.size(), 5U);
-  ASSERT_EQ(mesh.cells.size(), 4U);
+  ASSERT_EQ(mesh.lines.size(), 4U);
   for (std::size_t cell = 0; cell < 4; ++cell)
-    EXPECT_DOUBLE_EQ(mesh.cell_length(cell), 0.25);
+    EXPECT_DOUBLE_EQ(mesh.line_length(cell), 0.25);
   EXPECT_EQ(find_nodes(mesh, {"start", {}}, "Support", "a"), std::vector<int>{0});
   EXPECT_EQ(find_nodes(mesh, {"end", {}}, "Support", "a"), std::vector<int>{4});
   EXPECT_EQ(find_nodes(mesh, {"all", {}}, "Support", "a").size(), 5U);
   EXPECT_EQ(problem_of(mesh), "");
 }
 
-TEST(LineMesh, ImpossibleLinesAreRefused) {
+TEST(Mesh, ImpossibleLinesAreRefused) {
   EXPECT_THROW(generate_line({Vector3::Ones(), Vector3::Ones(), 4}), DefinitionError);
   EXPECT_THROW(generate_line({Vector3::Zero(), Vector3::Ones(), 0}), DefinitionError);
 }
 
-TEST(LineMesh, PositionsMeetNodesWithinATolerance) {
+TEST(Mesh, PositionsMeetNodesWithinATolerance) {
   EXPECT_EQ(find_nodes(unit_line(), {"", Vector3(0, 1e-8, 0.5)}, "Point", "p"),
             std::vector<int>{2});
 }
 
-TEST(LineMesh, AMissedPositionNamesTheNearestNode) {
+TEST(Mesh, AMissedPositionNamesTheNearestNode) {
   try {
     find_nodes(unit_line(), {"", Vector3(0, 0, 0.7)}, "Point", "p");
     FAIL();
@@ -54,7 +54,7 @@ TEST(LineMesh, AMissedPositionNamesTheNearestNode) {
   }
 }
 
-TEST(LineMesh, AnUnknownGroupNamesTheKnownOnes) {
+TEST(Mesh, AnUnknownGroupNamesTheKnownOnes) {
   try {
     find_nodes(unit_line(), {"middle", {}}, "Support", "s");
     FAIL();
@@ -64,15 +64,15 @@ TEST(LineMesh, AnUnknownGroupNamesTheKnownOnes) {
   }
 }
 
-TEST(LineMesh, SeparatePartsAreCounted) {
-  LineMesh mesh = unit_line();
+TEST(Mesh, SeparatePartsAreCounted) {
+  Mesh mesh = unit_line();
   mesh.nodes.insert(mesh.nodes.end(), {Vector3(1, 0, 0), Vector3(1, 1, 0)});
-  mesh.cells.push_back({5, 6});
+  mesh.lines.push_back({5, 6});
   EXPECT_NE(problem_of(mesh).find("2 parts"), std::string::npos);
 }
 
-TEST(LineMesh, CellsWithoutLengthAndEmptyMeshesAreRefused) {
-  LineMesh mesh = unit_line();
+TEST(Mesh, CellsWithoutLengthAndEmptyMeshesAreRefused) {
+  Mesh mesh = unit_line();
   mesh.nodes[1] = mesh.nodes[0];
   EXPECT_NE(problem_of(mesh).find("positive length"), std::string::npos);
   EXPECT_NE(problem_of({}).find("line cells"), std::string::npos);

@@ -1,0 +1,47 @@
+// What a motion does without steps, and how steps take over.
+#include "integration/trajectory.h"
+#include "integration/unwatched_flight.h"
+
+#include <algorithm>
+
+namespace vibroimpact {
+
+// Goes on without steps as far as that is clear, and as all who watch can do without them. A guard
+// that has just been zero is left to a step.
+bool Trajectory::fly(double limit, Observer &observer) {
+  if (!flight_ || !zero_at_start_.empty() || (watched_ && !observer.flight_watcher()))
+    return false;
+  double instant = time();
+  Vector state = steppers_.present().state();
+  const long events_before = events_;
+  const FlightCompany company{
+      .watcher = observer.flight_watcher(),
+      .change = [&](double when, std::size_t contact, std::size_t guard, Vector &changed) {
+        change_mode(when, contact, guard, changed, observer);
+      }};
+  const bool moved = flight_->fly(instant, state, limit, watched_ ? &company : nullptr);
+  const UnwatchedFlight::Tally tally = flight_->take_tally();
+  steps_ += tally.pieces;
+  events_ = events_before + tally.events;
+  event_residual_ = std::max(event_residual_, tally.event_residual);
+  last_event_time_ = std::max(last_event_time_, flight_->last_event());
+  if (!moved)
+    return false;
+  steppers_.place(instant, state);
+  flown_ = true;
+  return true;
+}
+
+// A step begins where the flight has ended.
+void Trajectory::take_over() {
+  const Vector state = steppers_.present().state();
+  begin_phase(time(), state);
+  note_zero_guards(state);
+}
+
+void Trajectory::note_zero_guards(const Vector &state) {
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
+    note_zero_guards({.contact = c}, {}, state);
+}
+
+} // namespace vibroimpact

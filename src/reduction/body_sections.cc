@@ -1,0 +1,178 @@
+#include "reduction/body_sections.h"
+
+#include "reduction/body_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+
+namespace vibroimpact::sections {
+
+namespace {
+
+constexpr std::array<const char *, 6> components = {"x", "y", "z", "rx", "ry", "rz"};
+
+structure::Location read_place(const Values &section) {
+  const int given = int{section.has("At")} + int{section.has("Position")} + int{section.has("Near")};
+  if (given != 1)
+    section.reject_section("needs one of At, Position and Near");
+  if (section.has("Position"))
+    return {"", vector3(section, "Position")};
+  if (section.has("Near"))
+    return {"", vector3(section, "Near"), true};
+  return {section.text("At"), std::nullopt};
+}
+
+void fix(const Values &section, const std::string &word, std::array<bool, 6> &fixed) {
+  if (word == "all")
+    fixed.fill(true);
+  else if (word == "pinned")
+    fixed[0] = fixed[1] = fixed[2] = true;
+  else if (word.rfind("symmetric ", 0) == 0 && word.size() == 11 && word[10] >= 'x' &&
+           word[10] <= 'z') {
+    const int normal = word[10] - 'x'; // of the plane of symmetry
+    fixed[normal] = true;
+    fixed[3 + (normal + 1) % 3] = fixed[3 + (normal + 2) % 3] = true;
+  } else {
+    std::vector<std::string> known(components.begin(), components.end());
+    known.insert(known.end(),
+                 {"pinned", "all", "symmetric x", "symmetric y", "symmetric z"});
+    section.require_known("Fix", word, known);
+    fixed[std::find(components.begin(), components.end(), word) - components.begin()] = true;
+  }
+}
+
+} // namespace
+
+Vector3 vector3(const Values &section, const std::string &key, std::size_t first) {
+  const std::vector<double> values = section.quantities(key);
+  return {values[first], values[first + 1], values[first + 2]};
+}
+
+double optional_quantity(const Values &section, const std::string &key) {
+  return section.has(key) ? section.quantity(key) : 0.0;
+}
+
+void check_use(const Values &section, const std::string &chooser, const std::vector<KeyUse> &uses) {
+  const std::string choice = section.choice(chooser);
+  for (const KeyUse &use : uses) {
+    const bool used =
+        std::find(use.choices.begin(), use.choices.end(), choice) != use.choices.end();
+    if (!used && section.given(use.key))
+      section.reject(use.key, "is not used with " + chooser + " = " + choice);
+  }
+}
+
+std::string read_mesh(const Values &geometry, const std::string &folder, MPI_Comm communicator) {
+  const auto file = (std::filesystem::path(folder) / geometry.text("Mesh")).string();
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  std::string content;
+  if (rank == 0)
+    content = read_file(file).value_or("");
+  content = broadcast(std::move(content), communicator);
+  if (content.empty())
+    geometry.reject("Mesh",
+                    "must name a file that can be read and is not empty; there is none at " + file);
+  return content;
+}
+
+structure::SectionShape read_section(const Values &section) {
+  check_use(section, "Shape",
+            {{"Width", {"rectangle"}},
+             {"Thickness", {"rectangle"}},
+             {"Diameter", {"circle", "tube"}},
+             {"Wall thickness", {"tube"}},
+             {"Area", {"given"}},
+             {"Second moment y", {"given"}},
+             {"Second moment z", {"given"}},
+             {"Torsion constant", {"given"}}});
+  using Kind = structure::SectionShape::Kind;
+  const std::map<std::string, Kind> kinds = {{"rectangle", Kind::rectangle},
+                                             {"circle", Kind::circle},
+                                             {"tube", Kind::tube},
+                                             {"given", Kind::given}};
+  return {.kind = kinds.at(section.choice("Shape")),
+          .width = optional_quantity(section, "Width"),
+          .thickness = optional_quantity(section, "Thickness"),
+          .diameter = optional_quantity(section, "Diameter"),
+          .wall_thickness = optional_quantity(section, "Wall thickness"),
+          .area = optional_quantity(section, "Area"),
+          .second_moment_y = optional_quantity(section, "Second moment y"),
+          .second_moment_z = optional_quantity(section, "Second moment z"),
+          .torsion_constant = optional_quantity(section, "Torsion constant")};
+}
+
+structure::Material read_material(const Values &material) {
+  material.require("Young modulus");
+  material.require("Density");
+  return {material.quantity("Young modulus"), material.quantity("Poisson ratio"),
+          material.quantity("Density")};
+}
+
+structure::Support read_support(const Values &section, const std::string &name) {
+  structure::Support support{.name = name, .at = read_place(section)};
+  for (const std::string &word : section.names("Fix"))
+    fix(section, word, support.fixed);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (section.has("Stiffness"))
+      support.stiffness[axis] = section.quantities("Stiffness")[axis];
+    if (section.has("Rotational stiffness"))
+      support.stiffness[3 + axis] = section.quantities("Rotational stiffness")[axis];
+  }
+  if (!section.has("Fix") && !section.has("Stiffness") && !section.has("Rotational stiffness"))
+    section.reject_section("holds nothing: give Fix, Stiffness or Rotational stiffness");
+  return support;
+}
+
+structure::Point read_point(const Values &section, const std::string &name) {
+  structure::Point point{.name = name, .at = read_place(section), .mass = section.quantity("Mass")};
+  if (section.has("Rotary inertia"))
+    point.rotary_inertia = vector3(section, "Rotary inertia");
+  return point;
+}
+
+structure::Load read_load(const Values &section, const std::string &name) {
+  structure::Load load{.name = name, .at = {}};
+  const bool nodal = section.has("Force") || section.has("Moment");
+  const bool placed = section.has("At") || section.has("Position") || section.has("Near");
+  if (nodal)
+    load.at = read_place(section);
+  else if (placed)
+    section.reject_section("has a place, but no Force or Moment that acts there");
+  if (section.has("Force"))
+    load.force = vector3(section, "Force");
+  if (section.has("Moment"))
+    load.moment = vector3(section, "Moment");
+  if (section.has("Acceleration"))
+    load.acceleration = vector3(section, "Acceleration");
+  load.pressure = section.quantity("Pressure");
+  load.on = section.text("On");
+  if (!nodal && !section.has("Acceleration") && load.pressure == 0)
+    section.reject_section("does nothing: give Force, Moment, Acceleration or Pressure");
+  return load;
+}
+
+std::vector<structure::Support> read_supports(const Values &body) {
+  std::vector<structure::Support> supports;
+  for (const std::string &name : body.instances("Support"))
+    supports.push_back(read_support(body.instance("Support", name), name));
+  return supports;
+}
+
+std::vector<structure::Point> read_points(const Values &body) {
+  std::vector<structure::Point> points;
+  for (const std::string &name : body.instances("Point"))
+    points.push_back(read_point(body.instance("Point", name), name));
+  return points;
+}
+
+std::vector<structure::Load> read_loads(const Values &body) {
+  std::vector<structure::Load> loads;
+  for (const std::string &name : body.instances("Load"))
+    loads.push_back(read_load(body.instance("Load", name), name));
+  return loads;
+}
+
+} // namespace vibroimpact::sections

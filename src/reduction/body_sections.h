@@ -1,0 +1,39 @@
+// Readers of the subsections that bodies with a mesh have in common.
+#pragma once
+
+#include "parameters/values.h"
+#include "structure/shell_definition.h"
+
+#include <mpi.h>
+#include <string>
+#include <vector>
+
+namespace vibroimpact::sections {
+
+using parameters::Values;
+
+/// Three values of the key, from number `first` on.
+Vector3 vector3(const Values &section, const std::string &key, std::size_t first = 0);
+/// 0 when it is not given.
+double optional_quantity(const Values &section, const std::string &key);
+
+/// Of the keys that only some choices of `chooser` use, the others must not be given.
+struct KeyUse {
+  const char *key;
+  std::vector<std::string> choices;
+};
+void check_use(const Values &section, const std::string &chooser, const std::vector<KeyUse> &uses);
+
+/// Content of the file that Mesh names. Collective: rank 0 reads it.
+std::string read_mesh(const Values &geometry, const std::string &folder, MPI_Comm communicator);
+structure::SectionShape read_section(const Values &section);
+structure::Material read_material(const Values &material);
+structure::Support read_support(const Values &section, const std::string &name);
+structure::Point read_point(const Values &section, const std::string &name);
+structure::Load read_load(const Values &section, const std::string &name);
+/// All of a kind, in the order of the file.
+std::vector<structure::Support> read_supports(const Values &body);
+std::vector<structure::Point> read_points(const Values &body);
+std::vector<structure::Load> read_loads(const Values &body);
+
+} // namespace vibroimpact::sections

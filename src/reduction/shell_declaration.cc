@@ -1,0 +1,89 @@
+// What the subsections of a shell body may hold.
+#include "reduction/shell_parameters.h"
+
+namespace vibroimpact {
+
+using parameters::Range;
+using parameters::Section;
+namespace dimension = parameters::dimension;
+namespace range = parameters::range;
+
+void declare_section_keys(Section &section) {
+  const auto length = [&](const char *name, const char *symbol, const char *sentence) {
+    section.quantity(name, "", dimension::length, range::positive, symbol, sentence);
+  };
+  section.choice("Shape", "rectangle", {"rectangle", "circle", "tube", "given"},
+                 "rectangle: Width, Thickness; circle: Diameter; tube: Diameter, Wall thickness; "
+                 "given: area, second moments and torsion constant.");
+  length("Width", "b", "Along the local y axis.");
+  length("Thickness", "h", "Along the local z axis.");
+  length("Diameter", "d", "Outer diameter.");
+  length("Wall thickness", "t", "Of a tube.");
+  section.quantity("Area", "", dimension::area, range::positive, "A", "Of a given section.")
+      .quantity("Second moment y", "", dimension::second_moment, range::positive, "I_y",
+                "Integral of z^2: bending in the local x-z plane.")
+      .quantity("Second moment z", "", dimension::second_moment, range::positive, "I_z",
+                "Integral of y^2: bending in the local x-y plane.")
+      .quantity("Torsion constant", "", dimension::second_moment, range::positive, "J",
+                "St Venant torsion.");
+}
+
+void declare_shell_geometry(Section &geometry) {
+  geometry
+      .quantities("Plate", "", dimension::length, range::any, "",
+                  "A parallelogram: one corner, then the ends of the first and of the second edge "
+                  "that start there, x, y, z -> x, y, z -> x, y, z.",
+                  9, 9)
+      .quantities("Cylinder", "", dimension::length, range::any, "",
+                  "Ends of the axis of a circular cylinder, x, y, z -> x, y, z.", 6, 6)
+      .quantity("Radius", "", dimension::length, range::positive, "R", "Of the cylinder.")
+      .quantities("Angles", "0 deg, 360 deg", dimension::angle, range::any, "",
+                  "First and last angle about the axis of the cylinder.", 2, 2)
+      .quantities("Divisions", "10, 10", dimension::none, Range{.lower = 1}, "",
+                  "Numbers of elements: along the first and the second edge of a plate, around and "
+                  "along a cylinder.",
+                  2, 2)
+      .choice("Cell shape", "quadrilateral", {"quadrilateral", "triangle"},
+              "Of the elements of a plate or cylinder.");
+}
+
+namespace {
+
+void declare_own_material(Section &section) {
+  section
+      .quantity("Young modulus", "", dimension::stress, range::positive, "E",
+                "Without it, that of Material.")
+      .quantity("Poisson ratio", "", dimension::none,
+                Range{.lower = -1, .upper = 0.5, .lower_open = true}, "\\nu",
+                "Without it, that of Material.")
+      .quantity("Density", "", dimension::density, range::non_negative, "\\rho",
+                "Without it, that of Material.");
+}
+
+} // namespace
+
+void declare_shells(Section &body) {
+  Section &shell = body.named_subsection("Shell", "Thickness and material of surfaces.");
+  shell.text("On", "all", "A physical group of surfaces of the mesh, or all surfaces.")
+      .quantity("Thickness", "", dimension::length, range::positive, "t", "Must be given.");
+  declare_own_material(shell);
+
+  Section &stiffener = body.named_subsection(
+      "Stiffener", "Beams along lines of a shell, fixed to its nodes: stiffeners, frames.");
+  stiffener
+      .text("On", "",
+            "A physical group of lines of the mesh, or an edge of a plate or cylinder. Must be "
+            "given.")
+      .quantities("Orientation", "", dimension::none, range::any, "",
+                  "Direction of the local y axis of the section. Without it, the local z axis is "
+                  "the normal of the shell.",
+                  3, 3)
+      .quantities("Offset", "0 m, 0 m", dimension::length, range::any, "",
+                  "From the nodes to the centre of the section along its local y and z axes: a "
+                  "rigid link.",
+                  2, 2);
+  declare_section_keys(stiffener);
+  declare_own_material(stiffener);
+}
+
+} // namespace vibroimpact

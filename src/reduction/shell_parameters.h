@@ -1,0 +1,25 @@
+// The keys of a parameter file that only shells have.
+#pragma once
+
+#include "parameters/values.h"
+#include "structure/shell_definition.h"
+
+#include <mpi.h>
+
+namespace vibroimpact {
+
+/// Shape and dimensions of a cross-section, of beams and stiffeners alike.
+void declare_section_keys(parameters::Section &section);
+/// Plate, Cylinder and their divisions.
+void declare_shell_geometry(parameters::Section &geometry);
+/// `subsection Shell NAME` and `subsection Stiffener NAME` of a body.
+void declare_shells(parameters::Section &body);
+
+/// Throws InputError when a body that is no shell gives keys of declare_shell_geometry().
+void refuse_shell_geometry(const parameters::Values &body);
+
+/// Collective: rank 0 reads the mesh file. Throws InputError.
+structure::ShellDefinition read_shell_definition(const parameters::Values &body,
+                                                 const std::string &folder, MPI_Comm communicator);
+
+} // namespace vibroimpact

@@ -1,0 +1,38 @@
+// A body before it becomes matrices: mesh, elements, supports, lumped masses and loads with their
+// nodes found and everything checked.
+#pragma once
+
+#include "structure/element.h"
+#include "structure/mesh.h"
+#include "structure/shell_definition.h"
+
+namespace vibroimpact::structure {
+
+/// A named node.
+struct NamedNode {
+  std::string name;
+  int node = 0;
+};
+
+struct BodyModel {
+  Mesh mesh;
+  Elements elements;                              ///< of any kind; they share the mesh's nodes
+  std::vector<std::array<bool, 6>> fixed;         ///< per node and component
+  std::vector<std::array<double, 6>> spring;      ///< per node and component [N/m], [N m/rad]
+  std::vector<std::array<double, 6>> lumped_mass; ///< per node and component [kg], [kg m^2]
+  std::vector<NamedNode> points;
+  bool loaded = false;
+  std::vector<std::array<double, 6>> load;       ///< per node and component [N], [N m]
+  Vector3 acceleration = Vector3::Zero();        ///< of gravity [m/s^2]
+  double wave_speed = 0;                         ///< largest sqrt(E / rho) of its materials [m/s]
+
+  /// Mass of the elements, without lumped masses [kg].
+  double distributed_mass() const;
+  double total_mass() const;
+};
+
+/// Both throw DefinitionError when the definition cannot be built.
+BodyModel build_frame(const BeamDefinition &definition);
+BodyModel build_shell(const ShellDefinition &definition);
+
+} // namespace vibroimpact::structure

@@ -1,0 +1,114 @@
+#include "structure/quadrilateral_shell.h"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+namespace vibroimpact::structure {
+
+namespace {
+
+constexpr std::array<double, 4> corner_r = {-1, 1, 1, -1};
+constexpr std::array<double, 4> corner_s = {-1, -1, 1, 1};
+
+Shape bilinear(double r, double s) {
+  Shape shape;
+  for (int i = 0; i < 4; ++i) {
+    const double along_r = 1 + corner_r[i] * r;
+    const double along_s = 1 + corner_s[i] * s;
+    shape.value[i] = along_r * along_s / 4;
+    shape.r[i] = corner_r[i] * along_s / 4;
+    shape.s[i] = corner_s[i] * along_r / 4;
+  }
+  return shape;
+}
+
+/// The 2 x 2 Gauss points, all of weight 1.
+std::array<std::array<double, 2>, 4> gauss_points() {
+  const double g = 1 / std::sqrt(3.0);
+  return {{{-g, -g}, {g, -g}, {g, g}, {-g, g}}};
+}
+
+} // namespace
+
+QuadrilateralShell::QuadrilateralShell(const std::array<int, 4> &nodes,
+                                       const NodeVectors &positions,
+                                       const ShellProperties &properties)
+    : ShellElement({nodes.begin(), nodes.end()}, {positions.begin(), positions.end()}, properties) {
+  for (int i = 0; i < 4; ++i) {
+    corners_[i] = this->positions()[i];
+    directors_[i] = (positions[(i + 1) % 4] - positions[i])
+                        .cross(positions[(i + 3) % 4] - positions[i])
+                        .normalized();
+  }
+}
+
+DirectorPoint QuadrilateralShell::at(double r, double s) const {
+  const Shape shape = bilinear(r, s);
+  return director_point(shape, shape, corners_, directors_);
+}
+
+void QuadrilateralShell::add_bending_and_shear(NodalMatrix &stiffness) const {
+  const StrainRow lower = shear_r(at(0, -1), directors_);
+  const StrainRow upper = shear_r(at(0, 1), directors_);
+  const StrainRow left = shear_s(at(-1, 0), directors_);
+  const StrainRow right = shear_s(at(1, 0), directors_);
+  for (const auto &[r, s] : gauss_points()) {
+    const DirectorPoint point = at(r, s);
+    const TangentBasis basis(point);
+    const Eigen::Matrix<double, 3, 24> curvature =
+        basis.in_plane * covariant_curvature(point, directors_);
+    Eigen::Matrix<double, 2, 24> assumed;
+    assumed << (1 - s) / 2 * lower + (1 + s) / 2 * upper,
+        (1 - r) / 2 * left + (1 + r) / 2 * right;
+    const Eigen::Matrix<double, 2, 24> shear = basis.shear * assumed;
+    stiffness += basis.area * curvature.transpose() * properties().bending_stiffness * curvature;
+    stiffness += basis.area * properties().shear_stiffness * shear.transpose() * shear;
+  }
+}
+
+NodalMatrix QuadrilateralShell::stiffness() const {
+  NodalMatrix stiffness = NodalMatrix::Zero(24, 24);
+  add_bending_and_shear(stiffness);
+  for (const auto &corners :
+       {std::array{0, 1, 2}, std::array{0, 2, 3}, std::array{0, 1, 3}, std::array{1, 2, 3}})
+    add_membrane(corners, 0.5, stiffness);
+  return (stiffness + stiffness.transpose()) / 2;
+}
+
+NodalMatrix QuadrilateralShell::mass() const {
+  NodalMatrix mass = NodalMatrix::Zero(24, 24);
+  const double g = std::sqrt(0.6); // 3 x 3 Gauss points
+  for (const auto &[r, weight_r] : {std::pair(-g, 5.0 / 9), {0.0, 8.0 / 9}, {g, 5.0 / 9}})
+    for (const auto &[s, weight_s] : {std::pair(-g, 5.0 / 9), {0.0, 8.0 / 9}, {g, 5.0 / 9}}) {
+      const DirectorPoint point = at(r, s);
+      const double along_r = (1 - r * r) / 2;
+      const double along_s = (1 - s * s) / 2;
+      const Eigen::Vector4d bows(along_r * (1 - s), along_s * (1 + r), along_r * (1 + s),
+                                 along_s * (1 - r));
+      const double area = point.tangent_r.cross(point.tangent_s).norm();
+      add_mass(point.translation.value, bows, weight_r * weight_s * area, mass);
+    }
+  return (mass + mass.transpose()) / 2;
+}
+
+double QuadrilateralShell::area() const {
+  double area = 0;
+  for (const auto &[r, s] : gauss_points()) {
+    const DirectorPoint point = at(r, s);
+    area += point.tangent_r.cross(point.tangent_s).norm();
+  }
+  return area;
+}
+
+std::vector<Vector3> QuadrilateralShell::pressure_areas() const {
+  std::vector<Vector3> areas(4, Vector3::Zero());
+  for (const auto &[r, s] : gauss_points()) {
+    const DirectorPoint point = at(r, s);
+    for (int i = 0; i < 4; ++i)
+      areas[i] += point.translation.value[i] * point.tangent_r.cross(point.tangent_s);
+  }
+  return areas;
+}
+
+} // namespace vibroimpact::structure

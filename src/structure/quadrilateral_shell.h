@@ -1,0 +1,37 @@
+// The four-node shell element, thin or thick, flat or warped.
+//
+// Bending and transverse shear are those of MITC4 (dvorkin1984, bathe1985): the shear strain along
+// a coordinate line is taken from the mid-sides only, which removes shear locking without any zero
+// energy mode and passes the patch tests of bending and shear on distorted meshes. The directors
+// are the normals of the bilinear mid-surface at the nodes. The membrane is that of
+// membrane_triangle.h on both diagonals. It takes in-plane bending exactly in rectangles of any
+// aspect ratio, which bilinear displacements with or without the membrane cure of MITC4+ (ko2017)
+// do not, and has the drilling rotation; and its strains come from the chords between the nodes, so
+// that a warped element in inextensional bending does not lock.
+#pragma once
+
+#include "structure/director_kinematics.h"
+#include "structure/shell_element.h"
+
+namespace vibroimpact::structure {
+
+class QuadrilateralShell : public ShellElement {
+public:
+  /// Nodes around the element; `positions` are theirs [m].
+  QuadrilateralShell(const std::array<int, 4> &nodes, const NodeVectors &positions,
+                     const ShellProperties &properties);
+
+  NodalMatrix stiffness() const override;
+  NodalMatrix mass() const override;
+  double area() const override;
+  std::vector<Vector3> pressure_areas() const override;
+
+private:
+  DirectorPoint at(double r, double s) const;
+  void add_bending_and_shear(NodalMatrix &stiffness) const;
+
+  NodeVectors corners_;
+  NodeVectors directors_;
+};
+
+} // namespace vibroimpact::structure

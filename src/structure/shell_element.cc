@@ -1,0 +1,96 @@
+#include "structure/shell_element.h"
+
+#include "structure/membrane_triangle.h"
+
+#include <Eigen/Dense>
+
+namespace vibroimpact::structure {
+
+namespace {
+
+Vector3 mean(const std::vector<Vector3> &vectors) {
+  Vector3 sum = Vector3::Zero();
+  for (const Vector3 &vector : vectors)
+    sum += vector;
+  return sum / static_cast<double>(vectors.size());
+}
+
+} // namespace
+
+ShellElement::ShellElement(std::vector<int> nodes, std::vector<Vector3> positions,
+                           const ShellProperties &properties)
+    : nodes_(std::move(nodes)), positions_(std::move(positions)), properties_(properties) {
+  const Vector3 centre = mean(positions_);
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (Vector3 &position : positions_) {
+    position -= centre;
+    inertia += position.squaredNorm() * Eigen::Matrix3d::Identity() -
+               position * position.transpose();
+  }
+  inverse_inertia_ = inertia.inverse();
+}
+
+// Mean displacement and mean rotation of the nodes are taken out before the large entries of the
+// matrix multiply what is left.
+NodalVector ShellElement::force(const Eigen::Ref<const Matrix> &stiffness,
+                                const NodalVector &u) const {
+  const auto size = static_cast<int>(positions_.size());
+  const Vector3 origin = u.head<3>();
+  Vector3 shift = Vector3::Zero();
+  for (int i = 1; i < size; ++i)
+    shift += (u.segment<3>(6 * i) - origin) / size;
+  Vector3 momentum = Vector3::Zero();
+  for (int i = 0; i < size; ++i)
+    momentum += positions_[i].cross(u.segment<3>(6 * i) - origin - shift);
+  const Vector3 rotation = inverse_inertia_ * momentum;
+  NodalVector deformation(6 * size);
+  for (int i = 0; i < size; ++i) {
+    deformation.segment<3>(6 * i) =
+        u.segment<3>(6 * i) - origin - shift - rotation.cross(positions_[i]);
+    deformation.segment<3>(6 * i + 3) = u.segment<3>(6 * i + 3) - rotation;
+  }
+  return stiffness * deformation;
+}
+
+void ShellElement::add_membrane(const std::array<int, 3> &corners, double weight,
+                                NodalMatrix &stiffness) const {
+  const Vector3 side = positions_[corners[1]] - positions_[corners[0]];
+  const Vector3 other = positions_[corners[2]] - positions_[corners[0]];
+  const Vector3 x = side.normalized();
+  const Vector3 normal = side.cross(other).normalized();
+  const Vector3 y = normal.cross(x);
+  const MembraneMatrix membrane = membrane_triangle(
+      {{{0, 0}, {side.norm(), 0}, {other.dot(x), other.dot(y)}}}, properties_);
+  Eigen::Matrix<double, 3, 6> to_plane = Eigen::Matrix<double, 3, 6>::Zero();
+  to_plane.block<1, 3>(0, 0) = x;
+  to_plane.block<1, 3>(1, 0) = y;
+  to_plane.block<1, 3>(2, 3) = normal;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      stiffness.block<6, 6>(6 * corners[i], 6 * corners[j]) +=
+          weight * to_plane.transpose() * membrane.block<3, 3>(3 * i, 3 * j) * to_plane;
+}
+
+void ShellElement::add_mass(const Eigen::Vector4d &shapes, const Eigen::Vector4d &bows, double area,
+                            NodalMatrix &mass) const {
+  const auto size = static_cast<int>(positions_.size());
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 24> displacement(3, 6 * size);
+  displacement.setZero();
+  for (int i = 0; i < size; ++i) {
+    displacement.block<3, 3>(0, 6 * i).diagonal().setConstant(shapes[i]);
+    const int next = (i + 1) % size;
+    const Vector3 edge = positions_[next] - positions_[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3 bow = bows[i] / 8 * Vector3::Unit(axis).cross(edge);
+      displacement.col(6 * i + 3 + axis) += bow;
+      displacement.col(6 * next + 3 + axis) -= bow;
+    }
+  }
+  mass += area * properties_.mass_per_area * displacement.transpose() * displacement;
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j)
+      mass.block<3, 3>(6 * i + 3, 6 * j + 3).diagonal().array() +=
+          area * properties_.rotary_inertia * shapes[i] * shapes[j];
+}
+
+} // namespace vibroimpact::structure
