@@ -40,6 +40,8 @@ public:
     force -= multiply(problem_.mass, rigid_) * inner_products(layout_, rigid_, force);
     const Block answers = normalised(factorised_.solve(force));
     const Block left = independent(without(kept_, without(rigid_, answers)));
+    if (left.cols() == 0)
+      return {Vector(), Matrix(layout_.size, 0)};
     const Matrix stiffness =
         inner_products(layout_, left, multiply(problem_.accurate_stiffness, left));
     const Eigen::SelfAdjointEigenSolver<Matrix> solver((stiffness + stiffness.transpose()) / 2);
@@ -72,6 +74,8 @@ private:
     for (Index j = 0; j < size.size(); ++j)
       if (size[j] > least_remainder)
         significant.push_back(j);
+    if (significant.empty())
+      return Block(x.rows(), 0);
     const Block some = normalised(x(Eigen::all, significant));
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(mass_products(some));
     const Vector &values = solver.eigenvalues();

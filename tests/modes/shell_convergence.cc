@@ -71,12 +71,12 @@ const std::vector<Case> cases = {
     {"twisted beam, within", {6, 12, 24},
      [](int n, CellShape shape) {
        return one(static_at_point(twisted_beam(n, n / 6 * 2, 2, shape))[2] /
-                  twisted_beam_across_reference);
+                  twisted_beam_within_reference);
      }},
     {"twisted beam, across", {6, 12, 24},
      [](int n, CellShape shape) {
        return one(static_at_point(twisted_beam(n, n / 6 * 2, 1, shape))[1] /
-                  twisted_beam_within_reference);
+                  twisted_beam_across_reference);
      }},
     {"hemisphere with hole", {8, 16, 32, 64},
      [](int n, CellShape shape) {

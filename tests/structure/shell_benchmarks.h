@@ -117,8 +117,8 @@ inline ShellDefinition hemisphere(int elements, CellShape shape = CellShape::qua
   return shell;
 }
 
-inline constexpr double twisted_beam_within_reference = 1.754e-3;
-inline constexpr double twisted_beam_across_reference = 5.424e-3;
+inline constexpr double twisted_beam_within_reference = 5.424e-3;
+inline constexpr double twisted_beam_across_reference = 1.754e-3;
 inline constexpr double hemisphere_reference = 0.094;
 inline constexpr double scordelis_lo_reference = -0.3024;
 inline constexpr double pinched_cylinder_reference = -1.8248e-5;
