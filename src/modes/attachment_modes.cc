@@ -12,8 +12,8 @@ namespace {
 // answer is then wrong by as much, and only in its elastic modes: the space that it spans together
 // with the kept ones hardly notices.
 constexpr double shift_fraction = 1e-8;
-// An answer of which the kept modes leave no more than this (in the norm of M) is contained in them;
-// shapes whose correlation matrix has an eigenvalue below its square depend on each other.
+// An answer of which the kept modes leave no more than this (in the norm of M) is contained in
+// them; shapes whose correlation matrix has an eigenvalue below its square depend on each other.
 constexpr double least_remainder = 1e-7;
 
 Index count_rigid(const Vector &eigenvalues) { return (eigenvalues.array() == 0).count(); }
