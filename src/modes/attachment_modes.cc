@@ -12,8 +12,8 @@ namespace {
 // answer is then wrong by as much, and only in its elastic modes: the space that it spans together
 // with the kept ones hardly notices.
 constexpr double shift_fraction = 1e-8;
-// An answer of which the kept modes leave no more than this (in the norm of M) is contained in them;
-// shapes whose correlation matrix has an eigenvalue below its square depend on each other.
+// An answer of which the kept modes leave no more than this (in the norm of M) is contained in
+// them; shapes whose correlation matrix has an eigenvalue below its square depend on each other.
 constexpr double least_remainder = 1e-7;
 
 Index count_rigid(const Vector &eigenvalues) { return (eigenvalues.array() == 0).count(); }
@@ -40,6 +40,8 @@ public:
     force -= multiply(problem_.mass, rigid_) * inner_products(layout_, rigid_, force);
     const Block answers = normalised(factorised_.solve(force));
     const Block left = independent(without(kept_, without(rigid_, answers)));
+    if (left.cols() == 0)
+      return {Vector(), Matrix(layout_.size, 0)};
     const Matrix stiffness =
         inner_products(layout_, left, multiply(problem_.accurate_stiffness, left));
     const Eigen::SelfAdjointEigenSolver<Matrix> solver((stiffness + stiffness.transpose()) / 2);
@@ -72,6 +74,8 @@ private:
     for (Index j = 0; j < size.size(); ++j)
       if (size[j] > least_remainder)
         significant.push_back(j);
+    if (significant.empty())
+      return Block(x.rows(), 0);
     const Block some = normalised(x(Eigen::all, significant));
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(mass_products(some));
     const Vector &values = solver.eigenvalues();

@@ -70,8 +70,8 @@ void add_surfaces(const Recovery &recovery, const Vector &motion, std::size_t bo
     // deal.II numbers the corners of a quadrilateral line by line, not around it.
     const std::array<int, 4> order = {nodes[0], nodes[1], triangle ? nodes[2] : nodes[3], nodes[2]};
     Patch<2, 3> patch;
-    patch.reference_cell = triangle ? dealii::ReferenceCells::Triangle
-                                    : dealii::ReferenceCells::Quadrilateral;
+    patch.reference_cell =
+        triangle ? dealii::ReferenceCells::Triangle : dealii::ReferenceCells::Quadrilateral;
     patch.patch_index = static_cast<unsigned>(patches.size());
     const unsigned corners = triangle ? 3 : 4;
     patch.data.reinit(n_components, corners);
@@ -188,9 +188,9 @@ void write_modes_of(RunFolder &folder, const ReducedBody &body, std::size_t body
     const std::string name =
         "modes/" + body.name + numbered("-mode-%03zu", static_cast<std::size_t>(j) + 1);
     const Vector mode = body.recovery.shapes.col(j);
-    frames.push_back({body.omega()[j] / two_pi,
-                      write_shape(folder, name, body.recovery, mode_scale(mode, size) * mode,
-                                  body_number)});
+    frames.push_back(
+        {body.omega()[j] / two_pi,
+         write_shape(folder, name, body.recovery, mode_scale(mode, size) * mode, body_number)});
   }
 }
 
@@ -208,8 +208,7 @@ std::vector<Frame> merged_by_time(std::vector<Frame> frames) {
   std::vector<Frame> merged;
   for (Frame &frame : frames)
     if (!merged.empty() && merged.back().time == frame.time)
-      merged.back().files.insert(merged.back().files.end(), frame.files.begin(),
-                                 frame.files.end());
+      merged.back().files.insert(merged.back().files.end(), frame.files.begin(), frame.files.end());
     else
       merged.push_back(std::move(frame));
   return merged;

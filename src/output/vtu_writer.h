@@ -20,8 +20,9 @@ namespace vibroimpact {
 /// body. Throws std::runtime_error.
 void write_mode_files(RunFolder &folder, const std::vector<ReducedBody> &bodies);
 
-/// Rank 0. NAME/frame-00001.vtu (and frame-00001-lines.vtu beside shells) ... and NAME.pvd with the instants of `motion`: displacement [m]
-/// and rotation [rad] of all bodies with a mesh, base motion included, and the number of the body
+/// Rank 0. NAME/frame-00001.vtu (and frame-00001-lines.vtu beside shells) ... and NAME.pvd with the
+/// instants of `motion`: displacement [m] and rotation [rad] of all bodies with a mesh, base motion
+/// included, and the number of the body
 /// ("body", from 1). Lumped bodies are points in NAME/lumped-00001.vtu ...; each point of such a
 /// body is one.
 void write_motion_files(RunFolder &folder, const std::string &name,

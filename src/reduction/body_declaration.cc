@@ -12,7 +12,8 @@ namespace dimension = parameters::dimension;
 namespace range = parameters::range;
 
 void declare_geometry(Section &body) {
-  body.subsection("Geometry", "The line or mesh along which a beam runs, or the surfaces of a shell.")
+  body.subsection("Geometry",
+                  "The line or mesh along which a beam runs, or the surfaces of a shell.")
       .text("Mesh", "",
             "Gmsh file (version 2.2 or 4.1, ASCII or binary) with lines for a beam, triangles and "
             "quadrilaterals for a shell, relative to the folder of the parameter file. Instead of "
@@ -83,7 +84,8 @@ void declare_load(Section &body) {
               "of every run (figures under static in the summary and in ParaView). All loads act "
               "together. It does not act in any other analysis.");
   declare_place(load);
-  load.quantities("Force", "", dimension::force, range::any, "F", "On each node of the place.", 3, 3)
+  load.quantities("Force", "", dimension::force, range::any, "F", "On each node of the place.", 3,
+                  3)
       .quantities("Moment", "", dimension::torque, range::any, "M", "On each node of the place.", 3,
                   3)
       .quantities("Acceleration", "", dimension::acceleration, range::any, "g",

@@ -150,7 +150,8 @@ void read_shell(const Values &body, const std::string &folder, MPI_Comm communic
 }
 
 void read_rotor(const Values &body, BodyDefinition &definition) {
-  refuse(body, {"Geometry", "Section", "Material", "Modes"}, {"Support", "Point", "Mass", "Shell", "Stiffener", "Load"});
+  refuse(body, {"Geometry", "Section", "Material", "Modes"},
+         {"Support", "Point", "Mass", "Shell", "Stiffener", "Load"});
   const Values rotor = body.subsection("Rotor");
   rotor.require("Mass");
   rotor.require("Inertia");

@@ -14,7 +14,8 @@ namespace {
 constexpr std::array<const char *, 6> components = {"x", "y", "z", "rx", "ry", "rz"};
 
 structure::Location read_place(const Values &section) {
-  const int given = int{section.has("At")} + int{section.has("Position")} + int{section.has("Near")};
+  const int given =
+      int{section.has("At")} + int{section.has("Position")} + int{section.has("Near")};
   if (given != 1)
     section.reject_section("needs one of At, Position and Near");
   if (section.has("Position"))
@@ -36,8 +37,7 @@ void fix(const Values &section, const std::string &word, std::array<bool, 6> &fi
     fixed[3 + (normal + 1) % 3] = fixed[3 + (normal + 2) % 3] = true;
   } else {
     std::vector<std::string> known(components.begin(), components.end());
-    known.insert(known.end(),
-                 {"pinned", "all", "symmetric x", "symmetric y", "symmetric z"});
+    known.insert(known.end(), {"pinned", "all", "symmetric x", "symmetric y", "symmetric z"});
     section.require_known("Fix", word, known);
     fixed[std::find(components.begin(), components.end(), word) - components.begin()] = true;
   }

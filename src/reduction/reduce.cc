@@ -1,12 +1,12 @@
 #include "reduction/reduce.h"
 
+#include "common/log.h"
+#include "modes/attachment_modes.h"
+#include "modes/static_solution.h"
 #include "reduction/basis_rule.h"
 #include "reduction/body_file.h"
 #include "reduction/lumped_body.h"
 #include "reduction/rotor_body.h"
-#include "common/log.h"
-#include "modes/attachment_modes.h"
-#include "modes/static_solution.h"
 #include "structure/assembly.h"
 
 #include <algorithm>
@@ -82,8 +82,8 @@ void warn_of_implausible(const std::string &name, const AssembledBody &body,
   if (body.model.mesh.unused_nodes > 0)
     log::warning("body " + name + ": " + std::to_string(body.model.mesh.unused_nodes) +
                  " nodes of the mesh belong to no cell and are left out");
-  const auto first = std::find_if(eigenvalues.begin(), eigenvalues.end(),
-                                  [](double value) { return value > 0; });
+  const auto first =
+      std::find_if(eigenvalues.begin(), eigenvalues.end(), [](double value) { return value > 0; });
   if (first == eigenvalues.end())
     return;
   const double frequency = std::sqrt(*first) / two_pi;
@@ -92,7 +92,8 @@ void warn_of_implausible(const std::string &name, const AssembledBody &body,
   std::ostringstream text;
   text << "body " << name << ": its first natural frequency, " << frequency
        << " Hz, is hardly that of a structure. Are the units right? Its mesh is "
-       << body.model.mesh.extent() << " m across (coordinates in a mesh file are metres), waves run "
+       << body.model.mesh.extent()
+       << " m across (coordinates in a mesh file are metres), waves run "
        << "through it at " << body.model.wave_speed << " m/s, and its mass is "
        << body.model.total_mass() << " kg";
   log::warning(text.str());
@@ -161,8 +162,8 @@ Matrix modal_damping(const Damping &damping, const AssembledBody &body, const Ve
   Vector ratio(stiffness.size());
   for (Index j = 0; j < ratio.size(); ++j)
     ratio[j] = damping.ratios[std::min<std::size_t>(j, damping.ratios.size() - 1)];
-  ratio.tail(ratio.size() - normal).setConstant(
-      damping.attachment_ratio.value_or(damping.ratios.back()));
+  ratio.tail(ratio.size() - normal)
+      .setConstant(damping.attachment_ratio.value_or(damping.ratios.back()));
   return diagonal((2 * ratio.array() * stiffness.array().sqrt()).matrix());
 }
 
@@ -258,8 +259,7 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
   body.recovery.static_displacement = statics.deflection;
   body.total_mass.setConstant(assembled.model.total_mass());
   // Attachment modes are no eigenvectors: nothing bounds their error as such.
-  body.eigen_residual =
-      Vector::Constant(body.size(), std::numeric_limits<double>::quiet_NaN());
+  body.eigen_residual = Vector::Constant(body.size(), std::numeric_limits<double>::quiet_NaN());
   body.eigen_residual.head(modes.number) = modes.error_bounds.segment(modes.first, modes.number);
   body.orthogonality_residual = modes.orthogonality_residual;
   return body;

@@ -62,7 +62,9 @@ ReducedBody reduce_body(const Values &body, const std::string &name, const std::
       return reduce(definition, communicator);
     const std::string file = (std::filesystem::path(folder) / modes.text("Store")).string();
     const std::string fingerprint =
-        body.fingerprint() + "mesh = " + content_hash(definition.beam.mesh_content + definition.shell.mesh_content) + "\n";
+        body.fingerprint() +
+        "mesh = " + content_hash(definition.beam.mesh_content + definition.shell.mesh_content) +
+        "\n";
     if (auto loaded = load(name, file, fingerprint, communicator))
       return std::move(*loaded);
     ReducedBody computed = reduce(definition, communicator);

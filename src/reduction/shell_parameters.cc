@@ -54,8 +54,8 @@ void check_geometry(const Values &geometry) {
   for (const char *unused : {"Line", "Elements"})
     if (geometry.given(unused))
       geometry.reject(unused, "is not used by a body of type shell");
-  const int given = int{geometry.has("Mesh")} + int{geometry.has("Plate")} +
-                    int{geometry.has("Cylinder")};
+  const int given =
+      int{geometry.has("Mesh")} + int{geometry.has("Plate")} + int{geometry.has("Cylinder")};
   if (given != 1)
     geometry.reject_section("needs one of Mesh, Plate and Cylinder");
   const auto refuse = [&](const char *key, const char *needed) {

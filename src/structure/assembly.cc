@@ -59,8 +59,7 @@ RowLengths row_lengths(const FreeDofs &free, const Discretisation &space) {
   return lengths;
 }
 
-petsc::Matrix empty_matrix(const FreeDofs &free, const RowLengths &lengths,
-                           MPI_Comm communicator) {
+petsc::Matrix empty_matrix(const FreeDofs &free, const RowLengths &lengths, MPI_Comm communicator) {
   const PetscInt own = free.own_end - free.own_begin;
   petsc::Matrix matrix;
   check(MatCreateAIJ(communicator, own, own, free.size, free.size, 0, lengths.inside.data(), 0,

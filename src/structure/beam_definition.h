@@ -87,12 +87,12 @@ struct Point {
 /// What acts on a body in its static solution. Force and moment act at each node of the location.
 struct Load {
   std::string name;
-  Location at;                              ///< empty without force and moment
-  Vector3 force = Vector3::Zero();          ///< [N]
-  Vector3 moment = Vector3::Zero();         ///< [N m]
-  Vector3 acceleration = Vector3::Zero();   ///< of gravity, on all mass [m/s^2]
-  double pressure = 0;                      ///< along the normals of shells [Pa]
-  std::string on = "all";                   ///< surfaces under pressure
+  Location at;                            ///< empty without force and moment
+  Vector3 force = Vector3::Zero();        ///< [N]
+  Vector3 moment = Vector3::Zero();       ///< [N m]
+  Vector3 acceleration = Vector3::Zero(); ///< of gravity, on all mass [m/s^2]
+  double pressure = 0;                    ///< along the normals of shells [Pa]
+  std::string on = "all";                 ///< surfaces under pressure
 };
 
 struct BeamDefinition {

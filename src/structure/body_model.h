@@ -22,9 +22,9 @@ struct BodyModel {
   std::vector<std::array<double, 6>> lumped_mass; ///< per node and component [kg], [kg m^2]
   std::vector<NamedNode> points;
   bool loaded = false;
-  std::vector<std::array<double, 6>> load;       ///< per node and component [N], [N m]
-  Vector3 acceleration = Vector3::Zero();        ///< of gravity [m/s^2]
-  double wave_speed = 0;                         ///< largest sqrt(E / rho) of its materials [m/s]
+  std::vector<std::array<double, 6>> load; ///< per node and component [N], [N m]
+  Vector3 acceleration = Vector3::Zero();  ///< of gravity [m/s^2]
+  double wave_speed = 0;                   ///< largest sqrt(E / rho) of its materials [m/s]
 
   /// Mass of the elements, without lumped masses [kg].
   double distributed_mass() const;

@@ -69,8 +69,8 @@ TangentBasis::TangentBasis(const DirectorPoint &point) {
   const Vector3 first = point.tangent_r.normalized();
   const Vector3 second = normal.cross(first) / area;
   Eigen::Matrix2d components; // of the tangents, columns r and s
-  components << point.tangent_r.dot(first), point.tangent_s.dot(first),
-      point.tangent_r.dot(second), point.tangent_s.dot(second);
+  components << point.tangent_r.dot(first), point.tangent_s.dot(first), point.tangent_r.dot(second),
+      point.tangent_s.dot(second);
   const Eigen::Matrix2d t = components.inverse();
   shear = t.transpose();
   for (int row = 0; row < 2; ++row)

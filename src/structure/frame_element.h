@@ -43,8 +43,8 @@ ElementVector stiffness_product(const BeamProperties &properties, const ElementF
 ElementMatrix stiffness_matrix(const BeamProperties &properties, const ElementFrame &frame);
 ElementMatrix mass_matrix(const BeamProperties &properties, const ElementFrame &frame);
 
-/// The element in a body. Its axis may run beside the line of its nodes: `offset` is the vector from
-/// a node to the axis [m], a rigid link, u_axis = u + theta x offset.
+/// The element in a body. Its axis may run beside the line of its nodes: `offset` is the vector
+/// from a node to the axis [m], a rigid link, u_axis = u + theta x offset.
 class FrameElement : public Element {
 public:
   FrameElement(const std::array<int, 2> &nodes, const BeamProperties &properties,

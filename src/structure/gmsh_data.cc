@@ -13,8 +13,8 @@ void fail_mesh(const std::string &problem) {
 }
 
 GmshData::GmshData(std::string section, const std::string &content, bool binary)
-    : section_(std::move(section)), in_(content, std::ios::binary | std::ios::in),
-      binary_(binary) {}
+    : section_(std::move(section)), in_(content, std::ios::binary | std::ios::in), binary_(binary) {
+}
 
 void GmshData::broken() const {
   fail_mesh("must be a complete Gmsh file, but its section $" + section_ +

@@ -181,8 +181,7 @@ std::map<Node, int> number_used_nodes(const RawMesh &raw, Mesh &mesh) {
   for (auto &[node, position] : index) {
     const auto found = raw.nodes.find(node);
     if (found == raw.nodes.end())
-      fail_mesh("must define every node it uses, but node " + std::to_string(node) +
-                " is missing");
+      fail_mesh("must define every node it uses, but node " + std::to_string(node) + " is missing");
     position = static_cast<int>(mesh.nodes.size());
     mesh.nodes.push_back(found->second);
   }

@@ -89,8 +89,7 @@ void check_corners(const Mesh &mesh, const Surface &surface) {
 void check_surface(const Mesh &mesh, const Surface &surface) {
   const auto nodes = surface.nodes();
   if (std::set<int>(nodes.begin(), nodes.end()).size() < nodes.size())
-    fail("must have cells with different corners, but " + place(mesh, surface) +
-         " has one twice");
+    fail("must have cells with different corners, but " + place(mesh, surface) + " has one twice");
   check_corners(mesh, surface);
   for (int corner = 0; surface.size == 4 && corner < 2; ++corner) {
     const Vector3 normal = corner_normal(mesh, surface, corner);

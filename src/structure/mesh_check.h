@@ -10,8 +10,8 @@ namespace vibroimpact::structure {
 void check_line_mesh(const Mesh &mesh);
 
 /// For a body of surfaces, and of those lines that carry beams (positions in mesh.lines). Throws
-/// DefinitionError when there are no surfaces, cells that are degenerate, inverted or too distorted,
-/// separate parts, or nodes that neither a surface nor a beam uses.
+/// DefinitionError when there are no surfaces, cells that are degenerate, inverted or too
+/// distorted, separate parts, or nodes that neither a surface nor a beam uses.
 void check_surface_mesh(const Mesh &mesh, const std::vector<int> &beams);
 
 /// Throws DefinitionError of the section `kind` `name`, key `key`, when two neighbours among these

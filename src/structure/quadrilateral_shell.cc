@@ -59,8 +59,7 @@ void QuadrilateralShell::add_bending_and_shear(NodalMatrix &stiffness) const {
     const Eigen::Matrix<double, 3, 24> curvature =
         basis.in_plane * covariant_curvature(point, directors_);
     Eigen::Matrix<double, 2, 24> assumed;
-    assumed << (1 - s) / 2 * lower + (1 + s) / 2 * upper,
-        (1 - r) / 2 * left + (1 + r) / 2 * right;
+    assumed << (1 - s) / 2 * lower + (1 + s) / 2 * upper, (1 - r) / 2 * left + (1 + r) / 2 * right;
     const Eigen::Matrix<double, 2, 24> shear = basis.shear * assumed;
     stiffness += basis.area * curvature.transpose() * properties().bending_stiffness * curvature;
     stiffness += basis.area * properties().shear_stiffness * shear.transpose() * shear;

@@ -14,8 +14,7 @@ namespace vibroimpact::structure {
 namespace {
 
 std::vector<int> stiffener_lines(const Mesh &mesh, const Stiffener &stiffener) {
-  return find_cells(mesh.line_groups, stiffener.on, mesh.lines.size(), "Stiffener",
-                    stiffener.name);
+  return find_cells(mesh.line_groups, stiffener.on, mesh.lines.size(), "Stiffener", stiffener.name);
 }
 
 std::vector<int> all_stiffener_lines(const Mesh &mesh, const ShellDefinition &definition) {
@@ -42,10 +41,10 @@ std::vector<int> parts_of_surfaces(const Mesh &mesh, const ShellDefinition &defi
   }
   for (std::size_t surface = 0; surface < parts.size(); ++surface)
     if (parts[surface] < 0)
-      throw DefinitionError(
-          "Geometry", "", "Mesh",
-          "must have every surface in a subsection Shell, but the one at " +
-              coordinates(mesh.nodes[mesh.surfaces[surface].corners[0]]) + " is in none");
+      throw DefinitionError("Geometry", "", "Mesh",
+                            "must have every surface in a subsection Shell, but the one at " +
+                                coordinates(mesh.nodes[mesh.surfaces[surface].corners[0]]) +
+                                " is in none");
   return parts;
 }
 
@@ -54,9 +53,9 @@ std::shared_ptr<const Element> shell_element(const Mesh &mesh, const Surface &su
   const auto &c = surface.corners;
   const auto &nodes = mesh.nodes;
   if (surface.size == 3)
-    return std::make_shared<TriangleShell>(
-        std::array{c[0], c[1], c[2]}, std::array{nodes[c[0]], nodes[c[1]], nodes[c[2]]},
-        properties);
+    return std::make_shared<TriangleShell>(std::array{c[0], c[1], c[2]},
+                                           std::array{nodes[c[0]], nodes[c[1]], nodes[c[2]]},
+                                           properties);
   return std::make_shared<QuadrilateralShell>(
       c, NodeVectors{nodes[c[0]], nodes[c[1]], nodes[c[2]], nodes[c[3]]}, properties);
 }
@@ -116,7 +115,8 @@ void add_shell_elements(BodyModel &model, const ShellDefinition &definition) {
     properties.push_back(shell_properties(part.thickness, part.material, "Shell", part.name));
   const std::vector<int> parts = parts_of_surfaces(model.mesh, definition);
   for (std::size_t i = 0; i < parts.size(); ++i)
-    model.elements.push_back(shell_element(model.mesh, model.mesh.surfaces[i], properties[parts[i]]));
+    model.elements.push_back(
+        shell_element(model.mesh, model.mesh.surfaces[i], properties[parts[i]]));
   const std::vector<Vector3> normals = node_normals(model.mesh);
   for (const Stiffener &stiffener : definition.stiffeners)
     try {
@@ -133,8 +133,8 @@ void add_shell_elements(BodyModel &model, const ShellDefinition &definition) {
 }
 
 void add_pressure(BodyModel &model, const Load &load) {
-  const std::vector<int> surfaces = find_cells(model.mesh.surface_groups, load.on,
-                                               model.mesh.surfaces.size(), "Load", load.name);
+  const std::vector<int> surfaces =
+      find_cells(model.mesh.surface_groups, load.on, model.mesh.surfaces.size(), "Load", load.name);
   check_orientation(model.mesh, surfaces, "Load", load.name, "Pressure");
   for (const int number : surfaces) {
     const auto &shell = dynamic_cast<const ShellElement &>(*model.elements[number]);

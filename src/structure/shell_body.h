@@ -9,8 +9,8 @@ namespace vibroimpact::structure {
 Mesh shell_mesh(const ShellDefinition &definition);
 
 /// One element for each surface and for each line of a stiffener; the shells come first, in the
-/// order of the mesh. Throws DefinitionError when a surface has no part or two, when a mesh does not
-/// pass its checks, or when a dimension is out of range.
+/// order of the mesh. Throws DefinitionError when a surface has no part or two, when a mesh does
+/// not pass its checks, or when a dimension is out of range.
 void add_shell_elements(BodyModel &model, const ShellDefinition &definition);
 
 /// Adds nodal forces to the load. Throws DefinitionError.

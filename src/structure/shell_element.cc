@@ -24,8 +24,8 @@ ShellElement::ShellElement(std::vector<int> nodes, std::vector<Vector3> position
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   for (Vector3 &position : positions_) {
     position -= centre;
-    inertia += position.squaredNorm() * Eigen::Matrix3d::Identity() -
-               position * position.transpose();
+    inertia +=
+        position.squaredNorm() * Eigen::Matrix3d::Identity() - position * position.transpose();
   }
   inverse_inertia_ = inertia.inverse();
 }
@@ -59,8 +59,8 @@ void ShellElement::add_membrane(const std::array<int, 3> &corners, double weight
   const Vector3 x = side.normalized();
   const Vector3 normal = side.cross(other).normalized();
   const Vector3 y = normal.cross(x);
-  const MembraneMatrix membrane = membrane_triangle(
-      {{{0, 0}, {side.norm(), 0}, {other.dot(x), other.dot(y)}}}, properties_);
+  const MembraneMatrix membrane =
+      membrane_triangle({{{0, 0}, {side.norm(), 0}, {other.dot(x), other.dot(y)}}}, properties_);
   Eigen::Matrix<double, 3, 6> to_plane = Eigen::Matrix<double, 3, 6>::Zero();
   to_plane.block<1, 3>(0, 0) = x;
   to_plane.block<1, 3>(1, 0) = y;

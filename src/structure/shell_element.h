@@ -4,12 +4,12 @@
 // The membrane of a quadrilateral is the mean of its two cuts into triangles, so that it depends on
 // no numbering and follows a warped element: each triangle lies in its own plane.
 //
-// The mass is consistent with a displacement that knows the rotations: an edge e from node i to node
-// j bows by (theta_i - theta_j) x e / 8 in its middle, as a beam with these end rotations does. For
-// bending this is the linked interpolation that the assumed shear of the MITC elements implies
-// (zienkiewicz1993), for the membrane Allman's (allman1984). It leaves rigid motions alone and takes
-// two thirds of the error out of the frequencies of bending that the plain interpolation of
-// displacements has.
+// The mass is consistent with a displacement that knows the rotations: an edge e from node i to
+// node j bows by (theta_i - theta_j) x e / 8 in its middle, as a beam with these end rotations
+// does. For bending this is the linked interpolation that the assumed shear of the MITC elements
+// implies (zienkiewicz1993), for the membrane Allman's (allman1984). It leaves rigid motions alone
+// and takes two thirds of the error out of the frequencies of bending that the plain interpolation
+// of displacements has.
 #pragma once
 
 #include "structure/element.h"

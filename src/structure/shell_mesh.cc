@@ -64,11 +64,15 @@ void add_edges(const Grid &grid, Mesh &mesh) {
   const int right = grid.elements[0];
   const int top = grid.elements[1];
   if (!grid.closed) {
-    add_edge("left", top, [&](int k) { return grid.node(0, k); }, mesh);
-    add_edge("right", top, [&](int k) { return grid.node(right, k); }, mesh);
+    add_edge(
+        "left", top, [&](int k) { return grid.node(0, k); }, mesh);
+    add_edge(
+        "right", top, [&](int k) { return grid.node(right, k); }, mesh);
   }
-  add_edge("bottom", right, [&](int k) { return grid.node(k, 0); }, mesh);
-  add_edge("top", right, [&](int k) { return grid.node(k, top); }, mesh);
+  add_edge(
+      "bottom", right, [&](int k) { return grid.node(k, 0); }, mesh);
+  add_edge(
+      "top", right, [&](int k) { return grid.node(k, top); }, mesh);
   for (const auto &[name, lines] : mesh.line_groups) {
     std::set<int> nodes;
     for (const int line : lines)
@@ -119,8 +123,7 @@ Mesh generate_cylinder(const Cylinder &cylinder) {
   const Vector3 zero = cylinder.radius * x.normalized();
   const bool closed = range >= full_turn * (1 - 1e-12);
   return generate({cylinder.elements, closed, cylinder.shape, [&](double a, double b) -> Vector3 {
-                     const double angle =
-                         (1 - a) * cylinder.angles[0] + a * cylinder.angles[1];
+                     const double angle = (1 - a) * cylinder.angles[0] + a * cylinder.angles[1];
                      return cylinder.start + b * axis + Eigen::AngleAxisd(angle, z) * zero;
                    }});
 }

@@ -40,7 +40,8 @@ Shape with_bubble_function(double r, double s) {
 }
 
 // Distance of three sampling points from the centre, the value of lee2014: the nearer they are to
-// each other, the weaker the resistance against the twist of the shear field, yet it never vanishes.
+// each other, the weaker the resistance against the twist of the shear field, yet it never
+// vanishes.
 constexpr double twist_distance = 1e-4;
 
 } // namespace
@@ -70,10 +71,8 @@ Eigen::Matrix<double, 2, 24> TriangleShell::assumed_shear(double r, double s) co
   constexpr double third = 1.0 / 3;
   constexpr double d = twist_distance;
   const StrainRow both = (sample_r(near, near) + sample_s(near, near)) / 3;
-  const StrainRow constant_r =
-      far * (sample_r(far, near) - sample_s(far, near) / 2) + both;
-  const StrainRow constant_s =
-      far * (sample_s(near, far) - sample_r(near, far) / 2) + both;
+  const StrainRow constant_r = far * (sample_r(far, near) - sample_s(far, near) / 2) + both;
+  const StrainRow constant_s = far * (sample_s(near, far) - sample_r(near, far) / 2) + both;
   const StrainRow twist = sample_r(third + d, third + d) - sample_r(third + d, third - 2 * d) -
                           sample_s(third + d, third + d) + sample_s(third - 2 * d, third + d);
   Eigen::Matrix<double, 2, 24> shear;
@@ -103,8 +102,8 @@ NodalMatrix TriangleShell::stiffness() const {
   in_plane.col(1) = directors_[0].cross(in_plane.col(0));
   const Eigen::Matrix<double, 18, 2> coupling = full.block<18, 3>(0, 21) * in_plane;
   const Eigen::Matrix2d bubble = in_plane.transpose() * full.block<3, 3>(21, 21) * in_plane;
-  NodalMatrix stiffness = full.topLeftCorner<18, 18>() -
-                          coupling * bubble.inverse() * coupling.transpose();
+  NodalMatrix stiffness =
+      full.topLeftCorner<18, 18>() - coupling * bubble.inverse() * coupling.transpose();
   add_membrane({0, 1, 2}, 1, stiffness);
   return (stiffness + stiffness.transpose()) / 2;
 }

@@ -24,7 +24,8 @@ Vector one(double value) { return Vector::Constant(1, value); }
 /// Rigid-body modes come first; a double mode at the end may have brought its twin.
 Vector ratios(const Vector &found, const std::vector<double> &reference, Index rigid = 0) {
   const auto size = static_cast<Index>(reference.size());
-  return found.segment(rigid, size).array() / Eigen::Map<const Vector>(reference.data(), size).array();
+  return found.segment(rigid, size).array() /
+         Eigen::Map<const Vector>(reference.data(), size).array();
 }
 
 std::vector<double> navier() {
@@ -43,43 +44,50 @@ std::vector<double> free_series() {
 }
 
 const std::vector<Case> cases = {
-    {"simply supported plate, closed form", {8, 16, 32},
+    {"simply supported plate, closed form",
+     {8, 16, 32},
      [](int n, CellShape shape) {
        return ratios(frequencies(simply_supported_plate(n, shape), 6), navier());
      }},
-    {"free plate FV12, series", {8, 16, 32},
+    {"free plate FV12, series",
+     {8, 16, 32},
      [](int n, CellShape shape) {
        return ratios(frequencies(square_plate(n, shape), 12), free_series(), 6);
      }},
-    {"free plate FV12, target", {8, 16, 32},
+    {"free plate FV12, target",
+     {8, 16, 32},
      [](int n, CellShape shape) {
        return ratios(frequencies(square_plate(n, shape), 12), free_plate_reference, 6);
      },
      0.012}, // the targets of modes 4 to 6 lie 1 % above the series
-    {"clamped rhombus FV22", {16, 32, 48},
+    {"clamped rhombus FV22",
+     {16, 32, 48},
      [](int n, CellShape shape) {
        return ratios(frequencies(clamped_rhombus(n, shape), 5), rhombus_reference);
      }},
-    {"Scordelis-Lo roof", {4, 8, 16, 32},
+    {"Scordelis-Lo roof",
+     {4, 8, 16, 32},
      [](int n, CellShape shape) {
        return one(static_at_point(scordelis_lo_roof(n, shape))[2] / scordelis_lo_reference);
      }},
-    {"pinched cylinder", {8, 16, 32, 64},
+    {"pinched cylinder",
+     {8, 16, 32, 64},
      [](int n, CellShape shape) {
        return one(static_at_point(pinched_cylinder(n, shape))[2] / pinched_cylinder_reference);
      }},
-    {"twisted beam, within", {6, 12, 24},
+    {"twisted beam, within",
+     {6, 12, 24},
      [](int n, CellShape shape) {
        return one(static_at_point(twisted_beam(n, n / 6 * 2, 2, shape))[2] /
-                  twisted_beam_across_reference);
-     }},
-    {"twisted beam, across", {6, 12, 24},
-     [](int n, CellShape shape) {
-       return one(static_at_point(twisted_beam(n, n / 6 * 2, 1, shape))[1] /
                   twisted_beam_within_reference);
      }},
-    {"hemisphere with hole", {8, 16, 32, 64},
+    {"twisted beam, across",
+     {6, 12, 24},
      [](int n, CellShape shape) {
+       return one(static_at_point(twisted_beam(n, n / 6 * 2, 1, shape))[1] /
+                  twisted_beam_across_reference);
+     }},
+    {"hemisphere with hole", {8, 16, 32, 64}, [](int n, CellShape shape) {
        return one(static_at_point(hemisphere(n, shape))[0] / hemisphere_reference);
      }}};
 

@@ -57,9 +57,9 @@ TEST(ShellStatics, StripBendsAndShears) {
     }
 }
 
-// In a strip bent within its plane the drilling rotation is that of the beam, P (L x - x^2 / 2) / E I
-// away from the forces, and the deflection of the tip P L^3 / 3 E I with 3 E I / (5/6 G A L^2) = 0.6
-// (b/L)^2 more for the shear.
+// In a strip bent within its plane the drilling rotation is that of the beam, P (L x - x^2 / 2) / E
+// I away from the forces, and the deflection of the tip P L^3 / 3 E I with 3 E I / (5/6 G A L^2) =
+// 0.6 (b/L)^2 more for the shear.
 TEST(ShellStatics, DrillingIsARotationOfTheMaterial) {
   for (const CellShape shape : both) {
     const double stiffness = 2e11 * 0.01 * std::pow(0.2, 3) / 12;
@@ -86,10 +86,8 @@ TEST(ShellStatics, WeightAndPressureOfAPlate) {
 // centre, E I = sum (E I + E A e^2), and the displacement is that of one beam.
 TEST(ShellStatics, AnEccentricStiffenerActsTogetherWithTheShell) {
   ShellDefinition shell;
-  shell.plate = structure::Plate{.corner = {0, 0, 0},
-                                 .first_end = {1, 0, 0},
-                                 .second_end = {0, 0.02, 0},
-                                 .elements = {40, 1}};
+  shell.plate = structure::Plate{
+      .corner = {0, 0, 0}, .first_end = {1, 0, 0}, .second_end = {0, 0.02, 0}, .elements = {40, 1}};
   shell.parts.push_back({"strip", "all", 0.002, {2e11, 0, 8000}});
   shell.supports.push_back({"root", {"left", {}}, hold_all, {}});
   // Half a beam along each edge, so that nothing twists.

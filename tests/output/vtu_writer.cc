@@ -96,7 +96,8 @@ TEST_F(VtuWriter, LumpedBodiesAloneHaveNoModes) {
   EXPECT_FALSE(fs::exists(path / "modes.pvd"));
 }
 
-/// A quadrilateral and a triangle with a stiffener between them, one mode and a static displacement.
+/// A quadrilateral and a triangle with a stiffener between them, one mode and a static
+/// displacement.
 ReducedBody small_shell() {
   ReducedBody body;
   body.name = "panel";

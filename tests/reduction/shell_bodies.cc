@@ -1,4 +1,5 @@
-// Bodies of shells, their static displacements and attachment modes, from definition to reduced body.
+// Bodies of shells, their static displacements and attachment modes, from definition to reduced
+// body.
 #include "modes/solve_shell.h"
 #include "reduction/beam_bodies.h"
 #include "reduction/body_file.h"
@@ -42,8 +43,8 @@ constexpr Index along_x = 0;
 
 } // namespace
 
-// NAFEMS 13H: the plate answers to a pressure of 100 Pa at its first frequency, with 2 % of critical
-// damping, by 45.42 mm. A pressure p acts like a base acceleration p / (rho t).
+// NAFEMS 13H: the plate answers to a pressure of 100 Pa at its first frequency, with 2 % of
+// critical damping, by 45.42 mm. A pressure p acts like a base acceleration p / (rho t).
 TEST(ShellBodies, HarmonicPressureOf13H) {
   BodyDefinition definition = body_of(plate_with_middle(24), 16);
   definition.damping.ratios = {0.02};
@@ -117,8 +118,8 @@ TEST(ShellBodies, FlexibilityOfACantilever) {
   const BodyPoint &head = body.point("head");
   const double exact = std::pow(0.3, 3) / (3 * bending_stiffness(definition.beam));
   EXPECT_NEAR(head.flexibility(along_x, along_x) / exact, 1, 1e-9);
-  EXPECT_NEAR(body.flexibility_share(head, Vector3::UnitX()),
-              12 / std::pow(clamped_free(1)[0], 4), 1e-5);
+  EXPECT_NEAR(body.flexibility_share(head, Vector3::UnitX()), 12 / std::pow(clamped_free(1)[0], 4),
+              1e-5);
   EXPECT_EQ(body.flexibility_share(head, Vector3::UnitY()), 1) << "held, nothing to carry";
 }
 
@@ -134,8 +135,8 @@ TEST(ShellBodies, AttachmentModesCompleteTheFlexibility) {
   const double found = (head.array() * belly.array() / body.stiffness.transpose().array()).sum();
   const double length = 0.3;
   const double middle = length / 2;
-  const double exact = middle * middle * (3 * length - middle) /
-                       (6 * bending_stiffness(cantilever(1)));
+  const double exact =
+      middle * middle * (3 * length - middle) / (6 * bending_stiffness(cantilever(1)));
   EXPECT_NEAR(found / exact, 1, 1e-9);
 }
 
@@ -165,9 +166,9 @@ TEST(ShellBodies, WithAllModesThereIsNothingToAttach) {
   EXPECT_EQ(reduce(definition, MPI_COMM_WORLD).size(), 4);
 }
 
-// A free beam that is pushed at its end: what its elastic modes answer, with the inertia of its rigid
-// motion. From the closed form of a free beam under P and uniform rigid accelerations the tip bends
-// relative to its mean motion by P L^3 / (105 E I).
+// A free beam that is pushed at its end: what its elastic modes answer, with the inertia of its
+// rigid motion. From the closed form of a free beam under P and uniform rigid accelerations the tip
+// bends relative to its mean motion by P L^3 / (105 E I).
 TEST(ShellBodies, AttachmentModesOfAFreeBody) {
   BodyDefinition definition = attached_beam(3);
   definition.beam.supports.clear();

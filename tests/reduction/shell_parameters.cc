@@ -119,11 +119,11 @@ TEST(ShellParameters, APlateIsReduced) {
 }
 
 TEST(ShellParameters, ACylinderIsRead) {
-  const std::string text = changed(
-      "    set Plate = 0 m, 0 m, 0 m -> 2 m, 0 m, 0 m -> 0 m, 1 m, 0 m\n",
-      "    set Cylinder = 0 m, 0 m, 0 m -> 2 m, 0 m, 0 m\n    set Radius = 30 cm\n"
-      "    set Angles = 0 deg, 90 deg\n    set Orientation = 0, 0, 1\n"
-      "    set Cell shape = triangle\n");
+  const std::string text =
+      changed("    set Plate = 0 m, 0 m, 0 m -> 2 m, 0 m, 0 m -> 0 m, 1 m, 0 m\n",
+              "    set Cylinder = 0 m, 0 m, 0 m -> 2 m, 0 m, 0 m\n    set Radius = 30 cm\n"
+              "    set Angles = 0 deg, 90 deg\n    set Orientation = 0, 0, 1\n"
+              "    set Cell shape = triangle\n");
   const structure::ShellDefinition shell = definition_of(text).shell;
   ASSERT_TRUE(shell.cylinder);
   EXPECT_DOUBLE_EQ(shell.cylinder->radius, 0.3);
@@ -133,9 +133,9 @@ TEST(ShellParameters, ACylinderIsRead) {
 }
 
 TEST(ShellParameters, KeysThatDoNotFitAreRefused) {
-  const std::string geometry =
-      "    set Plate = 0 m, 0 m, 0 m -> 2 m, 0 m, 0 m -> 0 m, 1 m, 0 m\n";
-  expect_message(changed(geometry, ""), {"test.prm", "Geometry", "one of Mesh, Plate and Cylinder"});
+  const std::string geometry = "    set Plate = 0 m, 0 m, 0 m -> 2 m, 0 m, 0 m -> 0 m, 1 m, 0 m\n";
+  expect_message(changed(geometry, ""),
+                 {"test.prm", "Geometry", "one of Mesh, Plate and Cylinder"});
   expect_message(changed(geometry, geometry + "    set Mesh = panel.msh\n"),
                  {"one of Mesh, Plate and Cylinder"});
   expect_message(changed(geometry, geometry + "    set Line = 0 m, 0 m, 0 m -> 1 m, 0 m, 0 m\n"),
@@ -147,7 +147,8 @@ TEST(ShellParameters, KeysThatDoNotFitAreRefused) {
   expect_message(changed("set Type = shell", "set Type = beam"), {"no use for a subsection Shell"});
   expect_message(changed("  subsection Shell deck\n    set Thickness = 10 mm\n  end\n", ""),
                  {"at least one subsection Shell"});
-  expect_message(changed("    set Thickness = 10 mm\n", ""), {"Shell deck", "Thickness", "must be given"});
+  expect_message(changed("    set Thickness = 10 mm\n", ""),
+                 {"Shell deck", "Thickness", "must be given"});
   expect_message(changed("    set Young modulus = 200 GPa\n", ""),
                  {"Young modulus", "must be given"});
 }
@@ -157,8 +158,9 @@ TEST(ShellParameters, PlacesThatDoNotExistAreNamed) {
                  {"Stiffener rib", "bottom, edges, left, right, top, all"});
   expect_message(changed("    set On = bottom\n", ""), {"Stiffener rib", "On", "must be given"});
   expect_message(changed("At = top", "At = roof"), {"Load push", "At", "bottom, edges, left"});
-  expect_message(changed("    set Thickness = 10 mm\n", "    set Thickness = 10 mm\n    set On = skin\n"),
-                 {"Shell deck", "On", "must be one of: all"});
+  expect_message(
+      changed("    set Thickness = 10 mm\n", "    set Thickness = 10 mm\n    set On = skin\n"),
+      {"Shell deck", "On", "must be one of: all"});
   expect_message(changed("symmetric x, z", "symmetric w"), {"Fix", "symmetric w", "symmetric x"});
   expect_message(changed("set Near = 1.1 m", "set Position = 1.1 m"),
                  {"Position", "nearest one is at (1, 0.5, 0) m"});
@@ -167,8 +169,9 @@ TEST(ShellParameters, PlacesThatDoNotExistAreNamed) {
 
 TEST(ShellParameters, LoadsThatDoNothingAreRefused) {
   expect_message(changed("    set Pressure = 2 kPa\n", ""), {"Load wind", "does nothing"});
-  expect_message(changed("    set Pressure = 2 kPa\n", "    set Pressure = 2 kPa\n    set At = top\n"),
-                 {"Load wind", "no Force or Moment"});
+  expect_message(
+      changed("    set Pressure = 2 kPa\n", "    set Pressure = 2 kPa\n    set At = top\n"),
+      {"Load wind", "no Force or Moment"});
   expect_message(changed("    set At = top\n", ""), {"Load push", "one of At, Position and Near"});
 }
 

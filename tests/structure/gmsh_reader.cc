@@ -164,8 +164,8 @@ TEST(GmshReader, AllFourFormsGiveTheSameSurfaces) {
   EXPECT_EQ(first.line_groups.at("left edge").size(), 3U);
   EXPECT_EQ(first.groups.at("left edge").size(), 4U);
   for (const char *form : {"22-binary", "41-ascii", "41-binary"}) {
-    const Mesh other = parse_gmsh(content_of(std::string("tests/structure/meshes/mixed-") + form +
-                                             ".msh"));
+    const Mesh other =
+        parse_gmsh(content_of(std::string("tests/structure/meshes/mixed-") + form + ".msh"));
     EXPECT_EQ(other.surfaces, first.surfaces) << form;
     EXPECT_EQ(other.lines, first.lines) << form;
     EXPECT_EQ(other.groups, first.groups) << form;

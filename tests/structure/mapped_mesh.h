@@ -12,12 +12,11 @@ namespace vibroimpact::examples {
 /// right, bottom and top as in a generated plate.
 inline std::string mapped_mesh(int columns, int rows, structure::CellShape shape,
                                const std::function<Vector3(double, double)> &position) {
-  const structure::Mesh mesh =
-      structure::generate_plate({.corner = {0, 0, 0},
-                                 .first_end = {1, 0, 0},
-                                 .second_end = {0, 1, 0},
-                                 .elements = {columns, rows},
-                                 .shape = shape});
+  const structure::Mesh mesh = structure::generate_plate({.corner = {0, 0, 0},
+                                                          .first_end = {1, 0, 0},
+                                                          .second_end = {0, 1, 0},
+                                                          .elements = {columns, rows},
+                                                          .shape = shape});
   std::ostringstream text;
   text.precision(17);
   text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n1 1 \"left\"\n1 2 \"right\"\n"

@@ -56,14 +56,13 @@ const Material material = {1e6, 0.25, 1000};
 // or each cut into two triangles; turned in space, and warped when asked for.
 Patch patch(CellShape shape, double thickness, bool warped = false) {
   Patch patch;
-  patch.nodes = {{0, 0, 0},      {.24, 0, 0},    {.24, .12, 0},  {0, .12, 0},
-                 {.04, .02, 0},  {.18, .03, 0},  {.16, .08, 0},  {.08, .08, 0}};
+  patch.nodes = {{0, 0, 0},     {.24, 0, 0},   {.24, .12, 0}, {0, .12, 0},
+                 {.04, .02, 0}, {.18, .03, 0}, {.16, .08, 0}, {.08, .08, 0}};
   if (warped) {
     patch.nodes[5].z() = 0.01;
     patch.nodes[7].z() = -0.015;
   }
-  patch.rotation =
-      Eigen::AngleAxisd(0.8, Vector3(1, 2, -1).normalized()).toRotationMatrix();
+  patch.rotation = Eigen::AngleAxisd(0.8, Vector3(1, 2, -1).normalized()).toRotationMatrix();
   for (Vector3 &node : patch.nodes)
     node = patch.rotation * node;
   const auto at = [&](int i) { return patch.nodes[i]; };
@@ -121,9 +120,7 @@ const Field bending = [](const Vector3 &x) {
   return components(0, 0, (x[0] * x[0] + x[0] * x[1] + x[1] * x[1]) / 2, x[1] + x[0] / 2,
                     -x[0] - x[1] / 2, 0);
 };
-const Field shearing = [](const Vector3 &x) {
-  return components(0, 0, x[0] + x[1] / 2, 0, 0, 0);
-};
+const Field shearing = [](const Vector3 &x) { return components(0, 0, x[0] + x[1] / 2, 0, 0, 0); };
 
 constexpr std::array both = {CellShape::quadrilateral, CellShape::triangle};
 
@@ -133,8 +130,8 @@ Vector eigenvalues(const Matrix &matrix) {
 
 } // namespace
 
-// Turned in space, round-off of the membrane meets the bending stiffness, (size / thickness)^2 times
-// smaller: some 1e4 for the thin patch.
+// Turned in space, round-off of the membrane meets the bending stiffness, (size / thickness)^2
+// times smaller: some 1e4 for the thin patch.
 TEST(ShellElements, MembranePatchTest) {
   for (const CellShape shape : both)
     for (const double thickness : {1e-3, 0.1}) {
@@ -183,8 +180,8 @@ TEST(ShellElements, RigidMotionCausesNoForce) {
       const NodalMatrix stiffness = element->stiffness();
       NodalVector u(stiffness.rows());
       for (std::size_t i = 0; i < element->nodes().size(); ++i)
-        u.segment<6>(6 * static_cast<Index>(i)) << Vector3(100, 200, 300) +
-                                                       omega.cross(body.nodes[element->nodes()[i]]),
+        u.segment<6>(6 * static_cast<Index>(i))
+            << Vector3(100, 200, 300) + omega.cross(body.nodes[element->nodes()[i]]),
             omega;
       EXPECT_LT((stiffness * u).norm(), 1e-12 * stiffness.norm() * u.norm());
       // Displacements of some 100 m are known to 1e-14 m only.

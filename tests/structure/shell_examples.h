@@ -15,9 +15,11 @@ inline constexpr std::array<bool, 6> hold_all = {true, true, true, true, true, t
 /// Square plate of NAFEMS FV12: 10 m, 50 mm thick, in the x-y plane.
 inline ShellDefinition square_plate(int elements, CellShape shape = CellShape::quadrilateral) {
   ShellDefinition shell;
-  shell.plate = structure::Plate{
-      .corner = {0, 0, 0}, .first_end = {10, 0, 0}, .second_end = {0, 10, 0},
-      .elements = {elements, elements}, .shape = shape};
+  shell.plate = structure::Plate{.corner = {0, 0, 0},
+                                 .first_end = {10, 0, 0},
+                                 .second_end = {0, 10, 0},
+                                 .elements = {elements, elements},
+                                 .shape = shape};
   shell.parts.push_back({"plate", "all", 0.05, {200e9, 0.3, 8000}});
   return shell;
 }

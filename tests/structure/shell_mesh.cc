@@ -42,7 +42,8 @@ std::string problem_of(const std::function<void()> &action) {
   return "";
 }
 
-void expect_problem(const Mesh &mesh, const std::string &words, const std::vector<int> &beams = {}) {
+void expect_problem(const Mesh &mesh, const std::string &words,
+                    const std::vector<int> &beams = {}) {
   const std::string problem = problem_of([&] { check_surface_mesh(mesh, beams); });
   EXPECT_NE(problem.find(words), std::string::npos) << problem;
 }
@@ -64,7 +65,8 @@ TEST(ShellMesh, APlateHasItsNodesEdgesAndNormals) {
   EXPECT_EQ(mesh.line_groups.at("edges").size(), 12U);
   EXPECT_NO_THROW(check_surface_mesh(mesh, {}));
   const auto n = mesh.surfaces[0].nodes();
-  EXPECT_GT((mesh.nodes[n[1]] - mesh.nodes[n[0]]).cross(mesh.nodes[n[2]] - mesh.nodes[n[0]]).z(), 0);
+  EXPECT_GT((mesh.nodes[n[1]] - mesh.nodes[n[0]]).cross(mesh.nodes[n[2]] - mesh.nodes[n[0]]).z(),
+            0);
 }
 
 TEST(ShellMesh, TrianglesCoverTheSameArea) {
@@ -158,8 +160,7 @@ TEST(ShellMesh, LooseNodesAndPartsAreFound) {
 }
 
 TEST(ShellMesh, ALineMeshHasNoSurfaces) {
-  const std::string problem =
-      problem_of([] { check_line_mesh(generate_plate(unit_plate(2, 1))); });
+  const std::string problem = problem_of([] { check_line_mesh(generate_plate(unit_plate(2, 1))); });
   EXPECT_NE(problem.find("lines only"), std::string::npos) << problem;
 }
 

@@ -1,0 +1,99 @@
+// Bodies of shells that cannot be used as given: what the message says in a whole file.
+#include "support/simulation_files.h"
+
+#include <gtest/gtest.h>
+
+namespace vibroimpact {
+namespace {
+
+using testing::changed;
+using testing::message_of;
+
+const std::string sound = R"(set Analyses = shapes
+subsection Body plate
+  set Type = shell
+  subsection Geometry
+    set Plate = 0 m, 0 m, 0 m -> 2 m, 0 m, 0 m -> 0 m, 1 m, 0 m
+    set Divisions = 4, 2
+  end
+  subsection Material
+    set Young modulus = 200 GPa
+    set Density = 8000 kg/m^3
+  end
+  subsection Shell deck
+    set Thickness = 10 mm
+  end
+  subsection Stiffener rib
+    set On = bottom
+    set Width = 5 mm
+    set Thickness = 40 mm
+  end
+  subsection Support left
+    set At = left
+    set Fix = all
+  end
+  subsection Point corner
+    set Near = 2 m, 1 m, 0 m
+  end
+  subsection Load wind
+    set Pressure = 2 kPa
+  end
+  subsection Modes
+    set Attachments = corner.z
+  end
+end
+subsection Analysis shapes
+  set Type = modal
+end
+)";
+
+struct Broken {
+  const char *what;
+  std::string from;
+  std::string to;
+  std::vector<std::string> words;
+};
+
+TEST(BrokenInputShellsTest, TheFileItselfIsSound) { EXPECT_EQ(message_of(sound), ""); }
+
+TEST(BrokenInputShellsTest, MessagesNameTheKeyAndWhatIsAllowed) {
+  const std::vector<Broken> cases = {
+      {"negative thickness", "Thickness = 10 mm", "Thickness = -1 mm", {"Shell deck", "Thickness"}},
+      {"thickness in kilograms", "Thickness = 10 mm", "Thickness = 1 kg", {"Thickness", "1 kg"}},
+      {"no divisions", "Divisions = 4, 2", "Divisions = 0, 2", {"Divisions"}},
+      {"half a division", "Divisions = 4, 2", "Divisions = 4, 1.5", {"Divisions", "whole"}},
+      {"flat plate", "0 m, 1 m, 0 m\n", "3 m, 0 m, 0 m\n", {"Plate", "parallel"}},
+      {"unknown edge", "At = left", "At = west", {"Support left", "left", "right", "edges"}},
+      {"unknown line", "On = bottom", "On = keel", {"Stiffener rib", "On", "bottom"}},
+      {"no section", "    set Width = 5 mm\n", "", {"Stiffener rib", "Width"}},
+      {"unknown attachment", "corner.z", "corner.rz", {"Attachments", "corner.rz", "corner.z"}},
+      {"attachment of nowhere", "corner.z", "tip.z", {"Attachments", "tip.z"}},
+      {"load without supports",
+       "  subsection Support left\n    set At = left\n    set Fix = all\n  end\n",
+       "",
+       {"needs supports that hold it"}},
+      {"no load", "    set Pressure = 2 kPa\n", "", {"Load wind", "does nothing"}},
+      {"too many modes",
+       "  subsection Modes\n",
+       "  subsection Modes\n    set Number = 1000\n",
+       {"Modes", "Number", "must not exceed"}},
+      {"no mesh file",
+       "    set Plate = 0 m, 0 m, 0 m -> 2 m, 0 m, 0 m -> 0 m, 1 m, 0 m\n"
+       "    set Divisions = 4, 2\n",
+       "    set Mesh = nowhere.msh\n",
+       {"Mesh", "nowhere.msh"}},
+      {"cross-section of a beam body",
+       "  subsection Material\n",
+       "  subsection Section\n    set Width = 1 mm\n  end\n  subsection Material\n",
+       {"no use for a subsection Section"}}};
+  for (const Broken &broken : cases) {
+    const std::string message = message_of(changed(sound, broken.from, broken.to));
+    EXPECT_NE(message.find("test.prm"), std::string::npos) << broken.what << ": " << message;
+    for (const std::string &word : broken.words)
+      EXPECT_NE(message.find(word), std::string::npos)
+          << broken.what << ": " << word << " is not in: " << message;
+  }
+}
+
+} // namespace
+} // namespace vibroimpact
