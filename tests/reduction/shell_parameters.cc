@@ -164,7 +164,7 @@ TEST(ShellParameters, PlacesThatDoNotExistAreNamed) {
   expect_message(changed("symmetric x, z", "symmetric w"), {"Fix", "symmetric w", "symmetric x"});
   expect_message(changed("set Near = 1.1 m", "set Position = 1.1 m"),
                  {"Position", "nearest one is at (1, 0.5, 0) m"});
-  expect_message(changed("middle.z", "middle.w"), {"Attachments", "middle.w", "middle.z"});
+  expect_message(changed("middle.z", "middle.w"), {"Attachments", "middle.w", "did you mean"});
 }
 
 TEST(ShellParameters, LoadsThatDoNothingAreRefused) {

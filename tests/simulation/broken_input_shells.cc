@@ -66,7 +66,7 @@ TEST(BrokenInputShellsTest, MessagesNameTheKeyAndWhatIsAllowed) {
       {"unknown edge", "At = left", "At = west", {"Support left", "left", "right", "edges"}},
       {"unknown line", "On = bottom", "On = keel", {"Stiffener rib", "On", "bottom"}},
       {"no section", "    set Width = 5 mm\n", "", {"Stiffener rib", "Width"}},
-      {"unknown attachment", "corner.z", "corner.rz", {"Attachments", "corner.rz", "corner.z"}},
+      {"unknown attachment", "corner.z", "corner.rz", {"Attachments", "corner.rz", "did you mean"}},
       {"attachment of nowhere", "corner.z", "tip.z", {"Attachments", "tip.z"}},
       {"load without supports",
        "  subsection Support left\n    set At = left\n    set Fix = all\n  end\n",
