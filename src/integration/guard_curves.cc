@@ -137,8 +137,9 @@ double FallSearch::refine(double lower, double upper) const {
 double FallSearch::fall_between(double lower, double upper) const {
   if (at(lower).value > 0)
     return refine(lower, upper);
-  for (double part = 0.5; part > std::numeric_limits<double>::epsilon(); part /= 2) {
-    const double between = lower + part * (upper - lower);
+  double between = upper;
+  for (int halvings = 0; halvings < std::numeric_limits<double>::digits; ++halvings) {
+    between = lower + 0.5 * (between - lower);
     if (at(between).value > 0)
       return refine(between, upper);
   }
