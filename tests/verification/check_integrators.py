@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """Every figure of the checks by both integrators: `flight` as the shipped files have it, and adaptive
-Runge-Kutta of order 5 throughout at the tightest tolerance that rounding lets it use.
+Runge-Kutta of order 5 throughout, at a tolerance with which its energy balance closes to 1e-12.
 
 The quantities, references and tolerances are those of the check of the system; both integrators must
 meet them. Runge-Kutta takes up to a hundred times as long, so that some sweeps are thinned out here,
-for both alike. A minute to half an hour for each system.
+for both alike. Minutes for each system on an idle machine.
 
 usage: check_integrators.py PROGRAM SOURCE --system NAME [--page FILE] [--keep FOLDER] [--ranks N]
 """
