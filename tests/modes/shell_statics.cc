@@ -92,7 +92,8 @@ TEST(ShellStatics, AnEccentricStiffenerActsTogetherWithTheShell) {
   shell.supports.push_back({"root", {"left", {}}, hold_all, {}});
   // Half a beam along each edge, so that nothing twists.
   for (const char *edge : {"bottom", "top"}) {
-    structure::Stiffener stiffener{.name = edge, .on = edge};
+    structure::Stiffener stiffener;
+    stiffener.name = stiffener.on = edge;
     stiffener.section.width = 0.004;
     stiffener.section.thickness = 0.006;
     stiffener.material = {2e11, 0, 8000};

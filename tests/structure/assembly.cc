@@ -4,6 +4,8 @@
 #include "modes/vector_block.h"
 #include "structure/beam_examples.h"
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
 using namespace vibroimpact;
