@@ -38,8 +38,7 @@ std::string digits17(double value) {
 /// No name that a text can hold.
 std::string placeholder(std::size_t argument) { return "X_" + std::to_string(argument) + "_"; }
 
-/// Writes an expression with units and variables as one of plain numbers, the four scales and
-/// placeholders for arguments.
+/// Writes an expression as one of plain numbers, the four scales and placeholders for arguments.
 class Translation {
 public:
   Translation(const std::string &text, const VariableTable &variables, bool zero_variables_as_one,
