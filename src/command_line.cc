@@ -30,7 +30,7 @@ options::options_description described_options() {
       ("resume", options::value<std::string>()->value_name("DIR"),                          //
        "go on where a run in this folder stopped")                                          //
       ("lines-at-once", options::value<std::string>()->value_name("N"),                     //
-       "lines of an analysis that a process works at together, default 16; for speed only") //
+       "lines of an analysis that a process works at together, default 1; for speed only") //
       ("print-parameters", options::value<std::string>()->value_name("FORMAT"),             //
        "print the reference of all keys: markdown, prm or json");
   return description;
