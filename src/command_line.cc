@@ -18,20 +18,20 @@ namespace options = boost::program_options;
 
 options::options_description described_options() {
   options::options_description description("Options");
-  description.add_options()                                                                 //
-      ("help", "show this text")                                                            //
-      ("version", "show version and libraries")                                             //
-      ("check", "read and check the file, estimate the cost, run nothing")                  //
-      ("set", options::value<std::vector<std::string>>()->value_name("PATH=VALUE"),         //
-       "override a key, e.g. --set \"Contact/stop/Clearance=0.7 mm\"; may be repeated")     //
-      ("output", options::value<std::string>()->value_name("DIR"),                          //
-       "folder of the results; default: output/ and the name of the file")                  //
-      ("overwrite", "replace the results an earlier run left in that folder")               //
-      ("resume", options::value<std::string>()->value_name("DIR"),                          //
-       "go on where a run in this folder stopped")                                          //
-      ("lines-at-once", options::value<std::string>()->value_name("N"),                     //
-       "lines of an analysis that a process works at together, default 16; for speed only") //
-      ("print-parameters", options::value<std::string>()->value_name("FORMAT"),             //
+  description.add_options()                                                                //
+      ("help", "show this text")                                                           //
+      ("version", "show version and libraries")                                            //
+      ("check", "read and check the file, estimate the cost, run nothing")                 //
+      ("set", options::value<std::vector<std::string>>()->value_name("PATH=VALUE"),        //
+       "override a key, e.g. --set \"Contact/stop/Clearance=0.7 mm\"; may be repeated")    //
+      ("output", options::value<std::string>()->value_name("DIR"),                         //
+       "folder of the results; default: output/ and the name of the file")                 //
+      ("overwrite", "replace the results an earlier run left in that folder")              //
+      ("resume", options::value<std::string>()->value_name("DIR"),                         //
+       "go on where a run in this folder stopped")                                         //
+      ("lines-at-once", options::value<std::string>()->value_name("N"),                    //
+       "lines of an analysis that a process works at together, default 1; for speed only") //
+      ("print-parameters", options::value<std::string>()->value_name("FORMAT"),            //
        "print the reference of all keys: markdown, prm or json");
   return description;
 }

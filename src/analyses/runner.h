@@ -38,9 +38,9 @@ struct RunSummary {
   bool interrupted = false;
 };
 
-/// Lines that a rank has in work at once, so that their motions share the vector lanes: twice as
-/// many as there are lanes, because some of them always do other things than fly.
-constexpr std::size_t default_lines_at_once = 16;
+/// Lines that a rank has in work at once. With more than one their motions share the vector lanes,
+/// which has not made whole sweeps faster yet (docs/benchmarks.md).
+constexpr std::size_t default_lines_at_once = 1;
 
 /// Collective. Without keys the analysis runs once. In a grid, a point whose parameters cannot be
 /// used is recorded as failed; without grid the InputError is thrown on every rank.

@@ -128,7 +128,7 @@ class Runs(unittest.TestCase):
 
     def test_lines_at_once_give_the_same_bytes(self):
         """Also where points fail: too many steps for some of them."""
-        for limit in ("0", STEPS_FOR_SOME):
+        for limit in ("0", "100"):
             reference = None
             for lines, ranks in ((1, 1), (2, 1), (5, 1), (16, 1), (16, 2)):
                 out = self.folder / f"lines{limit}-{lines}-{ranks}"
@@ -138,9 +138,10 @@ class Runs(unittest.TestCase):
                                  done.stdout + done.stderr)
                 found = datasets(out)
                 if reference is None and limit != "0":
-                    failed = (h5py.File(out / "results.h5")["analysis/map/status"][()] != 1).sum()
+                    with h5py.File(out / "results.h5") as file:
+                        failed = np.count_nonzero(file["analysis/map/status"][()])
                     self.assertGreater(failed, 0)
-                    self.assertLess(failed, 48)
+                    self.assertLess(failed, 36)
                 reference = reference or found
                 self.assertEqual(found, reference)
 
