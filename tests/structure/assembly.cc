@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 using modes::Block;
