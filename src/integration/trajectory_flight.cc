@@ -3,6 +3,7 @@
 #include "integration/unwatched_flight.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace vibroimpact {
 
@@ -19,7 +20,10 @@ bool Trajectory::fly(double limit, Observer &observer) {
       .change = [&](double when, std::size_t contact, std::size_t guard, Vector &changed) {
         change_mode(when, contact, guard, changed, observer);
       }};
-  const bool moved = flight_->fly(instant, state, limit, watched_ ? &company : nullptr);
+  const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - events_
+                                                        : std::numeric_limits<long>::max();
+  const bool moved =
+      flight_->fly(instant, state, limit, most_events, watched_ ? &company : nullptr);
   const UnwatchedFlight::Tally tally = flight_->take_tally();
   steps_ += tally.pieces;
   events_ = events_before + tally.events;

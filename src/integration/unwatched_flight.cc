@@ -297,7 +297,8 @@ void UnwatchedFlight::land(double time, Vector &state) {
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");
 }
 
-bool UnwatchedFlight::fly(double &time, Vector &state, double limit, const FlightCompany *company) {
+bool UnwatchedFlight::fly(double &time, Vector &state, double limit, long most_events,
+                          const FlightCompany *company) {
   company_ = company;
   state_ = &state;
   if ((!aloft_ && !take_off(time, state)) || !begin_stretch(time))
@@ -310,7 +311,7 @@ bool UnwatchedFlight::fly(double &time, Vector &state, double limit, const Fligh
     const long before = kernel_.pieces();
     end = fly_in_batch(kernel_, limit - origin_);
     tally_.pieces += kernel_.pieces() - before;
-    if (end == FlightKernel::End::guard && !change_phase())
+    if (end == FlightKernel::End::guard && (most_events-- <= 0 || !change_phase()))
       break;
   }
   aloft_ = end == FlightKernel::End::limit;

@@ -44,9 +44,10 @@ public:
   void leave() { aloft_ = false; }
 
   /// Flies on from (time, state) in the present modes of the equations, to `limit` (no later than
-  /// the next break of the sources) at most. True when that moved the motion on. Without company
-  /// the entries of the ledger stay as they are.
-  bool fly(double &time, Vector &state, double limit, const FlightCompany *company = nullptr);
+  /// the next break of the sources) and through `most_events` contact changes at most. True when
+  /// that moved the motion on. Without company the entries of the ledger stay as they are.
+  bool fly(double &time, Vector &state, double limit, long most_events,
+           const FlightCompany *company = nullptr);
   /// Of all flights so far; add up and clear.
   Tally take_tally();
   double last_event() const { return last_event_; }
