@@ -226,6 +226,9 @@ Basis make_basis(const BodyDefinition &definition, const AssembledBody &body,
   const Matrix loads = attachment_loads(definition, body);
   if (loads.cols() == 0)
     return basis;
+  if (modes.eigenvalues[modes.eigenvalues.size() - 1] == 0)
+    throw DefinitionError("Modes", "", "Number",
+                          "must take in an elastic mode of a free body with Attachments");
   const modes::AttachmentModes more =
       modes::residual_attachment_modes(problem_of(body), modes, loads);
   const Index size = modes.number + more.eigenvalues.size();
@@ -242,6 +245,7 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
   if (modes.number == 0)
     throw DefinitionError("Modes", "", "Band", "must hold at least one natural frequency");
   warn_of_implausible(definition.name, assembled, modes.eigenvalues);
+  const Statics statics = solve_statics(definition, assembled, modes.eigenvalues);
   Basis basis = make_basis(definition, assembled, modes);
 
   ReducedBody body;
@@ -253,7 +257,6 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
       modal_damping(definition.damping, assembled, body.stiffness, basis.shapes, modes.number);
   body.base_participation =
       free_rows(assembled.free, basis.shapes).transpose() * assembled.base_inertia;
-  const Statics statics = solve_statics(definition, assembled, modes.eigenvalues);
   add_points(assembled.model, basis.shapes, statics, body);
   body.recovery = recovery(assembled.model.mesh, std::move(basis.shapes));
   body.recovery.static_displacement = statics.deflection;

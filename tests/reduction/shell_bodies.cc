@@ -180,3 +180,10 @@ TEST(ShellBodies, AttachmentModesOfAFreeBody) {
   const double exact = std::pow(0.3, 3) / (105 * bending_stiffness(definition.beam));
   EXPECT_NEAR(found / exact, 1, 1e-4);
 }
+
+TEST(ShellBodies, AttachmentModesOfAFreeBodyNeedAnElasticMode) {
+  BodyDefinition definition = attached_beam(2);
+  definition.beam.supports.clear();
+  hold_plane(definition.beam);
+  EXPECT_THROW(reduce(definition, MPI_COMM_WORLD), structure::DefinitionError);
+}
