@@ -1,4 +1,4 @@
-// A linear phase for the kernel of unwatched flights: its guards as sums of exponentials, and the
+// A linear phase for the kernel of flights: its guards as sums of exponentials, and the
 // way from the state to the amplitudes and back.
 #pragma once
 

@@ -1,7 +1,7 @@
 #include "integration/trajectory.h"
 
 #include "common/error.h"
-#include "integration/unwatched_flight.h"
+#include "integration/flight_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,7 @@ Trajectory::Trajectory(const Model &model, const ContactSet &contacts,
     : settings_(settings), equations_(model, contacts), collisions_(equations_, settings_),
       steppers_(equations_, settings) {
   if (steppers_.flight())
-    flight_ = std::make_unique<UnwatchedFlight>(equations_, *steppers_.flight(),
+    flight_ = std::make_unique<FlightPath>(equations_, *steppers_.flight(),
                                                 settings.event_tolerance);
 }
 

@@ -17,7 +17,7 @@
 
 namespace vibroimpact {
 
-class UnwatchedFlight;
+class FlightPath;
 
 /// How well a motion was integrated since start(), the energy since the last stretch that nobody
 /// watched.
@@ -121,7 +121,7 @@ private:
   Equations equations_;
   Collisions collisions_;
   Steppers steppers_;
-  std::unique_ptr<UnwatchedFlight> flight_; ///< none where the method is another
+  std::unique_ptr<FlightPath> flight_; ///< none where the method is another
   bool flown_ = false;                      ///< the steppers must begin anew to take a step
   bool watched_ = true;
   bool exact_ = true; ///< every step since the balance began

@@ -1,6 +1,6 @@
 // What a motion does without steps, and how steps take over.
 #include "integration/trajectory.h"
-#include "integration/unwatched_flight.h"
+#include "integration/flight_path.h"
 
 #include <algorithm>
 #include <limits>
@@ -24,7 +24,7 @@ bool Trajectory::fly(double limit, Observer &observer) {
                                                         : std::numeric_limits<long>::max();
   const bool moved =
       flight_->fly(instant, state, limit, most_events, watched_ ? &company : nullptr);
-  const UnwatchedFlight::Tally tally = flight_->take_tally();
+  const FlightPath::Tally tally = flight_->take_tally();
   steps_ += tally.pieces;
   events_ = events_before + tally.events;
   event_residual_ = std::max(event_residual_, tally.event_residual);

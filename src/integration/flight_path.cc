@@ -1,4 +1,4 @@
-#include "integration/unwatched_flight.h"
+#include "integration/flight_path.h"
 
 #include "common/error.h"
 #include "integration/flight_batch.h"
@@ -38,19 +38,18 @@ void set_modes(const std::vector<int> &modes, Equations &equations) {
 
 } // namespace
 
-UnwatchedFlight::UnwatchedFlight(Equations &equations, FlightStepper &stepper,
-                                 double event_tolerance)
+FlightPath::FlightPath(Equations &equations, FlightStepper &stepper, double event_tolerance)
     : equations_(equations), stepper_(stepper), event_tolerance_(event_tolerance),
       last_event_(-std::numeric_limits<double>::infinity()) {}
 
-void UnwatchedFlight::forget() {
+void FlightPath::forget() {
   forget_exponentials();
   known_ = nullptr;
   aloft_ = false;
   last_event_ = -std::numeric_limits<double>::infinity();
 }
 
-void UnwatchedFlight::forget_exponentials() {
+void FlightPath::forget_exponentials() {
   for (auto &[modes, known] : phases_) {
     known.described = false;
     known.phase.reset();
@@ -62,12 +61,12 @@ void UnwatchedFlight::forget_exponentials() {
   }
 }
 
-double UnwatchedFlight::time_tolerance(double time) const {
+double FlightPath::time_tolerance(double time) const {
   return std::max(event_tolerance_, 8 * std::numeric_limits<double>::epsilon() * std::abs(time));
 }
 
 // Phases hold the response to the inputs that the sources had when they were built.
-bool UnwatchedFlight::same_inputs() const {
+bool FlightPath::same_inputs() const {
   const std::vector<ExponentialForm> &now = stepper_.sources();
   const auto same_term = [](const ExponentialForm::Term &a, const ExponentialForm::Term &b) {
     return a.exponent == b.exponent;
@@ -80,7 +79,7 @@ bool UnwatchedFlight::same_inputs() const {
 }
 
 // Of the present modes of the equations.
-UnwatchedFlight::KnownPhase &UnwatchedFlight::known_phase() {
+FlightPath::KnownPhase &FlightPath::known_phase() {
   KnownPhase &known = phases_[equations_.modes()];
   if (known.described)
     return known;
@@ -99,7 +98,7 @@ UnwatchedFlight::KnownPhase &UnwatchedFlight::known_phase() {
 
 // To the phase beyond a guard of the present one. None where it is left to others: impacts and rest
 // are for several contacts together.
-UnwatchedFlight::Transition *UnwatchedFlight::transition(std::size_t guard) {
+FlightPath::Transition *FlightPath::transition(std::size_t guard) {
   const FlightGuard passed = known_->forms->guards()[guard];
   if (equations_.contacts().pairs()[passed.contact].law->rigid())
     return nullptr;
@@ -118,7 +117,7 @@ UnwatchedFlight::Transition *UnwatchedFlight::transition(std::size_t guard) {
   return known.get();
 }
 
-UnwatchedFlight::Transition UnwatchedFlight::find_transition(const FlightGuard &passed) {
+FlightPath::Transition FlightPath::find_transition(const FlightGuard &passed) {
   const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
   equations_.set_mode(passed.contact, passed.target);
   Transition transition{.target = &known_phase(), .proportion = {}};
@@ -133,8 +132,7 @@ UnwatchedFlight::Transition UnwatchedFlight::find_transition(const FlightGuard &
   return transition;
 }
 
-void UnwatchedFlight::set_inputs(double time, const FlightPhase &phase,
-                                 Amplitudes &amplitudes) const {
+void FlightPath::set_inputs(double time, const FlightPhase &phase, Amplitudes &amplitudes) const {
   const ExponentialBasis &basis = phase.basis();
   amplitudes.resize(basis.groups.size());
   std::size_t place = basis.n_modes();
@@ -154,7 +152,7 @@ void UnwatchedFlight::set_inputs(double time, const FlightPhase &phase,
   }
 }
 
-bool UnwatchedFlight::take_off(double time, const Vector &state) {
+bool FlightPath::take_off(double time, const Vector &state) {
   if (!stepper_.handles(time))
     return false;
   if (!same_inputs())
@@ -177,7 +175,7 @@ bool UnwatchedFlight::take_off(double time, const Vector &state) {
 
 // Makes what it takes to watch a phase, the modes of the equations being its. False: its energies
 // cannot be told in closed form.
-bool UnwatchedFlight::prepare_watch(KnownPhase &known) {
+bool FlightPath::prepare_watch(KnownPhase &known) {
   if (!known.powers)
     known.powers = std::make_unique<PowerForms>(equations_);
   if (!known.powers->known())
@@ -197,7 +195,7 @@ bool UnwatchedFlight::prepare_watch(KnownPhase &known) {
 }
 
 // A stretch is a part of a phase that is told as a whole.
-bool UnwatchedFlight::begin_stretch(double time) {
+bool FlightPath::begin_stretch(double time) {
   if (!company_) {
     kernel_.watch(nullptr);
     return true;
@@ -210,7 +208,7 @@ bool UnwatchedFlight::begin_stretch(double time) {
   return true;
 }
 
-void UnwatchedFlight::end_stretch(double time, const Amplitudes &amplitudes) {
+void FlightPath::end_stretch(double time, const Amplitudes &amplitudes) {
   if (!company_ || time <= stretch_start_)
     return;
   known_->ledger->add(stretch_, amplitudes, time - stretch_start_, *state_);
@@ -219,7 +217,7 @@ void UnwatchedFlight::end_stretch(double time, const Amplitudes &amplitudes) {
 
 // Tells of a contact change, which takes the equations to the modes after it. False, and nothing
 // happens: the phase to come cannot be watched.
-bool UnwatchedFlight::tell_change(double time, KnownPhase &next) {
+bool FlightPath::tell_change(double time, KnownPhase &next) {
   set_modes(next.forms->contact_modes(), equations_);
   const bool prepared = prepare_watch(next);
   set_modes(known_->forms->contact_modes(), equations_);
@@ -235,7 +233,7 @@ bool UnwatchedFlight::tell_change(double time, KnownPhase &next) {
 
 // The new phase's guards of the contact that changed may be zero, and must rise then; all others
 // must be positive beyond doubt.
-bool UnwatchedFlight::begin_guards(const Transition &transition, std::size_t passed) {
+bool FlightPath::begin_guards(const Transition &transition, std::size_t passed) {
   const double tolerance = time_tolerance(origin_);
   const double left = std::abs(kernel_.value_at_guard(passed));
   const std::vector<FlightGuard> &guards = transition.target->forms->guards();
@@ -262,7 +260,7 @@ bool UnwatchedFlight::begin_guards(const Transition &transition, std::size_t pas
 // Rounding turns the inputs that are carried along from phase to phase, so that they are taken from
 // their closed form again and again. False: the change is left to others; the flight stands before
 // it.
-bool UnwatchedFlight::change_phase() {
+bool FlightPath::change_phase() {
   const double time = origin_ + kernel_.flown() + kernel_.time_to_guard();
   const std::size_t passed = kernel_.guard();
   if (time - last_event_ <= time_tolerance(time))
@@ -289,7 +287,7 @@ bool UnwatchedFlight::change_phase() {
   return true;
 }
 
-void UnwatchedFlight::land(double time, Vector &state) {
+void FlightPath::land(double time, Vector &state) {
   end_stretch(time, kernel_.amplitudes());
   known_->phase->rows(kernel_.amplitudes(), rows_);
   state.head(known_->phase->size()) = rows_.head(known_->phase->size());
@@ -297,8 +295,8 @@ void UnwatchedFlight::land(double time, Vector &state) {
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");
 }
 
-bool UnwatchedFlight::fly(double &time, Vector &state, double limit, long most_events,
-                          const FlightCompany *company) {
+bool FlightPath::fly(double &time, Vector &state, double limit, long most_events,
+                     const FlightCompany *company) {
   company_ = company;
   state_ = &state;
   if ((!aloft_ && !take_off(time, state)) || !begin_stretch(time))
@@ -320,6 +318,6 @@ bool UnwatchedFlight::fly(double &time, Vector &state, double limit, long most_e
   return time > from;
 }
 
-UnwatchedFlight::Tally UnwatchedFlight::take_tally() { return std::exchange(tally_, {}); }
+FlightPath::Tally FlightPath::take_tally() { return std::exchange(tally_, {}); }
 
 } // namespace vibroimpact

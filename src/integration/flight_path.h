@@ -27,7 +27,7 @@ struct FlightCompany {
   std::function<void(double time, std::size_t contact, std::size_t guard, Vector &state)> change;
 };
 
-class UnwatchedFlight {
+class FlightPath {
 public:
   struct Tally {
     long pieces = 0;
@@ -36,7 +36,7 @@ public:
   };
 
   /// Keeps references.
-  UnwatchedFlight(Equations &equations, FlightStepper &stepper, double event_tolerance);
+  FlightPath(Equations &equations, FlightStepper &stepper, double event_tolerance);
 
   /// The frequencies of the excitation may be others.
   void forget();
