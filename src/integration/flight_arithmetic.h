@@ -2,8 +2,8 @@
 //
 // Lanes and the scalar kernel must agree to the last bit: both are made of these functions, none of
 // which fuses a multiplication with an addition (the files that use them are compiled so), and of
-// exp, sin and cos that are the same in all widths. A pack (lane_pack.h) brings the same operations
-// as a number, and masks for truth values.
+// exp, sin and cos that are the same in all widths. A pack (in the files lane_kernel_*) brings the
+// same operations as a number, and masks for truth values.
 #pragma once
 
 #include <cmath>
