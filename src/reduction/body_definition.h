@@ -17,11 +17,11 @@ struct Damping {
     viscous   ///< external, spread like the mass of the body: C = (constant / mass) M
   };
   Model model = Model::ratio;
-  std::vector<double> ratios{0.0};        ///< for the kept modes in order; the last one repeats
-  std::optional<double> attachment_ratio; ///< of attachment modes; the last of the ratios without
-  double alpha = 0;                       ///< [1/s]
-  double beta = 0;                        ///< [s]
-  double viscous_constant = 0;            ///< of the whole body [N s/m]
+  std::vector<double> ratios{0.0};          ///< for the kept modes in order; the last one repeats
+  std::optional<double> attachment_ratio{}; ///< of attachment modes; the last of the ratios without
+  double alpha = 0;                         ///< [1/s]
+  double beta = 0;                          ///< [s]
+  double viscous_constant = 0;              ///< of the whole body [N s/m]
 };
 
 /// A force at a point, along an axis (0, 1, 2), whose static answer is kept beside the modes.

@@ -74,19 +74,21 @@ void compare(const std::shared_ptr<const ContactLaw> &law, double frequency) {
     const Field &one = flown.result.fields[i];
     const Field &other = stepped.result.fields[i];
     ASSERT_EQ(one.name(), other.name()) << where;
-    if (std::isnan(other.values[0]))
+    if (std::isnan(other.values[0])) {
       EXPECT_TRUE(std::isnan(one.values[0])) << where << one.name();
-    else
+    } else {
       EXPECT_NEAR(one.values[0], other.values[0], 1e-8 * (1 + std::abs(other.values[0])))
           << where << one.name();
+    }
   }
 
   const StateLayout layout = Equations(system.model, system.contacts).layout();
   const double turnover = stepped.state[layout.absolute_input_work()];
   for (Index entry = 0; entry < layout.size(); ++entry)
-    if (entry != layout.absolute_input_work())
+    if (entry != layout.absolute_input_work()) {
       EXPECT_NEAR(flown.state[entry], stepped.state[entry], 1e-9 * (1 + turnover))
           << where << "entry " << entry;
+    }
   EXPECT_LE(flown.state[layout.absolute_input_work()], turnover * (1 + 1e-9)) << where;
 }
 

@@ -132,9 +132,10 @@ TEST_F(Hdf5FileTest, GoesOnWithAFullDiskUpToTheEnd) {
     }
     EXPECT_EQ(file.members("/group").size(), 20U);
     EXPECT_EQ(file.read_attribute("/group/7/y", "description"), "a value over x");
-    if (completed)
+    if (completed) {
       EXPECT_EQ(message_of<std::runtime_error>([&] { file.close(); }),
                 name.string() + ": cannot write: No space left on device");
+    }
   }
 }
 

@@ -29,7 +29,7 @@ ShellDefinition strip(double thickness, CellShape shape, const Vector3 &force, i
   shell.parts.push_back({"strip", "all", thickness, {2e11, 0, 8000}});
   shell.supports.push_back({"root", {"left", {}}, hold_all, {}});
   shell.points.push_back({"tip", {"", Vector3(1, 0, 0)}, 0, {0, 0, 0}});
-  shell.loads.push_back({.name = "end", .at = {"right", {}}, .force = force / (across + 1)});
+  shell.loads.push_back(force_at("end", {"right", {}}, force / (across + 1)));
   return shell;
 }
 
@@ -76,9 +76,9 @@ TEST(ShellStatics, WeightAndPressureOfAPlate) {
   shell.points.push_back({"middle", {"", Vector3(5, 5, 0)}, 0, {0, 0, 0}});
   const double bending = 200e9 * std::pow(0.05, 3) / (12 * 0.91);
   const double exact = 0.00406235 * 1e4 / bending;
-  shell.loads = {{.name = "wind", .at = {}, .pressure = 100}};
+  shell.loads = {pressure(100)};
   EXPECT_NEAR(static_at_point(shell)[2] / (100 * exact), 1, 0.005);
-  shell.loads = {{.name = "weight", .at = {}, .acceleration = {0, 0, -2}}};
+  shell.loads = {weight({0, 0, -2})};
   EXPECT_NEAR(static_at_point(shell)[2] / (-800 * exact), 1, 0.005);
 }
 
@@ -101,7 +101,7 @@ TEST(ShellStatics, AnEccentricStiffenerActsTogetherWithTheShell) {
     shell.stiffeners.push_back(stiffener);
   }
   shell.points.push_back({"tip", {"", Vector3(1, 0, 0)}, 0, {0, 0, 0}});
-  shell.loads.push_back({.name = "end", .at = {"right", {}}, .force = {0, 0, 5}});
+  shell.loads.push_back(force_at("end", {"right", {}}, {0, 0, 5}));
   const double plate_area = 0.02 * 0.002;
   const double beam_area = 2 * 0.004 * 0.006;
   const double centre = -0.004 * beam_area / (plate_area + beam_area);
@@ -113,8 +113,8 @@ TEST(ShellStatics, AnEccentricStiffenerActsTogetherWithTheShell) {
 // The sum of the reactions is the load: what the supports feel follows from the free rows.
 TEST(ShellStatics, LoadsAddUp) {
   ShellDefinition shell = strip(0.01, CellShape::triangle, {1, 2, 3});
-  shell.loads.push_back({.name = "weight", .at = {}, .acceleration = {0, 0, -10}});
-  shell.loads.push_back({.name = "wind", .at = {}, .pressure = 7});
+  shell.loads.push_back(weight({0, 0, -10}));
+  shell.loads.push_back(pressure(7));
   shell.supports.clear();
   const structure::AssembledBody body = assembled(shell);
   Vector3 sum = Vector3::Zero();

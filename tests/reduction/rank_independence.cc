@@ -83,7 +83,7 @@ TEST(RankIndependence, ShellWithStiffenerLoadsAndAttachments) {
   shell.stiffeners.push_back(rib);
   shell.supports.push_back({"wall", {"left", {}}, hold_all, {}});
   shell.points.push_back({"corner", {"", Vector3(10, 10, 0)}, 100, {1, 1, 1}});
-  shell.loads.push_back({.name = "weight", .at = {}, .acceleration = {0, 0, -9.81}});
+  shell.loads.push_back(weight({0, 0, -9.81}));
   definition.selection.number = 8;
   definition.attachments = {{"corner", 2}};
   definition.damping.ratios = {0.01};

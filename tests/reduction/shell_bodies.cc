@@ -86,7 +86,7 @@ TEST(ShellBodies, AllMassMovesWithTheBaseOfAFreePlate) {
 
 TEST(ShellBodies, FilesKeepSurfacesAndStatics) {
   ShellDefinition shell = plate_with_middle(4);
-  shell.loads.push_back({.name = "weight", .at = {}, .acceleration = {0, 0, -9.81}});
+  shell.loads.push_back(weight({0, 0, -9.81}));
   const ReducedBody body = reduce(body_of(shell, 3), MPI_COMM_WORLD);
   EXPECT_LT(body.points[0].static_displacement[2], 0);
   EXPECT_EQ(body.points[0].static_displacement,
@@ -101,7 +101,7 @@ TEST(ShellBodies, FilesKeepSurfacesAndStatics) {
 
 TEST(ShellBodies, LoadsNeedSupports) {
   ShellDefinition shell = square_plate(3);
-  shell.loads.push_back({.name = "weight", .at = {}, .acceleration = {0, 0, -9.81}});
+  shell.loads.push_back(weight({0, 0, -9.81}));
   try {
     reduce(body_of(shell, 8), MPI_COMM_WORLD);
     FAIL();

@@ -51,7 +51,7 @@ inline ShellDefinition scordelis_lo_roof(int elements, CellShape shape = CellSha
   const double angle = 40 * M_PI / 180;
   shell.points.push_back(
       {"edge", {"", Vector3(0, -25 * std::sin(angle), 25 * std::cos(angle))}, 0, {0, 0, 0}});
-  shell.loads.push_back({.name = "weight", .at = {}, .acceleration = {0, 0, -1}});
+  shell.loads.push_back(weight({0, 0, -1}));
   return shell;
 }
 
@@ -72,7 +72,7 @@ inline ShellDefinition pinched_cylinder(int elements, CellShape shape = CellShap
                     {"middle", {"bottom", {}}, symmetric_x, {}},
                     {"diaphragm", {"top", {}}, diaphragm_x, {}}};
   shell.points.push_back({"pinch", {"", Vector3(0, 0, 300)}, 0, {0, 0, 0}});
-  shell.loads.push_back({.name = "pinch", .at = {"", Vector3(0, 0, 300)}, .force = {0, 0, -0.25}});
+  shell.loads.push_back(force_at("pinch", {"", Vector3(0, 0, 300)}, {0, 0, -0.25}));
   return shell;
 }
 
@@ -90,8 +90,7 @@ inline ShellDefinition twisted_beam(int along, int across, int axis,
   shell.parts.push_back({"beam", "all", 0.32, {29e6, 0.22, 1}});
   shell.supports.push_back({"root", {"left", {}}, hold_all, {}});
   shell.points.push_back({"tip", {"", Vector3(12, 0, 0)}, 0, {0, 0, 0}});
-  shell.loads.push_back(
-      {.name = "tip", .at = {"", Vector3(12, 0, 0)}, .force = Vector3::Unit(axis)});
+  shell.loads.push_back(force_at("tip", {"", Vector3(12, 0, 0)}, Vector3::Unit(axis)));
   return shell;
 }
 
@@ -111,8 +110,8 @@ inline ShellDefinition hemisphere(int elements, CellShape shape = CellShape::qua
                     {"x", {"right", {}}, symmetric_x, {}},
                     {"z", {"", Vector3(10, 0, 0)}, {false, false, true, false, false, false}, {}}};
   shell.points.push_back({"pull", {"", Vector3(10, 0, 0)}, 0, {0, 0, 0}});
-  shell.loads = {{.name = "pull", .at = {"", Vector3(10, 0, 0)}, .force = {1, 0, 0}},
-                 {.name = "push", .at = {"", Vector3(0, 10, 0)}, .force = {0, -1, 0}}};
+  shell.loads = {force_at("pull", {"", Vector3(10, 0, 0)}, {1, 0, 0}),
+                 force_at("push", {"", Vector3(0, 10, 0)}, {0, -1, 0})};
   return shell;
 }
 

@@ -8,6 +8,8 @@
 namespace vibroimpact::examples {
 
 using structure::CellShape;
+using structure::Load;
+using structure::Location;
 using structure::ShellDefinition;
 
 inline constexpr std::array<bool, 6> hold_all = {true, true, true, true, true, true};
@@ -37,6 +39,31 @@ inline double plate_frequency_scale(const ShellDefinition &shell) {
   const double bending =
       part.material.young_modulus * std::pow(part.thickness, 3) / (12 * (1 - nu * nu));
   return std::sqrt(bending / (part.material.density * part.thickness)) / (side * side);
+}
+
+/// A force [N] at a group of nodes or at a position.
+inline Load force_at(const std::string &name, const Location &at, const Vector3 &force) {
+  Load load;
+  load.name = name;
+  load.at = at;
+  load.force = force;
+  return load;
+}
+
+/// The weight of all mass under an acceleration [m/s^2].
+inline Load weight(const Vector3 &acceleration) {
+  Load load;
+  load.name = "weight";
+  load.acceleration = acceleration;
+  return load;
+}
+
+/// A pressure [Pa] on all surfaces.
+inline Load pressure(double value) {
+  Load load;
+  load.name = "wind";
+  load.pressure = value;
+  return load;
 }
 
 } // namespace vibroimpact::examples
