@@ -76,7 +76,9 @@ TEST(RankIndependence, ShellWithStiffenerLoadsAndAttachments) {
   definition.type = BodyDefinition::Type::shell;
   structure::ShellDefinition &shell = definition.shell;
   shell = square_plate(6, CellShape::triangle);
-  structure::Stiffener rib{.name = "rib", .on = "bottom"};
+  structure::Stiffener rib;
+  rib.name = "rib";
+  rib.on = "bottom";
   rib.section.width = rib.section.thickness = 0.1;
   rib.material = shell.parts[0].material;
   rib.offset = {0, -0.08};
