@@ -13,7 +13,7 @@ namespace {
 constexpr double event_tolerance = 1e-12; // the program's default
 
 // Counts the contacts and keeps the extreme values of one displacement.
-class Record : public Observer {
+class Record : public Observer, private FlightWatcher {
 public:
   explicit Record(const Problem &problem) : problem_(problem), begun_(problem.contacts.size(), 0) {}
   void step(const StepView &view) override {
@@ -24,10 +24,15 @@ public:
     begun_[event.contact] += !modes[static_cast<std::size_t>(event.from)].in_contact &&
                              modes[static_cast<std::size_t>(event.to)].in_contact;
   }
+  FlightWatcher *flight_watcher() override { return this; }
   const std::vector<long> &begun() const { return begun_; }
   double excursion() const { return extent_.peak_to_peak(); }
 
 private:
+  void watch(const Equations &equations, std::vector<WatchedForm> &forms) override {
+    forms.push_back(watched_displacement(equations, problem_.recorded, extent_));
+  }
+
   const Problem &problem_;
   std::vector<long> begun_;
   Extent extent_;
