@@ -7,8 +7,7 @@
 #include "cases.h"
 
 #include "common/error.h"
-
-#include <petscsys.h>
+#include "petsc_session.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -99,19 +98,11 @@ int main(int argc, char **argv) {
     std::fprintf(stderr, "usage: benchmark_integration [repetitions [system]]\n");
     return 2;
   }
-  char program[] = "benchmark_integration";
-  char skip[] = "-skip_petscrc";
-  char *arguments[] = {program, skip, nullptr};
-  int count = 2;
-  char **private_arguments = arguments;
-  if (PetscInitialize(&count, &private_arguments, nullptr, nullptr) != 0)
-    return 1;
-  int code = 1;
   try {
-    code = run(repetitions, argc > 2 ? argv[2] : nullptr);
+    const PetscSession petsc("benchmark_integration");
+    return run(repetitions, argc > 2 ? argv[2] : nullptr);
   } catch (const std::exception &error) {
     std::fprintf(stderr, "%s\n", error.what());
+    return 1;
   }
-  PetscFinalize();
-  return code;
 }

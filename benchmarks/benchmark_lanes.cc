@@ -8,14 +8,14 @@
 #include "contact/laws/relaxing_stop.h"
 #include "integration/flight_batch.h"
 #include "integration/trajectory.h"
+#include "petsc_session.h"
 #include "sides.h"
-
-#include <petscsys.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <exception>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -120,14 +120,12 @@ void run(int argc, char **argv) {
 } // namespace vibroimpact::benchmarks
 
 int main(int argc, char **argv) {
-  char program[] = "benchmark_lanes";
-  char skip[] = "-skip_petscrc";
-  char *arguments[] = {program, skip, nullptr};
-  int count = 2;
-  char **private_arguments = arguments;
-  if (PetscInitialize(&count, &private_arguments, nullptr, nullptr) != 0)
+  try {
+    const vibroimpact::benchmarks::PetscSession petsc("benchmark_lanes");
+    vibroimpact::benchmarks::run(argc, argv);
+    return 0;
+  } catch (const std::exception &error) {
+    std::fprintf(stderr, "%s\n", error.what());
     return 1;
-  vibroimpact::benchmarks::run(argc, argv);
-  PetscFinalize();
-  return 0;
+  }
 }

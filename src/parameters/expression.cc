@@ -35,10 +35,10 @@ std::string digits17(double value) {
   return buffer.data();
 }
 
-/// No name that a text can hold.
-std::string placeholder(std::size_t argument) { return "X_" + std::to_string(argument) + "_"; }
+/// By which the parser knows an argument; no name that a text can hold.
+std::string parser_name(std::size_t argument) { return "X_" + std::to_string(argument) + "_"; }
 
-/// Writes an expression as one of plain numbers, the four scales and placeholders for arguments.
+/// Writes an expression as one of plain numbers, the four scales and arguments.
 class Translation {
 public:
   Translation(const std::string &text, const VariableTable &variables, bool zero_variables_as_one,
@@ -155,7 +155,7 @@ private:
 
   void append_argument(const std::string &name) {
     const auto found = std::find(arguments_.begin(), arguments_.end(), name);
-    formula_ += placeholder(static_cast<std::size_t>(found - arguments_.begin()));
+    formula_ += parser_name(static_cast<std::size_t>(found - arguments_.begin()));
     after_operand_ = true;
     ++position_;
   }
@@ -367,7 +367,7 @@ Function::Function(const std::string &text, const VariableTable &variables,
   const Translation translation(text, variables, false, arguments);
   parser_->values.resize(arguments.size());
   for (std::size_t i = 0; i < arguments.size(); ++i)
-    parser_->parser.DefineVar(placeholder(i), &parser_->values[i]);
+    parser_->parser.DefineVar(parser_name(i), &parser_->values[i]);
   for (const char *scale : scale_names)
     parser_->parser.DefineConst(scale, 1);
   parser_->parser.SetExpr(translation.formula());

@@ -15,14 +15,7 @@ constexpr double two_pi = 2 * std::numbers::pi;
 
 // A block on a shaken base between two stops, with a connection to the base.
 System between_stops() {
-  Model model({testing::single_mass("block", 1, 100, 1)});
-  model.add_base_motion("floor", std::make_shared<Harmonic>(Given::displacement, 0.01, 8, 0), {0},
-                        Vector3::UnitX());
-  model.add_connection({.name = "link",
-                        .side_a = "block.head",
-                        .side_b = "base",
-                        .elongation = model.displacement({}, -Vector3::UnitX(), false),
-                        .damping = 0.5});
+  Model model = testing::linked_block();
   ContactPair right = testing::contact_along_x(model, "block.head", "", 0.005,
                                                std::make_shared<LinearPenalty>(500));
   right.name = "right";

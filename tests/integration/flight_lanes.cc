@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <functional>
 #include <random>
 
 namespace vibroimpact {
@@ -99,6 +100,23 @@ struct Tally {
   void add(End end) { ++(end == End::limit ? limits : end == End::guard ? guards : unclear); }
 };
 
+// Each lane is filled again as soon as it is free.
+void fly_all(const std::vector<Start> &starts, FlightLanes &lanes,
+             std::vector<FlightKernel> &kernels,
+             const std::function<void(std::size_t, End)> &land) {
+  std::size_t next = 0;
+  while (next < starts.size() || !lanes.empty()) {
+    for (; next < starts.size() && !lanes.full(); ++next) {
+      begin(starts[next], kernels[next]);
+      if (const auto end = lanes.add(kernels[next], starts[next].limit, next))
+        land(next, *end);
+    }
+    if (!lanes.empty())
+      for (const FlightLanes::Landing &landing : lanes.fly())
+        land(landing.owner, landing.end);
+  }
+}
+
 Tally compare(VectorUnit unit, const std::vector<Start> &starts) {
   std::vector<FlightKernel> kernels(starts.size());
   std::vector<bool> landed(starts.size());
@@ -112,17 +130,7 @@ Tally compare(VectorUnit unit, const std::vector<Start> &starts) {
     landed[i] = true;
     tally.add(end);
   };
-  std::size_t next = 0;
-  while (next < starts.size() || !lanes.empty()) {
-    for (; next < starts.size() && !lanes.full(); ++next) {
-      begin(starts[next], kernels[next]);
-      if (const auto end = lanes.add(kernels[next], starts[next].limit, next))
-        land(next, *end);
-    }
-    if (!lanes.empty())
-      for (const FlightLanes::Landing &landing : lanes.fly())
-        land(landing.owner, landing.end);
-  }
+  fly_all(starts, lanes, kernels, land);
   return tally;
 }
 
@@ -159,7 +167,6 @@ TEST_P(FlightLanesTest, AFailingNeighbour) {
   }
   FlightLanes lanes(GetParam());
   std::vector<FlightKernel> kernels(starts.size());
-  std::size_t next = 0;
   const auto land = [&](std::size_t i, End end) {
     FlightKernel alone;
     begin(starts[i], alone);
@@ -167,16 +174,7 @@ TEST_P(FlightLanesTest, AFailingNeighbour) {
     if (i % 7 != 3)
       expect_same(alone.amplitudes(), kernels[i].amplitudes());
   };
-  while (next < starts.size() || !lanes.empty()) {
-    for (; next < starts.size() && !lanes.full(); ++next) {
-      begin(starts[next], kernels[next]);
-      if (const auto end = lanes.add(kernels[next], starts[next].limit, next))
-        land(next, *end);
-    }
-    if (!lanes.empty())
-      for (const FlightLanes::Landing &landing : lanes.fly())
-        land(landing.owner, landing.end);
-  }
+  fly_all(starts, lanes, kernels, land);
 }
 
 INSTANTIATE_TEST_SUITE_P(Units, FlightLanesTest,

@@ -20,6 +20,19 @@ inline System system_of(Model model, ContactSet contacts = {}) {
           .initial = {.displacement = Vector::Zero(n), .velocity = Vector::Zero(n)}};
 }
 
+/// A block on a base shaken at 8 rad/s, with a connection to that base.
+inline Model linked_block() {
+  Model model({single_mass("block", 1, 100, 1)});
+  model.add_base_motion("floor", std::make_shared<Harmonic>(Given::displacement, 0.01, 8, 0), {0},
+                        Vector3::UnitX());
+  model.add_connection({.name = "link",
+                        .side_a = "block.head",
+                        .side_b = "base",
+                        .elongation = model.displacement({}, -Vector3::UnitX(), false),
+                        .damping = 0.5});
+  return model;
+}
+
 inline bool has_field(const PointResult &result, const std::string &name) {
   for (const Field &field : result.fields)
     if (field.name() == name)
