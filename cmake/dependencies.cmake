@@ -28,3 +28,9 @@ pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi)
 find_library(HDF5_HL_LIBRARY hdf5_openmpi_hl REQUIRED)
 add_library(vibroimpact_hdf5 INTERFACE)
 target_link_libraries(vibroimpact_hdf5 INTERFACE ${HDF5_HL_LIBRARY} PkgConfig::HDF5)
+
+# These packages hand on the flags they were built with themselves; one set of flags for all
+# sources is what lets them share precompiled headers.
+foreach(package PETSC SLEPC)
+  set_target_properties(PkgConfig::${package} PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+endforeach()

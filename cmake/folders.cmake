@@ -9,6 +9,14 @@ if(VIBROIMPACT_SANITIZE)
   target_link_options(vibroimpact_warnings INTERFACE -fsanitize=${VIBROIMPACT_SANITIZE})
 endif()
 
+# What nearly every source includes, parsed once.
+add_library(vibroimpact_headers OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cc)
+target_link_libraries(vibroimpact_headers PRIVATE Eigen3::Eigen MPI::MPI_CXX vibroimpact_warnings)
+target_precompile_headers(vibroimpact_headers PRIVATE
+  <Eigen/Dense> <algorithm> <array> <cmath> <complex> <filesystem> <functional> <limits> <map>
+  <memory> <numbers> <numeric> <optional> <set> <span> <sstream> <stdexcept> <string> <utility>
+  <vector>)
+
 # vibroimpact_folder(NAME SOURCES a.cc ... LIBRARIES target ...)
 function(vibroimpact_folder name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
@@ -17,5 +25,6 @@ function(vibroimpact_folder name)
   target_link_libraries(vibroimpact_${name}
     PUBLIC Eigen3::Eigen Boost::boost MPI::MPI_CXX ${ARG_LIBRARIES}
     PRIVATE vibroimpact_warnings)
+  target_precompile_headers(vibroimpact_${name} REUSE_FROM vibroimpact_headers)
   target_link_libraries(vibroimpact PRIVATE vibroimpact_${name})
 endfunction()

@@ -1,8 +1,14 @@
 #include "integration/holding.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 
 namespace vibroimpact {
+
+struct Holding::Factor {
+  Eigen::CompleteOrthogonalDecomposition<Matrix> of;
+};
 
 Matrix gap_rows(const ContactSet &contacts, const std::vector<std::size_t> &list, Index n) {
   Matrix rows(static_cast<Index>(list.size()), n);
@@ -35,7 +41,10 @@ bool Holding::holds(std::size_t contact) const {
 
 void Holding::set_response(const Matrix &response) {
   response_ = response;
-  factor_.compute(rows_ * response_);
+  factor_ = std::make_shared<const Factor>(
+      Factor{Eigen::CompleteOrthogonalDecomposition<Matrix>(rows_ * response_)});
 }
+
+Matrix Holding::forces(const Matrix &missing) const { return factor_->of.solve(missing); }
 
 } // namespace vibroimpact

@@ -13,8 +13,7 @@
 #include "contact/contact_set.h"
 #include "model/model.h"
 
-#include <Eigen/QR>
-
+#include <memory>
 #include <vector>
 
 namespace vibroimpact {
@@ -41,13 +40,15 @@ public:
 
   /// Forces for which the gaps' accelerations change by `missing`, column by column:
   /// (W M^-1 W^T)^-1 missing.
-  Matrix forces(const Matrix &missing) const { return factor_.solve(missing); }
+  Matrix forces(const Matrix &missing) const;
 
 private:
+  struct Factor; ///< of W M^-1 W^T
+
   std::vector<std::size_t> contacts_;
   Matrix rows_, response_;
   Matrix rates_; ///< held contacts x 2
-  Eigen::CompleteOrthogonalDecomposition<Matrix> factor_;
+  std::shared_ptr<const Factor> factor_;
 };
 
 /// The gap rows of some contacts, one below the other.

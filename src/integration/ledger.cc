@@ -1,5 +1,7 @@
 #include "integration/ledger.h"
 
+#include <boost/math/quadrature/gauss.hpp>
+
 #include <cmath>
 
 namespace vibroimpact {

@@ -3,8 +3,6 @@
 
 #include "integration/linear_system.h"
 
-#include <boost/math/quadrature/gauss.hpp>
-
 #include <array>
 
 namespace vibroimpact {

@@ -44,7 +44,7 @@ Vector balance(const Matrix &matrix) {
 
 double condition(const Eigen::MatrixXcd &vectors) {
   const Eigen::MatrixXcd normalised = vectors.colwise().normalized();
-  const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(normalised);
+  const Eigen::JacobiSVD<Eigen::MatrixXcd, Eigen::NoQRPreconditioner> svd(normalised);
   const auto &values = svd.singularValues();
   const double smallest = values[values.size() - 1];
   return smallest > 0 ? values[0] / smallest : std::numeric_limits<double>::infinity();
