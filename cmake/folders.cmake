@@ -9,7 +9,8 @@ if(VIBROIMPACT_SANITIZE)
   target_link_options(vibroimpact_warnings INTERFACE -fsanitize=${VIBROIMPACT_SANITIZE})
 endif()
 
-# What nearly every source includes, parsed once.
+# What nearly every source includes, parsed once; a source with other definitions does without.
+set(CMAKE_PCH_WARN_INVALID OFF)
 add_library(vibroimpact_headers OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cc)
 target_link_libraries(vibroimpact_headers PRIVATE Eigen3::Eigen MPI::MPI_CXX vibroimpact_warnings)
 target_precompile_headers(vibroimpact_headers PRIVATE

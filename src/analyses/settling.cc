@@ -1,9 +1,12 @@
 #include "analyses/settling.h"
 
+#include "analyses/sequence_limit.h"
 #include "analyses/steadiness.h"
+#include "common/error.h"
 
 #include <algorithm>
 #include <deque>
+#include <optional>
 
 namespace vibroimpact {
 
@@ -21,6 +24,99 @@ double largest(const Vector &states, const Vector &scale) {
   return states.cwiseProduct(scale).cwiseAbs().maxCoeff();
 }
 
+class Settling {
+public:
+  Settling(Trajectory &trajectory, double period, const Vector &scale, const SettlingRule &rule)
+      : trajectory_(trajectory), period_(period), scale_(scale), rule_(rule),
+        steadiness_(scale, rule.longest_multiple, rule.tolerance), sequence_(scale),
+        extrapolates_(rule.extrapolates) {
+    begin(trajectory.motion_state().physical);
+  }
+
+  long cycles() const { return cycles_; }
+  bool steady() const { return steadiness_.steady(); }
+  SettledMotion motion() const;
+  void advance();
+
+private:
+  void begin(const Vector &state);
+  void extrapolate();
+  bool leap(const Vector &state);
+  std::size_t seen() const { return static_cast<std::size_t>(2 * rule_.longest_multiple + 1); }
+
+  Trajectory &trajectory_;
+  double period_;
+  const Vector &scale_;
+  const SettlingRule &rule_;
+  Steadiness steadiness_;
+  SequenceLimit sequence_;
+  std::deque<Vector> states_;
+  long cycles_ = 0;
+  bool extrapolates_;
+  Vector left_;            ///< where the last leap began; empty after another period
+  double left_change_ = 0; ///< over the last period before it
+};
+
+void Settling::begin(const Vector &state) {
+  states_ = {state};
+  sequence_.clear();
+  sequence_.add(state);
+}
+
+void Settling::advance() {
+  ++cycles_;
+  trajectory_.advance(static_cast<double>(cycles_) * period_);
+  states_.push_front(trajectory_.motion_state().physical);
+  steadiness_.add(states_.front());
+  if (states_.size() > seen())
+    states_.pop_back();
+  if (extrapolates_)
+    extrapolate();
+}
+
+// A leap that does not bring the motion nearer is taken back, and is the last.
+void Settling::extrapolate() {
+  sequence_.add(states_.front());
+  if (left_.size() > 0 && !(sequence_.last_change() <= left_change_)) {
+    extrapolates_ = false;
+    leap(left_);
+    return;
+  }
+  left_.resize(0);
+  if (steady())
+    return;
+  if (const std::optional<Vector> limit = sequence_.limit()) {
+    left_ = states_.front();
+    left_change_ = sequence_.last_change();
+    if (!leap(*limit)) {
+      extrapolates_ = false;
+      leap(left_);
+    }
+  }
+}
+
+// False: no motion can start there.
+bool Settling::leap(const Vector &state) {
+  try {
+    trajectory_.start({.time = static_cast<double>(cycles_) * period_, .physical = state});
+  } catch (const NumericalError &) {
+    return false;
+  }
+  begin(state);
+  steadiness_ = Steadiness(scale_, rule_.longest_multiple, rule_.tolerance);
+  steadiness_.add(state);
+  return true;
+}
+
+SettledMotion Settling::motion() const {
+  SettledMotion motion;
+  motion.cycles = cycles_;
+  motion.state = {.time = 0, .physical = states_.front()};
+  motion.multiple = steadiness_.multiple();
+  find_range(states_, motion.steady() ? static_cast<std::size_t>(motion.multiple) : seen(), motion);
+  return motion;
+}
+
 } // namespace
 
 void declare_settling(parameters::Section &section) {
@@ -33,6 +129,11 @@ void declare_settling(parameters::Section &section) {
       .quantity("Steadiness tolerance", "1e-6", dimension::none, Range{.lower = 0, .upper = 1}, "",
                 "Relative distance to the periodic motion at which it counts as steady; 0 always "
                 "takes all settling cycles.")
+      .boolean(
+          "Extrapolate", "false",
+          "Go straight to the motion that the last periods lead to, once they tell where, and on "
+          "from there. The motion that is recorded must be steady by itself as ever. Off, the "
+          "motion goes through its whole transient as a real one does.")
       .integer("Longest period", "4", Range{.lower = 1, .upper = 1000}, "",
                "Longest period looked for, in forcing periods.");
 }
@@ -43,27 +144,17 @@ SettlingRule read_settling(const parameters::Values &section) {
   return {.minimum = section.integer("Minimum settling cycles"),
           .maximum = section.integer("Settling cycles"),
           .tolerance = section.quantity("Steadiness tolerance"),
-          .longest_multiple = section.integer("Longest period")};
+          .longest_multiple = section.integer("Longest period"),
+          .extrapolates = section.boolean("Extrapolate")};
 }
 
 SettledMotion settle(Trajectory &trajectory, double period, const Vector &scale,
                      const SettlingRule &rule) {
-  Steadiness steadiness(scale, rule.longest_multiple, rule.tolerance);
-  const auto seen = static_cast<std::size_t>(2 * rule.longest_multiple + 1);
-  std::deque<Vector> states = {trajectory.motion_state().physical};
-  SettledMotion motion;
-  while (motion.cycles < rule.maximum && !(motion.cycles >= rule.minimum && steadiness.steady())) {
-    ++motion.cycles;
-    trajectory.advance(static_cast<double>(motion.cycles) * period);
-    states.push_front(trajectory.motion_state().physical);
-    steadiness.add(states.front());
-    if (states.size() > seen)
-      states.pop_back();
-  }
-  motion.state = {.time = 0, .physical = states.front()};
-  motion.multiple = steadiness.multiple();
-  find_range(states, motion.steady() ? static_cast<std::size_t>(motion.multiple) : seen, motion);
-  return motion;
+  Settling settling(trajectory, period, scale, rule);
+  while (settling.cycles() < rule.maximum &&
+         !(settling.cycles() >= rule.minimum && settling.steady()))
+    settling.advance();
+  return settling.motion();
 }
 
 double relative_distance(const SettledMotion &a, const SettledMotion &b, const Vector &scale) {

@@ -11,6 +11,7 @@ struct SettlingRule {
   long maximum = 0;          ///< [periods]
   double tolerance = 0;      ///< see Steadiness
   long longest_multiple = 1; ///< [periods]
+  bool extrapolates = false; ///< goes to where the periods lead as soon as that is clear
 };
 
 void declare_settling(parameters::Section &section);
@@ -29,7 +30,8 @@ struct SettledMotion {
 };
 
 /// Goes on from where the trajectory stands, at time zero, period by period and without being
-/// watched. `scale` as for Steadiness. NumericalError.
+/// watched, or straight to the limit of the periods, from which it must go on to be steady by
+/// itself. `scale` as for Steadiness. NumericalError.
 SettledMotion settle(Trajectory &trajectory, double period, const Vector &scale,
                      const SettlingRule &rule);
 

@@ -16,20 +16,30 @@ WindowRecording::WindowRecording(const std::vector<RecorderFactory> &factories,
                                  const System &system) {
   for (const RecorderFactory &factory : factories)
     recorders_.push_back(factory(system));
+  together_ = std::make_unique<Observers>(observers());
+}
+
+std::vector<Observer *> WindowRecording::observers() const {
+  std::vector<Observer *> list;
+  for (const auto &recorder : recorders_)
+    list.push_back(recorder.get());
+  return list;
 }
 
 void WindowRecording::run(const Window &window, Trajectory &trajectory) {
-  Observers nobody({});
-  run(window, trajectory, nobody);
+  watch(window, trajectory, *together_);
 }
 
 void WindowRecording::run(const Window &window, Trajectory &trajectory, Observer &also) {
-  std::vector<Observer *> watching = {&also};
-  for (const auto &recorder : recorders_) {
-    watching.push_back(recorder.get());
-    recorder->begin(window, trajectory);
-  }
+  std::vector<Observer *> watching = observers();
+  watching.insert(watching.begin(), &also);
   Observers all(watching);
+  watch(window, trajectory, all);
+}
+
+void WindowRecording::watch(const Window &window, Trajectory &trajectory, Observer &all) {
+  for (const auto &recorder : recorders_)
+    recorder->begin(window, trajectory);
   for (long cycle = 1; cycle <= window.cycles; ++cycle) {
     trajectory.advance(cycle == window.cycles
                            ? window.end

@@ -25,7 +25,11 @@ public:
   void add_fields(PointResult &result, const std::string &prefix = "") const;
 
 private:
+  std::vector<Observer *> observers() const;
+  void watch(const Window &window, Trajectory &trajectory, Observer &all);
+
   std::vector<std::unique_ptr<Recorder>> recorders_;
+  std::unique_ptr<Observers> together_; ///< the same for all windows, so that it is asked once
 };
 
 /// A window of `cycles` periods that begins at `start`.

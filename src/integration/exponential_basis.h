@@ -32,6 +32,14 @@ struct ExponentialBasis {
   Matrix columns; ///< (size of y + 3 sources) x columns
 
   std::size_t n_modes() const { return groups.size() - inputs.size(); }
+  /// Number of columns of the modes; those of the inputs follow.
+  Index mode_columns() const { return inputs.empty() ? columns.cols() : groups[n_modes()].column; }
+  /// The exponents and columns of the inputs from a basis of the same modes and kinds of inputs.
+  void take_inputs(const ExponentialBasis &other);
 };
+
+/// A linear row sees Re(coefficient amplitude) of a group.
+Complex seen_of_group(const Matrix &rows, Index row, const ExponentialBasis &basis,
+                      const ExponentialBasis::Group &group);
 
 } // namespace vibroimpact

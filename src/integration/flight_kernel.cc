@@ -40,6 +40,12 @@ void FlightKernel::zero_at_start(std::size_t guard) {
   starts_[guard].value = 0;
 }
 
+void FlightKernel::watch(WatchedSums *sums) {
+  watched_ = sums;
+  if (watched_)
+    watched_->begin();
+}
+
 // The functions take two groups at a time.
 void FlightKernel::find_factors(double h) {
   const std::vector<std::size_t> &decaying = sums_->decaying;

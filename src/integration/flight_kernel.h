@@ -33,7 +33,7 @@ public:
   void zero_at_start(std::size_t guard);
 
   /// Every piece flown from now on is shown to `sums`; none: nobody looks.
-  void watch(WatchedSums *sums) { watched_ = sums; }
+  void watch(WatchedSums *sums);
 
   /// Flies for `limit` [s] at most. The time flown is told by flown(), also when nothing could be
   /// proven any more.

@@ -16,23 +16,67 @@ Complex product(Complex a, Complex b) {
 
 FlightLedger::FlightLedger(const PowerForms &powers, const ExponentialBasis &basis,
                            const StateLayout &layout)
-    : input_work_(layout.input_work()), absolute_input_work_(layout.absolute_input_work()) {
-  list_exponents(basis);
+    : powers_(powers), basis_(basis), input_work_(layout.input_work()),
+      absolute_input_work_(layout.absolute_input_work()) {
+  list_exponents();
   list_pairs();
-  add_products(powers, basis);
+  list_entries();
   integrals_.resize(pairs_.size());
   start_.resize(exponents_.size());
   end_.resize(exponents_.size());
+  set_from(0);
 }
 
-void FlightLedger::list_exponents(const ExponentialBasis &basis) {
-  for (const ExponentialBasis::Group &group : basis.groups) {
+void FlightLedger::renew() { set_from(basis_.n_modes()); }
+
+void FlightLedger::list_exponents() {
+  for (const ExponentialBasis::Group &group : basis_.groups) {
     is_pair_.push_back(group.is_pair);
-    exponents_.push_back(group.is_pair ? group.exponent : Complex(group.exponent.real()));
-    if (group.is_pair)
-      exponents_.push_back(std::conj(group.exponent));
+    exponents_.resize(exponents_.size() + (group.is_pair ? 2 : 1));
   }
   exponents_.emplace_back(0);
+}
+
+void FlightLedger::list_pairs() {
+  for (std::size_t i = 0; i < exponents_.size(); ++i)
+    for (std::size_t j = i; j < exponents_.size(); ++j)
+      pairs_.push_back({.first = i, .second = j});
+}
+
+void FlightLedger::list_entries() {
+  for (std::size_t k = 0; k < powers_.size(); ++k) {
+    const auto known = std::find(entries_.begin(), entries_.end(), powers_.entry(k));
+    place_of_.push_back(static_cast<std::size_t>(known - entries_.begin()));
+    if (known == entries_.end())
+      entries_.push_back(powers_.entry(k));
+  }
+  coefficients_.resize(entries_.size() * pairs_.size());
+  forms_.resize(2 * powers_.size() * exponents_.size());
+}
+
+// All that depends on this group and those after it.
+void FlightLedger::set_from(std::size_t group) {
+  const std::size_t first = set_exponents(group);
+  const double slowest = slowest_vibration();
+  longest_ = slowest > 0 ? 2 * std::numbers::pi / slowest : std::numeric_limits<double>::infinity();
+  set_pairs(first);
+  set_forms(group, first);
+  set_coefficients(first);
+}
+
+// The place of the group's first exponent.
+std::size_t FlightLedger::set_exponents(std::size_t group) {
+  std::size_t place = 0;
+  for (std::size_t j = 0; j < group; ++j)
+    place += is_pair_[j] ? 2 : 1;
+  const std::size_t first = place;
+  for (std::size_t j = group; j < basis_.groups.size(); ++j) {
+    const Complex exponent = basis_.groups[j].exponent;
+    exponents_[place++] = is_pair_[j] ? exponent : Complex(exponent.real());
+    if (is_pair_[j])
+      exponents_[place++] = std::conj(exponent);
+  }
+  return first;
 }
 
 // [rad/s]; the fastest decay where nothing vibrates.
@@ -40,69 +84,58 @@ double FlightLedger::slowest_vibration() const {
   double slowest = std::numeric_limits<double>::infinity();
   double fastest = 0;
   for (const Complex exponent : exponents_) {
-    fastest = std::max(fastest, std::abs(exponent));
+    fastest = std::max(fastest, std::norm(exponent));
     if (exponent.imag() > 0)
       slowest = std::min(slowest, exponent.imag());
   }
-  return std::min(slowest, fastest);
+  return std::min(slowest, std::sqrt(fastest));
 }
 
-void FlightLedger::list_pairs() {
+// Those with an exponent from `first` on; whether a pair is slow depends on all exponents.
+void FlightLedger::set_pairs(std::size_t first) {
   constexpr double slow = 1e-3; // times the longest stretch
-  const double slowest = slowest_vibration();
-  longest_ = slowest > 0 ? 2 * std::numbers::pi / slowest : std::numeric_limits<double>::infinity();
-  const std::size_t count = exponents_.size();
-  pairs_.reserve(count * (count + 1) / 2);
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = i; j < count; ++j) {
-      const Complex sum = exponents_[i] + exponents_[j];
-      const double square = std::norm(sum);
-      const bool is_slow = !(square * longest_ * longest_ >= slow * slow);
-      pairs_.push_back({.first = i,
-                        .second = j,
-                        .sum = sum,
-                        .inverse = is_slow ? Complex() : std::conj(sum) / square,
-                        .is_slow = is_slow});
+  for (Pair &pair : pairs_) {
+    if (pair.second >= first) {
+      pair.sum = exponents_[pair.first] + exponents_[pair.second];
+      pair.inverse = std::conj(pair.sum) / std::norm(pair.sum);
     }
-}
-
-std::size_t FlightLedger::place_of(Index entry) {
-  const auto known = std::find(entries_.begin(), entries_.end(), entry);
-  const auto place = static_cast<std::size_t>(known - entries_.begin());
-  if (known == entries_.end()) {
-    entries_.push_back(entry);
-    coefficients_.resize(entries_.size() * pairs_.size());
+    pair.is_slow = !(std::norm(pair.sum) * longest_ * longest_ >= slow * slow);
   }
-  return place;
 }
 
-// A form c Re(a) + d Im(a) of an amplitude is (c - i d) / 2 a + (c + i d) / 2 conj(a).
-void FlightLedger::add_products(const PowerForms &powers, const ExponentialBasis &basis) {
-  const Matrix seen = powers.rows().lazyProduct(basis.columns);
+// Re(c a) of an amplitude is c / 2 a + conj(c) / 2 conj(a).
+void FlightLedger::set_forms(std::size_t group, std::size_t place) {
   const std::size_t count = exponents_.size();
-  std::vector<Complex> forms(2 * count);
-  for (std::size_t k = 0; k < powers.size(); ++k) {
-    for (std::size_t factor = 0; factor < 2; ++factor) {
-      const auto row = static_cast<Index>(2 * k + factor);
-      Complex *form = &forms[factor * count];
-      for (const ExponentialBasis::Group &group : basis.groups) {
-        if (!group.is_pair) {
-          *form++ = seen(row, group.column);
-          continue;
-        }
-        *form++ = {0.5 * seen(row, group.column), -0.5 * seen(row, group.column + 1)};
-        *form++ = {0.5 * seen(row, group.column), 0.5 * seen(row, group.column + 1)};
-      }
-      *form = powers.constants()[row];
+  for (std::size_t row = 0; row < 2 * powers_.size(); ++row) {
+    Complex *form = &forms_[row * count + place];
+    for (std::size_t j = group; j < basis_.groups.size(); ++j) {
+      const Complex seen =
+          seen_of_group(powers_.rows(), static_cast<Index>(row), basis_, basis_.groups[j]);
+      *form++ = is_pair_[j] ? 0.5 * seen : seen;
+      if (is_pair_[j])
+        *form++ = 0.5 * std::conj(seen);
     }
-    const Complex *a = forms.data();
-    const Complex *b = forms.data() + count;
-    Complex *coefficient = &coefficients_[place_of(powers.entry(k)) * pairs_.size()];
-    for (const Pair &pair : pairs_) {
-      *coefficient += product(a[pair.first], b[pair.second]);
+    *form = powers_.constants()[static_cast<Index>(row)];
+  }
+}
+
+void FlightLedger::set_coefficients(std::size_t first) {
+  const std::size_t count = exponents_.size();
+  for (std::size_t entry = 0; entry < entries_.size(); ++entry)
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+      if (pairs_[p].second >= first)
+        coefficients_[entry * pairs_.size() + p] = 0;
+  for (std::size_t k = 0; k < powers_.size(); ++k) {
+    const Complex *a = &forms_[2 * k * count];
+    const Complex *b = a + count;
+    Complex *coefficient = &coefficients_[place_of_[k] * pairs_.size()];
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      const Pair &pair = pairs_[p];
+      if (pair.second < first)
+        continue;
+      coefficient[p] += product(a[pair.first], b[pair.second]);
       if (pair.first != pair.second)
-        *coefficient += product(a[pair.second], b[pair.first]);
-      ++coefficient;
+        coefficient[p] += product(a[pair.second], b[pair.first]);
     }
   }
 }

@@ -21,8 +21,11 @@ namespace vibroimpact {
 
 class FlightLedger {
 public:
-  /// For a phase with these powers, made of these exponentials.
+  /// For a phase with these powers, made of these exponentials; keeps references to both.
   FlightLedger(const PowerForms &powers, const ExponentialBasis &basis, const StateLayout &layout);
+
+  /// The frequencies of the inputs are others.
+  void renew();
 
   /// The longest stretch that is integrated to rounding [s].
   double longest() const { return longest_; }
@@ -34,24 +37,32 @@ public:
 private:
   struct Pair {
     std::size_t first = 0, second = 0;
-    Complex sum;          ///< e_first + e_second
-    Complex inverse;      ///< of the sum; of a slow pair 0
+    Complex sum{};        ///< e_first + e_second
+    Complex inverse{};    ///< of the sum
     bool is_slow = false; ///< by the trapezoidal rule
   };
 
-  void list_exponents(const ExponentialBasis &basis);
-  double slowest_vibration() const;
+  void list_exponents();
   void list_pairs();
-  void add_products(const PowerForms &powers, const ExponentialBasis &basis);
-  std::size_t place_of(Index entry);
+  void list_entries();
+  double slowest_vibration() const;
+  void set_from(std::size_t group);
+  std::size_t set_exponents(std::size_t group);
+  void set_pairs(std::size_t first);
+  void set_forms(std::size_t group, std::size_t place);
+  void set_coefficients(std::size_t first);
   void exponentials(const Amplitudes &amplitudes, std::vector<Complex> &z) const;
 
+  const PowerForms &powers_;
+  const ExponentialBasis &basis_;
   double longest_ = 0;
   Index input_work_ = 0, absolute_input_work_ = 0;
   std::vector<bool> is_pair_;      // of the groups
   std::vector<Complex> exponents_; // of z
   std::vector<Pair> pairs_;
   std::vector<Index> entries_;        // of the state
+  std::vector<std::size_t> place_of_; // of the powers, among the entries
+  std::vector<Complex> forms_;        // of the powers, two for each, by z
   std::vector<Complex> coefficients_; // entries x pairs
   std::vector<Complex> start_, end_, integrals_;
 };

@@ -31,6 +31,30 @@ const AffineForm &indicator(const Equations &equations, const FlightGuard &guard
   return law.modes()[mode].guards[guard.guard].indicator;
 }
 
+bool same_kind(const ExponentialForm::Term &a, const ExponentialForm::Term &b) {
+  return (a.exponent.imag() != 0) == (b.exponent.imag() != 0);
+}
+
+bool same_exponents(const ExponentialForm::Term &a, const ExponentialForm::Term &b) {
+  return a.exponent == b.exponent;
+}
+
+// As many of the same kind, term by term; constants are inputs where they are not zero.
+template <typename SameTerm>
+bool same(const std::vector<ExponentialForm> &one, const std::vector<ExponentialForm> &other,
+          SameTerm same_term) {
+  const auto constant = [](const ExponentialForm &form) {
+    return !form.polynomial.empty() && form.polynomial[0] != 0;
+  };
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                    [&](const ExponentialForm &a, const ExponentialForm &b) {
+                      return a.polynomial.size() == b.polynomial.size() &&
+                             constant(a) == constant(b) &&
+                             std::equal(a.terms.begin(), a.terms.end(), b.terms.begin(),
+                                        b.terms.end(), same_term);
+                    });
+}
+
 void set_modes(const std::vector<int> &modes, Equations &equations) {
   for (std::size_t c = 0; c < modes.size(); ++c)
     equations.set_mode(c, modes[c]);
@@ -42,8 +66,7 @@ FlightPath::FlightPath(Equations &equations, FlightStepper &stepper, double even
     : equations_(equations), stepper_(stepper), event_tolerance_(event_tolerance),
       last_event_(-std::numeric_limits<double>::infinity()) {}
 
-void FlightPath::forget() {
-  forget_exponentials();
+void FlightPath::begin() {
   known_ = nullptr;
   aloft_ = false;
   last_event_ = -std::numeric_limits<double>::infinity();
@@ -51,7 +74,7 @@ void FlightPath::forget() {
 
 void FlightPath::forget_exponentials() {
   for (auto &[modes, known] : phases_) {
-    known.described = false;
+    known.described = -1;
     known.phase.reset();
     known.ledger.reset();
     known.watched.reset();
@@ -65,34 +88,38 @@ double FlightPath::time_tolerance(double time) const {
   return std::max(event_tolerance_, 8 * std::numeric_limits<double>::epsilon() * std::abs(time));
 }
 
-// Phases hold the response to the inputs that the sources had when they were built.
-bool FlightPath::same_inputs() const {
+// Phases hold the response to the inputs, whose frequencies may be others, or which may be others
+// altogether.
+void FlightPath::take_excitation() {
   const std::vector<ExponentialForm> &now = stepper_.sources();
-  const auto same_term = [](const ExponentialForm::Term &a, const ExponentialForm::Term &b) {
-    return a.exponent == b.exponent;
-  };
-  const auto same = [&](const ExponentialForm &a, const ExponentialForm &b) {
-    return a.polynomial.size() == b.polynomial.size() &&
-           std::equal(a.terms.begin(), a.terms.end(), b.terms.begin(), b.terms.end(), same_term);
-  };
-  return std::equal(now.begin(), now.end(), sources_.begin(), sources_.end(), same);
+  if (!same(now, sources_, same_kind))
+    forget_exponentials();
+  if (!same(now, sources_, same_exponents))
+    ++excitation_;
+  sources_ = now;
+}
+
+// For the present excitation, in the modes of the equations.
+void FlightPath::describe(KnownPhase &known) {
+  if (!known.forms && LinearSystem::holds(equations_)) {
+    known.forms = std::make_unique<PhaseForms>(equations_);
+    known.transitions.resize(known.forms->guards().size());
+  }
+  known.flies = known.forms && stepper_.describe(described_, inverse_);
+  if (!known.flies)
+    return;
+  if (known.phase)
+    known.phase->renew(described_);
+  else
+    known.phase = std::make_unique<FlightPhase>(*known.forms, described_, inverse_);
 }
 
 // Of the present modes of the equations.
 FlightPath::KnownPhase &FlightPath::known_phase() {
   KnownPhase &known = phases_[equations_.modes()];
-  if (known.described)
-    return known;
-  known.described = true;
-  if (!known.forms && LinearSystem::holds(equations_)) {
-    known.forms = std::make_unique<PhaseForms>(equations_);
-    known.transitions.resize(known.forms->guards().size());
-  }
-  ExponentialBasis basis;
-  Matrix inverse;
-  if (!known.forms || !stepper_.describe(basis, inverse))
-    return known;
-  known.phase = std::make_unique<FlightPhase>(*known.forms, std::move(basis), std::move(inverse));
+  if (known.described != excitation_)
+    describe(known);
+  known.described = excitation_;
   return known;
 }
 
@@ -105,15 +132,18 @@ FlightPath::Transition *FlightPath::transition(std::size_t guard) {
   std::unique_ptr<Transition> &known = known_->transitions[guard];
   if (!known)
     known = std::make_unique<Transition>(find_transition(passed));
-  if (!known->target->described) {
+  if (known->target->described != excitation_) {
     equations_.set_mode(passed.contact, passed.target);
     known_phase();
     set_modes(known_->forms->contact_modes(), equations_);
   }
-  if (!known->target->phase)
+  if (!known->target->flies)
     return nullptr;
   if (!known->change)
     known->change = std::make_unique<PhaseChange>(*known_->phase, guard, *known->target->phase);
+  else if (known->excitation != excitation_)
+    known->change->renew();
+  known->excitation = excitation_;
   return known.get();
 }
 
@@ -155,20 +185,18 @@ void FlightPath::set_inputs(double time, const FlightPhase &phase, Amplitudes &a
 bool FlightPath::take_off(double time, const Vector &state) {
   if (!stepper_.handles(time))
     return false;
-  if (!same_inputs())
-    forget_exponentials();
-  sources_ = stepper_.sources();
+  take_excitation();
   known_ = &known_phase();
-  if (!known_->phase)
+  if (!known_->flies)
     return false;
   physical_ = state.head(known_->phase->size());
   set_inputs(time, *known_->phase, amplitudes_);
   changes_ = 0;
   known_->phase->find_modes(physical_, amplitudes_);
-  kernel_.start(known_->phase->sums(), amplitudes_);
+  kernel_->start(known_->phase->sums(), amplitudes_);
   origin_ = time;
   for (std::size_t g = 0; g < known_->forms->guards().size(); ++g)
-    if (kernel_.value(g) <= kernel_.rounding(g))
+    if (kernel_->value(g) <= kernel_->rounding(g))
       return false;
   return true;
 }
@@ -183,6 +211,9 @@ bool FlightPath::prepare_watch(KnownPhase &known) {
   if (!known.ledger)
     known.ledger =
         std::make_unique<FlightLedger>(*known.powers, known.phase->basis(), equations_.layout());
+  else if (known.ledger_excitation != excitation_)
+    known.ledger->renew();
+  known.ledger_excitation = excitation_;
   if (known.wishes.watcher != company_->watcher->identity()) {
     std::vector<WatchedForm> forms;
     company_->watcher->watch(equations_, forms);
@@ -191,19 +222,22 @@ bool FlightPath::prepare_watch(KnownPhase &known) {
   }
   if (!known.watched)
     known.watched = std::make_unique<WatchedSums>(known.wishes.forms, known.phase->basis());
+  else if (known.watched_excitation != excitation_)
+    known.watched->renew();
+  known.watched_excitation = excitation_;
   return true;
 }
 
 // A stretch is a part of a phase that is told as a whole.
 bool FlightPath::begin_stretch(double time) {
   if (!company_) {
-    kernel_.watch(nullptr);
+    kernel_->watch(nullptr);
     return true;
   }
   if (!prepare_watch(*known_))
     return false;
-  kernel_.watch(known_->watched.get());
-  stretch_ = kernel_.amplitudes();
+  kernel_->watch(known_->watched.get());
+  stretch_ = kernel_->amplitudes();
   stretch_start_ = time;
   return true;
 }
@@ -223,9 +257,9 @@ bool FlightPath::tell_change(double time, KnownPhase &next) {
   set_modes(known_->forms->contact_modes(), equations_);
   if (!prepared)
     return false;
-  const FlightGuard &passed = known_->forms->guards()[kernel_.guard()];
-  end_stretch(time, kernel_.amplitudes_at_guard());
-  known_->phase->rows(kernel_.amplitudes_at_guard(), rows_);
+  const FlightGuard &passed = known_->forms->guards()[kernel_->guard()];
+  end_stretch(time, kernel_->amplitudes_at_guard());
+  known_->phase->rows(kernel_->amplitudes_at_guard(), rows_);
   state_->head(known_->phase->size()) = rows_.head(known_->phase->size());
   company_->change(time, passed.contact, passed.guard, *state_);
   return true;
@@ -235,24 +269,24 @@ bool FlightPath::tell_change(double time, KnownPhase &next) {
 // must be positive beyond doubt.
 bool FlightPath::begin_guards(const Transition &transition, std::size_t passed) {
   const double tolerance = time_tolerance(origin_);
-  const double left = std::abs(kernel_.value_at_guard(passed));
+  const double left = std::abs(kernel_->value_at_guard(passed));
   const std::vector<FlightGuard> &guards = transition.target->forms->guards();
   const std::size_t contact = known_->forms->guards()[passed].contact;
   for (std::size_t g = 0; g < guards.size(); ++g) {
-    const double value = next_.value(g);
-    const double slope = next_.slope(g);
-    double noise = next_.rounding(g);
+    const double value = next_->value(g);
+    const double slope = next_->slope(g);
+    double noise = next_->rounding(g);
     if (guards[g].contact != contact) {
       if (value <= noise)
         return false;
       continue;
     }
-    noise = std::max({noise, 2 * std::max(tolerance, kernel_.residual()) * std::abs(slope),
+    noise = std::max({noise, 2 * std::max(tolerance, kernel_->residual()) * std::abs(slope),
                       transition.proportion[g] * left});
     if (value < -noise || (value <= noise && slope <= 0))
       return false;
     if (value <= noise)
-      next_.zero_at_start(g);
+      next_->zero_at_start(g);
   }
   return true;
 }
@@ -261,22 +295,22 @@ bool FlightPath::begin_guards(const Transition &transition, std::size_t passed) 
 // their closed form again and again. False: the change is left to others; the flight stands before
 // it.
 bool FlightPath::change_phase() {
-  const double time = origin_ + kernel_.flown() + kernel_.time_to_guard();
-  const std::size_t passed = kernel_.guard();
+  const double time = origin_ + kernel_->flown() + kernel_->time_to_guard();
+  const std::size_t passed = kernel_->guard();
   if (time - last_event_ <= time_tolerance(time))
     return false;
   Transition *next = transition(passed);
   if (!next)
     return false;
   const FlightPhase &target = *next->target->phase;
-  next->change->apply(kernel_.amplitudes_at_guard(), amplitudes_);
+  next->change->apply(kernel_->amplitudes_at_guard(), amplitudes_);
   constexpr int carried_changes = 32;
   if (changes_ >= carried_changes)
     set_inputs(time, target, amplitudes_);
-  next_.start(target.sums(), amplitudes_);
+  next_->start(target.sums(), amplitudes_);
   if (!begin_guards(*next, passed) || (company_ && !tell_change(time, *next->target)))
     return false;
-  tally_.event_residual = std::max(tally_.event_residual, kernel_.residual());
+  tally_.event_residual = std::max(tally_.event_residual, kernel_->residual());
   ++tally_.events;
   changes_ = changes_ < carried_changes ? changes_ + 1 : 0;
   last_event_ = origin_ = time;
@@ -288,8 +322,8 @@ bool FlightPath::change_phase() {
 }
 
 void FlightPath::land(double time, Vector &state) {
-  end_stretch(time, kernel_.amplitudes());
-  known_->phase->rows(kernel_.amplitudes(), rows_);
+  end_stretch(time, kernel_->amplitudes());
+  known_->phase->rows(kernel_->amplitudes(), rows_);
   state.head(known_->phase->size()) = rows_.head(known_->phase->size());
   if (!state.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");
@@ -306,14 +340,14 @@ bool FlightPath::fly(double &time, Vector &state, double limit, long most_events
     limit = std::min(limit, from + known_->ledger->longest());
   FlightKernel::End end = FlightKernel::End::guard;
   while (end == FlightKernel::End::guard) {
-    const long before = kernel_.pieces();
-    end = fly_in_batch(kernel_, limit - origin_);
-    tally_.pieces += kernel_.pieces() - before;
+    const long before = kernel_->pieces();
+    end = fly_in_batch(*kernel_, limit - origin_);
+    tally_.pieces += kernel_->pieces() - before;
     if (end == FlightKernel::End::guard && (most_events-- <= 0 || !change_phase()))
       break;
   }
   aloft_ = end == FlightKernel::End::limit;
-  time = aloft_ ? limit : origin_ + kernel_.flown();
+  time = aloft_ ? limit : origin_ + kernel_->flown();
   land(time, state);
   return time > from;
 }

@@ -13,6 +13,7 @@
 #include "integration/flight_stepper.h"
 #include "integration/phase_change.h"
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -38,8 +39,8 @@ public:
   /// Keeps references.
   FlightPath(Equations &equations, FlightStepper &stepper, double event_tolerance);
 
-  /// The frequencies of the excitation may be others.
-  void forget();
+  /// Another motion begins; the frequencies of the excitation may be others.
+  void begin();
   /// The motion was moved on or changed by somebody else.
   void leave() { aloft_ = false; }
 
@@ -55,31 +56,36 @@ public:
 private:
   struct KnownPhase;
   struct Transition {
-    KnownPhase *target = nullptr;          ///< none: left to others
-    std::vector<double> proportion;        ///< of the guards of the target to the one passed
-    std::unique_ptr<PhaseChange> change{}; ///< with the present exponentials
+    KnownPhase *target = nullptr;   ///< none: left to others
+    std::vector<double> proportion; ///< of the guards of the target to the one passed
+    std::unique_ptr<PhaseChange> change{};
+    long excitation = -1; ///< that the change is for
   };
   // What a watcher wants to see of a phase.
   struct Wishes {
     long watcher = -1;
     WatchedForms forms{{}};
   };
-  // The forms belong to the modes, the rest to the excitation as well; what is missing is not known
-  // yet.
+  // The forms belong to the modes, the rest to the excitation as well, and is renewed when it is
+  // asked for under another one; what is missing is not known yet.
   struct KnownPhase {
     std::unique_ptr<PhaseForms> forms; ///< none: not linear
     std::vector<std::unique_ptr<Transition>> transitions;
     std::unique_ptr<PowerForms> powers;
     Wishes wishes;
-    bool described = false;
-    std::unique_ptr<FlightPhase> phase; ///< none though described: not made of exponentials
+    long described = -1; ///< the excitation
+    bool flies = false;  ///< is made of exponentials under that excitation
+    std::unique_ptr<FlightPhase> phase;
     std::unique_ptr<FlightLedger> ledger;
+    long ledger_excitation = -1;
     std::unique_ptr<WatchedSums> watched; ///< for the wishes
+    long watched_excitation = -1;
   };
 
+  void describe(KnownPhase &known);
+  void take_excitation();
   void forget_exponentials();
   bool take_off(double time, const Vector &state);
-  bool same_inputs() const;
   KnownPhase &known_phase();
   Transition *transition(std::size_t guard);
   Transition find_transition(const FlightGuard &passed);
@@ -97,9 +103,13 @@ private:
   FlightStepper &stepper_;
   double event_tolerance_;
   std::map<std::vector<int>, KnownPhase> phases_;
-  std::vector<ExponentialForm> sources_; ///< with the common origin they had when phases_ was begun
+  std::vector<ExponentialForm> sources_; ///< of the present excitation, with their origin
+  long excitation_ = 0;                  ///< counts the excitations
+  ExponentialBasis described_;           ///< as it comes from the stepper
+  Matrix inverse_;
   KnownPhase *known_ = nullptr;
-  FlightKernel kernel_, next_;
+  std::array<FlightKernel, 2> kernels_;
+  FlightKernel *kernel_ = &kernels_[0], *next_ = &kernels_[1]; ///< they take turns
   Amplitudes amplitudes_;
   int changes_ = 0; ///< since the inputs were taken from the sources
   Vector rows_, physical_;

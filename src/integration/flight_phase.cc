@@ -1,6 +1,7 @@
 #include "integration/flight_phase.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace vibroimpact {
@@ -11,28 +12,43 @@ FlightPhase::FlightPhase(const PhaseForms &forms, ExponentialBasis basis, Matrix
   std::stable_partition(basis_.groups.begin(),
                         basis_.groups.begin() + static_cast<std::ptrdiff_t>(basis_.n_modes()),
                         [](const ExponentialBasis::Group &group) { return !group.is_pair; });
-  add_sums();
-}
-
-// A row sees c Re(a) + d Im(a) = Re((c - i d) a) of a group.
-void FlightPhase::add_sums() {
   for (const ExponentialBasis::Group &group : basis_.groups)
     sums_.add_exponent(group.is_pair ? group.exponent : group.exponent.real());
-  const GuardForms &forms = forms_.guard_forms();
-  const Matrix seen = forms.rows.lazyProduct(basis_.columns);
-  const Matrix parts = forms.rows.cwiseAbs().lazyProduct(basis_.columns.cwiseAbs());
-  std::vector<Complex> coefficients;
-  std::vector<double> sizes;
-  for (Index g = 0; g < seen.rows(); ++g) {
-    coefficients.clear();
-    sizes.clear();
-    for (const ExponentialBasis::Group &group : basis_.groups) {
-      coefficients.emplace_back(seen(g, group.column),
-                                group.is_pair ? -seen(g, group.column + 1) : 0.0);
-      sizes.push_back(parts(g, group.column) + (group.is_pair ? parts(g, group.column + 1) : 0.0));
+  const std::vector<Complex> coefficients(n_groups());
+  const std::vector<double> sizes(n_groups());
+  for (const double constant : forms_.guard_forms().constants)
+    sums_.add_guard(constant, coefficients, sizes);
+  set_coefficients(0);
+}
+
+void FlightPhase::renew(const ExponentialBasis &basis) {
+  basis_.take_inputs(basis);
+  exponents_.clear();
+  for (std::size_t j = basis_.n_modes(); j < n_groups(); ++j)
+    exponents_.push_back(basis_.groups[j].is_pair ? basis_.groups[j].exponent
+                                                  : basis_.groups[j].exponent.real());
+  sums_.set_exponents(basis_.n_modes(), exponents_);
+  set_coefficients(basis_.n_modes());
+}
+
+double FlightPhase::size_behind(Index guard, const ExponentialBasis::Group &group) const {
+  const Matrix &rows = forms_.guard_forms().rows;
+  double sum = 0;
+  for (Index column = group.column; column <= group.column + (group.is_pair ? 1 : 0); ++column)
+    for (Index i = 0; i < rows.cols(); ++i)
+      sum += std::abs(rows(guard, i) * basis_.columns(i, column));
+  return sum;
+}
+
+// Of the groups from `first` on.
+void FlightPhase::set_coefficients(std::size_t first) {
+  const Matrix &rows = forms_.guard_forms().rows;
+  for (Index g = 0; g < rows.rows(); ++g)
+    for (std::size_t j = first; j < n_groups(); ++j) {
+      const ExponentialBasis::Group &group = basis_.groups[j];
+      sums_.set_coefficient(static_cast<std::size_t>(g), j, seen_of_group(rows, g, basis_, group),
+                            size_behind(g, group));
     }
-    sums_.add_guard(forms.constants[g], coefficients, sizes);
-  }
 }
 
 void FlightPhase::rows(const Amplitudes &amplitudes, Vector &rows) const {

@@ -16,6 +16,9 @@ public:
   /// columns of the modes.
   FlightPhase(const PhaseForms &forms, ExponentialBasis basis, Matrix inverse);
 
+  /// The same phase under inputs of other frequencies, described by `basis`.
+  void renew(const ExponentialBasis &basis);
+
   const PhaseForms &forms() const { return forms_; }
   const ExponentialBasis &basis() const { return basis_; }
   const Matrix &inverse() const { return inverse_; }
@@ -30,13 +33,15 @@ public:
   const GuardSums &sums() const { return sums_; }
 
 private:
-  void add_sums();
+  void set_coefficients(std::size_t first);
+  double size_behind(Index guard, const ExponentialBasis::Group &group) const;
 
   const PhaseForms &forms_;
   ExponentialBasis basis_;
   Matrix inverse_;
   GuardSums sums_;
   Vector rest_;
+  std::vector<Complex> exponents_; ///< of the inputs, while they are renewed
 };
 
 } // namespace vibroimpact

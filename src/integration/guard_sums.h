@@ -35,9 +35,17 @@ struct GuardSums {
 
   /// All exponents before the first guard.
   void add_exponent(std::complex<double> exponent);
+  /// Other exponents in place of those from `first` on; their coefficients are to be set again.
+  void set_exponents(std::size_t first, std::span<const std::complex<double>> exponents);
   /// One coefficient per exponent; `sizes`: of what each was summed up from, for the rounding.
   void add_guard(double constant_term, std::span<const std::complex<double>> coefficients,
                  std::span<const double> sizes);
+  /// Another coefficient of a guard that is there.
+  void set_coefficient(std::size_t guard, std::size_t exponent, std::complex<double> coefficient,
+                       double size_behind);
+
+private:
+  void note_exponent(std::size_t place);
 };
 
 } // namespace vibroimpact

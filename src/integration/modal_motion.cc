@@ -39,7 +39,7 @@ private:
   bool read_inputs(std::span<const ExponentialForm> sources);
   bool respond();
   void add_group(Complex exponent, bool is_pair, Index column);
-  bool add_response(const Input &input);
+  bool respond(const Input &input, Index place);
   void multiply(Matrix &rows) const;
   void measure_groups();
   void measure_speeds();
@@ -74,7 +74,11 @@ private:
 ModalMotion::ModalMotion(const LinearSystem &system, Index n_coordinates,
                          const DenseTolerance &tolerance)
     : system_(system), n_(n_coordinates), tolerance_(tolerance) {
-  respond();
+  const auto n_sources = static_cast<Index>(system.loads().size());
+  columns_ = Matrix::Zero(system.size() + 3 * n_sources, system.basis().cols());
+  columns_.topRows(system.size()) = system.basis();
+  for (const LinearSystem::Mode &mode : system.modes())
+    add_group(mode.eigenvalue, mode.is_pair, mode.column);
 }
 
 bool ModalMotion::read_inputs(std::span<const ExponentialForm> sources) {
@@ -110,7 +114,8 @@ void ModalMotion::add_group(Complex exponent, bool is_pair, Index column) {
                      .size8 = size8});
 }
 
-bool ModalMotion::add_response(const Input &input) {
+// Into the columns from `place` on.
+bool ModalMotion::respond(const Input &input, Index place) {
   const Index size = system_.size();
   const Complex e = input.exponent;
   ComplexVector load = system_.constant().cast<Complex>();
@@ -130,9 +135,7 @@ bool ModalMotion::add_response(const Input &input) {
     column[row + 1] = e;
     column[row + 2] = e * e;
   }
-  const Index place = columns_.cols();
   add_group(e, e.imag() != 0, place);
-  columns_.conservativeResize(Eigen::NoChange, place + (groups_.back().is_pair ? 2 : 1));
   columns_.col(place) = column.real();
   if (groups_.back().is_pair)
     columns_.col(place + 1) = -column.imag();
@@ -141,19 +144,21 @@ bool ModalMotion::add_response(const Input &input) {
 
 // The columns depend on the exponents only: they stay while the excitation keeps its frequencies.
 bool ModalMotion::respond() {
-  const auto n_sources = static_cast<Index>(system_.loads().size());
-  groups_.clear();
-  columns_ = Matrix::Zero(system_.size() + 3 * n_sources, system_.basis().cols());
-  columns_.topRows(system_.size()) = system_.basis();
-  for (const LinearSystem::Mode &mode : system_.modes())
-    add_group(mode.eigenvalue, mode.is_pair, mode.column);
+  const Index modes = system_.basis().cols();
+  Index count = modes;
+  for (const Input &input : inputs_)
+    count += input.exponent.imag() != 0 ? 2 : 1;
+  columns_.conservativeResize(Eigen::NoChange, count);
+  groups_.resize(system_.modes().size());
   responded_.clear();
+  measured_ = false;
+  Index place = modes;
   for (const Input &input : inputs_) {
-    if (!add_response(input))
+    if (!respond(input, place))
       return false;
     responded_.push_back(input);
+    place += groups_.back().is_pair ? 2 : 1;
   }
-  measured_ = false;
   return true;
 }
 

@@ -8,30 +8,62 @@ std::size_t own_inputs(const ExponentialBasis &basis) {
   return !basis.inputs.empty() && basis.inputs.front().own ? 1 : 0;
 }
 
+// All resets see the state before any of them.
+void reset(const FlightPhase &from, std::size_t guard, Vector &column) {
+  const std::vector<PhaseForms::Reset> &resets = from.forms().resets(guard);
+  if (resets.empty())
+    return;
+  const Vector before = column;
+  for (const PhaseForms::Reset &reset : resets)
+    column[reset.entry] = reset.form.row.dot(before);
+}
+
 } // namespace
 
 PhaseChange::PhaseChange(const FlightPhase &from, std::size_t guard, const FlightPhase &to)
-    : from_(from.basis().groups), to_(to.basis().groups),
+    : phase_(from), next_(to), guard_(guard), from_(from.basis().groups), to_(to.basis().groups),
       first_input_(from.basis().n_modes() + own_inputs(from.basis())),
       n_modes_(to.basis().n_modes()), has_constant_(own_inputs(to.basis()) > 0) {
-  const Matrix &rows = from.basis().columns;
   const Index size = to.size();
-  Matrix state = rows.topRows(size);
+  transposed_.resize(from.basis().columns.cols(), size);
+  for (std::size_t j = 0; j < first_input_; ++j)
+    for (Index part = 0; part < (from_[j].is_pair ? 2 : 1); ++part) {
+      Vector state = from.basis().columns.col(from_[j].column + part);
+      reset(from, guard, state);
+      find(from_[j].column + part, state);
+    }
   Vector constant = Vector::Zero(size);
-  for (const PhaseForms::Reset &reset : from.forms().resets(guard)) {
-    state.row(reset.entry) = reset.form.row * rows;
+  for (const PhaseForms::Reset &reset : from.forms().resets(guard))
     constant[reset.entry] = reset.form.constant;
-  }
   if (has_constant_)
     constant -= to.basis().columns.col(to_[n_modes_].column).head(size);
-  // Less the response to the inputs, which both phases have in the same order.
-  std::size_t input = n_modes_ + own_inputs(to.basis());
-  for (std::size_t j = first_input_; j < from_.size(); ++j, ++input)
-    for (Index part = 0; part < (from_[j].is_pair ? 2 : 1); ++part)
-      state.col(from_[j].column + part) -=
-          to.basis().columns.col(to_[input].column + part).head(size);
-  transposed_ = (to.inverse() * state).transpose();
   constant_ = to.inverse() * constant;
+  renew();
+}
+
+// Less the response to the inputs, which both phases have in the same order.
+void PhaseChange::renew() {
+  Vector state;
+  std::size_t input = n_modes_ + own_inputs(next_.basis());
+  for (std::size_t j = first_input_; j < from_.size(); ++j, ++input)
+    for (Index part = 0; part < (from_[j].is_pair ? 2 : 1); ++part) {
+      const Index column = from_[j].column + part;
+      state = phase_.basis().columns.col(column);
+      reset(phase_, guard_, state);
+      state -= next_.basis().columns.col(to_[input].column + part);
+      find(column, state);
+    }
+}
+
+// What the modes get of a column's unit amplitude, from the state that it leads to.
+void PhaseChange::find(Index column, const Vector &state) {
+  const Matrix &inverse = next_.inverse();
+  for (Index mode = 0; mode < inverse.rows(); ++mode) {
+    double sum = 0;
+    for (Index i = 0; i < inverse.cols(); ++i)
+      sum += inverse(mode, i) * state[i];
+    transposed_(column, mode) = sum;
+  }
 }
 
 void PhaseChange::apply(const Amplitudes &from, Amplitudes &to) const {

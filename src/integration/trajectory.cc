@@ -75,7 +75,7 @@ void Trajectory::start(const MotionState &from) {
   collisions_.settle(from.time, settings_.event_tolerance, state);
   steps_ = events_ = chatters_ = events_at_once_ = undecided_ = 0;
   if (flight_)
-    flight_->forget();
+    flight_->begin();
   steppers_.forget(); // so that a case does not depend on what was integrated before it
   rejected_before_ = steppers_.rejected_steps();
   event_residual_ = 0;

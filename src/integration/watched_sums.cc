@@ -1,5 +1,7 @@
 #include "integration/watched_sums.h"
 
+#include "integration/flight_arithmetic.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,41 +17,44 @@ constexpr int most_halvings = 60;
 constexpr int most_corrections = 60;
 } // namespace
 
-// A row sees c Re(a) + d Im(a) = Re((c - i d) a) of a group, and its derivative the exponent times
-// that.
 WatchedSums::WatchedSums(const WatchedForms &forms, const ExponentialBasis &basis)
-    : extents_(forms.extents), constants_(forms.constants) {
-  for (const ExponentialBasis::Group &group : basis.groups) {
-    rate_.push_back(group.exponent.real());
-    frequency_.push_back(group.is_pair ? group.exponent.imag() : 0);
-  }
-  now_real_.resize(rate_.size());
-  now_imaginary_.resize(rate_.size());
-  const std::size_t count = extents_.size() * rate_.size();
-  for (std::vector<double> *list : {&real_, &imaginary_, &size_, &fourth_})
-    list->reserve(count);
-  if (extents_.empty())
-    return;
-  const Matrix seen = forms.rows.lazyProduct(basis.columns);
+    : forms_(forms), basis_(basis), extents_(forms.extents), constants_(forms.constants) {
   for (std::size_t form = 0; form < extents_.size(); ++form)
-    add_form(forms.differentiated[form], seen.row(static_cast<Index>(form)), basis);
+    if (forms.differentiated[form])
+      constants_[form] = 0;
+  const std::size_t groups = basis.groups.size();
+  for (std::vector<double> *list : {&rate_, &frequency_, &now_real_, &now_imaginary_})
+    list->resize(groups);
+  for (std::vector<double> *list : {&real_, &imaginary_, &size_, &fourth_})
+    list->resize(extents_.size() * groups);
+  ends_.resize(extents_.size());
+  set_groups(0);
 }
 
-void WatchedSums::add_form(bool differentiated, const RowVector &seen,
-                           const ExponentialBasis &basis) {
-  if (differentiated)
-    constants_[real_.size() / rate_.size()] = 0;
-  for (const ExponentialBasis::Group &group : basis.groups) {
-    const Complex exponent = group.is_pair ? group.exponent : group.exponent.real();
-    Complex coefficient(seen[group.column], group.is_pair ? -seen[group.column + 1] : 0.0);
-    if (differentiated)
-      coefficient *= exponent;
-    const double square = std::norm(exponent);
-    real_.push_back(coefficient.real());
-    imaginary_.push_back(coefficient.imag());
-    size_.push_back(std::sqrt(std::norm(coefficient)));
-    fourth_.push_back(size_.back() * square * square);
+// Those from `first` on.
+void WatchedSums::set_groups(std::size_t first) {
+  for (std::size_t j = first; j < basis_.groups.size(); ++j) {
+    const ExponentialBasis::Group &group = basis_.groups[j];
+    rate_[j] = group.exponent.real();
+    frequency_[j] = group.is_pair ? group.exponent.imag() : 0;
+    for (std::size_t form = 0; form < extents_.size(); ++form)
+      set_coefficient(form, j, seen_of_group(forms_.rows, static_cast<Index>(form), basis_, group));
   }
+}
+
+// A derivative sees the exponent times what the form sees.
+void WatchedSums::set_coefficient(std::size_t form, std::size_t group, Complex seen) {
+  const double rate = rate_[group];
+  const double frequency = frequency_[group];
+  if (forms_.differentiated[form])
+    seen = {seen.real() * rate - seen.imag() * frequency,
+            seen.real() * frequency + seen.imag() * rate};
+  const double square = rate * rate + frequency * frequency;
+  const std::size_t place = form * rate_.size() + group;
+  real_[place] = seen.real();
+  imaginary_[place] = seen.imag();
+  size_[place] = std::sqrt(std::norm(seen));
+  fourth_[place] = size_[place] * square * square;
 }
 
 WatchedSums::Point WatchedSums::sum(std::size_t form, const std::vector<double> &real,
@@ -108,13 +113,15 @@ void WatchedSums::include(const Amplitudes &start, const Amplitudes &end, double
   for (std::size_t form = 0; form < extents_.size(); ++form) {
     const Piece piece{.from = 0,
                       .to = h,
-                      .first = sum(form, start.real, start.imaginary),
+                      .first = goes_on_ ? ends_[form] : sum(form, start.real, start.imaginary),
                       .last = sum(form, end.real, end.imaginary)};
+    ends_[form] = piece.last;
     extents_[form]->include(piece.first.value);
     extents_[form]->include(piece.last.value);
     rounding_ = rounding(form);
     include(form, piece, 0);
   }
+  goes_on_ = true;
 }
 
 // The values at the ends are included already.
@@ -152,21 +159,23 @@ void WatchedSums::include(std::size_t form, const Piece &piece, int halvings) {
   include(form, {.from = half, .to = piece.to, .first = between, .last = piece.last}, halvings + 1);
 }
 
-// The slope has one zero in the piece. Near it the value changes with the square of the distance,
-// so that half the digits of the instant are all of the value's.
+// The slope has one zero in the piece, near that of the cubic through the slopes and curvatures at
+// both ends. As far from it as slope / curvature the value lacks half of slope^2 / curvature.
 void WatchedSums::include_turn(std::size_t form, const Piece &piece) {
-  constexpr double enough = 1e-9;
+  using flight_arithmetic::Height;
   double low = piece.from;
   double high = piece.to;
   const bool rises = piece.first.slope > 0;
-  double instant = low + (high - low) * piece.first.slope / (piece.first.slope - piece.last.slope);
+  const Height<double> first{piece.first.slope, piece.first.curvature};
+  const Height<double> last{piece.last.slope, piece.last.curvature};
+  double instant = low + flight_arithmetic::zero_of_cubic(first, last, high - low);
   for (int i = 0; i < most_corrections; ++i) {
     const Point there = at(form, instant);
     extents_[form]->include(there.value);
+    if (there.slope * there.slope <= rounding_ * std::abs(there.curvature))
+      return;
     ((there.slope > 0) == rises ? low : high) = instant;
     const double wanted = instant - there.slope / there.curvature;
-    if (std::abs(wanted - instant) <= enough * (piece.to - piece.from))
-      return;
     instant = wanted > low && wanted < high ? wanted : 0.5 * (low + high);
   }
 }

@@ -17,9 +17,14 @@ namespace vibroimpact {
 
 class WatchedSums {
 public:
-  /// The forms in a phase made of these exponentials.
+  /// The forms in a phase made of these exponentials; keeps references to both.
   WatchedSums(const WatchedForms &forms, const ExponentialBasis &basis);
 
+  /// The frequencies of the inputs are others.
+  void renew() { set_groups(basis_.n_modes()); }
+
+  /// The next piece does not go on from the end of the last one.
+  void begin() { goes_on_ = false; }
   /// The extents grow by a piece of the motion, `h` [s] long, from its amplitudes at both ends.
   void include(const Amplitudes &start, const Amplitudes &end, double h);
 
@@ -33,7 +38,8 @@ private:
     Point first, last;
   };
 
-  void add_form(bool differentiated, const RowVector &seen, const ExponentialBasis &basis);
+  void set_groups(std::size_t first);
+  void set_coefficient(std::size_t form, std::size_t group, Complex seen);
   void move(double t);
   Point sum(std::size_t form, const std::vector<double> &real,
             const std::vector<double> &imaginary) const;
@@ -42,6 +48,8 @@ private:
   void include(std::size_t form, const Piece &piece, int halvings);
   void include_turn(std::size_t form, const Piece &piece);
 
+  const WatchedForms &forms_;
+  const ExponentialBasis &basis_;
   std::vector<Extent *> extents_;
   std::vector<double> constants_;
   std::vector<double> rate_, frequency_;
@@ -51,6 +59,8 @@ private:
   double rounding_ = 0;                                  // of the values of the present form
   double moved_ = -1;                                    // the time of now_...
   std::vector<double> now_real_, now_imaginary_;         // amplitudes
+  std::vector<Point> ends_;                              // of the last piece, by forms
+  bool goes_on_ = false;                                 // the next piece begins there
 };
 
 } // namespace vibroimpact

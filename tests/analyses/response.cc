@@ -65,6 +65,18 @@ TEST(ResponseTest, SettlesByCyclesUntilItIsSteady) {
   EXPECT_NEAR(value_of(result, excursion), 2 * amplitude(), 3e-6 * amplitude());
 }
 
+TEST(ResponseTest, GoesStraightToWhereThePeriodsLead) {
+  Response::Settings settings = by_cycles(500);
+  settings.settling.extrapolates = true;
+  const PointResult result = run(settings, oscillator(0.1));
+  const PointResult waited = run(by_cycles(500), oscillator(0.1));
+  EXPECT_EQ(value_of(result, "steady"), 1);
+  EXPECT_EQ(value_of(result, "period_multiple"), 1);
+  EXPECT_LT(2 * value_of(result, "settling_cycles"), value_of(waited, "settling_cycles"));
+  EXPECT_NEAR(value_of(result, excursion), value_of(waited, excursion),
+              3e-6 * value_of(waited, excursion));
+}
+
 TEST(ResponseTest, RecordsWhatIsNotSteadyAsWell) {
   const PointResult result = run(by_cycles(6), oscillator(0.01));
   EXPECT_EQ(value_of(result, "steady"), 0);

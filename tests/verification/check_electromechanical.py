@@ -113,8 +113,9 @@ def start_up(table):
 
 
 def time_under_force(table):
-    """Of the last impact within 40 s: from the first sample of its pulse to the first one without
-    force. The sides stay overlapped for longer, because the stop does not pull."""
+    """Of the last impact within 40 s: from the first sample of its pulse to where the force comes to
+    nothing, by the straight line through the last two samples before. The sides stay overlapped for
+    longer, because the stop does not pull."""
     history = table.run(FILE, "pulses", "Analyses=history",
                         "Analysis/history/Transient/Duration=40 s",
                         "Analysis/history/Transient/Recorded pulses=1000")["analysis/history"]
@@ -122,9 +123,11 @@ def time_under_force(table):
     time, force = pulse["time"][:], pulse["normal_force"][:]
     ends = numpy.flatnonzero(numpy.isnan(time))
     last = slice(ends[-2] + 1, ends[-1])
-    released = numpy.flatnonzero(force[last][1:] <= 0)[0] + 1
-    table.add("time under force, c = 5 mm, ms", 0.379,
-              (time[last][released] - time[last][0]) * 1e3, 2e-3)
+    time, force = time[last], force[last]
+    after = numpy.flatnonzero(force[1:] <= 0)[0] + 1
+    before, end = after - 2, after - 1
+    released = time[end] + force[end] * (time[end] - time[before]) / (force[before] - force[end])
+    table.add("time under force, c = 5 mm, ms", 0.379, (released - time[0]) * 1e3, 2e-3)
 
 
 def check(table):
