@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace vibroimpact {
 namespace {
@@ -60,13 +61,18 @@ Recorded record(const System &system, double frequency, bool by_steps) {
   return recorded;
 }
 
+// Of the steps: the acceleration is the second derivative of a polynomial that is right to 1e-13.
+double step_error(const std::string &field) {
+  return field.find("acceleration") == std::string::npos ? 5e-11 : 1e-9;
+}
+
 void compare(const std::shared_ptr<const ContactLaw> &law, double frequency) {
   const System system = between_stops(law, frequency);
   const Recorded flown = record(system, frequency, false);
   const Recorded stepped = record(system, frequency, true);
   const std::string where = law->name() + " at " + std::to_string(frequency) + " rad/s: ";
   EXPECT_EQ(flown.accuracy.events, stepped.accuracy.events) << where;
-  EXPECT_LT(flown.accuracy.energy_residual, 1e-11) << where;
+  EXPECT_LT(flown.accuracy.energy_residual, 1e-12) << where;
   EXPECT_LT(stepped.accuracy.energy_residual, 1e-10) << where;
 
   ASSERT_EQ(flown.result.fields.size(), stepped.result.fields.size()) << where;
@@ -77,7 +83,8 @@ void compare(const std::shared_ptr<const ContactLaw> &law, double frequency) {
     if (std::isnan(other.values[0])) {
       EXPECT_TRUE(std::isnan(one.values[0])) << where << one.name();
     } else {
-      EXPECT_NEAR(one.values[0], other.values[0], 1e-8 * (1 + std::abs(other.values[0])))
+      EXPECT_NEAR(one.values[0], other.values[0],
+                  step_error(one.name()) * (1 + std::abs(other.values[0])))
           << where << one.name();
     }
   }
@@ -86,7 +93,7 @@ void compare(const std::shared_ptr<const ContactLaw> &law, double frequency) {
   const double turnover = stepped.state[layout.absolute_input_work()];
   for (Index entry = 0; entry < layout.size(); ++entry)
     if (entry != layout.absolute_input_work()) {
-      EXPECT_NEAR(flown.state[entry], stepped.state[entry], 1e-9 * (1 + turnover))
+      EXPECT_NEAR(flown.state[entry], stepped.state[entry], 1e-12 * (1 + turnover))
           << where << "entry " << entry;
     }
   EXPECT_LE(flown.state[layout.absolute_input_work()], turnover * (1 + 1e-9)) << where;
