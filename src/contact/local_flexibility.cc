@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace vibroimpact {
@@ -71,21 +72,23 @@ std::vector<ContactFigures> contact_figures(const ContactSet &contacts, const Mo
 
 std::string truncation_warning(const std::vector<ContactFigures> &contacts) {
   constexpr std::size_t most_named = 8;
-  std::string named;
+  std::ostringstream named;
   std::size_t count = 0;
   for (const ContactFigures &contact : contacts)
+    // Rounded down, so that no share looks as if it were enough.
     if (contact.flexibility_share < contact.least_share && ++count <= most_named)
-      named += (named.empty() ? "" : ", ") + contact.name + " (" +
-               std::to_string(std::lround(100 * contact.flexibility_share)) + " % of at least " +
-               std::to_string(std::lround(100 * contact.least_share)) + " %)";
+      named << (count > 1 ? ", " : "") << contact.name << " ("
+            << std::floor(1000 * contact.flexibility_share) / 10 << " %)";
   if (count == 0)
     return "";
   if (count > most_named)
-    named += " and " + std::to_string(count - most_named) + " more";
-  return "the kept modes carry too little of the static flexibility at the contacts " + named +
-         ": contact forces there are too large and too short; keep more modes, or name their "
-         "points "
-         "in Modes/Attachments (the threshold is Least flexibility share)";
+    named << " and " << count - most_named << " more";
+  return "the kept modes carry less of the static flexibility than Least flexibility share asks "
+         "for "
+         "at the contacts " +
+         named.str() +
+         "; forces there come out too large and contacts too short. Keep more modes, or name the "
+         "points or interfaces in Modes/Attachments";
 }
 
 } // namespace vibroimpact

@@ -138,8 +138,11 @@ namespace {
 
 std::vector<Vector3> grid_positions(const Values &section) {
   const std::vector<double> counts = section.quantities("Grid points");
-  const bool plane = section.quantities("Grid").size() == 9;
-  if (counts.size() != (plane ? 2U : 1U) || section.quantities("Grid").size() % 3 != 0)
+  const std::size_t numbers = section.quantities("Grid").size();
+  const bool plane = numbers == 9;
+  if (numbers != 6 && !plane)
+    section.reject("Grid", "must be the coordinates of two or of three places");
+  if (counts.size() != (plane ? 2U : 1U))
     section.reject("Grid points", "must be one whole number for a line, two for a parallelogram");
   for (const double count : counts)
     if (count != std::floor(count) || count > 1e4)

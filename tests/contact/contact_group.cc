@@ -134,8 +134,8 @@ TEST(ContactGroupTest, ShareOfTheFlexibility) {
   EXPECT_NEAR(figures[0].flexibility_share, 0.75, 1e-14);
   EXPECT_EQ(figures[0].least_share, 0.9);
   const std::string warning = truncation_warning(figures);
-  EXPECT_NE(warning.find("gap.1 (75 %"), std::string::npos) << warning;
-  EXPECT_NE(warning.find("gap.3 (75 %"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("gap.1 (75 %)"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("gap.3 (75 %)"), std::string::npos) << warning;
 }
 
 TEST(ContactGroupTest, NoWarningAboveTheThreshold) {

@@ -161,7 +161,7 @@ class ManyContacts(unittest.TestCase):
             self.assertIn("warning", lines[0])
             shares = self.results["contact/flexibility_share"][:]
             for name, share in zip(NODES, shares):
-                named = f"{name} ({round(100 * share)} %" in lines[0]
+                named = f"{name} ({np.floor(1000 * share) / 10:g} %)" in lines[0]
                 self.assertEqual(named, bool(share < 0.9), lines[0])
 
     def test_group_sums(self):
