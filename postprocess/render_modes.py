@@ -3,8 +3,8 @@ r"""Renders every mode shape of a result folder to a PNG, off screen, with ParaV
     xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
         pvpython render_modes.py output/NAME [FOLDER]
 
-FOLDER is output/NAME/figures unless given. The undeformed body is drawn in grey, the mode coloured
-by its displacement; the files are scaled so that a factor of 1 shows the mode well. ParaView (Debian:
+FOLDER is output/NAME/figures unless given. The undeformed body (of shells, its mesh) is drawn in grey,
+the mode coloured by its displacement; the files are scaled so that a factor of 1 shows the mode well. ParaView (Debian:
 paraview python3-paraview xvfb) is needed for this script alone.
 """
 
@@ -12,6 +12,10 @@ import sys
 from pathlib import Path
 
 from paraview import simple
+
+
+def holds_surfaces(reader):
+    return reader.GetClientSideObject().GetOutput().GetCell(0).GetCellDimension() == 2
 
 
 def tube(source, radius):
@@ -33,10 +37,12 @@ def render(mode: Path, picture: Path) -> None:
     view.Background = [1, 1, 1]
     view.UseColorPaletteForBackground = 0
     view.OrientationAxesLabelColor = [0, 0, 0]
-    undeformed = simple.Show(tube(reader, 0.004 * size), view)
+    surfaces = holds_surfaces(reader)
+    at_rest = simple.FeatureEdges(Input=simple.ExtractSurface(Input=reader)) if surfaces else reader
+    undeformed = simple.Show(tube(at_rest, 0.004 * size), view)
     undeformed.AmbientColor = undeformed.DiffuseColor = [0.7, 0.7, 0.7]
     undeformed.ColorArrayName = ["POINTS", ""]
-    deformed = simple.Show(tube(warped, 0.012 * size), view)
+    deformed = simple.Show(warped if surfaces else tube(warped, 0.012 * size), view)
     simple.ColorBy(deformed, ("POINTS", "displacement", "Magnitude"))
     deformed.RescaleTransferFunctionToDataRange(False)
 

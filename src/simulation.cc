@@ -16,6 +16,7 @@
 #include "run_information.h"
 
 #include <algorithm>
+#include <set>
 
 namespace vibroimpact {
 
@@ -226,6 +227,39 @@ void Simulation::log_cost(const Job &job) const {
             cost_sentence(*first.analysis, first.system, grid_size(job.keys)));
 }
 
+namespace {
+
+void log_groups(const ContactSet &contacts, std::set<std::string> &told) {
+  for (const ContactGroup &group : contacts.groups())
+    if (told.insert(group.name).second)
+      log::info("contact " + group.name + ": " + std::to_string(group.count) + " contacts" +
+                (group.unpaired > 0 ? "; nodes without a partner: " + std::to_string(group.unpaired)
+                                    : "") +
+                (group.held > 0
+                     ? "; pairs left out as they cannot move: " + std::to_string(group.held)
+                     : ""));
+}
+
+} // namespace
+
+// Of the contacts of all analyses, as the first point of each has them. Tells of their pairings,
+// and where the bodies keep too few modes for them.
+std::vector<ContactFigures> Simulation::contacts_of(const std::vector<Job> &jobs) const {
+  std::vector<ContactFigures> figures;
+  std::set<std::string> groups;
+  std::set<std::string> known;
+  for (const Job &job : jobs) {
+    const System system = build_case(job, grid_overrides(job.keys, 0)).system;
+    log_groups(system.contacts, groups);
+    for (const ContactFigures &contact : contact_figures(system.contacts, system.model))
+      if (known.insert(contact.name).second)
+        figures.push_back(contact);
+  }
+  if (const std::string warning = truncation_warning(figures); !warning.empty())
+    log::warning(warning);
+  return figures;
+}
+
 void Simulation::check() {
   const std::vector<Job> all = jobs();
   derived_quantities(all);
@@ -234,6 +268,7 @@ void Simulation::check() {
     log::info("body " + body->name + ": " + body_sentence(*body));
   for (const Job &job : all)
     log_cost(job);
+  contacts_of(all);
 }
 
 RunSummary Simulation::run(const RunOptions &options) {
@@ -247,12 +282,13 @@ RunSummary Simulation::run(const RunOptions &options) {
   RunFolder folder(communicator_, options.folder, options.existing, parameters_->echo());
   log::open_file(folder.log_file().string());
   keep_bodies(folder);
+  const std::vector<ContactFigures> contacts = contacts_of(all);
   std::vector<ReducedBody> reduced;
   for (const auto &body : bodies(parameters_->root()))
     reduced.push_back(*body);
   FileSink sink(communicator_, folder,
                 run_information(parameters_->echo(), options.command_line, communicator_), reduced,
-                std::chrono::seconds(60), std::move(derived));
+                std::chrono::seconds(60), std::move(derived), contacts);
   int rank = 0;
   MPI_Comm_rank(communicator_, &rank);
   if (rank == 0)

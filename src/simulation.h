@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyses/runner.h"
+#include "contact/local_flexibility.h"
 #include "derived/derived_quantities.h"
 #include "output/run_folder.h"
 #include "parameters/values.h"
@@ -60,6 +61,7 @@ private:
   void keep_bodies(RunFolder &folder) const;
   derived::DerivedQuantities derived_quantities(const std::vector<Job> &jobs) const;
   void log_cost(const Job &job) const;
+  std::vector<ContactFigures> contacts_of(const std::vector<Job> &jobs) const;
   std::string file_folder() const;
 
   std::shared_ptr<const parameters::ParameterSet> parameters_;

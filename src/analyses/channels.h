@@ -26,8 +26,8 @@ struct Channel {
   }
 };
 
-/// All points of the model along all axes on which some coordinate moves them by more than 1e-12 of
-/// the point's largest value.
+/// All points of the model but those of interfaces, whose contacts are watched, along all axes on
+/// which some coordinate moves them by more than 1e-12 of the point's largest value.
 std::vector<Channel> observed_channels(const Model &model);
 
 } // namespace vibroimpact

@@ -118,6 +118,40 @@ double undecided_events(const PointResult &result) {
   return scalar_of(result, accuracy_labels().undecided_events);
 }
 
+namespace {
+
+// Of all contacts of a group, in the summary and as scalars.
+void add_group(PointResult &result, const ContactGroup &group, const ImpactLog &log) {
+  double impacts = 0;
+  double touched = 0;
+  double peak = 0;
+  double impulse = 0;
+  double dissipated = 0;
+  for (std::size_t c = group.first; c < group.first + group.count; ++c) {
+    impacts += static_cast<double>(log.impacts(c).size());
+    touched += log.begun(c) > 0 ? 1 : 0;
+    for (const Impact &impact : log.impacts(c)) {
+      peak = std::max(peak, impact.peak_force);
+      impulse += impact.impulse;
+      dissipated += impact.dissipated_energy;
+    }
+  }
+  const auto add = [&](const std::string &name, double value, const std::string &unit,
+                       const std::string &description) {
+    result.fields.push_back(
+        scalar_field("group/" + group.name + "/" + name, value, unit, description));
+    result.summary.push_back(scalar_line("group." + group.name + "." + name, value, unit));
+  };
+  add("contacts", static_cast<double>(group.count), "1", "contacts of the group");
+  add("touched", touched, "1", "contacts with an impact");
+  add("impacts", impacts, "1", "finished impacts of all its contacts");
+  add("peak_force", peak, "N", "largest normal force of a single contact");
+  add("impulse", impulse, "N s", "sum over all impacts");
+  add("dissipated_energy", dissipated, "J", "lost in the contact laws, sum over all impacts");
+}
+
+} // namespace
+
 void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLog &log,
                  std::size_t summary_lines) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -138,6 +172,8 @@ void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLo
             scalar_line("contact." + name + ".impact[" + std::to_string(i + 1) + "]." + column.name,
                         column.value(impacts[i]), column.unit));
   }
+  for (const ContactGroup &group : contacts.groups())
+    add_group(result, group, log);
 }
 
 void add_pulses(PointResult &result, const ContactSet &contacts, const ImpactLog &log) {

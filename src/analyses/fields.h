@@ -30,7 +30,8 @@ bool unbalanced(const PointResult &result);
 /// Touches of the motion that rounding decides.
 double undecided_events(const PointResult &result);
 
-/// Impact tables of all contacts as fields, and as summary lines of the first `summary_lines`.
+/// Impact tables of all contacts as fields, and as summary lines of the first `summary_lines`; sums
+/// and maxima of the groups of contacts.
 void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLog &log,
                  std::size_t summary_lines);
 

@@ -3,6 +3,7 @@
 #include "analyses/fields.h"
 #include "analyses/system.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibroimpact {
@@ -88,13 +89,63 @@ void MotionRecorder::add_fields(PointResult &result) const {
   }
 }
 
-FrameRecorder::FrameRecorder(const Model &model, std::vector<double> instants)
-    : model_(model), instants_(std::move(instants)) {
+namespace {
+
+/// The sides of a contact on meshes; the force pushes the first against the normal.
+std::vector<TouchedNode> touched_nodes(const ContactPair &pair, const Model &model) {
+  std::vector<TouchedNode> nodes;
+  const auto add = [&](const std::string &side, const Vector3 &push) {
+    PointReference reference;
+    if (!model.find_point(side, reference))
+      return;
+    const int node = model.bodies()[reference.body]->points[reference.point].node;
+    if (node >= 0)
+      nodes.push_back({.body = reference.body, .node = node, .push = push});
+  };
+  add(pair.side_a, -pair.normal);
+  add(pair.side_b, pair.normal);
+  return nodes;
+}
+
+} // namespace
+
+FrameRecorder::FrameRecorder(const System &system, std::vector<double> instants)
+    : model_(system.model), instants_(std::move(instants)) {
   const auto frames = static_cast<Index>(instants_.size());
-  for (const auto &body : model.bodies()) {
+  for (const auto &body : model_.bodies()) {
     motion_.coordinates.emplace_back(Matrix::Zero(frames, body->size()));
     motion_.base_displacement.emplace_back(Matrix::Zero(frames, 3));
   }
+  if (!instants_.empty())
+    for (const ContactPair &pair : system.contacts.pairs())
+      motion_.contacts.emplace_back().nodes = touched_nodes(pair, model_);
+}
+
+void FrameRecorder::sample_contacts(const StepView &view, std::size_t last) {
+  for (std::size_t c = 0; c < motion_.contacts.size() && last > next_; ++c) {
+    const ContactCurves curves = view.contact_curves(c);
+    for (std::size_t i = next_; i < last; ++i) {
+      const double tau = position(view, instants_[i]);
+      motion_.contacts[c].gap.push_back(curves.gap(tau));
+      motion_.contacts[c].force.push_back(view.force(c, curves, tau));
+    }
+  }
+}
+
+Motion FrameRecorder::motion(const ImpactLog &log) const {
+  Motion motion = motion_;
+  for (std::size_t c = 0; c < motion.contacts.size(); ++c) {
+    ContactTrace &trace = motion.contacts[c];
+    double peak = 0;
+    for (std::size_t i = 0; i < motion.time.size(); ++i) {
+      for (const Impact &impact : log.impacts(c))
+        if (impact.start_time <= motion.time[i])
+          peak = std::max(peak, impact.peak_force);
+      peak = std::max(peak, trace.force[i]);
+      trace.peak_force.push_back(peak);
+    }
+  }
+  return motion;
 }
 
 void FrameRecorder::step(const StepView &view) {
@@ -105,6 +156,7 @@ void FrameRecorder::step(const StepView &view) {
       for (std::size_t i = next_; i < last; ++i)
         motion_.coordinates[b](static_cast<Index>(i), j) = coordinate(position(view, instants_[i]));
     }
+  sample_contacts(view, last);
   for (std::size_t i = next_; i < last; ++i) {
     motion_.time.push_back(instants_[i]);
     for (std::size_t b = 0; b < model_.bodies().size(); ++b)

@@ -4,6 +4,7 @@
 #include "analyses/channels.h"
 #include "analyses/system.h"
 #include "common/result_sink.h"
+#include "integration/impact_log.h"
 #include "integration/trajectory.h"
 
 #include <vector>
@@ -40,15 +41,19 @@ private:
   std::vector<ContactSeries> contact_series_;
 };
 
-/// Modal coordinates of all bodies at given instants, for the expansion to the mesh.
+/// Modal coordinates of all bodies, gaps and forces of all contacts at given instants, for the
+/// expansion to the mesh.
 class FrameRecorder : public Observer {
 public:
-  FrameRecorder(const Model &model, std::vector<double> instants);
+  FrameRecorder(const System &system, std::vector<double> instants);
 
   void step(const StepView &view) override;
-  const Motion &motion() const { return motion_; }
+  /// With the peak forces of the impacts that the log of the same motion holds.
+  Motion motion(const ImpactLog &log) const;
 
 private:
+  void sample_contacts(const StepView &view, std::size_t last);
+
   const Model &model_;
   std::vector<double> instants_;
   std::size_t next_ = 0;

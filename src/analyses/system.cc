@@ -38,7 +38,7 @@ ContactSet start_in_equilibrium(EquilibriumStart start, const Model &model, Cont
   std::vector<ContactPair> pairs = contacts.pairs();
   for (std::size_t c = 0; with_contacts && c < pairs.size(); ++c)
     pairs[c].accept_initial_penetration |= equilibrium.closed[c];
-  return ContactSet(std::move(pairs));
+  return ContactSet(std::move(pairs), contacts.groups());
 }
 
 } // namespace

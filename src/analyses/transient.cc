@@ -73,7 +73,7 @@ PointResult Transient::compute(const System &system) const {
     frames.push_back(settings_.first_frame +
                      (settings_.last_frame - settings_.first_frame) * static_cast<double>(i) /
                          static_cast<double>(std::max<std::size_t>(settings_.frames - 1, 1)));
-  FrameRecorder pictures(system.model, frames);
+  FrameRecorder pictures(system, frames);
   Observers observers({&log, &recorder, &pictures});
   WindowRecording recording(settings_.recorders, system);
   PointResult result;
@@ -90,7 +90,7 @@ PointResult Transient::compute(const System &system) const {
   add_pulses(result, system.contacts, log);
   add_accuracy(result, trajectory.accuracy(), system.integration);
   if (!frames.empty() && result.status == Status::finished)
-    result.motion.push_back(pictures.motion());
+    result.motion.push_back(pictures.motion(log));
   return result;
 }
 

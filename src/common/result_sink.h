@@ -49,11 +49,27 @@ struct SummaryLine {
   const std::string &unit() const { return label.unit(); }
 };
 
+/// A node that takes the force of a contact.
+struct TouchedNode {
+  std::size_t body = 0;           ///< position among the bodies
+  int node = -1;                  ///< of its mesh
+  Vector3 push = Vector3::Zero(); ///< direction in which a positive force pushes it
+};
+
+/// A contact at the instants of a motion.
+struct ContactTrace {
+  std::vector<TouchedNode> nodes; ///< none for points of bodies without a mesh
+  std::vector<double> gap;        ///< [m]
+  std::vector<double> force;      ///< [N]
+  std::vector<double> peak_force; ///< largest up to the end of the impact that lasts then [N]
+};
+
 /// The motion of all bodies at some instants, for the expansion to the mesh.
 struct Motion {
   std::vector<double> time;              ///< [s]
   std::vector<Matrix> coordinates;       ///< per body: time x coordinate
   std::vector<Matrix> base_displacement; ///< per body: time x 3 [m]
+  std::vector<ContactTrace> contacts{};
 };
 
 enum class Status : std::int8_t { missing = -1, finished = 0, failed = 1 };

@@ -23,17 +23,30 @@ struct ContactPair {
   bool accept_initial_penetration = false;
   std::string origin;        ///< where the parameter file declares it, for messages
   Index internal_offset = 0; ///< first internal state among those of all contacts
+  std::string group{};       ///< the section whose pairing found it; empty for a contact by itself
+  Vector3 normal = Vector3::Zero();   ///< n
+  double least_flexibility_share = 0; ///< below it the check of the kept modes warns
 
   int n_internal() const { return law->n_internal(); }
+};
+
+/// The contacts that a section with a pairing stands for, one behind the other.
+struct ContactGroup {
+  std::string name;
+  std::size_t first = 0;    ///< position of its first contact
+  std::size_t count = 0;    ///< contacts NAME.1, NAME.2, ...
+  std::size_t unpaired = 0; ///< points of both sides that face none of the other
+  std::size_t held = 0;     ///< pairs of points that cannot move, which are left out
 };
 
 class ContactSet {
 public:
   ContactSet() = default;
-  explicit ContactSet(std::vector<ContactPair> pairs);
+  explicit ContactSet(std::vector<ContactPair> pairs, std::vector<ContactGroup> groups = {});
 
   const std::vector<ContactPair> &pairs() const { return pairs_; }
   std::size_t size() const { return pairs_.size(); }
+  const std::vector<ContactGroup> &groups() const { return groups_; }
   /// Internal states of all contacts together, and their values before the first contact.
   Index n_internal() const { return n_internal_; }
   Vector initial_internal() const;
@@ -43,13 +56,15 @@ public:
 
 private:
   std::vector<ContactPair> pairs_;
+  std::vector<ContactGroup> groups_;
   Index n_internal_ = 0;
 };
 
 void declare_contacts(parameters::Section &root);
 
-/// The contacts called `names` (instances of "Contact"). Throws InputError for unknown points, a
-/// negative clearance that is not declared as prestress, and wrong laws.
+/// The contacts that the sections `names` (instances of "Contact") stand for. Throws InputError for
+/// unknown points and interfaces, pairings that find nothing, a negative clearance that is not
+/// declared as prestress, and wrong laws.
 ContactSet read_contacts(const parameters::Values &root, const std::vector<std::string> &names,
                          const Model &model);
 

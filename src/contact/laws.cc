@@ -20,19 +20,30 @@ struct LawEntry {
   const char *name;
   void (*declare)(parameters::Section &contact);
   std::shared_ptr<const ContactLaw> (*create)(const parameters::Values &contact);
+  /// Of laws with a key Stiffness: with another stiffness than that of the section.
+  std::shared_ptr<const ContactLaw> (*create_with)(const parameters::Values &contact,
+                                                   double stiffness) = nullptr;
 };
 
 constexpr LawEntry laws[] = {
-    {"linear penalty", LinearPenalty::declare, LinearPenalty::create},
-    {"kelvin-voigt", KelvinVoigt::declare, KelvinVoigt::create},
+    {"linear penalty", LinearPenalty::declare, LinearPenalty::create, LinearPenalty::create_with},
+    {"kelvin-voigt", KelvinVoigt::declare, KelvinVoigt::create, KelvinVoigt::create_with},
     {"relaxing stop", RelaxingStop::declare, RelaxingStop::create},
-    {"piecewise stop", PiecewiseStop::declare, PiecewiseStop::create},
+    {"piecewise stop", PiecewiseStop::declare, PiecewiseStop::create, PiecewiseStop::create_with},
     {"hertz", Hertz::declare, Hertz::create},
     {"hunt-crossley", HuntCrossley::declare, HuntCrossley::create},
     {"tsuji", Tsuji::declare, Tsuji::create},
     {"kuwabara-kono", KuwabaraKono::declare, KuwabaraKono::create},
     {"newton restitution", NewtonRestitution::declare, NewtonRestitution::create},
 };
+
+const LawEntry &chosen_law(const parameters::Values &contact) {
+  const std::string chosen = contact.choice("Law");
+  for (const LawEntry &law : laws)
+    if (chosen == law.name)
+      return law;
+  throw std::logic_error("contact law without an entry: " + chosen);
+}
 
 } // namespace
 
@@ -47,11 +58,16 @@ void declare_contact_laws(parameters::Section &contact) {
 }
 
 std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &contact) {
-  const std::string chosen = contact.choice("Law");
-  for (const LawEntry &law : laws)
-    if (chosen == law.name)
-      return law.create(contact);
-  throw std::logic_error("contact law without an entry: " + chosen);
+  return chosen_law(contact).create(contact);
+}
+
+std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &contact,
+                                                     double stiffness) {
+  const LawEntry &law = chosen_law(contact);
+  if (law.create_with == nullptr)
+    contact.reject("Stiffness fraction", "left out with Law = " + std::string(law.name) +
+                                             ", which has no key Stiffness that it could replace.");
+  return law.create_with(contact, stiffness);
 }
 
 } // namespace vibroimpact

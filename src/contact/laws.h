@@ -13,5 +13,8 @@ void declare_contact_laws(parameters::Section &contact);
 
 /// The law a contact section chooses. Throws InputError.
 std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &contact);
+/// The same with this stiffness [N/m]. Throws InputError for laws without a key Stiffness.
+std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &contact,
+                                                     double stiffness);
 
 } // namespace vibroimpact

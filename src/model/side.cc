@@ -5,38 +5,51 @@
 namespace vibroimpact {
 
 Sides read_sides(const parameters::Values &section, const std::vector<std::string> &fixed,
-                 const Model &model) {
+                 std::vector<std::string> known, const std::string &form) {
   std::vector<std::string> ends = section.names("Between");
-  if (ends.size() == 1)
+  if (ends.size() == 1 && !fixed.empty())
     ends.push_back(fixed.front());
   const auto is_fixed = [&](const std::string &end) {
     return std::find(fixed.begin(), fixed.end(), end) != fixed.end();
   };
   if (ends.size() != 2 || ends[0] == ends[1] || is_fixed(ends[0]))
-    section.reject("Between", "two different points as BODY.POINT, BODY.POINT; the second may be " +
-                                  fixed[0] + " or " + fixed[1] + ".");
-  std::vector<std::string> known = model.point_names();
+    section.reject(
+        "Between",
+        "two different ones as " + form + ", " + form +
+            (fixed.empty() ? "." : "; the second may be " + fixed[0] + " or " + fixed[1] + "."));
   known.insert(known.end(), fixed.begin(), fixed.end());
   for (const std::string &end : ends)
     section.require_known("Between", end, known);
   return {.a = ends[0], .b = ends[1]};
 }
 
-Projection relative_displacement(const Sides &sides, const Vector3 &direction, const Model &model) {
-  PointReference a;
-  model.find_point(sides.a, a);
-  Projection difference = model.displacement(a, direction, sides.b != side_base);
+Sides read_sides(const parameters::Values &section, const std::vector<std::string> &fixed,
+                 const Model &model) {
+  return read_sides(section, fixed, model.point_names(), "BODY.POINT");
+}
+
+Projection relative_displacement(const PointReference &a, const std::optional<PointReference> &b,
+                                 bool absolute, const Vector3 &direction, const Model &model) {
+  Projection difference = model.displacement(a, direction, absolute);
   difference.row *= -1;
   for (double &carrier : difference.carrier)
     carrier *= -1;
-  PointReference b;
-  if (!model.find_point(sides.b, b))
+  if (!b)
     return difference;
-  const Projection other = model.displacement(b, direction, true);
+  const Projection other = model.displacement(*b, direction, true);
   difference.row += other.row;
   for (std::size_t k = 0; k < difference.carrier.size(); ++k)
     difference.carrier[k] += other.carrier[k];
   return difference;
+}
+
+Projection relative_displacement(const Sides &sides, const Vector3 &direction, const Model &model) {
+  PointReference a;
+  model.find_point(sides.a, a);
+  PointReference b;
+  const bool two_points = model.find_point(sides.b, b);
+  return relative_displacement(a, two_points ? std::optional(b) : std::nullopt,
+                               sides.b != side_base, direction, model);
 }
 
 } // namespace vibroimpact

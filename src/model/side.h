@@ -4,6 +4,7 @@
 #include "model/model.h"
 #include "parameters/values.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,19 @@ struct Sides {
 };
 
 /// Reads the key Between. With one entry the second end is the first of `fixed`. InputError for
-/// unknown points, for more than two ends and for an end joined to itself.
+/// ends that are not in `known`, for more than two ends and for an end joined to itself; `form`
+/// says how an end is written: "BODY.POINT".
+Sides read_sides(const parameters::Values &section, const std::vector<std::string> &fixed,
+                 std::vector<std::string> known, const std::string &form);
+
+/// The same with all points of the model.
 Sides read_sides(const parameters::Values &section, const std::vector<std::string> &fixed,
                  const Model &model);
+
+/// (u_b - u_a) . direction of two points, or of one and a place that is fixed in space (`absolute`)
+/// or on the base of the first.
+Projection relative_displacement(const PointReference &a, const std::optional<PointReference> &b,
+                                 bool absolute, const Vector3 &direction, const Model &model);
 
 /// (u_b - u_a) . direction as a projection of the motion: absolute displacements, or relative to
 /// the base where the second end is the base.

@@ -7,6 +7,7 @@
 #include <boost/serialization/split_free.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
+#include <boost/serialization/version.hpp>
 
 namespace boost::serialization {
 
@@ -50,11 +51,26 @@ template <class Archive> void serialize(Archive &archive, vibroimpact::Matrix &m
   archive &make_array(matrix.data(), static_cast<std::size_t>(matrix.size()));
 }
 
-template <class Archive> void serialize(Archive &archive, vibroimpact::Motion &motion, unsigned) {
+template <class Archive>
+void serialize(Archive &archive, vibroimpact::TouchedNode &touched, unsigned) {
+  archive &touched.body &touched.node;
+  archive &make_array(touched.push.data(), 3);
+}
+
+template <class Archive>
+void serialize(Archive &archive, vibroimpact::ContactTrace &trace, unsigned) {
+  archive &trace.nodes &trace.gap &trace.force &trace.peak_force;
+}
+
+template <class Archive>
+void serialize(Archive &archive, vibroimpact::Motion &motion, unsigned version) {
   archive &motion.time &motion.coordinates &motion.base_displacement;
+  if (version > 0) // earlier journals have none
+    archive &motion.contacts;
 }
 
 } // namespace boost::serialization
 
+BOOST_CLASS_VERSION(vibroimpact::Motion, 1)
 BOOST_SERIALIZATION_SPLIT_FREE(vibroimpact::Field)
 BOOST_SERIALIZATION_SPLIT_FREE(vibroimpact::SummaryLine)

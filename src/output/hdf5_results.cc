@@ -276,6 +276,32 @@ void write_body(Hdf5File &file, const ReducedBody &body) {
   write_recovery(group, body.recovery);
 }
 
+void write_contacts(Hdf5File &file, const std::vector<ContactFigures> &contacts) {
+  if (contacts.empty())
+    return;
+  std::vector<std::string> names;
+  std::vector<double> clearances;
+  std::vector<double> shares;
+  for (const ContactFigures &contact : contacts) {
+    names.push_back(contact.name);
+    clearances.push_back(contact.clearance);
+    shares.push_back(contact.flexibility_share);
+  }
+  file.create_group("/contact");
+  write_label_scale(file, "/contact/contact", names, "contact of the model");
+  const auto write = [&](const std::string &path, const std::vector<double> &values,
+                         const std::string &unit, const std::string &description) {
+    file.write(path, {values.size()}, values);
+    describe(file, path, unit, description);
+    attach_scales(file, path, {"/contact/contact"});
+  };
+  write("/contact/clearance", clearances, "m", "gap of the undeformed model");
+  write(
+      "/contact/flexibility_share", shares, "1",
+      "share of the static flexibility along the normal that the kept coordinates carry; NaN where "
+      "it is not known");
+}
+
 void write_analysis(Hdf5File &file, const AnalysisHeader &header, const AnalysisArrays &arrays,
                     const std::vector<derived::DerivedArray> &quantities) {
   const std::string group = "/analysis/" + header.name;

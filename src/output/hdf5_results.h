@@ -5,6 +5,7 @@
 //                           processor
 //   /body/NAME/             mode [-], axis, component, point, node, end (scales); frequency [Hz],
 //                           damping_ratio, mass, stiffness, effective_mass, base_participation, ...
+//   /contact/               contact (scale of names); clearance, flexibility_share
 //   /analysis/NAME/         attributes: name, type, grid; the outer axes (scales), status, reason,
 //                           and the fields, nested by the slashes of their names
 //   /analysis/NAME/derived/ the derived quantities; attributes operation, axis, axes
@@ -14,6 +15,7 @@
 #pragma once
 
 #include "common/hdf5_file.h"
+#include "contact/local_flexibility.h"
 #include "derived/labelled_array.h"
 #include "output/analysis_arrays.h"
 #include "reduction/reduced_body.h"
@@ -36,6 +38,8 @@ struct RunInformation {
 
 void write_information(Hdf5File &file, const RunInformation &information);
 void write_body(Hdf5File &file, const ReducedBody &body);
+/// Nothing without contacts.
+void write_contacts(Hdf5File &file, const std::vector<ContactFigures> &contacts);
 void write_analysis(Hdf5File &file, const AnalysisHeader &header, const AnalysisArrays &arrays,
                     const std::vector<derived::DerivedArray> &quantities = {});
 

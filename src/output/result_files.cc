@@ -29,9 +29,10 @@ bool same_axes(const AnalysisHeader &one, const AnalysisHeader &other) {
 
 FileSink::FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation information,
                    std::vector<ReducedBody> bodies, std::chrono::duration<double> rebuild_interval,
-                   derived::DerivedQuantities derived)
+                   derived::DerivedQuantities derived, std::vector<ContactFigures> contacts)
     : communicator_(communicator), folder_(folder), information_(std::move(information)),
-      bodies_(std::move(bodies)), derived_(std::move(derived)), rebuild_interval_(rebuild_interval),
+      bodies_(std::move(bodies)), derived_(std::move(derived)), contacts_(std::move(contacts)),
+      rebuild_interval_(rebuild_interval),
       next_rebuild_(Clock::now() + std::chrono::duration_cast<Clock::duration>(rebuild_interval)) {
   run_on_all_ranks(communicator_, [this] {
     recorder_ = std::make_unique<Recorder>(folder_.journal_file(rank_in(communicator_)));
@@ -105,6 +106,7 @@ std::vector<std::string> FileSink::write_results(const std::filesystem::path &fi
   write_information(results, information_);
   for (const ReducedBody &body : bodies_)
     write_body(results, body);
+  write_contacts(results, contacts_);
   for (const auto &[header, points] : analyses) {
     const AnalysisArrays arrays = assemble(header, points.sequence());
     const auto [quantities, problems] =
@@ -140,6 +142,7 @@ std::string FileSink::summary(const std::vector<StoredAnalysis> &analyses,
   std::string text;
   for (const ReducedBody &body : bodies_)
     text += body_summary(body);
+  text += contact_summary(contacts_);
   for (std::size_t a = 0; a < analyses.size(); ++a)
     text += analysis_summary(analyses[a].header, analyses[a].points.sequence()) + derived_lines[a];
   return text;

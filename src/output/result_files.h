@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/result_sink.h"
+#include "contact/local_flexibility.h"
 #include "derived/derived_quantities.h"
 #include "output/hdf5_results.h"
 #include "output/record.h"
@@ -23,7 +24,7 @@ public:
   FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation information,
            std::vector<ReducedBody> bodies,
            std::chrono::duration<double> rebuild_interval = std::chrono::seconds(60),
-           derived::DerivedQuantities derived = {});
+           derived::DerivedQuantities derived = {}, std::vector<ContactFigures> contacts = {});
 
   /// Throws std::logic_error when the analysis was begun before in this run, and InputError when a
   /// resumed folder holds the analysis with other axes.
@@ -59,6 +60,7 @@ private:
   RunInformation information_;
   std::vector<ReducedBody> bodies_;
   derived::DerivedQuantities derived_;
+  std::vector<ContactFigures> contacts_;
   std::vector<std::string> problems_; ///< of derived quantities, on rank 0
   std::unique_ptr<Recorder> recorder_;
   std::set<std::string> begun_;

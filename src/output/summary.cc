@@ -78,13 +78,13 @@ std::string body_summary(const ReducedBody &body) {
     text += along_axes(numbered("effective_mass", j), body.effective_mass().row(j), "kg");
   text += along_axes(prefix + "total_mass", body.total_mass.transpose(), "kg");
   for (const BodyPoint &point : body.points)
-    if (point.static_displacement.size() > 0) {
+    if (point.interface.empty() && point.static_displacement.size() > 0) {
       const std::string name = prefix + "static." + point.name + ".";
       text += along_axes(name + "displacement", point.static_displacement.head(3).transpose(), "m");
       text += along_axes(name + "rotation", point.static_displacement.tail(3).transpose(), "rad");
     }
   for (const BodyPoint &point : body.points)
-    if (point.flexibility.size() > 0) {
+    if (point.interface.empty() && point.flexibility.size() > 0) {
       RowVector share(3);
       for (int axis = 0; axis < 3; ++axis)
         share[axis] = body.flexibility_share(point, Vector3::Unit(axis));
@@ -92,6 +92,15 @@ std::string body_summary(const ReducedBody &body) {
     }
   if (body.modal())
     text += summary_line(prefix + "orthogonality_residual", body.orthogonality_residual, "1");
+  return text;
+}
+
+std::string contact_summary(const std::vector<ContactFigures> &contacts) {
+  std::string text;
+  for (const ContactFigures &contact : contacts)
+    if (!std::isnan(contact.flexibility_share))
+      text += summary_line("contact." + contact.name + ".flexibility_share",
+                           contact.flexibility_share, "1");
   return text;
 }
 

@@ -1,6 +1,7 @@
 // The few figures of a run that a person or a test compares: `name = value [unit]` lines.
 #pragma once
 
+#include "contact/local_flexibility.h"
 #include "output/record.h"
 #include "reduction/reduced_body.h"
 
@@ -11,6 +12,9 @@ namespace vibroimpact {
 /// `body.NAME.frequency[1] = 2.95 [Hz]`, counted from 1; then damping ratio, effective and total
 /// mass along x, y, z, and for modal bodies the orthogonality residual.
 std::string body_summary(const ReducedBody &body);
+
+/// `contact.NAME.flexibility_share = 0.97 [1]` of each contact for which it is known.
+std::string contact_summary(const std::vector<ContactFigures> &contacts);
 
 /// Nobody reads the lines of more points than this.
 constexpr std::size_t most_listed_points = 10000;

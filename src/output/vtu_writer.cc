@@ -23,6 +23,9 @@ constexpr double mode_amplitude = 0.1; // of the body's size, or in rad
 
 /// Three displacements, three rotations, the number of the body.
 constexpr unsigned n_components = 7;
+/// Behind them, where contacts touch a mesh: three of the force, the gap, the peak of the force.
+constexpr unsigned n_contact_components = 5;
+using ContactValues = Eigen::Matrix<float, n_contact_components, Eigen::Dynamic>;
 
 std::string numbered(const std::string &format, std::size_t number) {
   std::array<char, 32> text;
@@ -41,9 +44,20 @@ void set_column(dealii::Table<2, float> &data, unsigned column, const Vector6 &m
   data(6, column) = static_cast<float>(body_number);
 }
 
+/// A column for each node of a mesh; no columns at all without contacts on meshes.
+void set_contact(dealii::Table<2, float> &data, unsigned column, const ContactValues &contact,
+                 int node) {
+  for (unsigned component = 0; component < n_contact_components && contact.cols() > 0; ++component)
+    data(n_components + component, column) = contact(component, node);
+}
+
+unsigned components_with(const ContactValues &contact) {
+  return n_components + (contact.cols() > 0 ? n_contact_components : 0);
+}
+
 /// One patch for each beam element; `motion` holds six values for each node.
 void add_lines(const Recovery &recovery, const Vector &motion, std::size_t body_number,
-               std::vector<Patch<1, 3>> &patches) {
+               const ContactValues &contact, std::vector<Patch<1, 3>> &patches) {
   for (const auto &[a, b] : recovery.lines) {
     Patch<1, 3> patch;
     patch.vertices[0] = to_point(recovery.nodes.col(a));
@@ -51,7 +65,9 @@ void add_lines(const Recovery &recovery, const Vector &motion, std::size_t body_
     patch.reference_cell = dealii::ReferenceCells::Line;
     patch.n_subdivisions = line_subdivisions;
     patch.patch_index = static_cast<unsigned>(patches.size());
-    patch.data.reinit(n_components, line_subdivisions + 1);
+    patch.data.reinit(components_with(contact), line_subdivisions + 1);
+    set_contact(patch.data, 0, contact, a);
+    set_contact(patch.data, line_subdivisions, contact, b);
     for (unsigned i = 0; i <= line_subdivisions; ++i)
       set_column(patch.data, i,
                  beam_curve(recovery.nodes.col(a), recovery.nodes.col(b),
@@ -64,7 +80,7 @@ void add_lines(const Recovery &recovery, const Vector &motion, std::size_t body_
 
 /// One patch for each shell element.
 void add_surfaces(const Recovery &recovery, const Vector &motion, std::size_t body_number,
-                  std::vector<Patch<2, 3>> &patches) {
+                  const ContactValues &contact, std::vector<Patch<2, 3>> &patches) {
   for (const auto &nodes : recovery.surfaces) {
     const bool triangle = nodes[3] < 0;
     // deal.II numbers the corners of a quadrilateral line by line, not around it.
@@ -74,10 +90,11 @@ void add_surfaces(const Recovery &recovery, const Vector &motion, std::size_t bo
         triangle ? dealii::ReferenceCells::Triangle : dealii::ReferenceCells::Quadrilateral;
     patch.patch_index = static_cast<unsigned>(patches.size());
     const unsigned corners = triangle ? 3 : 4;
-    patch.data.reinit(n_components, corners);
+    patch.data.reinit(components_with(contact), corners);
     for (unsigned i = 0; i < corners; ++i) {
       patch.vertices[i] = to_point(recovery.nodes.col(order[i]));
       set_column(patch.data, i, motion.segment<6>(Index{6} * order[i]), body_number);
+      set_contact(patch.data, i, contact, order[i]);
     }
     patches.push_back(std::move(patch));
   }
@@ -101,11 +118,17 @@ template <int dimension>
 void write_patches(const std::filesystem::path &file,
                    const std::vector<Patch<dimension, 3>> &patches) {
   using namespace dealii::DataComponentInterpretation;
-  const std::vector<std::string> names = {
-      "displacement", "displacement", "displacement", "rotation", "rotation", "rotation", "body"};
-  const std::vector<std::tuple<unsigned, unsigned, std::string, DataComponentInterpretation>>
-      vectors = {{0, 2, "displacement", component_is_part_of_vector},
-                 {3, 5, "rotation", component_is_part_of_vector}};
+  std::vector<std::string> names = {"displacement", "displacement", "displacement", "rotation",
+                                    "rotation",     "rotation",     "body"};
+  std::vector<std::tuple<unsigned, unsigned, std::string, DataComponentInterpretation>> vectors = {
+      {0, 2, "displacement", component_is_part_of_vector},
+      {3, 5, "rotation", component_is_part_of_vector}};
+  if (patches.front().data.n_rows() > n_components) {
+    names.insert(names.end(), {"contact_force", "contact_force", "contact_force", "contact_gap",
+                               "peak_contact_force"});
+    vectors.emplace_back(n_components, n_components + 2, "contact_force",
+                         component_is_part_of_vector);
+  }
   dealii::DataOutBase::VtkFlags flags;
   flags.write_higher_order_cells = false;
   flags.print_date_and_time = false; // the same result, the same file
@@ -175,8 +198,8 @@ std::vector<std::string> write_shape(RunFolder &folder, const std::string &name,
                                      std::size_t body_number) {
   std::vector<Patch<1, 3>> lines;
   std::vector<Patch<2, 3>> surfaces;
-  add_lines(recovery, motion, body_number, lines);
-  add_surfaces(recovery, motion, body_number, surfaces);
+  add_lines(recovery, motion, body_number, {}, lines);
+  add_surfaces(recovery, motion, body_number, {}, surfaces);
   return write_mesh(folder, name, lines, surfaces);
 }
 
@@ -221,6 +244,34 @@ Vector node_motion(const Recovery &recovery, const Vector &coordinates, const Ve
   return motion;
 }
 
+bool touches_mesh(const Motion &motion) {
+  return std::any_of(motion.contacts.begin(), motion.contacts.end(),
+                     [](const ContactTrace &trace) { return !trace.nodes.empty(); });
+}
+
+/// What the contacts do to the nodes of a body. A node of several contacts has the sum of their
+/// forces, the smallest of their gaps and the largest of their peaks.
+ContactValues contact_values(const Motion &motion, std::size_t body, Index nodes,
+                             std::size_t instant) {
+  ContactValues values;
+  if (!touches_mesh(motion))
+    return values;
+  values.setZero(n_contact_components, nodes);
+  std::vector<bool> touched(static_cast<std::size_t>(nodes));
+  for (const ContactTrace &trace : motion.contacts)
+    for (const TouchedNode &at : trace.nodes) {
+      if (at.body != body)
+        continue;
+      auto column = values.col(at.node);
+      const auto gap = static_cast<float>(trace.gap[instant]);
+      column.head<3>() += (trace.force[instant] * at.push).cast<float>();
+      column[3] = touched[at.node] ? std::min(column[3], gap) : gap;
+      column[4] = std::max(column[4], static_cast<float>(trace.peak_force[instant]));
+      touched[at.node] = true;
+    }
+  return values;
+}
+
 Frame write_frame(RunFolder &folder, const std::string &name,
                   const std::vector<ReducedBody> &bodies, const Motion &motion,
                   std::size_t instant) {
@@ -236,8 +287,10 @@ Frame write_frame(RunFolder &folder, const std::string &name,
       continue;
     }
     const Vector moved = node_motion(bodies[b].recovery, coordinates, base);
-    add_lines(bodies[b].recovery, moved, b + 1, lines);
-    add_surfaces(bodies[b].recovery, moved, b + 1, surfaces);
+    const ContactValues contact =
+        contact_values(motion, b, bodies[b].recovery.nodes.cols(), instant);
+    add_lines(bodies[b].recovery, moved, b + 1, contact, lines);
+    add_surfaces(bodies[b].recovery, moved, b + 1, contact, surfaces);
   }
   Frame frame{motion.time[instant],
               write_mesh(folder, name + numbered("/frame-%05zu", instant + 1), lines, surfaces)};

@@ -23,8 +23,10 @@ void write_mode_files(RunFolder &folder, const std::vector<ReducedBody> &bodies)
 /// Rank 0. NAME/frame-00001.vtu (and frame-00001-lines.vtu beside shells) ... and NAME.pvd with the
 /// instants of `motion`: displacement [m] and rotation [rad] of all bodies with a mesh, base motion
 /// included, and the number of the body
-/// ("body", from 1). Lumped bodies are points in NAME/lumped-00001.vtu ...; each point of such a
-/// body is one.
+/// ("body", from 1). Where contacts touch a mesh, also the force on each node ("contact_force",
+/// [N]), the gap there ("contact_gap", [m]; 0 at nodes without a contact), and the largest force up
+/// to then ("peak_contact_force", [N]). Lumped bodies are points in NAME/lumped-00001.vtu ...; each
+/// point of such a body is one.
 void write_motion_files(RunFolder &folder, const std::string &name,
                         const std::vector<ReducedBody> &bodies, const Motion &motion);
 

@@ -78,6 +78,30 @@ void declare_point(Section &body) {
                   "Of the lumped mass about x, y, z.", 3, 3);
 }
 
+void declare_interface(Section &body) {
+  body.named_subsection(
+          "Interface",
+          "Nodes of a beam or shell at which it can touch: a Contact with a Pairing makes a "
+          "contact "
+          "of each. They are called NAME.1, NAME.2... in the order of their coordinates (x first), "
+          "or in that of Near or Grid.")
+      .text("At", "all",
+            "The nodes to choose from: start or end of a generated line; left, right, bottom, top "
+            "or edges of a plate or cylinder; the name of a physical group of the mesh; or all.")
+      .quantities("Near", "", dimension::length, range::any, "",
+                  "Coordinates, three for each position: only the nodes nearest to these. Without "
+                  "Near and Grid: all nodes of At.",
+                  3, std::numeric_limits<int>::max())
+      .quantities("Grid", "", dimension::length, range::any, "",
+                  "Two ends of a line, or a corner and the ends of the two edges from it: only the "
+                  "nodes nearest to equally spaced points of the line or parallelogram.",
+                  6, 9)
+      .quantities("Grid points", "", dimension::none, Range{.lower = 1}, "",
+                  "Points of the Grid along the line, or along the first and second edge, ends "
+                  "included; a single one lies in the middle.",
+                  1, 2);
+}
+
 void declare_load(Section &body) {
   Section &load = body.named_subsection(
       "Load", "What acts on a beam or shell in its static solution, which is part of the results "
@@ -107,9 +131,11 @@ void declare_modes(Section &body) {
       .quantities("Damping ratio", "0", dimension::none, range::non_negative, "\\zeta",
                   "One for each kept mode; the last one repeats.", 1,
                   std::numeric_limits<int>::max())
-      .names("Attachments", "",
-             "Places as POINT.x, POINT.y or POINT.z: the static answer to a force there is kept "
-             "beside the normal modes, as far as they lack it (residual attachment modes).")
+      .names(
+          "Attachments", "",
+          "Places as POINT.x, POINT.y or POINT.z, or INTERFACE.x and so on for all its nodes: the "
+          "static answer to a force there is kept beside the normal modes, as far as they lack "
+          "it (residual attachment modes).")
       .quantity("Attachment damping ratio", "", dimension::none, range::non_negative, "\\zeta_a",
                 "Of the attachment modes, with damping model ratio. Without it: the last Damping "
                 "ratio.")
@@ -180,6 +206,7 @@ void declare_body(Section &root) {
   declare_material(body);
   declare_support(body);
   declare_point(body);
+  declare_interface(body);
   declare_shells(body);
   declare_load(body);
   declare_modes(body);

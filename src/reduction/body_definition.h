@@ -24,9 +24,10 @@ struct Damping {
   double viscous_constant = 0;              ///< of the whole body [N s/m]
 };
 
-/// A force at a point, along an axis (0, 1, 2), whose static answer is kept beside the modes.
+/// A force at a point, or at each point of an interface, along an axis (0, 1, 2), whose static
+/// answer is kept beside the modes.
 struct Attachment {
-  std::string point;
+  std::string point; ///< or interface
   int axis = 0;
 };
 

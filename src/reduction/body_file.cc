@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little, "the format is little-
 
 namespace {
 
-const std::string title = "vibroimpact reduced body 2";
+const std::string title = "vibroimpact reduced body 3";
 
 class Writer {
 public:
@@ -114,6 +114,8 @@ void write(Writer &out, const ReducedBody &body) {
   out.matrix("points", Matrix::Constant(1, 1, static_cast<double>(body.points.size())));
   for (const BodyPoint &point : body.points) {
     out.text("point", point.name);
+    out.text("interface", point.interface);
+    out.matrix("node", Matrix::Constant(1, 1, point.node));
     out.matrix("position", point.position);
     out.matrix("rows", point.rows);
     out.matrix("static_displacement", point.static_displacement);
@@ -141,6 +143,8 @@ ReducedBody read(Reader &in) {
   for (std::size_t i = 0; i < points; ++i) {
     BodyPoint point;
     point.name = in.text("point");
+    point.interface = in.text("interface");
+    point.node = static_cast<int>(in.matrix("node")(0, 0));
     point.position = in.matrix("position");
     point.rows = in.matrix("rows");
     point.static_displacement = in.matrix("static_displacement");

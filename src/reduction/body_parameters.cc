@@ -68,11 +68,11 @@ Damping read_damping(const Values &section) {
 }
 
 std::vector<Attachment> read_attachments(const Values &section,
-                                         const std::vector<structure::Point> &points) {
+                                         const std::vector<std::string> &places) {
   std::vector<std::string> known;
-  for (const structure::Point &point : points)
+  for (const std::string &place : places)
     for (const char *axis : {".x", ".y", ".z"})
-      known.push_back(point.name + axis);
+      known.push_back(place + axis);
   std::vector<Attachment> attachments;
   for (const std::string &place : section.names("Attachments")) {
     section.require_known("Attachments", place, known);
@@ -81,11 +81,14 @@ std::vector<Attachment> read_attachments(const Values &section,
   return attachments;
 }
 
-/// Modes, attachments and damping of a body with a mesh.
-void read_modes(const Values &section, const std::vector<structure::Point> &points,
-                BodyDefinition &definition) {
+/// Modes, attachments and damping of a body with a mesh, from its section.
+void read_modes(const Values &body, BodyDefinition &definition) {
+  const Values section = body.subsection("Modes");
+  std::vector<std::string> places = body.instances("Point");
+  for (const std::string &interface : body.instances("Interface"))
+    places.push_back(interface);
   definition.selection = read_selection(section);
-  definition.attachments = read_attachments(section, points);
+  definition.attachments = read_attachments(section, places);
   definition.damping = read_damping(section);
 }
 
@@ -138,20 +141,21 @@ void read_beam(const Values &body, const std::string &folder, MPI_Comm communica
   definition.beam.material = read_material(body.subsection("Material"));
   definition.beam.supports = read_supports(body);
   definition.beam.points = read_points(body);
+  definition.beam.interfaces = read_interfaces(body);
   definition.beam.loads = read_loads(body);
-  read_modes(body.subsection("Modes"), definition.beam.points, definition);
+  read_modes(body, definition);
 }
 
 void read_shell(const Values &body, const std::string &folder, MPI_Comm communicator,
                 BodyDefinition &definition) {
   refuse(body, {"Section", "Rotor", "Motor"}, {"Mass"});
   definition.shell = read_shell_definition(body, folder, communicator);
-  read_modes(body.subsection("Modes"), definition.shell.points, definition);
+  read_modes(body, definition);
 }
 
 void read_rotor(const Values &body, BodyDefinition &definition) {
   refuse(body, {"Geometry", "Section", "Material", "Modes"},
-         {"Support", "Point", "Mass", "Shell", "Stiffener", "Load"});
+         {"Support", "Point", "Interface", "Mass", "Shell", "Stiffener", "Load"});
   const Values rotor = body.subsection("Rotor");
   rotor.require("Mass");
   rotor.require("Inertia");
@@ -160,7 +164,7 @@ void read_rotor(const Values &body, BodyDefinition &definition) {
 
 void read_lumped(const Values &body, BodyDefinition &definition) {
   refuse(body, {"Geometry", "Section", "Material", "Modes", "Rotor", "Motor"},
-         {"Support", "Point", "Shell", "Stiffener", "Load"});
+         {"Support", "Point", "Interface", "Shell", "Stiffener", "Load"});
   for (const std::string &name : body.instances("Mass"))
     definition.masses.push_back(read_mass(body.instance("Mass", name), name));
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -133,6 +134,57 @@ structure::Point read_point(const Values &section, const std::string &name) {
   return point;
 }
 
+namespace {
+
+std::vector<Vector3> grid_positions(const Values &section) {
+  const std::vector<double> counts = section.quantities("Grid points");
+  const std::size_t numbers = section.quantities("Grid").size();
+  const bool plane = numbers == 9;
+  if (numbers != 6 && !plane)
+    section.reject("Grid", "must be the coordinates of two or of three places");
+  if (counts.size() != (plane ? 2U : 1U))
+    section.reject("Grid points", "must be one whole number for a line, two for a parallelogram");
+  for (const double count : counts)
+    if (count != std::floor(count) || count > 1e4)
+      section.reject("Grid points", "must be whole numbers from 1 to 10000");
+  const Vector3 corner = vector3(section, "Grid", 0);
+  const Vector3 first = vector3(section, "Grid", 3) - corner;
+  Vector3 second = Vector3::Zero();
+  if (plane)
+    second = vector3(section, "Grid", 6) - corner;
+  const auto along = [](int i, double count) { return count > 1 ? i / (count - 1) : 0.5; };
+  std::vector<Vector3> positions;
+  for (int j = 0; j < (plane ? counts[1] : 1); ++j)
+    for (int i = 0; i < counts[0]; ++i)
+      positions.emplace_back(corner + along(i, counts[0]) * first +
+                             (plane ? along(j, counts[1]) : 0) * second);
+  return positions;
+}
+
+} // namespace
+
+structure::Interface read_interface(const Values &section, const std::string &name) {
+  structure::Interface interface {
+    .name = name, .group = section.text("At"), .near = {}
+  };
+  if (section.has("Near") && section.has("Grid"))
+    section.reject("Grid", "must not be given together with Near");
+  if (section.has("Grid") != section.has("Grid points"))
+    section.reject_section("needs both Grid and Grid points, or none of them");
+  if (section.has("Grid")) {
+    interface.near = grid_positions(section);
+    interface.near_key = "Grid";
+  }
+  if (!section.has("Near"))
+    return interface;
+  const std::size_t numbers = section.quantities("Near").size();
+  if (numbers % 3 != 0)
+    section.reject("Near", "must be three coordinates for each position");
+  for (std::size_t first = 0; first < numbers; first += 3)
+    interface.near.push_back(vector3(section, "Near", first));
+  return interface;
+}
+
 structure::Load read_load(const Values &section, const std::string &name) {
   structure::Load load{.name = name, .at = {}};
   const bool nodal = section.has("Force") || section.has("Moment");
@@ -166,6 +218,20 @@ std::vector<structure::Point> read_points(const Values &body) {
   for (const std::string &name : body.instances("Point"))
     points.push_back(read_point(body.instance("Point", name), name));
   return points;
+}
+
+std::vector<structure::Interface> read_interfaces(const Values &body) {
+  const std::vector<std::string> points = body.instances("Point");
+  std::vector<structure::Interface> interfaces;
+  for (const std::string &name : body.instances("Interface")) {
+    const Values section = body.instance("Interface", name);
+    for (const std::string &point : points)
+      if (point == name || point.starts_with(name + "."))
+        section.reject_section("must not share its name with Point " + point +
+                               ", as its own points are called " + name + ".1, " + name + ".2...");
+    interfaces.push_back(read_interface(section, name));
+  }
+  return interfaces;
 }
 
 std::vector<structure::Load> read_loads(const Values &body) {

@@ -30,10 +30,13 @@ structure::SectionShape read_section(const Values &section);
 structure::Material read_material(const Values &material);
 structure::Support read_support(const Values &section, const std::string &name);
 structure::Point read_point(const Values &section, const std::string &name);
+structure::Interface read_interface(const Values &section, const std::string &name);
 structure::Load read_load(const Values &section, const std::string &name);
 /// All of a kind, in the order of the file.
 std::vector<structure::Support> read_supports(const Values &body);
 std::vector<structure::Point> read_points(const Values &body);
+/// InputError for one with the name of a point.
+std::vector<structure::Interface> read_interfaces(const Values &body);
 std::vector<structure::Load> read_loads(const Values &body);
 
 } // namespace vibroimpact::sections

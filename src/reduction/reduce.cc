@@ -179,7 +179,9 @@ void add_points(const structure::BodyModel &model, const Matrix &shapes, const S
     const Index row = Index{6} * named.node;
     BodyPoint point{.name = named.name,
                     .position = model.mesh.nodes[named.node],
-                    .rows = shapes.middleRows(row, 6)};
+                    .rows = shapes.middleRows(row, 6),
+                    .interface = named.interface,
+                    .node = named.node};
     if (statics.deflection.size() > 0)
       point.static_displacement = statics.deflection.segment(row, 6);
     if (!statics.flexibility.empty())
@@ -210,7 +212,7 @@ Matrix attachment_loads(const BodyDefinition &definition, const AssembledBody &b
   for (const Attachment &attachment : definition.attachments)
     for (const structure::NamedNode &point : body.model.points)
       if (const int dof = body.free.number[point.node][attachment.axis];
-          point.name == attachment.point && dof >= 0)
+          (point.name == attachment.point || point.interface == attachment.point) && dof >= 0)
         dofs.push_back(dof);
   Matrix loads = Matrix::Zero(body.free.size, static_cast<Index>(dofs.size()));
   for (std::size_t j = 0; j < dofs.size(); ++j)

@@ -28,6 +28,8 @@ struct BodyPoint {
   /// body before reduction [m/N]; empty for bodies without a mesh and for those that no support
   /// holds.
   Matrix flexibility{};
+  std::string interface {}; ///< the interface the point is one of; empty for a point by itself
+  int node = -1;            ///< column of Recovery::nodes; -1 for bodies without a mesh
 };
 
 /// Nodes, cells and mode shapes, to expand coordinates to the mesh.

@@ -84,6 +84,15 @@ struct Point {
   Vector3 rotary_inertia = Vector3::Zero(); ///< about the global axes [kg m^2]
 };
 
+/// Nodes at which a body can touch others, one contact each. Their points are called NAME.1,
+/// NAME.2...
+struct Interface {
+  std::string name;
+  std::string group = "all";     ///< the nodes to choose from
+  std::vector<Vector3> near;     ///< the nodes nearest to these, in this order [m]; empty: all
+  std::string near_key = "Near"; ///< the key these positions come from, for messages
+};
+
 /// What acts on a body in its static solution. Force and moment act at each node of the location.
 struct Load {
   std::string name;
@@ -103,6 +112,7 @@ struct BeamDefinition {
   Material material;
   std::vector<Support> supports;
   std::vector<Point> points;
+  std::vector<Interface> interfaces;
   std::vector<Load> loads;
 };
 

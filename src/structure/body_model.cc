@@ -2,6 +2,7 @@
 
 #include "structure/frame_element.h"
 #include "structure/gmsh_reader.h"
+#include "structure/interface_nodes.h"
 #include "structure/mesh_check.h"
 #include "structure/shell_body.h"
 
@@ -27,11 +28,19 @@ void apply_point(BodyModel &model, const Point &point) {
     throw DefinitionError("Point", point.name, "At",
                           "must mean exactly one node, but " + point.at.group + " has " +
                               std::to_string(nodes.size()));
-  model.points.push_back({point.name, nodes[0]});
+  model.points.push_back({.name = point.name, .node = nodes[0]});
   for (int axis = 0; axis < 3; ++axis) {
     model.lumped_mass[nodes[0]][axis] += point.mass;
     model.lumped_mass[nodes[0]][3 + axis] += point.rotary_inertia[axis];
   }
+}
+
+void add_interface(BodyModel &model, const Interface &interface) {
+  const std::vector<int> nodes = interface_nodes(model.mesh, interface);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    model.points.push_back({.name = interface.name + "." + std::to_string(i + 1),
+                            .node = nodes[i],
+                            .interface = interface.name});
 }
 
 void apply_load(BodyModel &model, const Load &load) {
@@ -57,6 +66,8 @@ template <class Definition> void complete(BodyModel &model, const Definition &de
     apply_support(model, support);
   for (const Point &point : definition.points)
     apply_point(model, point);
+  for (const Interface &interface : definition.interfaces)
+    add_interface(model, interface);
   for (const Load &load : definition.loads)
     apply_load(model, load);
   if (!(model.total_mass() > 0))

@@ -8,10 +8,11 @@
 
 namespace vibroimpact::structure {
 
-/// A named node.
+/// A named node, by itself or as one of an interface.
 struct NamedNode {
   std::string name;
   int node = 0;
+  std::string interface {}; ///< empty for a point by itself
 };
 
 struct BodyModel {

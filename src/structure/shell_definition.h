@@ -55,6 +55,7 @@ struct ShellDefinition {
   std::vector<Stiffener> stiffeners;
   std::vector<Support> supports;
   std::vector<Point> points;
+  std::vector<Interface> interfaces;
   std::vector<Load> loads;
 };
 

@@ -129,6 +129,24 @@ TEST_F(VtuWriter, ShellsAreSurfacesWithTheirStiffeners) {
   EXPECT_TRUE(fs::exists(path / "static/panel-lines.vtu"));
 }
 
+TEST_F(VtuWriter, ContactsAreFieldsOfTheMotion) {
+  Motion motion;
+  motion.time = {0};
+  motion.coordinates = {Matrix::Zero(1, 1)};
+  motion.base_displacement = {Matrix::Zero(1, 3)};
+  const auto arrays_of = [&](const std::string &name) {
+    write_motion_files(folder, name, {small_shell()}, motion);
+    return point_arrays(path / name / "frame-00001.vtu");
+  };
+  motion.contacts.push_back({.nodes = {}, .gap = {0.1}, .force = {0}, .peak_force = {0}});
+  EXPECT_EQ(arrays_of("none"), expected_arrays) << "no side of the contact is on a mesh";
+  motion.contacts[0].nodes.push_back({.body = 0, .node = 3, .push = Vector3::UnitZ()});
+  std::map<std::string, int> arrays = expected_arrays;
+  arrays.insert({{"contact_force", 3}, {"contact_gap", 1}, {"peak_contact_force", 1}});
+  EXPECT_EQ(arrays_of("touched"), arrays);
+  EXPECT_EQ(point_arrays(path / "touched/frame-00001-lines.vtu"), arrays);
+}
+
 TEST_F(VtuWriter, IndexIsCountedFromOne) {
   EXPECT_EQ(index_suffix({}), "");
   EXPECT_EQ(index_suffix({1, 0, 16}), "-2-1-17");

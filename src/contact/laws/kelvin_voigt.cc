@@ -1,5 +1,7 @@
 #include "contact/laws/kelvin_voigt.h"
 
+#include "contact/laws/given_stiffness.h"
+
 namespace vibroimpact {
 
 namespace {
@@ -33,6 +35,13 @@ std::shared_ptr<const ContactLaw> KelvinVoigt::create(const parameters::Values &
   const parameters::Values law = contact_values.subsection(section_name);
   law.require("Stiffness");
   return std::make_shared<KelvinVoigt>(law.quantity("Stiffness"), law.quantity("Damping constant"));
+}
+
+std::shared_ptr<const ContactLaw> KelvinVoigt::create_with(const parameters::Values &contact_values,
+                                                           double stiffness) {
+  const parameters::Values law = contact_values.subsection(section_name);
+  refuse_stiffness(law);
+  return std::make_shared<KelvinVoigt>(stiffness, law.quantity("Damping constant"));
 }
 
 void KelvinVoigt::evaluate(int mode, const LocalState &state, LawResponse &response) const {

@@ -1,5 +1,7 @@
 #include "contact/laws/linear_penalty.h"
 
+#include "contact/laws/given_stiffness.h"
+
 namespace vibroimpact {
 
 namespace {
@@ -20,6 +22,12 @@ std::shared_ptr<const ContactLaw> LinearPenalty::create(const parameters::Values
   const parameters::Values values = contact.subsection(section_name);
   values.require("Stiffness");
   return std::make_shared<LinearPenalty>(values.quantity("Stiffness"));
+}
+
+std::shared_ptr<const ContactLaw> LinearPenalty::create_with(const parameters::Values &contact,
+                                                             double stiffness) {
+  refuse_stiffness(contact.subsection(section_name));
+  return std::make_shared<LinearPenalty>(stiffness);
 }
 
 void LinearPenalty::evaluate(int mode, const LocalState &state, LawResponse &response) const {

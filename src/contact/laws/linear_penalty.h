@@ -21,6 +21,9 @@ public:
 
   static void declare(parameters::Section &contact);
   static std::shared_ptr<const ContactLaw> create(const parameters::Values &contact);
+  /// With this stiffness [N/m] instead of that of the section.
+  static std::shared_ptr<const ContactLaw> create_with(const parameters::Values &contact,
+                                                       double stiffness);
 
   std::string name() const override { return "linear penalty"; }
   int initial_mode(const LocalState &state) const override { return open_or_contact(state); }

@@ -1,5 +1,7 @@
 #include "contact/laws/piecewise_stop.h"
 
+#include "contact/laws/given_stiffness.h"
+
 namespace vibroimpact {
 
 namespace {
@@ -29,6 +31,13 @@ std::shared_ptr<const ContactLaw> PiecewiseStop::create(const parameters::Values
   law.require("Stiffness");
   return std::make_shared<PiecewiseStop>(law.quantity("Stiffness"),
                                          law.quantity("Damping constant"));
+}
+
+std::shared_ptr<const ContactLaw> PiecewiseStop::create_with(const parameters::Values &contact,
+                                                             double stiffness) {
+  const parameters::Values law = contact.subsection(section_name);
+  refuse_stiffness(law);
+  return std::make_shared<PiecewiseStop>(stiffness, law.quantity("Damping constant"));
 }
 
 void PiecewiseStop::evaluate(int mode, const LocalState &state, LawResponse &response) const {

@@ -1,0 +1,226 @@
+#include "contact/contact_group.h"
+
+#include "contact/pairing.h"
+#include "model/direction.h"
+#include "model/side.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace vibroimpact {
+
+namespace {
+
+using parameters::Values;
+
+/// The points of an interface and where they are.
+struct Side {
+  std::string name; ///< "body.interface"
+  std::vector<PointReference> points;
+  std::vector<Vector3> positions;
+};
+
+std::vector<std::string> interface_names(const Model &model) {
+  std::vector<std::string> names;
+  for (const auto &body : model.bodies())
+    for (const BodyPoint &point : body->points)
+      if (const std::string name = body->name + "." + point.interface;
+          !point.interface.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+  return names;
+}
+
+Side side_of(const std::string &name, const Model &model) {
+  Side side{.name = name, .points = {}, .positions = {}};
+  for (std::size_t b = 0; b < model.bodies().size(); ++b)
+    for (std::size_t p = 0; p < model.bodies()[b]->points.size(); ++p)
+      if (const BodyPoint &point = model.bodies()[b]->points[p];
+          !point.interface.empty() && name == model.bodies()[b]->name + "." + point.interface) {
+        side.points.push_back({.body = b, .point = p});
+        side.positions.push_back(point.position);
+      }
+  return side;
+}
+
+std::string at(const Vector3 &position) {
+  std::ostringstream text;
+  text << "(" << position[0] << ", " << position[1] << ", " << position[2] << ") m";
+  return text.str();
+}
+
+std::string length(double value) {
+  std::ostringstream text;
+  text << value << " m";
+  return text.str();
+}
+
+void refuse(const Values &contact, const std::vector<const char *> &keys) {
+  for (const char *key : keys)
+    if (contact.given(key))
+      contact.reject(key, "left out with Pairing = " + contact.choice("Pairing") + ".");
+}
+
+bool joining(const Values &contact) { return contact.choice("Normal") == "joining line"; }
+
+PairSearch read_search(const Values &contact) {
+  contact.require("Search radius");
+  PairSearch search{.radius = contact.quantity("Search radius"), .joining = joining(contact)};
+  if (!search.joining)
+    search.direction = read_direction(contact, "Direction");
+  if (contact.has("Reach") && search.joining)
+    contact.reject("Reach", "left out with Normal = joining line, where Search radius bounds the "
+                            "whole distance.");
+  if (contact.has("Reach"))
+    search.reach = contact.quantity("Reach");
+  return search;
+}
+
+/// What to say when nothing is within the search.
+[[noreturn]] void reject_search(const Values &contact, const Side &a, const Side &b,
+                                const PairSearch &search) {
+  double least = std::numeric_limits<double>::infinity();
+  NodePair nearest{};
+  for (std::size_t i = 0; i < a.positions.size(); ++i)
+    for (std::size_t j = 0; j < b.positions.size(); ++j)
+      if (const double distance = (b.positions[j] - a.positions[i]).norm(); distance < least) {
+        least = distance;
+        nearest = {i, j};
+      }
+  const Vector3 apart = b.positions[nearest[1]] - a.positions[nearest[0]];
+  std::string text = "large enough to find a pair of " + a.name + " and " + b.name +
+                     ", of which the nearest nodes, at " + at(a.positions[nearest[0]]) + " and " +
+                     at(b.positions[nearest[1]]) + ", are " + length(least) + " apart";
+  if (!search.joining) {
+    const double along = apart.dot(search.direction);
+    text += ": " + length((apart - along * search.direction).norm()) +
+            " across the direction and " + length(along) + " along it";
+  }
+  contact.reject("Search radius", text + ".");
+}
+
+std::vector<NodePair> pairs_in_order(const Values &contact, const Side &a, const Side &b) {
+  if (a.points.size() != b.points.size())
+    contact.reject("Between", "two interfaces with as many nodes, which Pairing = list joins in "
+                              "their order; " +
+                                  a.name + " has " + std::to_string(a.points.size()) + " and " +
+                                  b.name + " has " + std::to_string(b.points.size()) + ".");
+  std::vector<NodePair> pairs;
+  for (std::size_t i = 0; i < a.points.size(); ++i)
+    pairs.push_back({i, i});
+  return pairs;
+}
+
+// Where the sides touch at rest, the coordinates of the meshes may say otherwise by their rounding.
+double without_rounding(double clearance, const Vector3 &position) {
+  constexpr double rounding = 1e-12;
+  return std::abs(clearance) <= rounding * position.norm() ? 0 : clearance;
+}
+
+double clearance_between(const Values &contact, const Vector3 &a, const Vector3 &b,
+                         const Vector3 &normal) {
+  if (contact.has("Clearance"))
+    return contact.quantity("Clearance");
+  const double clearance =
+      without_rounding((b - a).dot(normal) - contact.quantity("Offset"), a + b);
+  if (clearance < 0 && !contact.boolean("Prestressed"))
+    contact.reject("Between", "sides that do not overlap, but the nodes at " + at(a) + " and " +
+                                  at(b) + " begin with a clearance of " + length(clearance) +
+                                  " (Direction points from the first side to the second, Offset "
+                                  "is taken off); if a prestress is meant, it needs Prestressed = "
+                                  "true.");
+  return clearance;
+}
+
+Meeting meeting_of(const Values &contact, const Side &a, const Side &b, const NodePair &pair) {
+  const Vector3 &from = a.positions[pair[0]];
+  const Vector3 &to = b.positions[pair[1]];
+  Meeting meeting{.a = a.points[pair[0]], .b = b.points[pair[1]]};
+  const bool same = meeting.a.body == meeting.b->body && from == to;
+  if (same || (joining(contact) && from == to))
+    contact.reject("Between", "two interfaces that share no place" +
+                                  std::string(same ? "" : " with Normal = joining line") +
+                                  "; both have a node at " + at(from) + ".");
+  meeting.normal =
+      joining(contact) ? (to - from).normalized() : read_direction(contact, "Direction");
+  meeting.clearance = clearance_between(contact, from, to, meeting.normal);
+  return meeting;
+}
+
+Meetings between_interfaces(const Values &contact, const Model &model) {
+  if (contact.has("Clearance") && contact.given("Offset"))
+    contact.reject("Offset", "left out where Clearance is given, which then counts for all pairs.");
+  if (contact.given("Direction") && joining(contact))
+    contact.reject("Direction", "left out with Normal = joining line.");
+  const Sides sides = read_sides(contact, {}, interface_names(model), "BODY.INTERFACE");
+  const Side a = side_of(sides.a, model);
+  const Side b = side_of(sides.b, model);
+  std::vector<NodePair> pairs;
+  if (contact.choice("Pairing") == "list") {
+    refuse(contact, {"Search radius", "Reach"});
+    pairs = pairs_in_order(contact, a, b);
+  } else {
+    const PairSearch search = read_search(contact);
+    pairs = facing_pairs(a.positions, b.positions, search);
+    if (pairs.empty())
+      reject_search(contact, a, b, search);
+  }
+  Meetings meetings{
+      .fixed = "", .list = {}, .unpaired = a.points.size() + b.points.size() - 2 * pairs.size()};
+  for (const NodePair &pair : pairs)
+    meetings.list.push_back(meeting_of(contact, a, b, pair));
+  return meetings;
+}
+
+Meetings with_stops(const Values &contact, const Model &model) {
+  refuse(contact, {"Search radius", "Reach", "Normal", "Offset"});
+  contact.require("Clearance");
+  const Sides sides =
+      read_sides(contact, {side_stop, side_base}, interface_names(model), "BODY.INTERFACE");
+  if (sides.b != side_stop && sides.b != side_base)
+    contact.reject("Between", "an interface and stop or base; two interfaces need Pairing = "
+                              "proximity or list.");
+  Meetings meetings{.fixed = sides.b, .list = {}};
+  for (const PointReference &point : side_of(sides.a, model).points)
+    meetings.list.push_back({.a = point,
+                             .b = std::nullopt,
+                             .normal = read_direction(contact, "Direction"),
+                             .clearance = contact.quantity("Clearance")});
+  return meetings;
+}
+
+} // namespace
+
+void declare_pairing(parameters::Section &contact) {
+  using namespace parameters;
+  contact
+      .choice(
+          "Pairing", "points", {"points", "proximity", "stops", "list"},
+          "points: one contact of the two sides of Between. The others make one contact, called "
+          "NAME.1, NAME.2..., of each pair of nodes of interfaces of bodies (BODY.INTERFACE in "
+          "Between). proximity: two nodes that are each other's nearest, so that a node stands "
+          "in one pair at most; stops: each node of an interface against stop or base; list: "
+          "the nodes of two interfaces in their order.")
+      .quantity("Search radius", "", dimension::length, range::positive, "",
+                "Of a pairing by proximity: largest distance of two nodes across the direction, or "
+                "with Normal = joining line their largest distance. Must be given there.")
+      .quantity("Reach", "", dimension::length, range::positive, "",
+                "Of a pairing by proximity: largest distance along the direction. Without it: any.")
+      .choice("Normal", "direction", {"direction", "joining line"},
+              "Contact normal of a pair of two interfaces: Direction, or the line from its first "
+              "node to its second.")
+      .quantity(
+          "Offset", "0 m", dimension::length, range::any, "",
+          "Taken off the distance of two nodes along the normal, which gives the clearance of "
+          "a pair without the key Clearance: half the thickness of both shells.");
+}
+
+void refuse_pairing_keys(const parameters::Values &contact) {
+  refuse(contact, {"Search radius", "Reach", "Normal", "Offset"});
+}
+
+Meetings find_meetings(const parameters::Values &contact, const Model &model) {
+  return contact.choice("Pairing") == "stops" ? with_stops(contact, model)
+                                              : between_interfaces(contact, model);
+}
+
+} // namespace vibroimpact

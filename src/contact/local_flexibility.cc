@@ -1,0 +1,94 @@
+#include "contact/local_flexibility.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace vibroimpact {
+
+namespace {
+
+// sum over coordinates of row^2 / stiffness; those without stiffness move as a whole.
+double flexibility_of_coordinates(const ReducedBody &body, const RowVector &row) {
+  double sum = 0;
+  for (Index j = 0; j < body.size(); ++j)
+    if (body.stiffness[j] > 0)
+      sum += row[j] * row[j] / body.stiffness[j];
+  return sum;
+}
+
+bool known(const PointReference &reference, const Model &model) {
+  const ReducedBody &body = *model.bodies().at(reference.body);
+  return !body.modal() || body.points.at(reference.point).flexibility.size() > 0;
+}
+
+LocalFlexibility of_point(const PointReference &reference, const Vector3 &normal,
+                          const Model &model) {
+  const ReducedBody &body = *model.bodies().at(reference.body);
+  const BodyPoint &point = body.points.at(reference.point);
+  const RowVector row = normal.transpose() * point.rows.topRows(3);
+  const double kept = flexibility_of_coordinates(body, row);
+  return {.whole = body.modal() ? normal.dot(point.flexibility * normal) : kept, .kept = kept};
+}
+
+} // namespace
+
+std::optional<LocalFlexibility> local_flexibility(const PointReference &a,
+                                                  const std::optional<PointReference> &b,
+                                                  const Vector3 &normal, const Model &model) {
+  if (!known(a, model) || (b && !known(*b, model)))
+    return std::nullopt;
+  LocalFlexibility sum = of_point(a, normal, model);
+  if (b) {
+    const LocalFlexibility other = of_point(*b, normal, model);
+    sum.whole += other.whole;
+    sum.kept += other.kept;
+  }
+  return sum.whole > 0 ? std::optional(sum) : std::nullopt;
+}
+
+std::optional<LocalFlexibility> local_flexibility(const ContactPair &pair, const Model &model) {
+  PointReference a;
+  PointReference b;
+  if (!model.find_point(pair.side_a, a))
+    throw std::logic_error("contact " + pair.name + " has no point " + pair.side_a);
+  const bool two_points = model.find_point(pair.side_b, b);
+  return local_flexibility(a, two_points ? std::optional(b) : std::nullopt, pair.normal, model);
+}
+
+std::vector<ContactFigures> contact_figures(const ContactSet &contacts, const Model &model) {
+  std::vector<ContactFigures> figures;
+  for (const ContactPair &pair : contacts.pairs()) {
+    const auto flexibility = local_flexibility(pair, model);
+    figures.push_back({.name = pair.name,
+                       .clearance = pair.clearance,
+                       .flexibility_share = flexibility ? flexibility->share()
+                                                        : std::numeric_limits<double>::quiet_NaN(),
+                       .least_share = pair.least_flexibility_share});
+  }
+  return figures;
+}
+
+std::string truncation_warning(const std::vector<ContactFigures> &contacts) {
+  constexpr std::size_t most_named = 8;
+  std::ostringstream named;
+  std::size_t count = 0;
+  for (const ContactFigures &contact : contacts)
+    // Rounded down, so that no share looks as if it were enough.
+    if (contact.flexibility_share < contact.least_share && ++count <= most_named)
+      named << (count > 1 ? ", " : "") << contact.name << " ("
+            << std::floor(1000 * contact.flexibility_share) / 10 << " %)";
+  if (count == 0)
+    return "";
+  if (count > most_named)
+    named << " and " << count - most_named << " more";
+  return "the kept modes carry less of the static flexibility than Least flexibility share asks "
+         "for "
+         "at the contacts " +
+         named.str() +
+         "; forces there come out too large and contacts too short. Keep more modes, or name the "
+         "points or interfaces in Modes/Attachments";
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,158 @@
+// The sections "Contact NAME" of a parameter file and what they stand for.
+#include "contact/contact_group.h"
+#include "contact/contact_set.h"
+#include "contact/laws.h"
+#include "contact/local_flexibility.h"
+#include "model/direction.h"
+#include "model/side.h"
+
+namespace vibroimpact {
+
+namespace {
+
+using parameters::Values;
+
+double read_clearance(const Values &contact) {
+  contact.require("Clearance");
+  const double clearance = contact.quantity("Clearance");
+  if (clearance < 0 && !contact.boolean("Prestressed"))
+    contact.reject("Clearance", "zero or more; a negative clearance is a prestress and needs "
+                                "Prestressed = true.");
+  return clearance;
+}
+
+/// The law with a stated multiple of the static stiffness there.
+std::shared_ptr<const ContactLaw> law_by_fraction(const Values &contact, const std::string &name,
+                                                  const Meeting &meeting, const Model &model) {
+  const auto flexibility = local_flexibility(meeting.a, meeting.b, meeting.normal, model);
+  if (!flexibility)
+    contact.reject("Stiffness fraction",
+                   "left out where there is no static stiffness to take it of: contact " + name +
+                       " is between points that do not give way, or on a body that no support "
+                       "holds. Give the law's own Stiffness.");
+  return create_contact_law(contact, contact.quantity("Stiffness fraction") / flexibility->whole);
+}
+
+/// Makes the contacts of one section; those without a stiffness fraction share one law.
+class ContactMaker {
+public:
+  ContactMaker(const Values &contact, const Model &model) : contact_(contact), model_(model) {
+    if (!contact.has("Stiffness fraction"))
+      law_ = create_contact_law(contact);
+  }
+
+  ContactPair pair(const std::string &name, const Meeting &meeting,
+                   const std::string &fixed) const {
+    return {.name = name,
+            .side_a = model_.point_name(meeting.a),
+            .side_b = meeting.b ? model_.point_name(*meeting.b) : fixed,
+            .clearance = meeting.clearance,
+            .gap = relative_displacement(meeting.a, meeting.b, fixed != side_base, meeting.normal,
+                                         model_),
+            .law = law_ ? law_ : law_by_fraction(contact_, name, meeting, model_),
+            .accept_initial_penetration = contact_.choice("Initial penetration") == "accept" ||
+                                          contact_.boolean("Prestressed"),
+            .origin = contact_.locate("Clearance"),
+            .normal = meeting.normal,
+            .least_flexibility_share = contact_.quantity("Least flexibility share")};
+  }
+
+private:
+  const Values &contact_;
+  const Model &model_;
+  std::shared_ptr<const ContactLaw> law_;
+};
+
+Meeting single_meeting(const Values &contact, const Sides &sides, const Model &model) {
+  Meeting meeting{.normal = read_direction(contact, "Direction"),
+                  .clearance = read_clearance(contact)};
+  model.find_point(sides.a, meeting.a);
+  if (PointReference b; model.find_point(sides.b, b))
+    meeting.b = b;
+  return meeting;
+}
+
+ContactPair read_contact(const Values &contact, const std::string &name, const Model &model) {
+  refuse_pairing_keys(contact);
+  const Sides sides = read_sides(contact, {side_stop, side_base}, model);
+  const Meeting meeting = single_meeting(contact, sides, model);
+  ContactPair pair =
+      ContactMaker(contact, model).pair(name, meeting, meeting.b ? std::string() : sides.b);
+  if (pair.gap.row.isZero(0))
+    contact.reject("Direction", "a direction along which at least one of the two sides can move.");
+  return pair;
+}
+
+ContactGroup read_group(const Values &contact, const std::string &name, const Model &model,
+                        std::vector<ContactPair> &pairs) {
+  if (contact.has("Clearance"))
+    read_clearance(contact);
+  const Meetings meetings = find_meetings(contact, model);
+  ContactGroup group{.name = name, .first = pairs.size(), .unpaired = meetings.unpaired};
+  const ContactMaker maker(contact, model);
+  for (const Meeting &meeting : meetings.list) {
+    const Projection gap = relative_displacement(meeting.a, meeting.b, meetings.fixed != side_base,
+                                                 meeting.normal, model);
+    if (gap.row.isZero(0)) {
+      ++group.held;
+      continue;
+    }
+    ++group.count;
+    pairs.push_back(maker.pair(name + "." + std::to_string(group.count), meeting, meetings.fixed));
+    pairs.back().group = name;
+  }
+  if (group.count == 0)
+    contact.reject("Between", "interfaces with a node that can move along the normal.");
+  return group;
+}
+
+} // namespace
+
+void declare_contacts(parameters::Section &root) {
+  using namespace parameters;
+  Section &contact = root.named_subsection(
+      "Contact", "Two points that can touch, or a point and a fixed stop, or many such pairs. The "
+                 "gap is clearance + (u_b - u_a) . n; the force pushes the two apart.");
+  contact
+      .names(
+          "Between", "",
+          "The two sides a, b as BODY.POINT; the second may be stop (fixed in space, the default) "
+          "or base (a stop on the base that the first body stands on). With a Pairing: "
+          "BODY.INTERFACE.")
+      .text("Direction", "x",
+            "Contact normal n, from the first side to the second: x, -y or three "
+            "numbers.")
+      .quantity("Clearance", "", dimension::length, range::any, "g_0",
+                "Gap of the undeformed model. Pairs of two interfaces have that of the geometry "
+                "when it is not given.")
+      .boolean(
+          "Prestressed", "false",
+          "Says that a negative clearance is meant: the two sides press on each other at rest.")
+      .choice("Initial penetration", "refuse", {"refuse", "accept"},
+              "What to do when a motion starts with the two sides overlapping.");
+  declare_pairing(contact);
+  contact
+      .quantity("Stiffness fraction", "", dimension::none, range::positive, "",
+                "Instead of the key Stiffness of a law: this multiple of the static stiffness with "
+                "which both sides together resist a force between them.")
+      .quantity("Least flexibility share", "0.9", dimension::none, range::fraction, "",
+                "A warning tells when the kept modes carry less than this share of the static "
+                "displacement that a force at the contact causes.");
+  declare_contact_laws(contact);
+}
+
+ContactSet read_contacts(const parameters::Values &root, const std::vector<std::string> &names,
+                         const Model &model) {
+  std::vector<ContactPair> pairs;
+  std::vector<ContactGroup> groups;
+  for (const std::string &name : names) {
+    const Values contact = root.instance("Contact", name);
+    if (contact.choice("Pairing") == "points")
+      pairs.push_back(read_contact(contact, name, model));
+    else
+      groups.push_back(read_group(contact, name, model, pairs));
+  }
+  return ContactSet(std::move(pairs), std::move(groups));
+}
+
+} // namespace vibroimpact

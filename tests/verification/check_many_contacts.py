@@ -1,0 +1,80 @@
+#!/usr/bin/python3
+"""The shipped examples with many contacts: their pairs, that they touch, that the kept modes carry
+the whole flexibility at the contacts, that the energy balance closes, and that each takes less than
+a minute.
+
+usage: check_many_contacts.py PROGRAM SOURCE_TREE
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import h5py
+import numpy as np
+
+PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+LONGEST = 60.0  # s
+
+
+class Example:
+    """Results of a parameter file."""
+
+    def __init__(self, folder, name, analysis):
+        started = time.monotonic()
+        done = subprocess.run([PROGRAM, str(SOURCE / "params" / f"{name}.prm"), "--output",
+                               f"{folder}/{name}"], capture_output=True, text=True, check=False)
+        self.duration = time.monotonic() - started
+        self.output = done.stdout + done.stderr
+        if done.returncode:
+            raise AssertionError(self.output)
+        self.file = h5py.File(f"{folder}/{name}/results.h5")
+        self.analysis = self.file["analysis"][analysis]
+        self.frames = len(list(pathlib.Path(folder, name, analysis).glob("frame-*.vtu")))
+
+    def value(self, path):
+        return self.analysis[path][()]
+
+    def contact(self, path):
+        return self.file["contact"][path][:]
+
+
+class Examples(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def check(self, name, analysis, group, contacts, touched):
+        example = Example(self.folder.name, name, analysis)
+        self.assertLess(example.duration, LONGEST)
+        self.assertEqual(example.value(f"group/{group}/contacts"), contacts)
+        self.assertGreaterEqual(example.value(f"group/{group}/touched"), touched)
+        self.assertEqual(example.value("unbalanced"), 0)
+        self.assertEqual(example.value("status"), 0)
+        np.testing.assert_allclose(example.contact("flexibility_share"), 1, atol=1e-6)
+        self.assertNotIn("warning", example.output)
+        self.assertGreater(example.frames, 100)
+        return example
+
+    def test_plate_on_stops(self):
+        example = self.check("plate-on-stops", "rattle", "stops", 15, 5)
+        np.testing.assert_array_equal(example.contact("clearance"), 4e-4)
+
+    def test_nested_tubes(self):
+        example = self.check("nested-tubes", "knock", "walls", 10, 4)
+        np.testing.assert_allclose(example.contact("clearance"), 0.75e-3, rtol=1e-6)
+
+    def test_frame_pounding(self):
+        example = self.check("frame-pounding", "earthquake", "floors", 3, 1)
+        np.testing.assert_allclose(example.contact("clearance"), 0.03, rtol=1e-6)
+        self.assertIn("nodes without a partner: 1", example.output)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
