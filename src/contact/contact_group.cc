@@ -13,6 +13,8 @@ namespace {
 
 using parameters::Values;
 
+constexpr const char *interface_form = "interfaces as BODY.INTERFACE, BODY.INTERFACE";
+
 /// The points of an interface and where they are.
 struct Side {
   std::string name; ///< "body.interface"
@@ -151,7 +153,7 @@ Meetings between_interfaces(const Values &contact, const Model &model) {
     contact.reject("Offset", "left out where Clearance is given, which then counts for all pairs.");
   if (contact.given("Direction") && joining(contact))
     contact.reject("Direction", "left out with Normal = joining line.");
-  const Sides sides = read_sides(contact, {}, interface_names(model), "BODY.INTERFACE");
+  const Sides sides = read_sides(contact, {}, interface_names(model), interface_form);
   const Side a = side_of(sides.a, model);
   const Side b = side_of(sides.b, model);
   std::vector<NodePair> pairs;
@@ -175,7 +177,7 @@ Meetings with_stops(const Values &contact, const Model &model) {
   refuse(contact, {"Search radius", "Reach", "Normal", "Offset"});
   contact.require("Clearance");
   const Sides sides =
-      read_sides(contact, {side_stop, side_base}, interface_names(model), "BODY.INTERFACE");
+      read_sides(contact, {side_stop, side_base}, interface_names(model), interface_form);
   if (sides.b != side_stop && sides.b != side_base)
     contact.reject("Between", "an interface and stop or base; two interfaces need Pairing = "
                               "proximity or list.");

@@ -15,7 +15,7 @@ Sides read_sides(const parameters::Values &section, const std::vector<std::strin
   if (ends.size() != 2 || ends[0] == ends[1] || is_fixed(ends[0]))
     section.reject(
         "Between",
-        "two different ones as " + form + ", " + form +
+        "two different " + form +
             (fixed.empty() ? "." : "; the second may be " + fixed[0] + " or " + fixed[1] + "."));
   known.insert(known.end(), fixed.begin(), fixed.end());
   for (const std::string &end : ends)
@@ -25,7 +25,7 @@ Sides read_sides(const parameters::Values &section, const std::vector<std::strin
 
 Sides read_sides(const parameters::Values &section, const std::vector<std::string> &fixed,
                  const Model &model) {
-  return read_sides(section, fixed, model.point_names(), "BODY.POINT");
+  return read_sides(section, fixed, model.point_names(), "points as BODY.POINT, BODY.POINT");
 }
 
 Projection relative_displacement(const PointReference &a, const std::optional<PointReference> &b,

@@ -22,7 +22,7 @@ struct Sides {
 
 /// Reads the key Between. With one entry the second end is the first of `fixed`. InputError for
 /// ends that are not in `known`, for more than two ends and for an end joined to itself; `form`
-/// says how an end is written: "BODY.POINT".
+/// says what they are: "points as BODY.POINT, BODY.POINT".
 Sides read_sides(const parameters::Values &section, const std::vector<std::string> &fixed,
                  std::vector<std::string> known, const std::string &form);
 

@@ -33,7 +33,7 @@ int nearest(const Mesh &mesh, const std::vector<int> &nodes, const Vector3 &posi
 } // namespace
 
 std::vector<int> interface_nodes(const Mesh &mesh, const Interface &interface) {
-  const std::vector<int> nodes = by_coordinates(
+  std::vector<int> nodes = by_coordinates(
       mesh, find_nodes(mesh, {interface.group, std::nullopt}, "Interface", interface.name));
   if (nodes.empty())
     throw DefinitionError("Interface", interface.name, "At",

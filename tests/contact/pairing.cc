@@ -58,14 +58,17 @@ std::vector<PairSearch> searches() {
 }
 
 TEST(PairingTest, AgreesWithAllPairsOnRandomClouds) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed)
-    for (const PairSearch &search : searches()) {
+  for (const PairSearch &search : searches()) {
+    std::size_t found = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       const Cloud first = cloud(40 + 10 * seed, seed);
       const Cloud second = cloud(240 - 10 * seed, 1000 + seed);
       const std::vector<NodePair> pairs = facing_pairs(first, second, search);
       EXPECT_EQ(pairs, one_by_one(first, second, search)) << "seed " << seed;
-      EXPECT_GT(pairs.size(), 0U) << "seed " << seed;
+      found += pairs.size();
     }
+    EXPECT_GT(found, 20U);
+  }
 }
 
 TEST(PairingTest, ARotatedCloudHasTheSamePairs) {
