@@ -86,6 +86,8 @@ void read_modes(const Values &section, const std::vector<structure::Point> &poin
                 BodyDefinition &definition) {
   definition.selection = read_selection(section);
   definition.attachments = read_attachments(section, points);
+  if (section.choice("Reduction") == "fixed interface")
+    definition.reduction = BodyDefinition::Reduction::fixed_interface;
   definition.damping = read_damping(section);
 }
 
