@@ -58,6 +58,13 @@ Matrix ruled(const AssembledBody &body, const Vector &eigenvalues, const Matrix 
   return shapes;
 }
 
+void check_loads(const BodyDefinition &definition, const AssembledBody &body, bool held) {
+  if (!held && body.model.loaded)
+    throw DefinitionError("Body", definition.name, "Type",
+                          "= beam or shell with a subsection Load needs supports that hold it "
+                          "against every rigid motion");
+}
+
 std::vector<InterfaceDof> interface_dofs(const BodyDefinition &definition,
                                          const AssembledBody &body) {
   std::vector<InterfaceDof> dofs;
@@ -97,6 +104,7 @@ Basis free_interface_basis(const BodyDefinition &definition, const AssembledBody
               .normal = modes.number,
               .held = modes.eigenvalues[0] > 0,
               .orthogonality_residual = modes.orthogonality_residual};
+  check_loads(definition, body, basis.held);
   const auto elastic = std::find_if(modes.eigenvalues.begin(), modes.eigenvalues.end(),
                                     [](double value) { return value > 0; });
   basis.first_elastic = elastic == modes.eigenvalues.end() ? 0 : *elastic;

@@ -34,6 +34,9 @@ modes::NormalModes solve_modes(const structure::AssembledBody &body,
                                const modes::Selection &selection);
 modes::EigenProblem problem_of(const structure::AssembledBody &body);
 
+/// Throws DefinitionError when a body with loads is not held.
+void check_loads(const BodyDefinition &definition, const structure::AssembledBody &body, bool held);
+
 /// Node and component of the forces that the attachments name; without those that are held.
 struct InterfaceDof {
   int node = 0;

@@ -92,6 +92,7 @@ Basis fixed_interface_basis(const BodyDefinition &definition, const AssembledBod
               .normal = modes.number};
   basis.orthogonality_residual = modes::orthogonality_residual(problem_of(body), pairs.vectors);
   basis.held = basis.stiffness[0] > 0;
+  check_loads(definition, body, basis.held);
   const Index rigid = (basis.stiffness.array() == 0).count();
   basis.first_elastic = rigid < basis.stiffness.size() ? basis.stiffness[rigid] : 0;
   basis.error_bounds =

@@ -77,11 +77,7 @@ Matrix static_loads(const AssembledBody &body) {
   return loads;
 }
 
-Statics solve_statics(const BodyDefinition &definition, const AssembledBody &body, bool held) {
-  if (!held && body.model.loaded)
-    throw DefinitionError("Body", definition.name, "Type",
-                          "= beam or shell with a subsection Load needs supports that hold it "
-                          "against every rigid motion");
+Statics solve_statics(const AssembledBody &body, bool held) {
   const Matrix loads = static_loads(body);
   Statics statics;
   if (!held || loads.cols() == 0)
@@ -151,7 +147,7 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
                     ? fixed_interface_basis(definition, assembled, communicator)
                     : free_interface_basis(definition, assembled);
   warn_of_implausible(definition.name, assembled, basis.first_elastic);
-  const Statics statics = solve_statics(definition, assembled, basis.held);
+  const Statics statics = solve_statics(assembled, basis.held);
 
   ReducedBody body;
   body.name = definition.name;
