@@ -125,6 +125,32 @@ structure::BodyModel build(const BodyDefinition &definition) {
                                                         : structure::build_frame(definition.beam);
 }
 
+/// Stress per unit coordinate in the elements that meet at a node, see BodyPoint.
+Matrix stress_at(const structure::BodyModel &model, int node, const Matrix &shapes) {
+  std::vector<Matrix> parts;
+  Index rows = 0;
+  for (const auto &element : model.elements) {
+    const auto nodes = element->nodes();
+    const auto place = std::find(nodes.begin(), nodes.end(), node);
+    if (place == nodes.end())
+      continue;
+    const Matrix stress = element->stress(static_cast<int>(place - nodes.begin()));
+    Matrix own(6 * static_cast<Index>(nodes.size()), shapes.cols());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      own.middleRows(static_cast<Index>(6 * i), 6) = shapes.middleRows(Index{6} * nodes[i], 6);
+    if (stress.rows() > 0)
+      parts.emplace_back(stress * own);
+    rows += stress.rows();
+  }
+  Matrix all(rows, shapes.cols());
+  rows = 0;
+  for (const Matrix &part : parts) {
+    all.middleRows(rows, part.rows()) = part;
+    rows += part.rows();
+  }
+  return all;
+}
+
 void add_points(const structure::BodyModel &model, const Matrix &shapes, const Statics &statics,
                 ReducedBody &body) {
   for (std::size_t p = 0; p < model.points.size(); ++p) {
@@ -133,6 +159,7 @@ void add_points(const structure::BodyModel &model, const Matrix &shapes, const S
     BodyPoint point{.name = named.name,
                     .position = model.mesh.nodes[named.node],
                     .rows = shapes.middleRows(row, 6)};
+    point.stress = stress_at(model, named.node, shapes);
     if (statics.deflection.size() > 0)
       point.static_displacement = statics.deflection.segment(row, 6);
     if (!statics.flexibility.empty())

@@ -28,6 +28,10 @@ struct BodyPoint {
   /// body before reduction [m/N]; empty for bodies without a mesh and for those that no support
   /// holds.
   Matrix flexibility{};
+  /// 3k x n: direct stresses along two axes and shear stress per unit coordinate, three rows for
+  /// each of the k places where the elements that meet here are looked at [Pa]; empty without a
+  /// mesh and for cross-sections of unknown shape.
+  Matrix stress{};
 };
 
 /// Nodes, cells and mode shapes, to expand coordinates to the mesh.
