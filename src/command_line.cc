@@ -31,6 +31,8 @@ options::options_description described_options() {
        "go on where a run in this folder stopped")                                         //
       ("lines-at-once", options::value<std::string>()->value_name("N"),                    //
        "lines of an analysis that a process works at together, default 1; for speed only") //
+      ("body-cache", options::value<std::string>()->value_name("DIR"),                     //
+       "folder that keeps reduced bodies for later runs; default: none is kept")           //
       ("print-parameters", options::value<std::string>()->value_name("FORMAT"),            //
        "print the reference of all keys: markdown, prm or json");
   return description;
@@ -115,6 +117,7 @@ CommandLine parse_command_line(int argc, char **argv) {
   line.task = task_of(map);
   line.resume_folder = text(map, "resume");
   line.output_folder = text(map, "output");
+  line.body_cache = text(map, "body-cache");
   line.print_format = text(map, "print-parameters");
   line.overwrite = map.count("overwrite") > 0;
   line.lines_at_once = lines_at_once(text(map, "lines-at-once"));

@@ -62,7 +62,7 @@ void print_version() {
 }
 
 int run(const CommandLine &line) {
-  Simulation simulation(read_parameters(line), MPI_COMM_WORLD);
+  Simulation simulation(read_parameters(line), MPI_COMM_WORLD, line.body_cache);
   if (line.task == CommandLine::Task::check) {
     simulation.check();
     log::info("The file can be run.");

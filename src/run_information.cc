@@ -30,6 +30,8 @@ std::string processor_name() {
 
 } // namespace
 
+std::string program_version() { return std::string(version) + " " + commit; }
+
 RunInformation run_information(const std::string &parameters, const std::string &command_line,
                                MPI_Comm communicator) {
   int ranks = 1;

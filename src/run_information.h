@@ -12,4 +12,7 @@ namespace vibroimpact {
 RunInformation run_information(const std::string &parameters, const std::string &command_line,
                                MPI_Comm communicator);
 
+/// Version and commit.
+std::string program_version();
+
 } // namespace vibroimpact

@@ -58,8 +58,10 @@ bool reaches_bodies(const std::string &path) {
 
 } // namespace
 
-Simulation::Simulation(std::shared_ptr<const ParameterSet> parameters, MPI_Comm communicator)
-    : parameters_(std::move(parameters)), communicator_(communicator) {
+Simulation::Simulation(std::shared_ptr<const ParameterSet> parameters, MPI_Comm communicator,
+                       const std::string &body_cache)
+    : parameters_(std::move(parameters)),
+      communicator_(communicator), body_cache_{.folder = body_cache, .program = program_version()} {
   // The echo in the result folder must still find the files this one refers to.
   if (!parameters_->root().has("File folder"))
     parameters_ = parameters_->with({{.path = "File folder",
@@ -118,8 +120,9 @@ void Simulation::reduce_bodies(const Values &root) {
     if (reduced_.find(fingerprint) != reduced_.end())
       continue;
     std::optional<ReducedBody> kept = kept_body(fingerprint);
-    reduced_.emplace(fingerprint, kept ? std::move(*kept)
-                                       : reduce_body(body, name, file_folder(), communicator_));
+    reduced_.emplace(fingerprint,
+                     kept ? std::move(*kept)
+                          : reduce_body(body, name, file_folder(), communicator_, body_cache_));
   }
 }
 
@@ -177,7 +180,7 @@ const ReducedBody &Simulation::body(const Values &section, const std::string &na
   const auto known = reduced_.find(section.fingerprint());
   if (known != reduced_.end())
     return known->second;
-  return own.emplace(reduce_body(section, name, file_folder(), MPI_COMM_SELF));
+  return own.emplace(reduce_body(section, name, file_folder(), MPI_COMM_SELF, body_cache_));
 }
 
 std::vector<std::shared_ptr<const ReducedBody>> Simulation::bodies(const Values &root) const {

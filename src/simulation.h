@@ -6,7 +6,7 @@
 #include "derived/derived_quantities.h"
 #include "output/run_folder.h"
 #include "parameters/values.h"
-#include "reduction/reduced_body.h"
+#include "reduction/reduce_body.h"
 
 #include <filesystem>
 #include <map>
@@ -30,8 +30,9 @@ struct RunOptions {
 
 class Simulation {
 public:
-  /// Collective. `parameters` is a complete, checked file.
-  Simulation(std::shared_ptr<const parameters::ParameterSet> parameters, MPI_Comm communicator);
+  /// Collective. `parameters` is a complete, checked file, `body_cache` a folder or empty.
+  Simulation(std::shared_ptr<const parameters::ParameterSet> parameters, MPI_Comm communicator,
+             const std::string &body_cache = "");
 
   /// Collective. Reduces the bodies, builds every analysis without running it and logs what it
   /// would cost. Throws InputError.
@@ -66,6 +67,7 @@ private:
 
   std::shared_ptr<const parameters::ParameterSet> parameters_;
   MPI_Comm communicator_;
+  BodyCache body_cache_;
   std::filesystem::path resumed_folder_;       ///< empty when nothing is resumed
   std::map<std::string, ReducedBody> reduced_; ///< by the fingerprint of the body's section
 };

@@ -11,6 +11,7 @@
 #include "analyses/recorders/section.h"
 #include "analyses/recorders/spectrum.h"
 #include "analyses/recorders/statistics.h"
+#include "analyses/recorders/stresses.h"
 #include "analyses/recorders/time_frequency.h"
 
 #include <algorithm>
@@ -23,6 +24,7 @@ constexpr RecorderKind kinds[] = {
     {"excursions", "extreme values", Excursions::declare, Excursions::create},
     {"statistics", "means and root mean squares", Statistics::declare, Statistics::create},
     {"impacts", "figures of the impacts", Impacts::declare, Impacts::create},
+    {"stresses", "largest von Mises stresses", Stresses::declare, Stresses::create},
     {"energy", "works and losses", Energy::declare, Energy::create},
     {"forces", "forces in connections and on the base, transmissibility", Forces::declare,
      Forces::create},

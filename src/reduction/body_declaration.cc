@@ -136,9 +136,13 @@ void declare_modes(Section &body) {
           "Places as POINT.x, POINT.y or POINT.z, or INTERFACE.x and so on for all its nodes: the "
           "static answer to a force there is kept beside the normal modes, as far as they lack "
           "it (residual attachment modes).")
+      .choice("Reduction", "free interface", {"free interface", "fixed interface"},
+              "free interface: normal modes of the body as it is, and residual attachment modes; "
+              "fixed interface: normal modes of the body held at its Attachments, and its static "
+              "shapes when one of these moves (Craig-Bampton).")
       .quantity("Attachment damping ratio", "", dimension::none, range::non_negative, "\\zeta_a",
-                "Of the attachment modes, with damping model ratio. Without it: the last Damping "
-                "ratio.")
+                "Of the attachment modes, or of the highest as many modes of the fixed interface; "
+                "with damping model ratio. Without it: the last Damping ratio.")
       .quantity("Rayleigh alpha", "", dimension::inverse_time, range::non_negative, "\\alpha",
                 "Factor of the mass matrix.")
       .quantity("Rayleigh beta", "", dimension::time, range::non_negative, "\\beta",

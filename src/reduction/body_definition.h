@@ -24,8 +24,8 @@ struct Damping {
   double viscous_constant = 0;              ///< of the whole body [N s/m]
 };
 
-/// A force at a point, or at each point of an interface, along an axis (0, 1, 2), whose static
-/// answer is kept beside the modes.
+/// A place of the interface: a point, or each point of a named interface, along an axis (0, 1, 2),
+/// whose static answer is kept beside the modes.
 struct Attachment {
   std::string point; ///< or interface
   int axis = 0;
@@ -50,11 +50,13 @@ struct RotorDefinition {
 
 struct BodyDefinition {
   enum class Type { beam, shell, lumped, rotor };
+  enum class Reduction { free_interface, fixed_interface };
   std::string name;
   Type type = Type::beam;
   structure::BeamDefinition beam;
   structure::ShellDefinition shell;
-  modes::Selection selection;
+  modes::Selection selection; ///< of the modes of the body that is free or held at its attachments
+  Reduction reduction = Reduction::free_interface;
   std::vector<Attachment> attachments;
   Damping damping;
   std::vector<LumpedMass> masses;

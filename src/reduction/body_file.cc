@@ -120,6 +120,7 @@ void write(Writer &out, const ReducedBody &body) {
     out.matrix("rows", point.rows);
     out.matrix("static_displacement", point.static_displacement);
     out.matrix("flexibility", point.flexibility);
+    out.matrix("stress", point.stress);
   }
   out.matrix("nodes", body.recovery.nodes);
   out.matrix("lines", line_matrix(body.recovery.lines));
@@ -149,6 +150,7 @@ ReducedBody read(Reader &in) {
     point.rows = in.matrix("rows");
     point.static_displacement = in.matrix("static_displacement");
     point.flexibility = in.matrix("flexibility");
+    point.stress = in.matrix("stress");
     body.points.push_back(std::move(point));
   }
   body.recovery.nodes = in.matrix("nodes");

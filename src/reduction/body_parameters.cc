@@ -89,6 +89,8 @@ void read_modes(const Values &body, BodyDefinition &definition) {
     places.push_back(interface);
   definition.selection = read_selection(section);
   definition.attachments = read_attachments(section, places);
+  if (section.choice("Reduction") == "fixed interface")
+    definition.reduction = BodyDefinition::Reduction::fixed_interface;
   definition.damping = read_damping(section);
 }
 

@@ -1,17 +1,14 @@
 #include "reduction/reduce.h"
 
 #include "common/log.h"
-#include "modes/attachment_modes.h"
 #include "modes/static_solution.h"
-#include "reduction/basis_rule.h"
+#include "reduction/basis.h"
 #include "reduction/body_file.h"
 #include "reduction/lumped_body.h"
 #include "reduction/rotor_body.h"
-#include "structure/assembly.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace vibroimpact {
@@ -20,42 +17,6 @@ namespace {
 
 using structure::AssembledBody;
 using structure::DefinitionError;
-
-// Rows of free degrees of freedom -> rows 6 node + component, 0 where held.
-Matrix node_rows(const structure::FreeDofs &free, const Matrix &shapes) {
-  Matrix rows = Matrix::Zero(6 * static_cast<Index>(free.number.size()), shapes.cols());
-  for (std::size_t node = 0; node < free.number.size(); ++node)
-    for (int component = 0; component < 6; ++component)
-      if (const int dof = free.number[node][component]; dof >= 0)
-        rows.row(static_cast<Index>(6 * node) + component) = shapes.row(dof);
-  return rows;
-}
-
-Matrix free_rows(const structure::FreeDofs &free, const Matrix &shapes) {
-  Matrix rows(free.size, shapes.cols());
-  for (std::size_t node = 0; node < free.number.size(); ++node)
-    for (int component = 0; component < 6; ++component)
-      if (const int dof = free.number[node][component]; dof >= 0)
-        rows.row(dof) = shapes.row(static_cast<Index>(6 * node) + component);
-  return rows;
-}
-
-modes::EigenProblem problem_of(const AssembledBody &body) {
-  return {.stiffness = body.stiffness.get(),
-          .mass = body.mass.get(),
-          .accurate_stiffness = body.accurate_stiffness->matrix(),
-          .mass_rank = body.massive_dofs};
-}
-
-modes::NormalModes solve(const AssembledBody &body, const modes::Selection &selection) {
-  try {
-    return modes::normal_modes(problem_of(body), selection);
-  } catch (const modes::TooManyModes &too_many) {
-    throw DefinitionError("Modes", "", "Number",
-                          "must not exceed the number of free degrees of freedom with mass, " +
-                              std::to_string(too_many.available));
-  }
-}
 
 Recovery recovery(const structure::Mesh &mesh, Matrix shapes) {
   Recovery result;
@@ -76,17 +37,14 @@ Recovery recovery(const structure::Mesh &mesh, Matrix shapes) {
 constexpr double lowest_plausible = 1e-2;  // [Hz]
 constexpr double highest_plausible = 1e+6; // [Hz]
 
-void warn_of_implausible(const std::string &name, const AssembledBody &body,
-                         const Vector &eigenvalues) {
+void warn_of_implausible(const std::string &name, const AssembledBody &body, double first_elastic) {
   constexpr double two_pi = 6.283185307179586476925;
   if (body.model.mesh.unused_nodes > 0)
     log::warning("body " + name + ": " + std::to_string(body.model.mesh.unused_nodes) +
                  " nodes of the mesh belong to no cell and are left out");
-  const auto first =
-      std::find_if(eigenvalues.begin(), eigenvalues.end(), [](double value) { return value > 0; });
-  if (first == eigenvalues.end())
+  if (first_elastic == 0)
     return;
-  const double frequency = std::sqrt(*first) / two_pi;
+  const double frequency = std::sqrt(first_elastic) / two_pi;
   if (frequency >= lowest_plausible && frequency <= highest_plausible)
     return;
   std::ostringstream text;
@@ -119,15 +77,10 @@ Matrix static_loads(const AssembledBody &body) {
   return loads;
 }
 
-Statics solve_statics(const BodyDefinition &definition, const AssembledBody &body,
-                      const Vector &eigenvalues) {
-  if (eigenvalues[0] == 0 && body.model.loaded)
-    throw DefinitionError("Body", definition.name, "Type",
-                          "= beam or shell with a subsection Load needs supports that hold it "
-                          "against every rigid motion");
+Statics solve_statics(const AssembledBody &body, bool held) {
   const Matrix loads = static_loads(body);
   Statics statics;
-  if (eigenvalues[0] == 0 || loads.cols() == 0)
+  if (!held || loads.cols() == 0)
     return statics;
   const Matrix solution = modes::static_solution(problem_of(body), loads);
   const Index given = body.model.loaded ? 1 : 0;
@@ -152,7 +105,7 @@ Matrix viscous_damping(const Damping &damping, const AssembledBody &body, const 
   return damping.viscous_constant / mass * (projected + projected.transpose()) / 2;
 }
 
-/// The first `normal` shapes are normal modes, the others attachment modes.
+/// Those behind the first `normal` shapes have the damping of the attachments.
 Matrix modal_damping(const Damping &damping, const AssembledBody &body, const Vector &stiffness,
                      const Matrix &shapes, Index normal) {
   if (damping.model == Damping::Model::viscous)
@@ -172,6 +125,32 @@ structure::BodyModel build(const BodyDefinition &definition) {
                                                         : structure::build_frame(definition.beam);
 }
 
+/// Stress per unit coordinate in the elements that meet at a node, see BodyPoint.
+Matrix stress_at(const structure::BodyModel &model, int node, const Matrix &shapes) {
+  std::vector<Matrix> parts;
+  Index rows = 0;
+  for (const auto &element : model.elements) {
+    const auto nodes = element->nodes();
+    const auto place = std::find(nodes.begin(), nodes.end(), node);
+    if (place == nodes.end())
+      continue;
+    const Matrix stress = element->stress(static_cast<int>(place - nodes.begin()));
+    Matrix own(6 * static_cast<Index>(nodes.size()), shapes.cols());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      own.middleRows(static_cast<Index>(6 * i), 6) = shapes.middleRows(Index{6} * nodes[i], 6);
+    if (stress.rows() > 0)
+      parts.emplace_back(stress * own);
+    rows += stress.rows();
+  }
+  Matrix all(rows, shapes.cols());
+  rows = 0;
+  for (const Matrix &part : parts) {
+    all.middleRows(rows, part.rows()) = part;
+    rows += part.rows();
+  }
+  return all;
+}
+
 void add_points(const structure::BodyModel &model, const Matrix &shapes, const Statics &statics,
                 ReducedBody &body) {
   for (std::size_t p = 0; p < model.points.size(); ++p) {
@@ -182,6 +161,7 @@ void add_points(const structure::BodyModel &model, const Matrix &shapes, const S
                     .rows = shapes.middleRows(row, 6),
                     .interface = named.interface,
                     .node = named.node};
+    point.stress = stress_at(model, named.node, shapes);
     if (statics.deflection.size() > 0)
       point.static_displacement = statics.deflection.segment(row, 6);
     if (!statics.flexibility.empty())
@@ -190,65 +170,13 @@ void add_points(const structure::BodyModel &model, const Matrix &shapes, const S
   }
 }
 
-/// Shapes on all nodes, with omega^2: the selected normal modes, then the attachment modes.
-struct Basis {
-  Vector stiffness;
-  Matrix shapes;
-};
-
-/// The shapes in the basis that the rule takes.
-Matrix ruled(const AssembledBody &body, const Vector &eigenvalues, const Matrix &free_shapes) {
-  std::vector<int> point_nodes;
-  for (const structure::NamedNode &point : body.model.points)
-    point_nodes.push_back(point.node);
-  Matrix shapes = node_rows(body.free, free_shapes);
-  fix_basis(eigenvalues, point_nodes, shapes);
-  return shapes;
-}
-
-/// Unit forces that the attachments name; those on held degrees of freedom have no answer.
-Matrix attachment_loads(const BodyDefinition &definition, const AssembledBody &body) {
-  std::vector<int> dofs;
-  for (const Attachment &attachment : definition.attachments)
-    for (const structure::NamedNode &point : body.model.points)
-      if (const int dof = body.free.number[point.node][attachment.axis];
-          (point.name == attachment.point || point.interface == attachment.point) && dof >= 0)
-        dofs.push_back(dof);
-  Matrix loads = Matrix::Zero(body.free.size, static_cast<Index>(dofs.size()));
-  for (std::size_t j = 0; j < dofs.size(); ++j)
-    loads(dofs[j], static_cast<Index>(j)) = 1;
-  return loads;
-}
-
-Basis make_basis(const BodyDefinition &definition, const AssembledBody &body,
-                 const modes::NormalModes &modes) {
-  const Matrix normal = ruled(body, modes.eigenvalues, modes.shapes);
-  Basis basis{merge_multiple(modes.eigenvalues).segment(modes.first, modes.number),
-              normal.middleCols(modes.first, modes.number)};
-  const Matrix loads = attachment_loads(definition, body);
-  if (loads.cols() == 0)
-    return basis;
-  if (modes.eigenvalues[modes.eigenvalues.size() - 1] == 0)
-    throw DefinitionError("Modes", "", "Number",
-                          "must take in an elastic mode of a free body with Attachments");
-  const modes::AttachmentModes more =
-      modes::residual_attachment_modes(problem_of(body), modes, loads);
-  const Index size = modes.number + more.eigenvalues.size();
-  basis.stiffness.conservativeResize(size);
-  basis.stiffness.tail(more.eigenvalues.size()) = more.eigenvalues;
-  basis.shapes.conservativeResize(Eigen::NoChange, size);
-  basis.shapes.rightCols(more.eigenvalues.size()) = ruled(body, more.eigenvalues, more.shapes);
-  return basis;
-}
-
 ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator) {
   const AssembledBody assembled = structure::assemble(build(definition), communicator);
-  const modes::NormalModes modes = solve(assembled, definition.selection);
-  if (modes.number == 0)
-    throw DefinitionError("Modes", "", "Band", "must hold at least one natural frequency");
-  warn_of_implausible(definition.name, assembled, modes.eigenvalues);
-  const Statics statics = solve_statics(definition, assembled, modes.eigenvalues);
-  Basis basis = make_basis(definition, assembled, modes);
+  Basis basis = definition.reduction == BodyDefinition::Reduction::fixed_interface
+                    ? fixed_interface_basis(definition, assembled, communicator)
+                    : free_interface_basis(definition, assembled);
+  warn_of_implausible(definition.name, assembled, basis.first_elastic);
+  const Statics statics = solve_statics(assembled, basis.held);
 
   ReducedBody body;
   body.name = definition.name;
@@ -256,17 +184,15 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
   body.mass = Vector::Ones(basis.stiffness.size());
   body.stiffness = basis.stiffness;
   body.damping =
-      modal_damping(definition.damping, assembled, body.stiffness, basis.shapes, modes.number);
+      modal_damping(definition.damping, assembled, body.stiffness, basis.shapes, basis.normal);
   body.base_participation =
       free_rows(assembled.free, basis.shapes).transpose() * assembled.base_inertia;
   add_points(assembled.model, basis.shapes, statics, body);
   body.recovery = recovery(assembled.model.mesh, std::move(basis.shapes));
   body.recovery.static_displacement = statics.deflection;
   body.total_mass.setConstant(assembled.model.total_mass());
-  // Attachment modes are no eigenvectors: nothing bounds their error as such.
-  body.eigen_residual = Vector::Constant(body.size(), std::numeric_limits<double>::quiet_NaN());
-  body.eigen_residual.head(modes.number) = modes.error_bounds.segment(modes.first, modes.number);
-  body.orthogonality_residual = modes.orthogonality_residual;
+  body.eigen_residual = std::move(basis.error_bounds);
+  body.orthogonality_residual = basis.orthogonality_residual;
   return body;
 }
 

@@ -51,25 +51,75 @@ void save(const Values &modes, const std::string &file, const ReducedBody &body,
     modes.reject("Store", "must name a file that can be written; this one cannot: " + file);
 }
 
+std::string fingerprint_of(const Values &body, const BodyDefinition &definition) {
+  return body.fingerprint() +
+         "mesh = " + content_hash(definition.beam.mesh_content + definition.shell.mesh_content) +
+         "\n";
+}
+
+ReducedBody stored_body(const Values &body, const BodyDefinition &definition,
+                        const std::string &folder, MPI_Comm communicator) {
+  const Values modes = body.subsection("Modes");
+  const std::string file = (std::filesystem::path(folder) / modes.text("Store")).string();
+  const std::string fingerprint = fingerprint_of(body, definition);
+  if (auto loaded = load(definition.name, file, fingerprint, communicator))
+    return std::move(*loaded);
+  ReducedBody computed = reduce(definition, communicator);
+  save(modes, file, computed, fingerprint, communicator);
+  return computed;
+}
+
+// A cache that cannot be written costs time, not the run.
+void fill_cache(const std::string &file, const ReducedBody &body, const std::string &fingerprint,
+                MPI_Comm communicator) {
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  std::string problem;
+  if (rank == 0)
+    try {
+      std::error_code ignored; // the file then cannot be written either
+      std::filesystem::create_directories(std::filesystem::path(file).parent_path(), ignored);
+      save_body(file, body, fingerprint);
+    } catch (const InputError &error) {
+      problem = error.what();
+    }
+  problem = broadcast(std::move(problem), communicator);
+  if (problem.empty())
+    log::info("body " + body.name + ": made and kept in " + file);
+  else
+    log::warning("body " + body.name + ": made, but the body cache fails: " + problem);
+}
+
+ReducedBody cached_body(const Values &body, const BodyDefinition &definition,
+                        const BodyCache &cache, MPI_Comm communicator) {
+  int ranks = 1;
+  MPI_Comm_size(communicator, &ranks);
+  const std::string fingerprint = fingerprint_of(body, definition) + "program = " + cache.program +
+                                  "\nranks = " + std::to_string(ranks) + "\n";
+  const std::string file =
+      (std::filesystem::path(cache.folder) / (content_hash(fingerprint) + ".body")).string();
+  if (auto loaded = load(definition.name, file, fingerprint, communicator)) {
+    loaded->name = definition.name;
+    return std::move(*loaded);
+  }
+  ReducedBody computed = reduce(definition, communicator);
+  fill_cache(file, computed, fingerprint, communicator);
+  return computed;
+}
+
 } // namespace
 
 ReducedBody reduce_body(const Values &body, const std::string &name, const std::string &folder,
-                        MPI_Comm communicator) {
+                        MPI_Comm communicator, const BodyCache &cache) {
   const BodyDefinition definition = read_body(body, name, folder, communicator);
+  const bool meshed = definition.type == BodyDefinition::Type::beam ||
+                      definition.type == BodyDefinition::Type::shell;
   try {
-    const Values modes = body.subsection("Modes");
-    if (!modes.has("Store"))
-      return reduce(definition, communicator);
-    const std::string file = (std::filesystem::path(folder) / modes.text("Store")).string();
-    const std::string fingerprint =
-        body.fingerprint() +
-        "mesh = " + content_hash(definition.beam.mesh_content + definition.shell.mesh_content) +
-        "\n";
-    if (auto loaded = load(name, file, fingerprint, communicator))
-      return std::move(*loaded);
-    ReducedBody computed = reduce(definition, communicator);
-    save(modes, file, computed, fingerprint, communicator);
-    return computed;
+    if (meshed && body.subsection("Modes").has("Store"))
+      return stored_body(body, definition, folder, communicator);
+    if (meshed && !cache.folder.empty())
+      return cached_body(body, definition, cache, communicator);
+    return reduce(definition, communicator);
   } catch (const structure::DefinitionError &error) {
     reject(body, error);
   }

@@ -30,6 +30,10 @@ struct BodyPoint {
   Matrix flexibility{};
   std::string interface {}; ///< the interface the point is one of; empty for a point by itself
   int node = -1;            ///< column of Recovery::nodes; -1 for bodies without a mesh
+  /// 3k x n: direct stresses along two axes and shear stress per unit coordinate, three rows for
+  /// each of the k places where the elements that meet here are looked at [Pa]; empty without a
+  /// mesh and for cross-sections of unknown shape.
+  Matrix stress{};
 };
 
 /// Nodes, cells and mode shapes, to expand coordinates to the mesh.

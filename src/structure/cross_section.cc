@@ -1,6 +1,7 @@
 #include "structure/cross_section.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -87,6 +88,68 @@ BeamProperties beam_properties(const CrossSection &section, const Material &mate
           .bending_stiffness_z = material.young_modulus * section.second_moment_z,
           .mass_per_length = material.density * section.area,
           .polar_inertia = material.density * polar};
+}
+
+namespace {
+
+Fibre fibre(const CrossSection &section, double y, double z, double by_torque) {
+  return {1 / section.area, z / section.second_moment_y, -y / section.second_moment_z, by_torque};
+}
+
+// Shear stress in the middle of the sides of a rectangle a >= b, by the same series as its torsion
+// constant, as a fraction of b times torque / torsion constant.
+double middle_of_long_side(double a, double b) {
+  double sum = 0;
+  for (int n = 201; n >= 1; n -= 2)
+    sum += 1 / (n * n * std::cosh(std::min(n * pi * a / (2 * b), 700.0)));
+  return 1 - 8 / (pi * pi) * sum;
+}
+double middle_of_short_side(double a, double b) {
+  double sum = 0;
+  for (int n = 20001; n >= 1; n -= 2)
+    sum += (n % 4 == 1 ? 1 : -1) * std::tanh(n * pi * a / (2 * b)) / (static_cast<double>(n) * n);
+  return 8 / (pi * pi) * sum;
+}
+
+std::vector<Fibre> fibres_of_rectangle(const SectionShape &shape) {
+  const CrossSection section = cross_section(shape);
+  const double y = shape.width / 2;
+  const double z = shape.thickness / 2;
+  const double a = 2 * std::max(y, z);
+  const double b = 2 * std::min(y, z);
+  const double long_side = b * middle_of_long_side(a, b) / section.torsion_constant;
+  const double short_side = b * middle_of_short_side(a, b) / section.torsion_constant;
+  std::vector<Fibre> fibres;
+  for (const double side : {-1.0, 1.0}) {
+    fibres.push_back(fibre(section, side * y, z, 0));
+    fibres.push_back(fibre(section, side * y, -z, 0));
+    fibres.push_back(fibre(section, side * y, 0, y < z ? long_side : short_side));
+    fibres.push_back(fibre(section, 0, side * z, y < z ? short_side : long_side));
+  }
+  return fibres;
+}
+
+std::vector<Fibre> fibres_of_ring(const SectionShape &shape) {
+  constexpr int count = 32;
+  const CrossSection section = cross_section(shape);
+  const double radius = shape.diameter / 2;
+  std::vector<Fibre> fibres;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * pi * i / count;
+    fibres.push_back(fibre(section, radius * std::cos(angle), radius * std::sin(angle),
+                           radius / section.torsion_constant));
+  }
+  return fibres;
+}
+
+} // namespace
+
+std::vector<Fibre> extreme_fibres(const SectionShape &shape) {
+  if (shape.kind == SectionShape::Kind::rectangle)
+    return fibres_of_rectangle(shape);
+  if (shape.kind == SectionShape::Kind::given)
+    return {};
+  return fibres_of_ring(shape);
 }
 
 } // namespace vibroimpact::structure

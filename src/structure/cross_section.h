@@ -15,6 +15,20 @@ struct CrossSection {
 /// Throws DefinitionError for dimensions that are missing, not positive or impossible.
 CrossSection cross_section(const SectionShape &shape);
 
+/// A place of the cross-section where the stress may be largest: direct stress by axial force and
+/// bending moments, shear stress by torque. (Shear by transverse forces vanishes there or is
+/// small.)
+struct Fibre {
+  double by_axial_force = 0; ///< [1/m^2]
+  double by_moment_y = 0;    ///< about the local y axis [1/m^3]
+  double by_moment_z = 0;    ///< [1/m^3]
+  double by_torque = 0;      ///< [1/m^3]
+};
+
+/// Corners and middles of the sides of a rectangle, 32 places around a circle or tube; none of a
+/// section that is given by its constants. Throws DefinitionError like cross_section().
+std::vector<Fibre> extreme_fibres(const SectionShape &shape);
+
 /// Stiffness and inertia of a beam per unit length.
 struct BeamProperties {
   double axial_stiffness = 0;     ///< E A [N]

@@ -66,8 +66,8 @@ Eigen::Matrix<double, 3, 24> covariant_curvature(const DirectorPoint &p,
 TangentBasis::TangentBasis(const DirectorPoint &point) {
   const Vector3 normal = point.tangent_r.cross(point.tangent_s);
   area = normal.norm();
-  const Vector3 first = point.tangent_r.normalized();
-  const Vector3 second = normal.cross(first) / area;
+  first = point.tangent_r.normalized();
+  second = normal.cross(first) / area;
   Eigen::Matrix2d components; // of the tangents, columns r and s
   components << point.tangent_r.dot(first), point.tangent_s.dot(first), point.tangent_r.dot(second),
       point.tangent_s.dot(second);

@@ -53,6 +53,8 @@ struct TangentBasis {
   Eigen::Matrix3d in_plane; ///< (e_11, e_22, 2 e_12) from (e_rr, e_ss, 2 e_rs)
   Eigen::Matrix2d shear;    ///< from (2 e_rz, 2 e_sz)
   double area = 0;          ///< of the surface per dr ds
+  Vector3 first;            ///< unit vectors of the basis
+  Vector3 second;
 };
 
 } // namespace vibroimpact::structure

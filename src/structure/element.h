@@ -31,6 +31,10 @@ public:
   /// leaves no round-off behind.
   virtual NodalVector force(const Eigen::Ref<const Matrix> &stiffness,
                             const NodalVector &u) const = 0;
+  /// Plane stress at one of its nodes from its nodal displacements: three rows (two direct stresses
+  /// and the shear stress, in axes of their own) for each place looked at [Pa]. None when it is not
+  /// known.
+  virtual Matrix stress(int node) const = 0;
   /// Without lumped masses [kg].
   virtual double total_mass() const = 0;
 };

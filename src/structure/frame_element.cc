@@ -119,8 +119,10 @@ ElementMatrix mass_matrix(const BeamProperties &properties, const ElementFrame &
 }
 
 FrameElement::FrameElement(const std::array<int, 2> &nodes, const BeamProperties &properties,
-                           const ElementFrame &frame, const Vector3 &offset)
-    : nodes_(nodes), properties_(properties), frame_(frame), offset_(offset) {}
+                           const ElementFrame &frame, const Vector3 &offset,
+                           std::shared_ptr<const std::vector<Fibre>> fibres)
+    : nodes_(nodes), properties_(properties), frame_(frame), offset_(offset),
+      fibres_(std::move(fibres)) {}
 
 ElementMatrix FrameElement::link() const {
   ElementMatrix link = ElementMatrix::Identity();
@@ -132,6 +134,26 @@ ElementMatrix FrameElement::link() const {
 
 NodalMatrix FrameElement::stiffness() const {
   return link().transpose() * stiffness_matrix(properties_, frame_) * link();
+}
+
+// The section faces along x at the second node, against it at the first.
+Matrix FrameElement::stress(int node) const {
+  if (!fibres_)
+    return {};
+  const double face = node == 0 ? -1 : 1;
+  const ElementMatrix forces = stiffness_matrix(properties_, frame_) * link();
+  const Eigen::Matrix<double, 3, 12> force = face * frame_.axes * forces.middleRows<3>(6 * node);
+  const Eigen::Matrix<double, 3, 12> moment =
+      face * frame_.axes * forces.middleRows<3>(6 * node + 3);
+  Matrix rows = Matrix::Zero(3 * static_cast<Index>(fibres_->size()), 12);
+  for (std::size_t i = 0; i < fibres_->size(); ++i) {
+    const Fibre &fibre = (*fibres_)[i];
+    rows.row(static_cast<Index>(3 * i)) = fibre.by_axial_force * force.row(0) +
+                                          fibre.by_moment_y * moment.row(1) +
+                                          fibre.by_moment_z * moment.row(2);
+    rows.row(static_cast<Index>(3 * i + 2)) = fibre.by_torque * moment.row(0);
+  }
+  return rows;
 }
 
 NodalMatrix FrameElement::mass() const {

@@ -111,4 +111,9 @@ MembraneMatrix membrane_triangle(const std::array<Eigen::Vector2d, 3> &corners,
   return (stiffness + stiffness.transpose()) / 2;
 }
 
+Eigen::Matrix<double, 3, 9> membrane_strain(const std::array<Eigen::Vector2d, 3> &corners) {
+  const Sides sides{corners};
+  return lumping(sides).transpose() / sides.area();
+}
+
 } // namespace vibroimpact::structure

@@ -22,4 +22,7 @@ using MembraneMatrix = Eigen::Matrix<double, 9, 9>;
 MembraneMatrix membrane_triangle(const std::array<Eigen::Vector2d, 3> &corners,
                                  const ShellProperties &properties);
 
+/// Its mean strains (e_x, e_y, 2 e_xy) from the nodal displacements.
+Eigen::Matrix<double, 3, 9> membrane_strain(const std::array<Eigen::Vector2d, 3> &corners);
+
 } // namespace vibroimpact::structure

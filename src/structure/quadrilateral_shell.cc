@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::array<double, 4> corner_r = {-1, 1, 1, -1};
 constexpr std::array<double, 4> corner_s = {-1, -1, 1, 1};
+/// Its two cuts into triangles.
+constexpr std::array<std::array<int, 3>, 4> cuts = {{{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}};
 
 Shape bilinear(double r, double s) {
   Shape shape;
@@ -69,8 +71,7 @@ void QuadrilateralShell::add_bending_and_shear(NodalMatrix &stiffness) const {
 NodalMatrix QuadrilateralShell::stiffness() const {
   NodalMatrix stiffness = NodalMatrix::Zero(24, 24);
   add_bending_and_shear(stiffness);
-  for (const auto &corners :
-       {std::array{0, 1, 2}, std::array{0, 2, 3}, std::array{0, 1, 3}, std::array{1, 2, 3}})
+  for (const std::array<int, 3> &corners : cuts)
     add_membrane(corners, 0.5, stiffness);
   return (stiffness + stiffness.transpose()) / 2;
 }
@@ -89,6 +90,13 @@ NodalMatrix QuadrilateralShell::mass() const {
       add_mass(point.translation.value, bows, weight_r * weight_s * area, mass);
     }
   return (mass + mass.transpose()) / 2;
+}
+
+Matrix QuadrilateralShell::stress(int node) const {
+  const DirectorPoint point = at(corner_r[node], corner_s[node]);
+  const TangentBasis basis(point);
+  return surface_stress(basis.in_plane * covariant_curvature(point, directors_),
+                        {cuts.begin(), cuts.end()}, basis.first, basis.second);
 }
 
 double QuadrilateralShell::area() const {

@@ -23,6 +23,8 @@ public:
 
   NodalMatrix stiffness() const override;
   NodalMatrix mass() const override;
+  /// At the top and at the bottom.
+  Matrix stress(int node) const override;
   double area() const override;
   std::vector<Vector3> pressure_areas() const override;
 

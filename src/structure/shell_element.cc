@@ -71,6 +71,38 @@ void ShellElement::add_membrane(const std::array<int, 3> &corners, double weight
           weight * to_plane.transpose() * membrane.block<3, 3>(3 * i, 3 * j) * to_plane;
 }
 
+Matrix ShellElement::surface_stress(const Eigen::Matrix<double, 3, 24> &curvature,
+                                    const std::vector<std::array<int, 3>> &triangles,
+                                    const Vector3 &first, const Vector3 &second) const {
+  const Index columns = 6 * static_cast<Index>(positions_.size());
+  const Vector3 normal = first.cross(second);
+  Matrix strain = Matrix::Zero(3, columns);
+  double covered = 0;
+  for (const std::array<int, 3> &corners : triangles) {
+    std::array<Eigen::Vector2d, 3> flat;
+    for (int i = 0; i < 3; ++i)
+      flat[i] = {positions_[corners[i]].dot(first), positions_[corners[i]].dot(second)};
+    const Eigen::Vector2d side = flat[1] - flat[0];
+    const Eigen::Vector2d other = flat[2] - flat[0];
+    const double area = (side.x() * other.y() - side.y() * other.x()) / 2;
+    covered += area;
+    const Eigen::Matrix<double, 3, 9> rows = area * membrane_strain(flat);
+    for (int i = 0; i < 3; ++i) {
+      const Index node = 6 * corners[i];
+      strain.middleCols<3>(node) +=
+          rows.col(3 * i) * first.transpose() + rows.col(3 * i + 1) * second.transpose();
+      strain.middleCols<3>(node + 3) += rows.col(3 * i + 2) * normal.transpose();
+    }
+  }
+  const Matrix bending = properties_.thickness / 2 * curvature.leftCols(columns);
+  Matrix stress(6, columns);
+  stress << strain / covered + bending, strain / covered - bending;
+  const Eigen::Matrix3d modulus = properties_.membrane_stiffness / properties_.thickness;
+  stress.topRows<3>() = modulus * stress.topRows<3>();
+  stress.bottomRows<3>() = modulus * stress.bottomRows<3>();
+  return stress;
+}
+
 void ShellElement::add_mass(const Eigen::Vector4d &shapes, const Eigen::Vector4d &bows, double area,
                             NodalMatrix &mass) const {
   const auto size = static_cast<int>(positions_.size());

@@ -35,6 +35,11 @@ protected:
 
   const ShellProperties &properties() const { return properties_; }
   const std::vector<Vector3> &positions() const { return positions_; }
+  /// Stress at the top and the bottom, 6 x 6 nodes, from the curvature (k_11, k_22, 2 k_12) and the
+  /// mean membrane strain of triangles that cover the element, in the axes 1 and 2.
+  Matrix surface_stress(const Eigen::Matrix<double, 3, 24> &curvature,
+                        const std::vector<std::array<int, 3>> &triangles, const Vector3 &first,
+                        const Vector3 &second) const;
   /// Adds `weight` times the membrane of the triangle over three of the nodes.
   void add_membrane(const std::array<int, 3> &corners, double weight, NodalMatrix &stiffness) const;
   /// Adds the mass of a piece of the mid-surface [m^2] where the shape functions have these values;

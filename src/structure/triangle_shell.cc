@@ -118,6 +118,14 @@ NodalMatrix TriangleShell::mass() const {
   return (mass + mass.transpose()) / 2;
 }
 
+// At a corner the bubble does not bend the element.
+Matrix TriangleShell::stress(int node) const {
+  const DirectorPoint point = at(node == 1 ? 1 : 0, node == 2 ? 1 : 0);
+  const TangentBasis basis(point);
+  return surface_stress(basis.in_plane * covariant_curvature(point, directors_), {{0, 1, 2}},
+                        basis.first, basis.second);
+}
+
 double TriangleShell::area() const { return normal_.norm() / 2; }
 
 std::vector<Vector3> TriangleShell::pressure_areas() const {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 using namespace vibroimpact;
@@ -73,4 +74,89 @@ TEST(ReduceBody, AStoreThatCannotBeWrittenIsRefusedOnEveryRank) {
   } catch (const InputError &error) {
     EXPECT_NE(std::string(error.what()).find("Store"), std::string::npos) << error.what();
   }
+}
+
+namespace {
+
+/// The body by way of a cache.
+ReducedBody by_cache(const std::string &text, const BodyCache &cache,
+                     MPI_Comm communicator = MPI_COMM_SELF) {
+  return reduce_body(body_values(text), "left", ".", communicator, cache);
+}
+
+std::vector<std::filesystem::path> entries(const std::filesystem::path &folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto &entry : std::filesystem::directory_iterator(folder))
+    files.push_back(entry.path());
+  return files;
+}
+
+} // namespace
+
+TEST(ReduceBody, TheCacheGivesTheSameBytes) {
+  const TemporaryFolder folder(MPI_COMM_WORLD);
+  const BodyCache cache{.folder = folder.path() / "bodies", .program = "1"};
+  const std::string without = bytes_of(reduced_text(head_beam(), "."));
+  EXPECT_EQ(bytes_of(by_cache(head_beam(), cache, MPI_COMM_WORLD)), without);
+  const std::string entry = text_of(entries(cache.folder).at(0));
+  EXPECT_EQ(bytes_of(by_cache(head_beam(), cache, MPI_COMM_WORLD)), without);
+  EXPECT_EQ(entries(cache.folder).size(), 1U);
+  EXPECT_EQ(text_of(entries(cache.folder).at(0)), entry);
+}
+
+// An entry with other contents proves that it was used, and under whose name it goes.
+TEST(ReduceBody, AnEntryOfTheCacheIsUsed) {
+  const TemporaryFolder folder;
+  const BodyCache cache{.folder = folder.path(), .program = "1"};
+  ReducedBody body = by_cache(head_beam(), cache);
+  body.name = "another name";
+  body.total_mass.setConstant(42);
+  const std::string file = entries(folder.path()).at(0).string();
+  const std::string bytes = text_of(file);
+  const std::size_t begin = bytes.find("fingerprint text ");
+  const std::size_t text = bytes.find('\n', begin) + 1;
+  const std::size_t size = std::stoul(bytes.substr(begin + 17));
+  save_body(file, body, bytes.substr(text, size));
+  const ReducedBody again = by_cache(head_beam(), cache);
+  EXPECT_EQ(again.total_mass[0], 42);
+  EXPECT_EQ(again.name, "left");
+}
+
+TEST(ReduceBody, OtherBodiesAndProgramsHaveOtherEntries) {
+  const TemporaryFolder folder;
+  by_cache(head_beam(), {.folder = folder.path(), .program = "1"});
+  by_cache(head_beam(section("Modes", "set Number = 3\n")),
+           {.folder = folder.path(), .program = "1"});
+  by_cache(head_beam(), {.folder = folder.path(), .program = "2"});
+  EXPECT_EQ(entries(folder.path()).size(), 3U);
+}
+
+TEST(ReduceBody, DamagedEntriesOfTheCacheAreMadeAnew) {
+  const TemporaryFolder folder;
+  const BodyCache cache{.folder = folder.path(), .program = "1"};
+  const std::string sound = bytes_of(by_cache(head_beam(), cache));
+  const std::string file = entries(folder.path()).at(0).string();
+  const std::string bytes = text_of(file);
+  std::string flipped = bytes;
+  flipped[bytes.size() / 2] ^= 1;
+  for (const std::string &damaged : {std::string(), bytes.substr(0, bytes.size() / 2), flipped}) {
+    std::ofstream(file, std::ios::binary) << damaged;
+    EXPECT_EQ(bytes_of(by_cache(head_beam(), cache)), sound);
+    EXPECT_EQ(text_of(file), bytes);
+  }
+}
+
+TEST(ReduceBody, ACacheThatCannotBeWrittenCostsNotTheRun) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "file").string();
+  std::ofstream(file) << "in the way";
+  const BodyCache cache{.folder = file + "/bodies", .program = "1"};
+  EXPECT_EQ(bytes_of(by_cache(head_beam(), cache)),
+            bytes_of(reduced_text(head_beam(), ".", MPI_COMM_SELF)));
+}
+
+TEST(ReduceBody, WithoutACacheNothingIsKept) {
+  const TemporaryFolder folder;
+  by_cache(head_beam(), {});
+  EXPECT_TRUE(entries(folder.path()).empty());
 }

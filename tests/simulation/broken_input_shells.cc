@@ -67,6 +67,10 @@ TEST(BrokenInputShellsTest, MessagesNameTheKeyAndWhatIsAllowed) {
       {"unknown line", "On = bottom", "On = keel", {"Stiffener rib", "On", "bottom"}},
       {"no section", "    set Width = 5 mm\n", "", {"Stiffener rib", "Width"}},
       {"unknown attachment", "corner.z", "corner.rz", {"Attachments", "corner.rz", "did you mean"}},
+      {"unknown reduction",
+       "corner.z",
+       "corner.z\n    set Reduction = fixed",
+       {"Reduction", "fixed"}},
       {"attachment of nowhere", "corner.z", "tip.z", {"Attachments", "tip.z"}},
       {"load without supports",
        "  subsection Support left\n    set At = left\n    set Fix = all\n  end\n",
@@ -92,6 +96,18 @@ TEST(BrokenInputShellsTest, MessagesNameTheKeyAndWhatIsAllowed) {
     for (const std::string &word : broken.words)
       EXPECT_NE(message.find(word), std::string::npos)
           << broken.what << ": " << word << " is not in: " << message;
+  }
+}
+
+TEST(BrokenInputShellsTest, AFixedInterfaceMustBeFree) {
+  const std::string fixed =
+      changed(sound, "corner.z\n", "corner.z\n    set Reduction = fixed interface\n");
+  EXPECT_EQ(message_of(fixed), "");
+  for (const std::string &message :
+       {message_of(changed(fixed, "Near = 2 m, 1 m", "Near = 0 m, 1 m")),
+        message_of(changed(fixed, "    set Attachments = corner.z\n", ""))}) {
+    EXPECT_NE(message.find("Attachments"), std::string::npos) << message;
+    EXPECT_NE(message.find("that no support holds"), std::string::npos) << message;
   }
 }
 

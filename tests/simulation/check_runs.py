@@ -79,6 +79,47 @@ end
 """
 
 
+BEAM = """
+subsection Body beam
+  subsection Geometry
+    set Line = 0 m, 0 m, 0 m -> 1 m, 0 m, 0 m
+  end
+  subsection Section
+    set Width = 20 mm
+    set Thickness = 20 mm
+  end
+  subsection Material
+    set Young modulus = 200 GPa
+    set Density = 8000 kg/m^3
+  end
+  subsection Support root
+    set At = start
+    set Fix = all
+  end
+  subsection Point root
+    set At = start
+  end
+  subsection Point tip
+    set At = end
+  end
+end
+subsection Excitation push
+  set Type = force
+  set At = beam.tip
+  set Direction = y
+  set Amplitude = 10 N
+  set History = constant
+end
+subsection Analysis push
+  set Type = transient
+  set Record = stresses
+  subsection Transient
+    set Duration = 0.1 s
+  end
+end
+"""
+
+
 def datasets(folder):
     """Every dataset of a result file as bytes, by path."""
     found = {}
@@ -144,6 +185,38 @@ class Runs(unittest.TestCase):
                     self.assertLess(failed, 36)
                 reference = reference or found
                 self.assertEqual(found, reference)
+
+    def test_a_body_cache_changes_no_byte(self):
+        self.file.write_text(BEAM)
+        reference, lines = None, []
+        for name, cache in (("none", []), ("first", ["--body-cache", self.folder / "cache"]),
+                            ("second", ["--body-cache", self.folder / "cache"])):
+            out = self.folder / name
+            done = self.run_program(self.file, "--output", out, *cache)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            lines.append([line for line in (done.stdout + done.stderr).splitlines()
+                          if line.startswith("body beam: ")])
+            reference = reference or (datasets(out), (out / "summary.txt").read_text())
+            self.assertEqual(datasets(out), reference[0])
+            self.assertEqual((out / "summary.txt").read_text(), reference[1])
+        self.assertEqual(lines[0], [])
+        self.assertIn("made and kept in", lines[1][0])
+        self.assertIn("loaded from", lines[2][0])
+
+    def test_the_stress_at_the_root_is_that_of_a_sudden_force(self):
+        """Twice the static M c / I, a little more for the higher modes."""
+        self.file.write_text(BEAM)
+        out = self.folder / "stress"
+        self.assertEqual(self.run_program(self.file, "--output", out).returncode, 0)
+        with h5py.File(out / "results.h5") as file:
+            recorded = file["analysis/push/recorded/point"]
+            stress = recorded["beam.root/von_mises_stress/maximum"][()]
+            self.assertIn("beam.tip", recorded)
+        self.assertAlmostEqual(stress / (2 * 10 * 6 / 0.02**3), 1, delta=0.15)
+        refused = self.run_program(self.file, "--output", self.folder / "refused", "--set",
+                                   "Analysis/push/Stresses/Points=beam.top")
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("beam.top", refused.stderr)
 
     def test_lines_at_once_must_be_a_number(self):
         for wrong in ("0", "-1", "many", "100000"):

@@ -1,0 +1,40 @@
+// The largest von Mises stress at points of beams and shells.
+//
+// Each stress component is linear in the motion of a body, so that it is a polynomial along a step;
+// its von Mises stress, sqrt(s1^2 - s1 s2 + s2^2 + 3 t^2), is sought on it. Of the places at a
+// point (fibres of a beam, both surfaces of a shell, in every element that meets there) the largest
+// counts.
+#pragma once
+
+#include "analyses/recorder.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+class Stresses : public Recorder {
+public:
+  /// `points`: "body.point"; empty means all whose stress is known.
+  Stresses(const std::vector<std::string> &points, const System &system);
+
+  static void declare(parameters::Section &analysis);
+  static RecorderFactory create(const parameters::Values &analysis);
+
+  void begin(const Window &window, const Trajectory &trajectory) override;
+  void step(const StepView &view) override;
+  /// point/BODY.POINT/von_mises_stress/maximum [Pa].
+  void add_fields(PointResult &result) const override;
+
+private:
+  struct Point {
+    Label label;
+    std::vector<std::array<Projection, 3>> places; ///< two direct stresses and the shear stress
+    double largest = 0;                            ///< square of the von Mises stress
+  };
+
+  std::vector<Point> points_;
+};
+
+} // namespace vibroimpact

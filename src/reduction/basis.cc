@@ -1,0 +1,121 @@
+#include "reduction/basis.h"
+
+#include "modes/attachment_modes.h"
+#include "reduction/basis_rule.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace vibroimpact {
+
+using structure::AssembledBody;
+using structure::DefinitionError;
+
+Matrix node_rows(const structure::FreeDofs &free, const Matrix &shapes) {
+  Matrix rows = Matrix::Zero(6 * static_cast<Index>(free.number.size()), shapes.cols());
+  for (std::size_t node = 0; node < free.number.size(); ++node)
+    for (int component = 0; component < 6; ++component)
+      if (const int dof = free.number[node][component]; dof >= 0)
+        rows.row(static_cast<Index>(6 * node) + component) = shapes.row(dof);
+  return rows;
+}
+
+Matrix free_rows(const structure::FreeDofs &free, const Matrix &shapes) {
+  Matrix rows(free.size, shapes.cols());
+  for (std::size_t node = 0; node < free.number.size(); ++node)
+    for (int component = 0; component < 6; ++component)
+      if (const int dof = free.number[node][component]; dof >= 0)
+        rows.row(dof) = shapes.row(static_cast<Index>(6 * node) + component);
+  return rows;
+}
+
+modes::EigenProblem problem_of(const AssembledBody &body) {
+  return {.stiffness = body.stiffness.get(),
+          .mass = body.mass.get(),
+          .accurate_stiffness = body.accurate_stiffness->matrix(),
+          .mass_rank = body.massive_dofs};
+}
+
+modes::NormalModes solve_modes(const AssembledBody &body, const modes::Selection &selection) {
+  try {
+    modes::NormalModes modes = modes::normal_modes(problem_of(body), selection);
+    if (modes.number == 0)
+      throw DefinitionError("Modes", "", "Band", "must hold at least one natural frequency");
+    return modes;
+  } catch (const modes::TooManyModes &too_many) {
+    throw DefinitionError("Modes", "", "Number",
+                          "must not exceed the number of free degrees of freedom with mass, " +
+                              std::to_string(too_many.available));
+  }
+}
+
+Matrix ruled(const AssembledBody &body, const Vector &eigenvalues, const Matrix &free_shapes) {
+  std::vector<int> point_nodes;
+  for (const structure::NamedNode &point : body.model.points)
+    point_nodes.push_back(point.node);
+  Matrix shapes = node_rows(body.free, free_shapes);
+  fix_basis(eigenvalues, point_nodes, shapes);
+  return shapes;
+}
+
+void check_loads(const BodyDefinition &definition, const AssembledBody &body, bool held) {
+  if (!held && body.model.loaded)
+    throw DefinitionError("Body", definition.name, "Type",
+                          "= beam or shell with a subsection Load needs supports that hold it "
+                          "against every rigid motion");
+}
+
+std::vector<InterfaceDof> interface_dofs(const BodyDefinition &definition,
+                                         const AssembledBody &body) {
+  std::vector<InterfaceDof> dofs;
+  for (const Attachment &attachment : definition.attachments)
+    for (const structure::NamedNode &point : body.model.points)
+      if ((point.name == attachment.point || point.interface == attachment.point) &&
+          body.free.number[point.node][attachment.axis] >= 0)
+        dofs.push_back({point.node, attachment.axis});
+  return dofs;
+}
+
+namespace {
+
+void add_attachment_modes(const AssembledBody &body, const modes::NormalModes &modes,
+                          const std::vector<InterfaceDof> &dofs, Basis &basis) {
+  if (modes.eigenvalues[modes.eigenvalues.size() - 1] == 0)
+    throw DefinitionError("Modes", "", "Number",
+                          "must take in an elastic mode of a free body with Attachments");
+  Matrix loads = Matrix::Zero(body.free.size, static_cast<Index>(dofs.size()));
+  for (std::size_t j = 0; j < dofs.size(); ++j)
+    loads(body.free.number[dofs[j].node][dofs[j].axis], static_cast<Index>(j)) = 1;
+  const modes::AttachmentModes more =
+      modes::residual_attachment_modes(problem_of(body), modes, loads);
+  const Index size = modes.number + more.eigenvalues.size();
+  basis.stiffness.conservativeResize(size);
+  basis.stiffness.tail(more.eigenvalues.size()) = more.eigenvalues;
+  basis.shapes.conservativeResize(Eigen::NoChange, size);
+  basis.shapes.rightCols(more.eigenvalues.size()) = ruled(body, more.eigenvalues, more.shapes);
+}
+
+} // namespace
+
+Basis free_interface_basis(const BodyDefinition &definition, const AssembledBody &body) {
+  const modes::NormalModes modes = solve_modes(body, definition.selection);
+  const Matrix all = ruled(body, modes.eigenvalues, modes.shapes);
+  Basis basis{.stiffness = merge_multiple(modes.eigenvalues).segment(modes.first, modes.number),
+              .shapes = all.middleCols(modes.first, modes.number),
+              .normal = modes.number,
+              .held = modes.eigenvalues[0] > 0,
+              .orthogonality_residual = modes.orthogonality_residual};
+  check_loads(definition, body, basis.held);
+  const auto elastic = std::find_if(modes.eigenvalues.begin(), modes.eigenvalues.end(),
+                                    [](double value) { return value > 0; });
+  basis.first_elastic = elastic == modes.eigenvalues.end() ? 0 : *elastic;
+  if (const auto dofs = interface_dofs(definition, body); !dofs.empty())
+    add_attachment_modes(body, modes, dofs, basis);
+  // Attachment modes are no eigenvectors: nothing bounds their error as such.
+  basis.error_bounds =
+      Vector::Constant(basis.stiffness.size(), std::numeric_limits<double>::quiet_NaN());
+  basis.error_bounds.head(modes.number) = modes.error_bounds.segment(modes.first, modes.number);
+  return basis;
+}
+
+} // namespace vibroimpact
