@@ -178,7 +178,8 @@ Matrix gap_rows(const System &system) {
   return rows;
 }
 
-// Close modes may be solved for as another basis of the same space, in which nothing else changes.
+// Close modes may be solved for as another basis of the same space. That space itself is known to
+// the error of the static answers over what the kept modes leave of them, some 1e-11 over 1e-4.
 TEST(ManyContactsTest, TheSameOnEveryNumberOfRanks) {
   const System together = system_of(file(grid, "set Pairing = stops"), MPI_COMM_WORLD);
   const System alone = system_of(file(grid, "set Pairing = stops"), MPI_COMM_SELF);
@@ -188,7 +189,7 @@ TEST(ManyContactsTest, TheSameOnEveryNumberOfRanks) {
   const Matrix rows = gap_rows(together);
   const Matrix expected_rows = gap_rows(alone);
   const Matrix response = expected_rows * expected_rows.transpose();
-  EXPECT_LT((rows * rows.transpose() - response).norm(), 1e-7 * response.norm());
+  EXPECT_LT((rows * rows.transpose() - response).norm(), 1e-6 * response.norm());
   const Ended ended = motion_of(together, 0.04);
   const Ended expected = motion_of(alone, 0.04);
   EXPECT_EQ(ended.touched, expected.touched);
