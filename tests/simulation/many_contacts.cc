@@ -171,20 +171,30 @@ TEST(ManyContactsTest, AttachmentsCarryTheWholeFlexibility) {
   EXPECT_NE(truncation_warning(figures).find("stops.1 ("), std::string::npos);
 }
 
+Matrix gap_rows(const System &system) {
+  Matrix rows(static_cast<Index>(system.contacts.size()), system.model.size());
+  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+    rows.row(static_cast<Index>(c)) = system.contacts.pairs()[c].gap.row;
+  return rows;
+}
+
+// Close modes may be solved for as another basis of the same space. That space itself is known to
+// the error of the static answers over what the kept modes leave of them, some 1e-11 over 1e-4.
 TEST(ManyContactsTest, TheSameOnEveryNumberOfRanks) {
   const System together = system_of(file(grid, "set Pairing = stops"), MPI_COMM_WORLD);
   const System alone = system_of(file(grid, "set Pairing = stops"), MPI_COMM_SELF);
   ASSERT_EQ(together.contacts.size(), alone.contacts.size());
-  for (std::size_t c = 0; c < alone.contacts.size(); ++c) {
-    const ContactPair &pair = together.contacts.pairs()[c];
-    EXPECT_EQ(pair.side_a, alone.contacts.pairs()[c].side_a);
-    const RowVector &row = alone.contacts.pairs()[c].gap.row;
-    EXPECT_LT((pair.gap.row - row).norm(), 1e-8 * row.norm()) << pair.name;
-  }
+  for (std::size_t c = 0; c < alone.contacts.size(); ++c)
+    EXPECT_EQ(together.contacts.pairs()[c].side_a, alone.contacts.pairs()[c].side_a);
+  const Matrix rows = gap_rows(together);
+  const Matrix expected_rows = gap_rows(alone);
+  const Matrix response = expected_rows * expected_rows.transpose();
+  EXPECT_LT((rows * rows.transpose() - response).norm(), 1e-6 * response.norm());
   const Ended ended = motion_of(together, 0.04);
   const Ended expected = motion_of(alone, 0.04);
   EXPECT_EQ(ended.touched, expected.touched);
-  EXPECT_LT(difference(alone, expected, ended), 1e-5);
+  const Vector gaps = expected_rows * expected.state.head(alone.model.size());
+  EXPECT_LT((rows * ended.state.head(together.model.size()) - gaps).norm(), 1e-5 * gaps.norm());
 }
 
 /// Two plates above each other; the pairs face each other along z.

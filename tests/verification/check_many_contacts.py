@@ -6,27 +6,27 @@ a minute.
 usage: check_many_contacts.py PROGRAM SOURCE_TREE
 """
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 import h5py
 import numpy as np
 
 PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
-LONGEST = 60.0  # s
+LONGEST = 60.0  # s of one processor, for others may be using it too
 
 
 class Example:
     """Results of a parameter file."""
 
     def __init__(self, folder, name, analysis):
-        started = time.monotonic()
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         done = subprocess.run([PROGRAM, str(SOURCE / "params" / f"{name}.prm"), "--output",
                                f"{folder}/{name}"], capture_output=True, text=True, check=False)
-        self.duration = time.monotonic() - started
+        self.duration = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
         self.output = done.stdout + done.stderr
         if done.returncode:
             raise AssertionError(self.output)
