@@ -2,6 +2,7 @@
 """The map of a mass between two bumpers, as large as wanted, on one rank and on several.
 
   benchmark_map.py PROGRAM [--gaps 100] [--stiffnesses 60] [--frequencies 300] [--ranks 1 2]
+                   [--set SECTION/KEY=VALUE ...]
 
 Runs sweep.prm over gaps x stiffnesses x frequencies x both directions with all response measures
 recorded, once for each number of ranks, and tells points, forcing periods, time, processor time,
@@ -33,6 +34,8 @@ def command(program, ranks, arguments, output):
             "--set", f"{GRID}/Key stiffness/Values="
             + values(np.logspace(-1, 2, arguments.stiffnesses)),
             "--set", f"Analysis curve/Stepped sweep/Points={arguments.frequencies}"]
+    for override in arguments.set:
+        grid += ["--set", override]
     launcher = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
     return [*launcher, program, *grid, "--output", str(output), "--overwrite", str(PARAMETERS)]
 
@@ -65,6 +68,7 @@ def main():
     parser.add_argument("--stiffnesses", type=int, default=60)
     parser.add_argument("--frequencies", type=int, default=300)
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--set", action="append", default=[], metavar="SECTION/KEY=VALUE")
     arguments = parser.parse_args()
     program = os.path.abspath(arguments.program)
     alone = None

@@ -48,8 +48,8 @@ Trajectory::Trajectory(const Model &model, const ContactSet &contacts,
     : settings_(settings), equations_(model, contacts), collisions_(equations_, settings_),
       steppers_(equations_, settings) {
   if (steppers_.flight())
-    flight_ = std::make_unique<FlightPath>(equations_, *steppers_.flight(),
-                                                settings.event_tolerance);
+    flight_ =
+        std::make_unique<FlightPath>(equations_, *steppers_.flight(), settings.event_tolerance);
 }
 
 Trajectory::~Trajectory() = default;
