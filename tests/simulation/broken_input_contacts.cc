@@ -1,5 +1,5 @@
 // Interfaces and contacts of many pairs that cannot be used as given: what the message says.
-#include "support/simulation_files.h"
+#include "support/broken_files.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@ namespace vibroimpact {
 namespace {
 
 using testing::changed;
+using testing::expect_messages;
 using testing::message_of;
 
 std::string beam(const std::string &name, const std::string &x) {
@@ -56,24 +57,6 @@ subsection Analysis shapes
   set Type = modal
 end
 )";
-
-struct Broken {
-  const char *what;
-  std::string from;
-  std::string to;
-  std::vector<std::string> words;
-};
-
-void expect_messages(const std::string &text, const std::vector<Broken> &cases) {
-  EXPECT_EQ(message_of(text), "");
-  for (const Broken &broken : cases) {
-    const std::string message = message_of(changed(text, broken.from, broken.to));
-    EXPECT_NE(message.find("test.prm"), std::string::npos) << broken.what << ": " << message;
-    for (const std::string &word : broken.words)
-      EXPECT_NE(message.find(word), std::string::npos)
-          << broken.what << ": " << word << " is not in: " << message;
-  }
-}
 
 TEST(BrokenInputContactsTest, Interfaces) {
   const std::string near = "set Near = 0 m, 0 m, 0.5 m, 0 m, 0 m, 1 m";

@@ -1,12 +1,10 @@
 #!/usr/bin/python3
 """The shipped examples with many contacts: their pairs, that they touch, that the kept modes carry
-the whole flexibility at the contacts, that the energy balance closes, and that each takes less than
-a minute.
+the whole flexibility at the contacts, and that the energy balance closes.
 
 usage: check_many_contacts.py PROGRAM SOURCE_TREE
 """
 import pathlib
-import resource
 import subprocess
 import sys
 import tempfile
@@ -16,17 +14,14 @@ import h5py
 import numpy as np
 
 PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
-LONGEST = 60.0  # s of one processor, for others may be using it too
 
 
 class Example:
     """Results of a parameter file."""
 
     def __init__(self, folder, name, analysis):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         done = subprocess.run([PROGRAM, str(SOURCE / "params" / f"{name}.prm"), "--output",
                                f"{folder}/{name}"], capture_output=True, text=True, check=False)
-        self.duration = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
         self.output = done.stdout + done.stderr
         if done.returncode:
             raise AssertionError(self.output)
@@ -52,7 +47,6 @@ class Examples(unittest.TestCase):
 
     def check(self, name, analysis, group, contacts, touched):
         example = Example(self.folder.name, name, analysis)
-        self.assertLess(example.duration, LONGEST)
         self.assertEqual(example.value(f"group/{group}/contacts"), contacts)
         self.assertGreaterEqual(example.value(f"group/{group}/touched"), touched)
         self.assertEqual(example.value("unbalanced"), 0)
