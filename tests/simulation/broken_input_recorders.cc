@@ -61,6 +61,9 @@ TEST(BrokenInputRecordersTest, WhatIsWatched) {
                  {"Points", "block.heat", "block.head"});
   expect_message("= displacement, acceleration", "= displacment",
                  {"Quantities", "displacment", "displacement"});
+  expect_message("quasi static, history",
+                 "stresses\n  subsection Stresses\n    set Points = block.head\n  end",
+                 {"Stresses", "Points", "cross-section", "block.head"});
   expect_message("Samples per period = 50", "Samples per period = 1", {"Samples per period"});
   expect_message("Samples per period = 50", "Sampling interval = 0 s", {"Sampling interval"});
 }
@@ -72,6 +75,8 @@ TEST(BrokenInputRecordersTest, Windows) {
                  {"Recorded time", "Recorded cycles"});
   expect_message("Recorded cycles = 2", "Recorded cycles = 0", {"Recorded cycles"});
   expect_message("Settling cycles = 20", "Settling cycles = 2", {"Minimum settling cycles"});
+  expect_message("Settling cycles = 20", "Settling cycles = 20\n    set Extrapolate = soon",
+                 {"Extrapolate", "soon", "true"});
   expect_message("Recorded cycles = 2", "Excitation = grund", {"grund", "period"});
   expect_message("set Frequency = 3 Hz", "set History = constant", {"period"});
 }

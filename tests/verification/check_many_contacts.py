@@ -51,7 +51,7 @@ class Examples(unittest.TestCase):
         self.assertGreaterEqual(example.value(f"group/{group}/touched"), touched)
         self.assertEqual(example.value("unbalanced"), 0)
         self.assertEqual(example.value("status"), 0)
-        np.testing.assert_allclose(example.contact("flexibility_share"), 1, atol=1e-6)
+        np.testing.assert_allclose(example.contact("flexibility_share"), 1, atol=1e-11)
         self.assertNotIn("warning", example.output)
         self.assertGreater(example.frames, 100)
         return example
@@ -62,11 +62,11 @@ class Examples(unittest.TestCase):
 
     def test_nested_tubes(self):
         example = self.check("nested-tubes", "knock", "walls", 10, 4)
-        np.testing.assert_allclose(example.contact("clearance"), 0.75e-3, rtol=1e-6)
+        np.testing.assert_allclose(example.contact("clearance"), 0.75e-3, rtol=1e-12)
 
     def test_frame_pounding(self):
         example = self.check("frame-pounding", "earthquake", "floors", 3, 1)
-        np.testing.assert_allclose(example.contact("clearance"), 0.03, rtol=1e-6)
+        np.testing.assert_allclose(example.contact("clearance"), 0.03, rtol=1e-12)
         self.assertIn("nodes without a partner: 1", example.output)
 
 
