@@ -55,6 +55,19 @@ TEST(StressesTest, AVibrationInOneMode) {
   EXPECT_NEAR(value_of(result, "point/beam.root/von_mises_stress/maximum") / expected, 1, 1e-12);
 }
 
+// Tension along one axis, compression across it, and shear: 2, -1 and 0.5 give the root of 7.75.
+TEST(StressesTest, AllComponentsTogether) {
+  const auto body = std::make_shared<ReducedBody>(*beam(1));
+  for (BodyPoint &point : body->points)
+    point.stress = Eigen::Vector3d(2e9, -1e9, 0.5e9);
+  const double period = 2 * pi / body->omega()[0];
+  const PointResult result =
+      recorded<Stresses>(moving(body, Vector::Constant(1, 1e-3)), Window{.end = 0.6 * period},
+                         std::vector<std::string>{"beam.root"});
+  EXPECT_NEAR(value_of(result, "point/beam.root/von_mises_stress/maximum"), std::sqrt(7.75) * 1e6,
+              1e-6);
+}
+
 // Modes of different frequency: the largest stress is somewhere between, in any fibre.
 TEST(StressesTest, SeveralModesTogether) {
   const auto body = beam(6);
