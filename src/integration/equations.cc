@@ -1,5 +1,6 @@
 #include "integration/equations.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -29,8 +30,21 @@ Equations::Equations(const Model &model, const ContactSet &contacts)
       silent.push_back(pair.n_internal() == 0 && !mode.in_contact && mode.affine &&
                        is_zero(mode.affine->force));
     silent_.push_back(std::move(silent));
+    std::vector<Carrier> carriers;
+    for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
+      if (pair.gap.carrier[k] != 0)
+        carriers.push_back({.source = k, .factor = pair.gap.carrier[k]});
+    carriers_.push_back(std::move(carriers));
   }
   holding_ = Holding(model_, contacts_, modes_);
+  list_acting();
+}
+
+void Equations::list_acting() {
+  acting_.clear();
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    if (!silent(c) && !mode(c).holds_gap)
+      acting_.push_back({.contact = c, .pair = &contacts_.pairs()[c]});
 }
 
 const Mode &Equations::mode(std::size_t contact) const {
@@ -39,7 +53,10 @@ const Mode &Equations::mode(std::size_t contact) const {
 
 void Equations::set_mode(std::size_t contact, int mode) {
   const bool held = this->mode(contact).holds_gap;
+  if (modes_[contact] == mode)
+    return;
   modes_[contact] = mode;
+  list_acting();
   if (held || this->mode(contact).holds_gap)
     holding_ = Holding(model_, contacts_, modes_);
 }
@@ -66,15 +83,21 @@ void Equations::source_values(double time, std::vector<SourceValues> &values) co
 
 LocalState Equations::local_state(std::size_t contact, double time, ConstVectorView x) const {
   const ContactPair &pair = contacts_.pairs()[contact];
-  LocalState state{.gap = pair.clearance + pair.gap.row.dot(x.head(layout_.n)),
-                   .gap_rate = pair.gap.row.dot(x.segment(layout_.velocity(), layout_.n)),
-                   .internal = {x.data() + layout_.internal() + pair.internal_offset,
+  const double *row = pair.gap.row.data();
+  const double *q = x.data();
+  const double *velocity = q + layout_.velocity();
+  LocalState state{.gap = pair.clearance,
+                   .internal = {q + layout_.internal() + pair.internal_offset,
                                 static_cast<std::size_t>(pair.n_internal())}};
-  for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
-    if (pair.gap.carrier[k] != 0) {
-      state.gap += pair.gap.carrier[k] * model_.sources()[k].function->value(source_time(time));
-      state.gap_rate += pair.gap.carrier[k] * model_.sources()[k].function->rate(source_time(time));
-    }
+  for (Index j = 0; j < layout_.n; ++j) {
+    state.gap += row[j] * q[j];
+    state.gap_rate += row[j] * velocity[j];
+  }
+  for (const Carrier &carrier : carriers_[contact]) {
+    const TimeFunction &function = *model_.sources()[carrier.source].function;
+    state.gap += carrier.factor * function.value(source_time(time));
+    state.gap_rate += carrier.factor * function.rate(source_time(time));
+  }
   if (!holding_.empty() && holding_.holds(contact)) {
     held_rates_.resize(layout_.size());
     rates(time, x, VectorView(held_rates_.data(), held_rates_.size()));
@@ -117,39 +140,48 @@ void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
   model_.stiffness().apply(ConstVectorView(x.data(), n), elastic_);
   model_.damping().apply(velocity, damping_);
 
-  dxdt.head(n) = velocity;
-  auto acceleration = dxdt.segment(layout_.velocity(), n);
-  acceleration = load_ - elastic_ - damping_;
-  double input_power = load_.dot(velocity);
-
-  for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const ContactPair &pair = contacts_.pairs()[c];
-    const auto contact = static_cast<Index>(c);
-    if (silent(c) || mode(c).holds_gap) {
-      dxdt[layout_.impulse(contact)] = 0;
-      dxdt[layout_.contact_work(contact)] = 0;
-      continue;
-    }
-    pair.law->evaluate(modes_[c], local_state(c, time, x), response_);
-    acceleration += response_.force * pair.gap.row.transpose();
-    for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
-      if (pair.gap.carrier[k] != 0)
-        input_power -= response_.force * pair.gap.carrier[k] *
-                       model_.sources()[k].function->rate(source_time(time));
-    for (int i = 0; i < pair.n_internal(); ++i)
-      dxdt[layout_.internal() + pair.internal_offset + i] = response_.internal_rate[i];
-    dxdt[layout_.impulse(contact)] = response_.force;
-    dxdt[layout_.contact_work(contact)] = response_.dissipated_power;
+  double *acceleration = dxdt.data() + layout_.velocity();
+  double input_power = 0;
+  double damping_power = 0;
+  for (Index j = 0; j < n; ++j) {
+    dxdt[j] = velocity[j];
+    acceleration[j] = load_[j] - elastic_[j] - damping_[j];
+    input_power += load_[j] * velocity[j];
+    damping_power += damping_[j] * velocity[j];
   }
+  std::fill_n(&dxdt[layout_.ledger()], layout_.size() - layout_.ledger(), 0.0);
+  for (const Acting &acting : acting_)
+    input_power += add_contact(acting, time, x, dxdt);
   if (!model_.linear())
     input_power += add_nonlinear_forces(time, x, dxdt);
   else
-    acceleration.array() /= model_.mass().array();
+    for (Index j = 0; j < n; ++j)
+      acceleration[j] /= model_.mass()[j];
   if (!holding_.empty())
     input_power += hold(time, x, dxdt);
   dxdt[layout_.input_work()] = input_power;
   dxdt[layout_.absolute_input_work()] = std::abs(input_power);
-  dxdt[layout_.damping_work()] = damping_.dot(velocity);
+  dxdt[layout_.damping_work()] = damping_power;
+}
+
+// Adds its force, before the division by the mass. Returns the power that moving bases put into it.
+double Equations::add_contact(const Acting &acting, double time, ConstVectorView x,
+                              VectorView dxdt) const {
+  const ContactPair &pair = *acting.pair;
+  const auto contact = static_cast<Index>(acting.contact);
+  pair.law->evaluate(modes_[acting.contact], local_state(acting.contact, time, x), response_);
+  double *acceleration = dxdt.data() + layout_.velocity();
+  for (Index j = 0; j < layout_.n; ++j)
+    acceleration[j] += response_.force * pair.gap.row[j];
+  for (int i = 0; i < pair.n_internal(); ++i)
+    dxdt[layout_.internal() + pair.internal_offset + i] = response_.internal_rate[i];
+  dxdt[layout_.impulse(contact)] = response_.force;
+  dxdt[layout_.contact_work(contact)] = response_.dissipated_power;
+  double power = 0;
+  for (const Carrier &carrier : carriers_[acting.contact])
+    power -= response_.force * carrier.factor *
+             model_.sources()[carrier.source].function->rate(source_time(time));
+  return power;
 }
 
 // Adds the forces that hold gaps. Returns the power that moving bases put into them.

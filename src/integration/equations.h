@@ -92,6 +92,17 @@ public:
   double contact_energy(std::size_t contact, int mode, const LocalState &state) const;
 
 private:
+  /// A contact that adds to the rates in the present modes.
+  struct Acting {
+    std::size_t contact = 0;
+    const ContactPair *pair = nullptr;
+  };
+  struct Carrier {
+    std::size_t source = 0;
+    double factor = 0; ///< not zero
+  };
+  void list_acting();
+  double add_contact(const Acting &acting, double time, ConstVectorView x, VectorView dxdt) const;
   double hold(double time, ConstVectorView x, VectorView dxdt) const;
   void hold(Matrix &jacobian) const;
   double force_magnitude(std::size_t contact, double time, const Vector &x) const;
@@ -107,6 +118,8 @@ private:
   double source_break_ = std::numeric_limits<double>::infinity();
   double last_source_time_ = std::numeric_limits<double>::infinity();
   std::vector<std::vector<char>> silent_; ///< per contact and mode: no force, no internal states
+  std::vector<Acting> acting_;
+  std::vector<std::vector<Carrier>> carriers_; ///< of each contact's gap
   mutable Holding holding_; ///< its response follows the position where there are rotors
   mutable LawResponse response_;
   mutable Vector load_, elastic_, damping_, held_rates_;

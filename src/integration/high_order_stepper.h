@@ -17,6 +17,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace vibroimpact {
@@ -41,12 +42,22 @@ private:
     double time(double s) const;
     double rate(double s) const;
   };
+  /// Lengths that are good enough, as far as is known.
+  struct LearnedSteps {
+    double first = 0; ///< of a phase
+    double last = 0;  ///< up to the end of a contact
+  };
   Course even(double end) const;
   Course since_start(double end) const;
-  Course until_end(double end) const;
+  Course until_end(double end, double contact_end) const;
   /// What a course is worth: the error over the tolerance.
   double attempt(const Course &course);
   void take_stages(const Course &course);
+  template <std::size_t... stage>
+  void take_stages(const Course &course, std::index_sequence<stage...>);
+  template <std::size_t stage> void take_stage(const Course &course);
+  template <std::size_t count, typename Factor>
+  void add_stages(Factor factor, Index size, double *state) const;
   double step_error() const;
   double dense_error() const;
   void complete(EndPoint &point);
@@ -55,15 +66,20 @@ private:
   void find_only_contact();
   LocalState contact_at(const EndPoint &point) const;
   bool opening() const;
-  bool take_last(double limit);
+  double rest_of_contact() const;
+  bool take_last(double left, double limit);
+  double wanted_step(double left) const;
+  bool move_end(double time);
   void accept(double error);
-  double first_step() const;
+  static double growth(double error);
+  void recall_steps();
+  void learn(const LearnedSteps &steps);
 
   const Equations &equations_;
   double maximum_step_, relative_, event_tolerance_;
   Vector absolute_;
   Matrix stages_; ///< dx/ds, one column each
-  Vector stage_state_, stage_rates_;
+  Vector stage_state_;
   LawResponse response_;
   Vector elastic_, damping_;
   std::vector<ExponentialForm> sources_; ///< empty: without closed form
@@ -73,7 +89,8 @@ private:
   double phase_start_ = 0;
   double natural_step_ = 0;
   bool first_of_phase_ = true;
-  std::map<std::vector<int>, double> first_steps_; ///< of the last phase with these modes
+  LearnedSteps steps_;
+  std::map<std::vector<int>, LearnedSteps> learned_; ///< from the last phase with these modes
   long rejected_ = 0;
 };
 

@@ -6,16 +6,35 @@
 
 namespace vibroimpact {
 
-// The general product costs more to begin than a small one to do.
+namespace {
+
+bool acts(const Vector &load) {
+  Index i = 0;
+  while (i < load.size() && load[i] == 0)
+    ++i;
+  return i < load.size();
+}
+
+} // namespace
+
+// Called for every stage of every step, where beginning a general product costs more than a small
+// one itself.
 void LinearForm::apply(ConstVectorView x, Vector &y) const {
-  y.noalias() = diagonal.cwiseProduct(x);
   constexpr Index small = 8;
-  if (coupling.cols() >= small)
-    y.noalias() += coupling * x;
-  else
-    for (Index j = 0; j < coupling.cols(); ++j)
-      for (Index i = 0; i < coupling.rows(); ++i)
-        y[i] += coupling(i, j) * x[j];
+  const Index n = diagonal.size();
+  y.resize(n);
+  if (n >= small) {
+    y.noalias() = diagonal.cwiseProduct(x);
+    if (coupling.size() > 0)
+      y.noalias() += coupling * x;
+    return;
+  }
+  const double *entry = coupling.data();
+  for (Index i = 0; i < n; ++i)
+    y[i] = diagonal[i] * x[i];
+  for (Index j = 0; j < coupling.cols(); ++j, entry += n)
+    for (Index i = 0; i < n; ++i)
+      y[i] += entry[i] * x[j];
 }
 
 void LinearForm::add(double factor, const RowVector &row) {
@@ -172,14 +191,18 @@ void Model::set_frequency(std::size_t source, double angular_frequency) {
 
 void Model::load(double time, Vector &f) const {
   f.setZero(size());
+  const auto add = [&](double factor, const Vector &load) {
+    for (Index i = 0; i < f.size(); ++i)
+      f[i] += factor * load[i];
+  };
   for (const Source &source : sources_) {
     // The displacement of a moving base is no load, and may be expensive to find.
-    if (!source.load.isZero(0))
-      f.noalias() += source.function->value(time) * source.load;
-    if (!source.inertial_load.isZero(0))
-      f.noalias() += source.function->acceleration(time) * source.inertial_load;
-    if (!source.rate_load.isZero(0))
-      f.noalias() += source.function->rate(time) * source.rate_load;
+    if (acts(source.load))
+      add(source.function->value(time), source.load);
+    if (acts(source.inertial_load))
+      add(source.function->acceleration(time), source.inertial_load);
+    if (acts(source.rate_load))
+      add(source.function->rate(time), source.rate_load);
   }
 }
 
