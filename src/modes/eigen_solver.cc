@@ -1,7 +1,5 @@
 #include "modes/eigen_solver.h"
 
-#include "modes/factorisation.h"
-
 #include <slepceps.h>
 
 #include <algorithm>
@@ -80,7 +78,7 @@ Block solve(EPS solver, const Layout &layout) {
 
 } // namespace
 
-Block lowest_eigenvectors(Mat stiffness, Mat mass, double shift, int count) {
+FoundVectors lowest_eigenvectors(Mat stiffness, Mat mass, double shift, int count) {
   const Layout layout(stiffness);
   const Eigensolver solver = make_solver(stiffness, mass);
   const PetscInt subspace = std::min(layout.size, std::max(2 * count, count + 30));
@@ -94,7 +92,11 @@ Block lowest_eigenvectors(Mat stiffness, Mat mass, double shift, int count) {
   if (vectors.cols() < count)
     throw NumericalError("The eigen-solution found only " + std::to_string(vectors.cols()) +
                          " of " + std::to_string(count) + " modes");
-  return vectors;
+  ST transformation = nullptr;
+  KSP linear = nullptr;
+  check(EPSGetST(solver.get(), &transformation), "Taking over a factorisation");
+  check(STGetKSP(transformation, &linear), "Taking over a factorisation");
+  return {std::move(vectors), factorisation_of(linear)};
 }
 
 Block eigenvectors_between(Mat stiffness, Mat mass, double lower, double upper) {

@@ -2,14 +2,19 @@
 // shift-and-invert.
 #pragma once
 
-#include "modes/vector_block.h"
+#include "modes/factorisation.h"
 
 namespace vibroimpact::modes {
+
+struct FoundVectors {
+  Block vectors;
+  Factorisation shifted; ///< K - shift M, with which they were found
+};
 
 /// Vectors of at least `count` eigenvalues nearest to `shift` from above, which must lie below the
 /// spectrum; fewer only when the mass matrix has a smaller rank. The start vector is fixed.
 /// Throws NumericalError when the iteration does not converge.
-Block lowest_eigenvectors(Mat stiffness, Mat mass, double shift, int count);
+FoundVectors lowest_eigenvectors(Mat stiffness, Mat mass, double shift, int count);
 
 /// Vectors of all eigenvalues in the interval by spectrum slicing: the inertia of factorisations
 /// proves that none is missing.

@@ -57,19 +57,22 @@ class Search {
 public:
   explicit Search(const EigenProblem &problem)
       : problem_(problem), largest_(largest_eigenvalue(problem)),
-        shift_(-shift_fraction * largest_), shifted_(problem.stiffness, problem.mass, shift_) {}
+        shift_(-shift_fraction * largest_) {}
 
   int count_below(double eigenvalue) const {
     return Factorisation(problem_.stiffness, problem_.mass, eigenvalue).eigenvalues_below();
   }
 
   /// The lowest modes up to a gap in the spectrum at or after number `count`.
-  Solution lowest(int count) const {
+  Solution lowest(int count) {
     int enlargements = 0;
     for (int asked = std::min(count + guard_modes, problem_.mass_rank);;
          asked = std::min(2 * asked, problem_.mass_rank)) {
-      Solution found =
-          refined(lowest_eigenvectors(problem_.stiffness, problem_.mass, shift_, asked), count);
+      shifted_.reset(); // one at a time: they are what takes the memory
+      FoundVectors approximate =
+          lowest_eigenvectors(problem_.stiffness, problem_.mass, shift_, asked);
+      shifted_ = std::move(approximate.shifted);
+      Solution found = refined(std::move(approximate.vectors), count);
       const Index end = group_end(found.pairs.values, count);
       if (end == 0)
         continue;
@@ -102,7 +105,7 @@ private:
     Eigenpairs pairs = rayleigh_ritz(problem_, std::move(vectors));
     double previous = std::numeric_limits<double>::infinity();
     for (int step = 0;; ++step) {
-      Correction correction = inverse_iteration(problem_, shifted_, shift_, pairs);
+      Correction correction = inverse_iteration(problem_, *shifted_, shift_, pairs);
       const Index end = std::max<Index>(group_end(pairs.values, count), count);
       const double error = correction.error_bounds.head(end).maxCoeff();
       if (error <= wanted_error || error > previous / 2 || step == most_refinements)
@@ -125,12 +128,16 @@ private:
   }
 
   /// Cuts the modes off at the gap after `end`, having made sure that they are all there.
-  Solution complete(Solution found, Index end) const {
+  Solution complete(Solution found, Index end) {
+    shifted_.reset();
     if (end < found.pairs.values.size()) {
       const double gap = (found.pairs.values[end - 1] + found.pairs.values[end]) / 2;
       const int expected = count_below(gap);
-      if (expected != end)
-        found = refined(all_below(gap, expected), expected);
+      if (expected != end) {
+        Block vectors = all_below(gap, expected);
+        shifted_.emplace(problem_.stiffness, problem_.mass, shift_);
+        found = refined(std::move(vectors), expected);
+      }
       end = expected;
     }
     return {{found.pairs.values.head(end), found.pairs.vectors.leftCols(end)},
@@ -148,7 +155,7 @@ private:
   EigenProblem problem_;
   double largest_;
   double shift_;
-  Factorisation shifted_;
+  std::optional<Factorisation> shifted_; ///< K - shift M, while vectors are made better with it
 };
 
 // A mode on the edge of the band belongs to it, whatever the last digit of its frequency.
@@ -171,7 +178,7 @@ TooManyModes::TooManyModes(int available_modes)
 NormalModes normal_modes(const EigenProblem &problem, const Selection &selection) {
   if (!selection.band && selection.number > problem.mass_rank)
     throw TooManyModes(problem.mass_rank);
-  const Search search(problem);
+  Search search(problem);
   int count = selection.number;
   if (selection.band) {
     const double upper = (*selection.band)[1] * (1 + 10 * band_tolerance);

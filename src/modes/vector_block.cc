@@ -19,26 +19,28 @@ Layout::Layout(Mat matrix)
   own = static_cast<int>(end - begin);
 }
 
-Block map_columns(const Layout &layout, const Block &x, const std::function<void(Vec, Vec)> &map) {
-  Block y = Block::Zero(x.rows(), x.cols());
-  for (Index j = 0; j < x.cols(); ++j) {
-    petsc::Vector in;
-    petsc::Vector out;
-    check(VecCreateMPIWithArray(layout.communicator, 1, layout.own, layout.size, x.col(j).data(),
-                                in.address()),
-          "Wrapping a vector");
-    check(VecCreateMPIWithArray(layout.communicator, 1, layout.own, layout.size, y.col(j).data(),
-                                out.address()),
-          "Wrapping a vector");
-    map(in.get(), out.get());
-  }
-  return y;
+petsc::Matrix wrap(const Layout &layout, Block &x) {
+  petsc::Matrix dense;
+  check(MatCreateDense(layout.communicator, layout.own, PETSC_DECIDE, layout.size,
+                       static_cast<PetscInt>(x.cols()), x.data(), dense.address()),
+        "Wrapping vectors");
+  return dense;
 }
 
-Block multiply(Mat matrix, const Block &x) {
-  return map_columns(Layout(matrix), x, [matrix](Vec in, Vec out) {
-    check(MatMult(matrix, in, out), "Multiplying with a matrix");
-  });
+// The matrix is read once for several columns.
+Block multiply(Mat matrix, Block x) {
+  const Layout layout(matrix);
+  if (x.cols() == 0)
+    return x;
+  const petsc::Matrix in = wrap(layout, x);
+  petsc::Matrix out;
+  check(MatMatMult(matrix, in.get(), MAT_INITIAL_MATRIX, PETSC_DEFAULT, out.address()),
+        "Multiplying with a matrix");
+  const double *products = nullptr;
+  check(MatDenseGetArrayRead(out.get(), &products), "Multiplying with a matrix");
+  Block y = Eigen::Map<const Block>(products, x.rows(), x.cols());
+  check(MatDenseRestoreArrayRead(out.get(), &products), "Multiplying with a matrix");
+  return y;
 }
 
 Matrix inner_products(const Layout &layout, const Block &x, const Block &y) {

@@ -4,8 +4,6 @@
 #include "common/linear_algebra.h"
 #include "structure/petsc_object.h"
 
-#include <functional>
-
 namespace vibroimpact::modes {
 
 /// The rows this rank owns (as PETSc shares out the rows of the matrices) x vectors.
@@ -20,10 +18,10 @@ struct Layout {
   int own;       ///< rows of this rank
 };
 
-/// Calls `map(x, y)` for every column. Collective.
-Block map_columns(const Layout &layout, const Block &x, const std::function<void(Vec, Vec)> &map);
-/// A x, column by column. Collective.
-Block multiply(Mat matrix, const Block &x);
+/// The columns of a block as a PETSc matrix, which works on its memory. Collective.
+petsc::Matrix wrap(const Layout &layout, Block &x);
+/// A x. Collective.
+Block multiply(Mat matrix, Block x);
 /// x^T y over all ranks, the same on every rank. Collective.
 Matrix inner_products(const Layout &layout, const Block &x, const Block &y);
 /// All rows on every rank. Collective.

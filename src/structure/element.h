@@ -27,10 +27,10 @@ public:
   /// Both symmetric, in global components.
   virtual NodalMatrix stiffness() const = 0;
   virtual NodalMatrix mass() const = 0;
-  /// stiffness * u for the matrix that stiffness() returned, such that a large rigid part of u
-  /// leaves no round-off behind.
-  virtual NodalVector force(const Eigen::Ref<const Matrix> &stiffness,
-                            const NodalVector &u) const = 0;
+  /// stiffness * u for the matrix that stiffness() returned, such that a large rigid part of a
+  /// column of u leaves no round-off behind.
+  virtual NodalMatrix force(const Eigen::Ref<const Matrix> &stiffness,
+                            const NodalMatrix &u) const = 0;
   /// Plane stress at one of its nodes from its nodal displacements: three rows (two direct stresses
   /// and the shear stress, in axes of their own) for each place looked at [Pa]. None when it is not
   /// known.

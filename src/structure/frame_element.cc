@@ -160,11 +160,16 @@ NodalMatrix FrameElement::mass() const {
   return link().transpose() * mass_matrix(properties_, frame_) * link();
 }
 
-NodalVector FrameElement::force(const Eigen::Ref<const Matrix> & /*stiffness*/,
-                                const NodalVector &u) const {
-  if (offset_.isZero(0))
-    return stiffness_product(properties_, frame_, u);
-  return link().transpose() * stiffness_product(properties_, frame_, link() * u);
+NodalMatrix FrameElement::force(const Eigen::Ref<const Matrix> & /*stiffness*/,
+                                const NodalMatrix &u) const {
+  NodalMatrix forces(u.rows(), u.cols());
+  for (Index j = 0; j < u.cols(); ++j)
+    if (offset_.isZero(0))
+      forces.col(j) = stiffness_product(properties_, frame_, u.col(j));
+    else
+      forces.col(j) =
+          link().transpose() * stiffness_product(properties_, frame_, link() * u.col(j));
+  return forces;
 }
 
 } // namespace vibroimpact::structure

@@ -55,7 +55,7 @@ public:
   std::span<const int> nodes() const override { return nodes_; }
   NodalMatrix stiffness() const override;
   NodalMatrix mass() const override;
-  NodalVector force(const Eigen::Ref<const Matrix> &stiffness, const NodalVector &u) const override;
+  NodalMatrix force(const Eigen::Ref<const Matrix> &stiffness, const NodalMatrix &u) const override;
   /// A fibre's direct stress along the beam (first row) and shear stress (third row).
   Matrix stress(int node) const override;
   double total_mass() const override { return properties_.mass_per_length * frame_.length; }

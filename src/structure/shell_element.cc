@@ -32,8 +32,16 @@ ShellElement::ShellElement(std::vector<int> nodes, std::vector<Vector3> position
 
 // Mean displacement and mean rotation of the nodes are taken out before the large entries of the
 // matrix multiply what is left.
-NodalVector ShellElement::force(const Eigen::Ref<const Matrix> &stiffness,
-                                const NodalVector &u) const {
+NodalMatrix ShellElement::force(const Eigen::Ref<const Matrix> &stiffness,
+                                const NodalMatrix &u) const {
+  NodalMatrix deformations(u.rows(), u.cols());
+  for (Index j = 0; j < u.cols(); ++j)
+    deformations.col(j) = deformation(u.col(j));
+  return stiffness * deformations;
+}
+
+// What is left of u without the mean displacement and rotation.
+NodalVector ShellElement::deformation(const NodalVector &u) const {
   const auto size = static_cast<int>(positions_.size());
   const Vector3 origin = u.head<3>();
   Vector3 shift = Vector3::Zero();
@@ -43,13 +51,12 @@ NodalVector ShellElement::force(const Eigen::Ref<const Matrix> &stiffness,
   for (int i = 0; i < size; ++i)
     momentum += positions_[i].cross(u.segment<3>(6 * i) - origin - shift);
   const Vector3 rotation = inverse_inertia_ * momentum;
-  NodalVector deformation(6 * size);
+  NodalVector rest(6 * size);
   for (int i = 0; i < size; ++i) {
-    deformation.segment<3>(6 * i) =
-        u.segment<3>(6 * i) - origin - shift - rotation.cross(positions_[i]);
-    deformation.segment<3>(6 * i + 3) = u.segment<3>(6 * i + 3) - rotation;
+    rest.segment<3>(6 * i) = u.segment<3>(6 * i) - origin - shift - rotation.cross(positions_[i]);
+    rest.segment<3>(6 * i + 3) = u.segment<3>(6 * i + 3) - rotation;
   }
-  return stiffness * deformation;
+  return rest;
 }
 
 void ShellElement::add_membrane(const std::array<int, 3> &corners, double weight,

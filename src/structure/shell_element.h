@@ -20,7 +20,7 @@ namespace vibroimpact::structure {
 class ShellElement : public Element {
 public:
   std::span<const int> nodes() const override { return nodes_; }
-  NodalVector force(const Eigen::Ref<const Matrix> &stiffness, const NodalVector &u) const override;
+  NodalMatrix force(const Eigen::Ref<const Matrix> &stiffness, const NodalMatrix &u) const override;
   double total_mass() const override { return properties_.mass_per_area * area(); }
 
   /// Of the mid-surface [m^2].
@@ -48,6 +48,8 @@ protected:
                 NodalMatrix &mass) const;
 
 private:
+  NodalVector deformation(const NodalVector &u) const;
+
   std::vector<int> nodes_;
   std::vector<Vector3> positions_; ///< [m]
   Eigen::Matrix3d inverse_inertia_;

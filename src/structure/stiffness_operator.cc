@@ -1,5 +1,7 @@
 #include "structure/stiffness_operator.h"
 
+#include <algorithm>
+
 namespace vibroimpact::structure {
 
 using petsc::check;
@@ -46,54 +48,101 @@ void StiffnessOperator::finish(MPI_Comm communicator) {
   petsc::Vector distributed;
   check(ISCreateGeneral(PETSC_COMM_SELF, ghosts, dofs.data(), PETSC_COPY_VALUES, from.address()),
         "Numbering a stiffness operator");
-  check(VecCreateSeq(PETSC_COMM_SELF, ghosts, ghosted_x_.address()), "Making a vector");
-  check(VecCreateSeq(PETSC_COMM_SELF, ghosts, ghosted_y_.address()), "Making a vector");
+  check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, ghosts, nullptr, ghosted_.address()),
+        "Making a vector");
   check(VecCreateMPI(communicator, own, free_.size, distributed.address()), "Making a vector");
-  check(VecScatterCreate(distributed.get(), from.get(), ghosted_x_.get(), nullptr,
-                         scatter_.address()),
-        "Making a scatter");
+  check(
+      VecScatterCreate(distributed.get(), from.get(), ghosted_.get(), nullptr, scatter_.address()),
+      "Making a scatter");
   check(MatCreateShell(communicator, own, own, free_.size, free_.size, this, shell_.address()),
         "Making a stiffness operator");
   check(MatShellSetOperation(shell_.get(), MATOP_MULT, reinterpret_cast<void (*)()>(&multiply)),
         "Making a stiffness operator");
+  for (const MatType dense : {MATSEQDENSE, MATMPIDENSE})
+    check(MatShellSetMatProductOperation(shell_.get(), MATPRODUCT_AB, nullptr, &multiply_columns,
+                                         nullptr, dense, dense),
+          "Making a stiffness operator");
 }
 
-PetscErrorCode StiffnessOperator::multiply(Mat shell, Vec x, Vec y) {
+namespace {
+
+StiffnessOperator &operator_of(Mat shell) {
   void *context = nullptr;
   MatShellGetContext(shell, static_cast<void *>(&context));
-  static_cast<StiffnessOperator *>(context)->apply(x, y);
+  return *static_cast<StiffnessOperator *>(context);
+}
+
+} // namespace
+
+PetscErrorCode StiffnessOperator::multiply(Mat shell, Vec x, Vec y) {
+  StiffnessOperator &self = operator_of(shell);
+  self.begin(1);
+  self.take(x, 0);
+  self.add_products();
+  self.give(0, y);
   return 0;
 }
 
-void StiffnessOperator::add_products(const double *in, double *out) const {
-  for (const Part &part : parts_) {
-    const auto size = static_cast<Index>(part.local.size());
-    NodalVector u(size);
-    for (Index i = 0; i < size; ++i)
-      u[i] = part.local[i] < 0 ? 0.0 : in[part.local[i]];
-    const NodalVector force = part.element->force(part.stiffness, u);
-    for (Index i = 0; i < size; ++i)
-      if (part.local[i] >= 0)
-        out[part.local[i]] += force[i];
+PetscErrorCode StiffnessOperator::multiply_columns(Mat shell, Mat x, Mat y, void * /*unused*/) {
+  constexpr PetscInt together = 8;
+  StiffnessOperator &self = operator_of(shell);
+  PetscInt columns = 0;
+  MatGetSize(x, nullptr, &columns);
+  Vec column = nullptr;
+  for (PetscInt first = 0; first < columns; first += together) {
+    const PetscInt count = std::min(together, columns - first);
+    self.begin(count);
+    for (PetscInt j = 0; j < count; ++j) {
+      MatDenseGetColumnVecRead(x, first + j, &column);
+      self.take(column, j);
+      MatDenseRestoreColumnVecRead(x, first + j, &column);
+    }
+    self.add_products();
+    for (PetscInt j = 0; j < count; ++j) {
+      MatDenseGetColumnVecWrite(y, first + j, &column);
+      self.give(j, column);
+      MatDenseRestoreColumnVecWrite(y, first + j, &column);
+    }
   }
-  for (const Spring &spring : springs_)
-    out[spring.local] += spring.stiffness * in[spring.local];
+  return 0;
 }
 
-void StiffnessOperator::apply(Vec x, Vec y) {
-  VecScatterBegin(scatter_.get(), x, ghosted_x_.get(), INSERT_VALUES, SCATTER_FORWARD);
-  VecScatterEnd(scatter_.get(), x, ghosted_x_.get(), INSERT_VALUES, SCATTER_FORWARD);
-  VecZeroEntries(ghosted_y_.get());
-  const double *in = nullptr;
-  double *out = nullptr;
-  VecGetArrayRead(ghosted_x_.get(), &in);
-  VecGetArray(ghosted_y_.get(), &out);
-  add_products(in, out);
-  VecRestoreArrayRead(ghosted_x_.get(), &in);
-  VecRestoreArray(ghosted_y_.get(), &out);
+void StiffnessOperator::begin(Index columns) {
+  const auto rows = static_cast<Index>(local_of_dof_.size());
+  in_.resize(rows, columns);
+  out_.setZero(rows, columns);
+}
+
+void StiffnessOperator::take(Vec x, Index column) {
+  VecPlaceArray(ghosted_.get(), in_.col(column).data());
+  VecScatterBegin(scatter_.get(), x, ghosted_.get(), INSERT_VALUES, SCATTER_FORWARD);
+  VecScatterEnd(scatter_.get(), x, ghosted_.get(), INSERT_VALUES, SCATTER_FORWARD);
+  VecResetArray(ghosted_.get());
+}
+
+void StiffnessOperator::give(Index column, Vec y) {
   VecZeroEntries(y);
-  VecScatterBegin(scatter_.get(), ghosted_y_.get(), y, ADD_VALUES, SCATTER_REVERSE);
-  VecScatterEnd(scatter_.get(), ghosted_y_.get(), y, ADD_VALUES, SCATTER_REVERSE);
+  VecPlaceArray(ghosted_.get(), out_.col(column).data());
+  VecScatterBegin(scatter_.get(), ghosted_.get(), y, ADD_VALUES, SCATTER_REVERSE);
+  VecScatterEnd(scatter_.get(), ghosted_.get(), y, ADD_VALUES, SCATTER_REVERSE);
+  VecResetArray(ghosted_.get());
+}
+
+void StiffnessOperator::add_products() {
+  for (const Part &part : parts_) {
+    const auto size = static_cast<Index>(part.local.size());
+    NodalMatrix u(size, in_.cols());
+    for (Index j = 0; j < in_.cols(); ++j)
+      for (Index i = 0; i < size; ++i)
+        u(i, j) = part.local[i] < 0 ? 0.0 : in_(part.local[i], j);
+    const NodalMatrix force = part.element->force(part.stiffness, u);
+    for (Index j = 0; j < in_.cols(); ++j)
+      for (Index i = 0; i < size; ++i)
+        if (part.local[i] >= 0)
+          out_(part.local[i], j) += force(i, j);
+  }
+  for (const Spring &spring : springs_)
+    out_.row(spring.local) += spring.stiffness * in_.row(spring.local);
 }
 
 } // namespace vibroimpact::structure

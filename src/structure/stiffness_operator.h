@@ -51,16 +51,20 @@ private:
   };
 
   static PetscErrorCode multiply(Mat shell, Vec x, Vec y);
-  void apply(Vec x, Vec y);
-  void add_products(const double *in, double *out) const;
+  static PetscErrorCode multiply_columns(Mat shell, Mat x, Mat y, void *unused);
+  /// Columns are multiplied together: takes x into one of them, gives one to y.
+  void begin(Index columns);
+  void take(Vec x, Index column);
+  void give(Index column, Vec y);
+  void add_products();
   int local_number(int dof);
 
   FreeDofs free_;
   std::vector<Part> parts_;
   std::vector<Spring> springs_;
   std::map<int, int> local_of_dof_;
-  petsc::Vector ghosted_x_;
-  petsc::Vector ghosted_y_;
+  vibroimpact::Matrix in_, out_; ///< degrees of freedom of this rank's elements x columns
+  petsc::Vector ghosted_;        ///< is laid on a column of them
   petsc::Scatter scatter_;
   petsc::Matrix shell_;
 };
