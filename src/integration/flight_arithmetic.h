@@ -14,6 +14,9 @@ constexpr double value_error = 1.0 / 384;
 constexpr double slope_error = 1.7320508075688772 / 216;
 constexpr double epsilon = 0x1p-52;
 constexpr double rounding_factor = 64 * epsilon;
+/// Parts of what rounding may hide: a guard below the first must change by the second in a piece.
+constexpr double near_zero = 4;
+constexpr double least_change = 0.25;
 constexpr double halvings = 24;
 constexpr double corrections = 60;
 /// A zero is found when the value left is this part of what rounding may hide.
@@ -67,19 +70,25 @@ template <class V> void rotate_little(V rate, V frequency, V time, V &real, V &i
 /// value of one, and a little beyond the zero of the straight line, further than rounding can hide.
 template <class V> class Trial {
 public:
-  explicit Trial(V limit) : longest_(limit), ratio_(1e300) {}
+  explicit Trial(V limit) : longest_(limit), shortest_(0.0), ratio_(1e300) {}
 
   void add(const Height<V> &start, V bound, V margin) {
     ratio_ = smaller(ratio_, start.value / bound);
     const V by_slope = (V(-1.2) * start.value - V(8.0) * margin) / start.slope;
     longest_ = select(start.slope < V(0.0), smaller(longest_, by_slope), longest_);
+    const auto creeps = (start.slope < V(0.0)) & (start.value < V(near_zero) * margin);
+    const V least = V(least_change) * margin / absolute(start.slope);
+    shortest_ = select(creeps, larger(shortest_, least), shortest_);
   }
+  /// Where a guard falls near zero, shorter pieces change nothing, by rounding, and many of them
+  /// would lead past a zero.
+  V shortest() const { return shortest_; }
   V length() const {
     return smaller(longest_, square_root(square_root(V(0.3 / value_error) * ratio_)));
   }
 
 private:
-  V longest_;
+  V longest_, shortest_;
   V ratio_; ///< least value over bound of the fourth derivative
 };
 

@@ -119,7 +119,7 @@ void FlightKernel::bound() {
 }
 
 // For a guard that rises from zero, a length at which the error is well below the rise.
-double FlightKernel::first_trial(double limit) const {
+double FlightKernel::first_trial(double limit) {
   Trial<double> trial(limit);
   double h = limit;
   for (std::size_t g = 0; g < n_guards_; ++g)
@@ -127,6 +127,7 @@ double FlightKernel::first_trial(double limit) const {
       trial.add(starts_[g], bounds_[g], margins_[g]);
     else if (bounds_[g] > 0)
       h = smaller(h, std::cbrt(0.04 * starts_[g].slope / (value_error * bounds_[g])));
+  least_ = trial.shortest();
   return smaller(h, trial.length());
 }
 
@@ -226,7 +227,7 @@ FlightKernel::End FlightKernel::fly(double limit) {
         watched_->include(start_, end_, time_to_guard_);
       return End::guard;
     }
-    if (verdict != Verdict::positive || h < least)
+    if (verdict != Verdict::positive || h < larger(least, least_))
       return End::unclear;
     accept(h);
     if (h == rest)

@@ -63,7 +63,7 @@ private:
   Value evaluate(std::size_t guard) const;
   void evaluate_all();
   void bound();
-  double first_trial(double limit) const;
+  double first_trial(double limit);
   double shortest(double limit) const;
   Verdict judge(double h);
   Verdict judge(std::size_t guard, const flight_arithmetic::Span<double> &span) const;
@@ -82,6 +82,7 @@ private:
   std::vector<char> zero_;
   double growth_ = 1;
   double flown_ = 0, time_to_guard_ = 0, residual_ = 0;
+  double least_ = 0; ///< shorter pieces do not change the guards near zero
   std::size_t falling_ = 0;
   long pieces_ = 0;
 };

@@ -94,6 +94,7 @@ void FlightLanes::allocate() {
                         {a.fastest, 1},
                         {a.limit, 1},
                         {a.shortest, 1},
+                        {a.least, 1},
                         {a.stage, 1},
                         {a.end, 1},
                         {a.flown, 1},
@@ -214,6 +215,7 @@ std::optional<FlightKernel::End> FlightLanes::add(FlightKernel &kernel, double l
   load(lane);
   arrays_.limit[lane] = limit;
   arrays_.shortest[lane] = kernel.shortest(limit);
+  arrays_.least[lane] = kernel.least_;
   arrays_.h[lane] = h;
   arrays_.tries[lane] = arrays_.pieces[lane] = arrays_.accepted[lane] = 0;
   arrays_.watched[lane] = kernel.watched_ ? 1 : 0;

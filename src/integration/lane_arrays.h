@@ -31,6 +31,7 @@ struct LaneArrays {
   double *real, *imaginary, *fourth, *size;
   // one entry
   double *fastest, *limit, *shortest;
+  double *least; ///< of the next piece, as by Trial::shortest()
   double *stage, *end;
   double *flown, *h; ///< time of the accepted pieces; length to be tried, or instant
   double *tries;     ///< halvings of a piece, or corrections of an instant

@@ -164,7 +164,7 @@ private:
   }
 
   void accept(Mask where) {
-    const Mask too_short = where & (h_ < load(a.shortest));
+    const Mask too_short = where & (h_ < larger(load(a.shortest), load(a.least)));
     end_ = select(too_short, Pack(LaneArrays::unclear), end_);
     where = where & !too_short;
     const Pack limit = load(a.limit);
@@ -218,6 +218,7 @@ private:
       trial.add(start(g), bound, margin);
     }
     blend(a.h, where, trial.length());
+    blend(a.least, where, trial.shortest());
     blend(a.tries, where, Pack(0.0));
   }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace vibroimpact {
@@ -90,6 +91,25 @@ TEST(FlightKernelTest, GrazingIsDecidedOnBothSides) {
     const Flight dip = graze(1 - depth);
     EXPECT_EQ(dip.end, FlightKernel::End::guard) << k;
     EXPECT_NEAR(dip.reached(), 1.3 - std::acos(1 - depth), 1e-15 / std::sqrt(2 * depth)) << k;
+  }
+}
+
+// Where rounding hides whether 1 + d - cos t touches zero, the pieces must not creep past it, each
+// too short to change anything: the kernel gives up soon, and leaves the touch to others.
+TEST(FlightKernelTest, GrazingWithinRoundingIsLeftToOthers) {
+  const double hidden = 64 * std::numeric_limits<double>::epsilon() * 2;
+  for (int k = 0; k < 200; ++k) {
+    const double start = 1.3 + 0.01 * k;
+    const double share = -1.4 + 0.01 * k; // of what may be hidden
+    const Flight flight = fly({{.constant = 1 + share * hidden,
+                                .coefficients = {-std::polar(1.0, -start)},
+                                .exponents = {Complex(0, 1)}}},
+                              start + 1);
+    EXPECT_TRUE(flight.end == FlightKernel::End::unclear ||
+                (share < -1 && flight.end == FlightKernel::End::guard))
+        << share;
+    EXPECT_LT(flight.reached(), start) << share;
+    EXPECT_LT(flight.kernel.pieces(), 100) << share;
   }
 }
 

@@ -2,7 +2,7 @@
 // interpolation, double precision as far as 1e-9 from touching and multiprecision inside.
 //
 // A minimum of the gap within `band` of zero is a touch that rounding may take for a contact or
-// not.
+// not, also where the motion begins within the band and falls before it leaves.
 #pragma once
 
 #include "support/true_motion.h"
@@ -148,14 +148,15 @@ private:
     bool passes(long double from, long double to) {
       const double at_end = value(to);
       if (at_end < -band) {
-        if (inside && !leaving)
+        if (inside && !(leaving && found.touches.empty()))
           found.touches.pop_back();
         found.time = zero(inside.value_or(from), to);
         return true;
       }
       if (at_end <= band) {
         found.in_band = true;
-        if (!inside && !leaving)
+        const bool falls_at_first = leaving && found.touches.empty() && at_end < value(from);
+        if ((!inside && !leaving) || falls_at_first)
           found.touches.push_back(static_cast<double>(to));
         inside = inside.value_or(leaving ? 0 : from);
       } else {
