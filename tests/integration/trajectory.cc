@@ -1,6 +1,7 @@
 // Motions with known answers: impacts of single masses, free bodies, and the limits of stiff
 // contact.
 #include "integration/trajectory.h"
+#include "common/error.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/linear_penalty.h"
@@ -159,6 +160,34 @@ TEST(TrajectoryTest, ErrorFollowsTheTolerance) {
         law, {.relative_tolerance = tolerance, .absolute_tolerance = 1e-3 * tolerance * depth});
     EXPECT_LT(std::abs(impact.duration / exact - 1), 100 * tolerance);
   }
+}
+
+// An oscillator that hits a stop once in each cycle, recorded or not, step by step or in flight: as
+// many contact changes as it makes are allowed, one less is not.
+TEST(TrajectoryTest, StopsAtTheMostContactChanges) {
+  const Model model({single_mass("block", 1, 1, 0)});
+  const ContactSet contacts(
+      {contact_along_x(model, "block.head", "", 0.5, std::make_shared<LinearPenalty>(10))});
+  const auto run = [&](const std::string &method, bool recorded, long most) {
+    IntegrationSettings settings;
+    settings.method = method;
+    settings.maximum_events = most;
+    Trajectory trajectory(model, contacts, settings);
+    ImpactLog log(contacts, 0);
+    trajectory.start(0, Vector::Zero(1), Vector::Constant(1, 1.0));
+    if (recorded)
+      trajectory.advance(50, log);
+    else
+      trajectory.advance(50);
+    return trajectory.accuracy().events;
+  };
+  for (const std::string &method : {"flight", "rk"})
+    for (const bool recorded : {true, false}) {
+      const long changes = run(method, recorded, 0);
+      EXPECT_GT(changes, 10) << method;
+      EXPECT_EQ(run(method, recorded, changes), changes) << method;
+      EXPECT_THROW(run(method, recorded, changes - 1), NumericalError) << method;
+    }
 }
 
 // Harmonic forcing, closed form between impacts: the grazing amplitude of a damped oscillator.
