@@ -79,6 +79,7 @@ Block solve(EPS solver, const Layout &layout) {
 } // namespace
 
 FoundVectors lowest_eigenvectors(Mat stiffness, Mat mass, double shift, int count) {
+  default_option("-st_mat_mumps_icntl_14", "100"); // per cent of extra workspace for pivoting
   const Layout layout(stiffness);
   const Eigensolver solver = make_solver(stiffness, mass);
   const PetscInt subspace = std::min(layout.size, std::max(2 * count, count + 30));
