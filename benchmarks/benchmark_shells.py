@@ -86,14 +86,14 @@ class Run:
         self.seconds, self.processor, self.memory = cost
 
 
-def resident(group):
-    """Memory of all processes of a group [MB]."""
+def resident(session):
+    """Memory of all processes of a session, the ranks under mpirun too [MB]."""
     total = 0
     for process in pathlib.Path("/proc").iterdir():
         if not process.name.isdigit():
             continue
         try:
-            if os.getpgid(int(process.name)) == group:
+            if os.getsid(int(process.name)) == session:
                 total += int((process / "statm").read_text().split()[1])
         except (ProcessLookupError, FileNotFoundError):
             pass
