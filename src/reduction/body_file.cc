@@ -2,10 +2,10 @@
 
 #include "common/error.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -58,7 +58,7 @@ public:
     const auto [rows, columns] = header(name, "matrix");
     Matrix value(rows, columns);
     const std::string content = data(rows * columns * sizeof(double));
-    std::memcpy(value.data(), content.data(), content.size());
+    std::copy(content.begin(), content.end(), reinterpret_cast<char *>(value.data()));
     return value;
   }
   std::string rest() const { return bytes_.substr(position_); }
