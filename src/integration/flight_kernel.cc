@@ -89,8 +89,8 @@ void FlightKernel::move_little(double time) {
 }
 
 FlightKernel::Value FlightKernel::evaluate(std::size_t guard) const {
-  const double *real = &sums_->real[guard * n_groups_];
-  const double *imaginary = &sums_->imaginary[guard * n_groups_];
+  const double *real = sums_->real.data() + guard * n_groups_;
+  const double *imaginary = sums_->imaginary.data() + guard * n_groups_;
   Value result{.value = sums_->constant[guard], .slope = 0};
   for (std::size_t j = 0; j < n_groups_; ++j)
     add_group(real[j], imaginary[j], end_.real[j], end_.imaginary[j], sums_->rate[j],
@@ -105,8 +105,8 @@ void FlightKernel::evaluate_all() {
 
 void FlightKernel::bound() {
   for (std::size_t g = 0; g < n_guards_; ++g) {
-    const double *size = &sums_->size[g * n_groups_];
-    const double *fourth = &sums_->fourth[g * n_groups_];
+    const double *size = sums_->size.data() + g * n_groups_;
+    const double *fourth = sums_->fourth.data() + g * n_groups_;
     double sum = std::abs(sums_->constant[g]);
     double bound = 0;
     for (std::size_t j = 0; j < n_groups_; ++j) {

@@ -107,7 +107,7 @@ void FlightLedger::set_pairs(std::size_t first) {
 void FlightLedger::set_forms(std::size_t group, std::size_t place) {
   const std::size_t count = exponents_.size();
   for (std::size_t row = 0; row < 2 * powers_.size(); ++row) {
-    Complex *form = &forms_[row * count + place];
+    Complex *form = forms_.data() + row * count + place;
     for (std::size_t j = group; j < basis_.groups.size(); ++j) {
       const Complex seen =
           seen_of_group(powers_.rows(), static_cast<Index>(row), basis_, basis_.groups[j]);
@@ -126,9 +126,9 @@ void FlightLedger::set_coefficients(std::size_t first) {
       if (pairs_[p].second >= first)
         coefficients_[entry * pairs_.size() + p] = 0;
   for (std::size_t k = 0; k < powers_.size(); ++k) {
-    const Complex *a = &forms_[2 * k * count];
+    const Complex *a = forms_.data() + 2 * k * count;
     const Complex *b = a + count;
-    Complex *coefficient = &coefficients_[place_of_[k] * pairs_.size()];
+    Complex *coefficient = coefficients_.data() + place_of_[k] * pairs_.size();
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
       const Pair &pair = pairs_[p];
       if (pair.second < first)
@@ -164,7 +164,7 @@ void FlightLedger::add(const Amplitudes &start, const Amplitudes &end, double h,
                         : product(change, pair.inverse);
   }
   for (std::size_t entry = 0; entry < entries_.size(); ++entry) {
-    const Complex *coefficient = &coefficients_[entry * pairs_.size()];
+    const Complex *coefficient = coefficients_.data() + entry * pairs_.size();
     double integral = 0;
     for (std::size_t k = 0; k < pairs_.size(); ++k)
       integral += coefficient[k].real() * integrals_[k].real() -
