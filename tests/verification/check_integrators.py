@@ -74,7 +74,7 @@ def bumpers(table):
     sweep = "Analysis/around/Stepped sweep/"
     check_bumpers.points(table, f"{sweep}Points=11")
     check_bumpers.best(table)
-    check_bumpers.coexisting(table, f"{sweep}Points=11")
+    check_bumpers.coexisting(table)
     for gap, stiffness in check_bumpers.CURVES:
         check_bumpers.curve(table, gap, stiffness)
 
