@@ -48,7 +48,7 @@ std::string problem_of(const Interface &interface) {
 } // namespace
 
 TEST(InterfaceNodes, AGroupInTheOrderOfItsCoordinates) {
-  const std::vector<Vector3> right = places(plate(), {.name = "i", .group = "right"});
+  const std::vector<Vector3> right = places(plate(), {.name = "i", .group = "right", .near = {}});
   ASSERT_EQ(right.size(), 5U);
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_EQ(right[i], Vector3(4, 0.5 * static_cast<double>(i), 0));
@@ -56,7 +56,8 @@ TEST(InterfaceNodes, AGroupInTheOrderOfItsCoordinates) {
 
 TEST(InterfaceNodes, TheNumberingOfTheMeshDoesNotCount) {
   for (const Interface &interface :
-       {Interface{.name = "i", .group = "edges"}, Interface{.name = "i", .group = "all"},
+       {Interface{.name = "i", .group = "edges", .near = {}},
+        Interface{.name = "i", .group = "all", .near = {}},
         Interface{.name = "i", .group = "all", .near = {{1, 1.2, 0}, {3.1, 0.4, 0.3}}}})
     EXPECT_EQ(places(plate(), interface), places(renumbered(plate()), interface));
 }
@@ -68,14 +69,15 @@ TEST(InterfaceNodes, NearestNodesInTheOrderGiven) {
 }
 
 TEST(InterfaceNodes, UnknownGroup) {
-  EXPECT_NE(problem_of({.name = "i", .group = "roof"}).find("Interface i At must be one of"),
-            std::string::npos);
+  EXPECT_NE(
+      problem_of({.name = "i", .group = "roof", .near = {}}).find("Interface i At must be one of"),
+      std::string::npos);
 }
 
 TEST(InterfaceNodes, EmptyGroup) {
   Mesh mesh = plate();
   mesh.groups["none"] = {};
-  EXPECT_THROW(interface_nodes(mesh, {.name = "i", .group = "none"}), DefinitionError);
+  EXPECT_THROW(interface_nodes(mesh, {.name = "i", .group = "none", .near = {}}), DefinitionError);
 }
 
 TEST(InterfaceNodes, TwoPositionsMustNotMeanOneNode) {
