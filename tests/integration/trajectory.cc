@@ -181,7 +181,7 @@ TEST(TrajectoryTest, StopsAtTheMostContactChanges) {
       trajectory.advance(50);
     return trajectory.accuracy().events;
   };
-  for (const std::string &method : {"flight", "rk"})
+  for (const char *method : {"flight", "rk"})
     for (const bool recorded : {true, false}) {
       const long changes = run(method, recorded, 0);
       EXPECT_GT(changes, 10) << method;
