@@ -132,7 +132,7 @@ void write_patches(const std::filesystem::path &file,
   dealii::DataOutBase::VtkFlags flags;
   flags.write_higher_order_cells = false;
   flags.print_date_and_time = false; // the same result, the same file
-  // The best compression takes longer than a large shell's modes, for a few per cent of its size.
+  // The best compression was a third of all time of a large shell, for files 8 % smaller.
   flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
   std::ofstream stream(file, std::ios::binary);
   dealii::DataOutBase::write_vtu(patches, names, vectors, flags, stream);

@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <random>
 
 namespace vibroimpact {
@@ -153,6 +154,27 @@ TEST_P(FlightLanesTest, LikeTheKernelAlone) {
   EXPECT_GT(tally.guards, 1000);
   EXPECT_GT(tally.unclear, 10);
   EXPECT_EQ(tally.limits + tally.guards + tally.unclear, 6000);
+}
+
+// 1 + d - cos t with d within what rounding may hide: lanes give up where the kernel does, instead
+// of creeping past the touch.
+TEST_P(FlightLanesTest, GrazingWithinRounding) {
+  const double hidden = 64 * std::numeric_limits<double>::epsilon() * 2;
+  std::vector<Start> starts(200);
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const double angle = 1.3 + 0.01 * static_cast<double>(i);
+    const double share = -1.4 + 0.01 * static_cast<double>(i);
+    const std::vector<Complex> coefficients = {-std::polar(1.0, -angle)};
+    const std::vector<double> sizes = {1};
+    starts[i].sums.add_exponent({0, 1});
+    starts[i].sums.add_guard(1 + share * hidden, coefficients, sizes);
+    starts[i].amplitudes.resize(1);
+    starts[i].amplitudes.real[0] = 1;
+    starts[i].limit = angle + 1;
+  }
+  const Tally tally = compare(GetParam(), starts);
+  EXPECT_EQ(tally.limits, 0);
+  EXPECT_GT(tally.unclear, 150);
 }
 
 // A kernel that is not a number ends by itself and leaves its neighbours alone.
