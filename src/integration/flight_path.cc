@@ -182,7 +182,19 @@ void FlightPath::set_inputs(double time, const FlightPhase &phase, Amplitudes &a
   }
 }
 
-bool FlightPath::take_off(double time, const Vector &state) {
+// One that has just been passed is zero within what its location has left.
+bool FlightPath::begin_guard(std::size_t guard, std::span<const ZeroGuard> zero) {
+  const FlightGuard &place = known_->forms->guards()[guard];
+  const bool was_zero = std::any_of(zero.begin(), zero.end(), [&](const ZeroGuard &passed) {
+    return passed.contact == place.contact && passed.guard == place.guard;
+  });
+  if (!was_zero)
+    return kernel_->value(guard) > kernel_->rounding(guard);
+  kernel_->zero_at_start(guard);
+  return kernel_->slope(guard) > 0;
+}
+
+bool FlightPath::take_off(double time, const Vector &state, std::span<const ZeroGuard> zero) {
   if (!stepper_.handles(time))
     return false;
   take_excitation();
@@ -196,7 +208,7 @@ bool FlightPath::take_off(double time, const Vector &state) {
   kernel_->start(known_->phase->sums(), amplitudes_);
   origin_ = time;
   for (std::size_t g = 0; g < known_->forms->guards().size(); ++g)
-    if (kernel_->value(g) <= kernel_->rounding(g))
+    if (!begin_guard(g, zero))
       return false;
   return true;
 }
@@ -300,8 +312,10 @@ bool FlightPath::change_phase() {
   if (time - last_event_ <= time_tolerance(time))
     return false;
   Transition *next = transition(passed);
-  if (!next)
+  if (!next) {
+    note_landing();
     return false;
+  }
   const FlightPhase &target = *next->target->phase;
   next->change->apply(kernel_->amplitudes_at_guard(), amplitudes_);
   constexpr int carried_changes = 32;
@@ -310,7 +324,7 @@ bool FlightPath::change_phase() {
   next_->start(target.sums(), amplitudes_);
   if (!begin_guards(*next, passed) || (company_ && !tell_change(time, *next->target)))
     return false;
-  tally_.event_residual = std::max(tally_.event_residual, kernel_->residual());
+  note_residual();
   ++tally_.events;
   changes_ = changes_ < carried_changes ? changes_ + 1 : 0;
   last_event_ = origin_ = time;
@@ -321,19 +335,37 @@ bool FlightPath::change_phase() {
   return true;
 }
 
-void FlightPath::land(double time, Vector &state) {
-  end_stretch(time, kernel_->amplitudes());
-  known_->phase->rows(kernel_->amplitudes(), rows_);
+void FlightPath::note_landing() {
+  const std::size_t passed = kernel_->guard();
+  const FlightGuard &guard = known_->forms->guards()[passed];
+  landing_ = {.contact = guard.contact,
+              .guard = guard.guard,
+              .residual = std::abs(kernel_->value_at_guard(passed)),
+              .rate = kernel_->slope_at_guard(passed)};
+  note_residual();
+}
+
+// Zero where the guard is below the rounding of its own evaluation: no instant is closer.
+void FlightPath::note_residual() {
+  const std::size_t passed = kernel_->guard();
+  if (std::abs(kernel_->value_at_guard(passed)) > kernel_->rounding(passed))
+    tally_.event_residual = std::max(tally_.event_residual, kernel_->residual());
+}
+
+void FlightPath::land(double time, const Amplitudes &amplitudes, Vector &state) {
+  end_stretch(time, amplitudes);
+  known_->phase->rows(amplitudes, rows_);
   state.head(known_->phase->size()) = rows_.head(known_->phase->size());
   if (!state.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");
 }
 
 bool FlightPath::fly(double &time, Vector &state, double limit, long most_events,
-                     const FlightCompany *company) {
+                     std::span<const ZeroGuard> zero, const FlightCompany *company) {
   company_ = company;
   state_ = &state;
-  if ((!aloft_ && !take_off(time, state)) || !begin_stretch(time))
+  landing_.reset();
+  if ((!aloft_ && !take_off(time, state, zero)) || !begin_stretch(time))
     return false;
   const double from = time;
   if (company_)
@@ -347,8 +379,8 @@ bool FlightPath::fly(double &time, Vector &state, double limit, long most_events
       break;
   }
   aloft_ = end == FlightKernel::End::limit;
-  time = aloft_ ? limit : origin_ + kernel_->flown();
-  land(time, state);
+  time = aloft_ ? limit : origin_ + kernel_->flown() + (landing_ ? kernel_->time_to_guard() : 0);
+  land(time, landing_ ? kernel_->amplitudes_at_guard() : kernel_->amplitudes(), state);
   return time > from;
 }
 

@@ -2,9 +2,9 @@
 // Who watches it sees the extreme values of what is linear in the motion, and every contact change.
 //
 // Only what is clear is done here. Where the kernel cannot prove what happens, where contacts
-// change together or at once again, where a guard starts on the edge or a phase is not made of
-// exponentials, the flight stops before it and leaves the rest to the steps that every motion can
-// take.
+// change together or at once again or where a guard starts on the edge, the flight stops before it
+// and leaves the rest to the steps that every motion can take. At a change into a phase that is not
+// made of exponentials, and at an impact, it ends.
 #pragma once
 
 #include "integration/flight_kernel.h"
@@ -12,11 +12,14 @@
 #include "integration/flight_phase.h"
 #include "integration/flight_stepper.h"
 #include "integration/phase_change.h"
+#include "integration/zero_guard.h"
 
 #include <array>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace vibroimpact {
@@ -44,11 +47,22 @@ public:
   /// The motion was moved on or changed by somebody else.
   void leave() { aloft_ = false; }
 
+  /// A contact change at which a flight has ended, and which is left to others.
+  struct Landing {
+    std::size_t contact = 0;
+    std::size_t guard = 0;
+    double residual = 0; ///< |indicator| left
+    double rate = 0;     ///< its rate [1/s]
+  };
+
   /// Flies on from (time, state) in the present modes of the equations, to `limit` (no later than
-  /// the next break of the sources) and through `most_events` contact changes at most. True when
-  /// that moved the motion on. Without company the entries of the ledger stay as they are.
+  /// the next break of the sources) and through `most_events` contact changes at most. The guards
+  /// in `zero` count as zero at first if they rise. True when that moved the motion on; landing()
+  /// then tells whether a contact changes there. Without company the entries of the ledger stay as
+  /// they are.
   bool fly(double &time, Vector &state, double limit, long most_events,
-           const FlightCompany *company = nullptr);
+           std::span<const ZeroGuard> zero = {}, const FlightCompany *company = nullptr);
+  const std::optional<Landing> &landing() const { return landing_; }
   /// Of all flights so far; add up and clear.
   Tally take_tally();
   double last_event() const { return last_event_; }
@@ -85,7 +99,8 @@ private:
   void describe(KnownPhase &known);
   void take_excitation();
   void forget_exponentials();
-  bool take_off(double time, const Vector &state);
+  bool take_off(double time, const Vector &state, std::span<const ZeroGuard> zero);
+  bool begin_guard(std::size_t guard, std::span<const ZeroGuard> zero);
   KnownPhase &known_phase();
   Transition *transition(std::size_t guard);
   Transition find_transition(const FlightGuard &passed);
@@ -97,7 +112,9 @@ private:
   bool change_phase();
   bool begin_guards(const Transition &transition, std::size_t passed);
   double time_tolerance(double time) const;
-  void land(double time, Vector &state);
+  void note_landing();
+  void note_residual();
+  void land(double time, const Amplitudes &amplitudes, Vector &state);
 
   Equations &equations_;
   FlightStepper &stepper_;
@@ -116,6 +133,7 @@ private:
   double origin_ = 0; ///< when kernel_ was started
   double last_event_;
   bool aloft_ = false;
+  std::optional<Landing> landing_;
   Tally tally_;
   const FlightCompany *company_ = nullptr; ///< of the present flight
   Vector *state_ = nullptr;                ///< of the present flight

@@ -63,16 +63,18 @@ bool FlightStepper::handles(double time) {
 }
 
 void FlightStepper::restart(double time, const Vector &x) {
-  physical_ = x.head(equations_.layout().physical_size());
-  phase_ = cached_phase().phase.get();
-  motion_ = &phase_->begin(physical_, sources_);
-  end_.time = time;
-  end_.state = x;
-  motion_->initial_derivatives(rows_);
-  fill(end_);
+  place(time, x);
   start_.time = time;
   start_.state = x;
-  pending_ = false;
+  motion_ = nullptr;
+}
+
+void FlightStepper::begin() {
+  physical_ = end_.state.head(equations_.layout().physical_size());
+  phase_ = cached_phase().phase.get();
+  motion_ = &phase_->begin(physical_, sources_);
+  motion_->initial_derivatives(rows_);
+  fill(end_);
 }
 
 // Everything but the state from the rows.
@@ -116,6 +118,8 @@ void FlightStepper::take(double end) {
 }
 
 void FlightStepper::step(double limit) {
+  if (!motion_)
+    begin();
   std::swap(start_, end_);
   const double wanted = std::min(motion_->natural_step(), maximum_step_);
   const double rest = limit - start_.time;

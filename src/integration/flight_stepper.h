@@ -27,7 +27,7 @@ public:
   /// modes of the contacts.
   bool handles(double time);
 
-  /// After handles(time).
+  /// After handles(time). What steps need is made when the first one is taken: often none is.
   void restart(double time, const Vector &x) override;
   void step(double limit) override;
   void shorten(double time) override;
@@ -50,6 +50,7 @@ private:
     std::unique_ptr<LinearPhase> phase; ///< none: not linear
   };
   CachedPhase &cached_phase();
+  void begin();
   void fill(EndPoint &point) const;
   void take(double end);
   void propagate(double tau, ConstVectorView from, VectorView to) override;
@@ -60,7 +61,7 @@ private:
   DenseTolerance tolerance_;
   std::vector<CachedPhase> phases_;
   LinearPhase *phase_ = nullptr;
-  LinearMotion *motion_ = nullptr;
+  LinearMotion *motion_ = nullptr; ///< none: not begun
   std::vector<ExponentialForm> sources_;
   Ledger ledger_;
   Matrix rows_, nodes_;

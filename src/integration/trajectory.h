@@ -11,6 +11,7 @@
 #include "integration/observer.h"
 #include "integration/settings.h"
 #include "integration/steppers.h"
+#include "integration/zero_guard.h"
 
 #include <memory>
 #include <vector>
@@ -79,13 +80,6 @@ private:
     double rate = 0;     ///< its rate there [1/s]
   };
 
-  /// A guard that is zero up to a remainder when its mode begins.
-  struct ZeroGuard {
-    std::size_t contact = 0;
-    std::size_t guard = 0;
-    double remainder = 0; ///< by which it is below zero
-  };
-
   double negligible(std::size_t contact, const AffineForm &form) const;
   void forget_grown_guards();
   Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
@@ -122,7 +116,7 @@ private:
   Collisions collisions_;
   Steppers steppers_;
   std::unique_ptr<FlightPath> flight_; ///< none where the method is another
-  bool flown_ = false;                      ///< the steppers must begin anew to take a step
+  bool flown_ = false;                 ///< the steppers must begin anew to take a step
   bool watched_ = true;
   bool exact_ = true; ///< every step since the balance began
   double initial_energy_ = 0;

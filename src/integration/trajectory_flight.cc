@@ -1,16 +1,15 @@
 // What a motion does without steps, and how steps take over.
-#include "integration/trajectory.h"
 #include "integration/flight_path.h"
+#include "integration/trajectory.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace vibroimpact {
 
-// Goes on without steps as far as that is clear, and as all who watch can do without them. A guard
-// that has just been zero is left to a step.
+// Goes on without steps as far as that is clear, and as all who watch can do without them.
 bool Trajectory::fly(double limit, Observer &observer) {
-  if (!flight_ || !zero_at_start_.empty() || (watched_ && !observer.flight_watcher()))
+  if (!flight_ || (watched_ && !observer.flight_watcher()))
     return false;
   double instant = time();
   Vector state = steppers_.present().state();
@@ -22,8 +21,8 @@ bool Trajectory::fly(double limit, Observer &observer) {
       }};
   const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - events_
                                                         : std::numeric_limits<long>::max();
-  const bool moved =
-      flight_->fly(instant, state, limit, most_events, watched_ ? &company : nullptr);
+  const bool moved = flight_->fly(instant, state, limit, most_events, zero_at_start_,
+                                  watched_ ? &company : nullptr);
   const FlightPath::Tally tally = flight_->take_tally();
   steps_ += tally.pieces;
   events_ = events_before + tally.events;
@@ -33,6 +32,14 @@ bool Trajectory::fly(double limit, Observer &observer) {
     return false;
   steppers_.place(instant, state);
   flown_ = true;
+  zero_at_start_.clear();
+  if (const std::optional<FlightPath::Landing> &landing = flight_->landing())
+    change_modes({.tau = 1,
+                  .contact = landing->contact,
+                  .guard = landing->guard,
+                  .residual = landing->residual,
+                  .rate = landing->rate},
+                 observer);
   return true;
 }
 
