@@ -109,40 +109,8 @@ void HighOrderStepper::restart(double time, const Vector &x) {
   first_of_phase_ = true;
 }
 
-double HighOrderStepper::Course::time(double s) const {
-  if (span == 0)
-    return start + s * length;
-  const double r = root + s * span;
-  return origin + sign * r * r;
-}
-
-double HighOrderStepper::Course::rate(double s) const {
-  return span == 0 ? length : 2 * sign * span * (root + s * span);
-}
-
-HighOrderStepper::Course HighOrderStepper::even(double end) const {
-  return {.start = start_.time, .length = end - start_.time};
-}
-
-HighOrderStepper::Course HighOrderStepper::since_start(double end) const {
-  Course course = even(end);
-  course.origin = phase_start_;
-  course.root = std::sqrt(start_.time - phase_start_);
-  course.span = std::sqrt(end - phase_start_) - course.root;
-  return course;
-}
-
-HighOrderStepper::Course HighOrderStepper::until_end(double end, double contact_end) const {
-  Course course = even(end);
-  course.origin = contact_end;
-  course.sign = -1;
-  course.root = std::sqrt(contact_end - start_.time);
-  course.span = std::sqrt(contact_end - end) - course.root;
-  return course;
-}
-
 // The ledger, the last entries, does not act back: stages go without it.
-void HighOrderStepper::take_stages(const Course &course) {
+void HighOrderStepper::take_stages(const StepCourse &course) {
   const Index size = equations_.layout().size();
   double *k = stages_.data();
   const double rate = course.rate(0);
@@ -152,11 +120,11 @@ void HighOrderStepper::take_stages(const Course &course) {
 }
 
 template <std::size_t... stage>
-void HighOrderStepper::take_stages(const Course &course, std::index_sequence<stage...>) {
+void HighOrderStepper::take_stages(const StepCourse &course, std::index_sequence<stage...>) {
   (take_stage<stage>(course), ...);
 }
 
-template <std::size_t stage> void HighOrderStepper::take_stage(const Course &course) {
+template <std::size_t stage> void HighOrderStepper::take_stage(const StepCourse &course) {
   if constexpr (stage > 0) {
     const Index size = equations_.layout().size();
     constexpr auto factor = [](auto j) { return method::a[stage][j]; };
@@ -189,7 +157,7 @@ void HighOrderStepper::add_stages(Factor factor, Index size, double *state) cons
     state[m] = start_.state[m] + entry(m, std::make_index_sequence<count>());
 }
 
-double HighOrderStepper::attempt(const Course &course) {
+double HighOrderStepper::attempt(const StepCourse &course) {
   take_stages(course);
   end_.time = course.start + course.length;
   end_.state.resize(start_.state.size());
@@ -352,20 +320,22 @@ bool HighOrderStepper::take_last(double left, double limit) {
     const double end = start_.time + left;
     if (end >= limit)
       break;
-    error = attempt(until_end(end, end));
+    error = attempt(StepCourse::until(end, start_.time, end));
     const LocalState there = contact_at(end_);
     constexpr double hopeless = 4;
     if (!(there.gap_rate > 0) || error > hopeless)
       break;
     const double correction = -there.gap / there.gap_rate;
-    if (i > 0 && error <= 1 && correction <= 0) {
+    const double beyond = correction + std::max(1e-5 * std::abs(correction), 4 * event_tolerance_);
+    if (error <= 1 &&
+        ((i > 0 && correction <= 0) || (end + beyond < limit && move_end(end + beyond)))) {
       learn({.first = steps_.first, .last = left * growth(error)});
       accept(error);
       return true;
     }
     if (std::abs(correction) > 0.3 * left)
       break;
-    left += correction + std::max(1e-5 * std::abs(correction), 4 * event_tolerance_);
+    left += beyond;
   }
   ++rejected_;
   if (error > 1)
@@ -397,10 +367,10 @@ void HighOrderStepper::step(double limit) {
     const double end = rest <= wanted * (1 + 1e-9)
                            ? limit
                            : start_.time + (rest < 2 * wanted ? 0.5 * rest : wanted);
-    const double error =
-        attempt(rooted                              ? since_start(end)
-                : end < start_.time + left && opens ? until_end(end, start_.time + left)
-                                                    : even(end));
+    const double error = attempt(rooted ? StepCourse::since(phase_start_, start_.time, end)
+                                 : end < start_.time + left && opens
+                                     ? StepCourse::until(start_.time + left, start_.time, end)
+                                     : StepCourse::even(start_.time, end));
     if (error <= 1) {
       end_.time = end;
       accept(error);
@@ -421,7 +391,8 @@ void HighOrderStepper::step(double limit) {
 // derivative that falls as the root of the time left makes no more than rounding of it.
 bool HighOrderStepper::move_end(double time) {
   const double shift = time - end_.time;
-  if (!has_higher_ || std::abs(shift) > 1e-6 * (end_.time - start_.time))
+  constexpr double little = 1e-5;
+  if (!has_higher_ || std::abs(shift) > little * (end_.time - start_.time))
     return false;
   const StateLayout &layout = equations_.layout();
   const Index size = layout.physical_size();
@@ -437,9 +408,10 @@ bool HighOrderStepper::move_end(double time) {
 void HighOrderStepper::shorten(double time) {
   if (move_end(time))
     return;
-  attempt(opening()                          ? until_end(time, time)
-          : only_contact_ && begins_contact_ ? since_start(time)
-                                             : even(time));
+  const double start = start_.time;
+  attempt(opening()                          ? StepCourse::until(time, start, time)
+          : only_contact_ && begins_contact_ ? StepCourse::since(phase_start_, start, time)
+                                             : StepCourse::even(start, time));
   end_.time = time;
   if (!end_.state.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");

@@ -13,6 +13,7 @@
 
 #include "integration/equations.h"
 #include "integration/settings.h"
+#include "integration/step_course.h"
 #include "integration/stepper.h"
 
 #include <map>
@@ -34,28 +35,17 @@ public:
   long rejected_steps() const override { return rejected_; }
 
 private:
-  /// Time as a function of the step's variable, 0 ... 1: origin + sign (root + s span)^2, or
-  /// evenly where span is zero.
-  struct Course {
-    double start = 0, length = 0;
-    double origin = 0, sign = 1, root = 0, span = 0;
-    double time(double s) const;
-    double rate(double s) const;
-  };
   /// Lengths that are good enough, as far as is known.
   struct LearnedSteps {
     double first = 0; ///< of a phase
     double last = 0;  ///< up to the end of a contact
   };
-  Course even(double end) const;
-  Course since_start(double end) const;
-  Course until_end(double end, double contact_end) const;
   /// What a course is worth: the error over the tolerance.
-  double attempt(const Course &course);
-  void take_stages(const Course &course);
+  double attempt(const StepCourse &course);
+  void take_stages(const StepCourse &course);
   template <std::size_t... stage>
-  void take_stages(const Course &course, std::index_sequence<stage...>);
-  template <std::size_t stage> void take_stage(const Course &course);
+  void take_stages(const StepCourse &course, std::index_sequence<stage...>);
+  template <std::size_t stage> void take_stage(const StepCourse &course);
   template <std::size_t count, typename Factor>
   void add_stages(Factor factor, Index size, double *state) const;
   double step_error() const;

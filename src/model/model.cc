@@ -6,35 +6,10 @@
 
 namespace vibroimpact {
 
-namespace {
-
-bool acts(const Vector &load) {
-  Index i = 0;
-  while (i < load.size() && load[i] == 0)
-    ++i;
-  return i < load.size();
-}
-
-} // namespace
-
-// Called for every stage of every step, where beginning a general product costs more than a small
-// one itself.
-void LinearForm::apply(ConstVectorView x, Vector &y) const {
-  constexpr Index small = 8;
-  const Index n = diagonal.size();
-  y.resize(n);
-  if (n >= small) {
-    y.noalias() = diagonal.cwiseProduct(x);
-    if (coupling.size() > 0)
-      y.noalias() += coupling * x;
-    return;
-  }
-  const double *entry = coupling.data();
-  for (Index i = 0; i < n; ++i)
-    y[i] = diagonal[i] * x[i];
-  for (Index j = 0; j < coupling.cols(); ++j, entry += n)
-    for (Index i = 0; i < n; ++i)
-      y[i] += entry[i] * x[j];
+void LinearForm::apply_to_many(ConstVectorView x, Vector &y) const {
+  y.noalias() = diagonal.cwiseProduct(x);
+  if (coupling.size() > 0)
+    y.noalias() += coupling * x;
 }
 
 void LinearForm::add(double factor, const RowVector &row) {
@@ -103,6 +78,7 @@ void Model::add_base_motion(const std::string &name, std::shared_ptr<const TimeF
   sources_.push_back(std::move(source));
   carried_.push_back(std::move(carried));
   field_.emplace_back(bodies_.size(), Vector3::Zero());
+  list_drives();
 }
 
 void Model::add_gravity(const std::string &name, std::shared_ptr<const TimeFunction> function,
@@ -121,6 +97,7 @@ void Model::add_gravity(const std::string &name, std::shared_ptr<const TimeFunct
   sources_.push_back(std::move(source));
   carried_.emplace_back(bodies_.size(), Vector3::Zero());
   field_.push_back(std::move(field));
+  list_drives();
 }
 
 void Model::add_force(const std::string &name, std::shared_ptr<const TimeFunction> function,
@@ -132,6 +109,7 @@ void Model::add_force(const std::string &name, std::shared_ptr<const TimeFunctio
                       .inertial_load = Vector::Zero(size())});
   carried_.emplace_back(bodies_.size(), Vector3::Zero());
   field_.emplace_back(bodies_.size(), Vector3::Zero());
+  list_drives();
 }
 
 void Model::add_connection(Connection connection) {
@@ -143,6 +121,7 @@ void Model::add_connection(Connection connection) {
     sources_[k].load -= connection.stiffness * carrier * row.transpose();
     sources_[k].rate_load -= connection.damping * carrier * row.transpose();
   }
+  list_drives();
   if (connection.cubic_stiffness != 0)
     cubic_.push_back(connections_.size());
   connections_.push_back(std::move(connection));
@@ -189,20 +168,29 @@ void Model::set_frequency(std::size_t source, double angular_frequency) {
   sources_[source].function = std::move(function);
 }
 
+void Model::list_drives() {
+  drives_.clear();
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    const auto add = [&](Vector Source::*load, double (TimeFunction::*factor)(double) const) {
+      if (!(sources_[k].*load).isZero(0))
+        drives_.push_back({.source = k, .load = load, .factor = factor});
+    };
+    add(&Source::load, &TimeFunction::value);
+    add(&Source::inertial_load, &TimeFunction::acceleration);
+    add(&Source::rate_load, &TimeFunction::rate);
+  }
+}
+
 void Model::load(double time, Vector &f) const {
-  f.setZero(size());
-  const auto add = [&](double factor, const Vector &load) {
+  f.resize(size());
+  for (Index i = 0; i < f.size(); ++i)
+    f[i] = 0;
+  for (const Drive &drive : drives_) {
+    const Source &source = sources_[drive.source];
+    const Vector &load = source.*drive.load;
+    const double factor = ((*source.function).*drive.factor)(time);
     for (Index i = 0; i < f.size(); ++i)
       f[i] += factor * load[i];
-  };
-  for (const Source &source : sources_) {
-    // The displacement of a moving base is no load, and may be expensive to find.
-    if (acts(source.load))
-      add(source.function->value(time), source.load);
-    if (acts(source.inertial_load))
-      add(source.function->acceleration(time), source.inertial_load);
-    if (acts(source.rate_load))
-      add(source.function->rate(time), source.rate_load);
   }
 }
 

@@ -25,11 +25,29 @@ struct LinearForm {
   Vector diagonal;
   Matrix coupling; ///< off-diagonal part; 0 x 0 when there is none
 
-  /// y = A x
-  void apply(ConstVectorView x, Vector &y) const;
+  /// y = A x. Called for every stage of every step, where beginning a general product costs more
+  /// than a small one itself.
+  void apply(ConstVectorView x, Vector &y) const {
+    constexpr Index small = 8;
+    const Index n = diagonal.size();
+    if (n >= small) {
+      apply_to_many(x, y);
+      return;
+    }
+    y.resize(n);
+    const double *entry = coupling.data();
+    for (Index i = 0; i < n; ++i)
+      y[i] = diagonal[i] * x[i];
+    for (Index j = 0; j < coupling.cols(); ++j, entry += n)
+      for (Index i = 0; i < n; ++i)
+        y[i] += entry[i] * x[j];
+  }
   /// A += factor row^T row
   void add(double factor, const RowVector &row);
   Matrix dense() const;
+
+private:
+  void apply_to_many(ConstVectorView x, Vector &y) const;
 };
 
 /// One time history that acts on the model.
@@ -147,12 +165,22 @@ public:
   double next_break(double time) const;
 
 private:
+  /// A source and one of its loads that is not zero. The displacement of a moving base is no load,
+  /// and may be expensive to find.
+  struct Drive {
+    std::size_t source = 0;
+    Vector Source::*load = nullptr;
+    double (TimeFunction::*factor)(double) const = nullptr;
+  };
+  void list_drives();
+
   std::vector<std::shared_ptr<const ReducedBody>> bodies_;
   std::vector<Index> offsets_;
   Vector mass_;
   LinearForm stiffness_;
   LinearForm damping_;
   std::vector<Source> sources_;
+  std::vector<Drive> drives_;
   std::vector<Connection> connections_;
   std::vector<std::size_t> cubic_; ///< connections with a cubic part
   RotorSet rotors_;
