@@ -94,6 +94,7 @@ LocalState HighOrderStepper::contact_at(const EndPoint &point) const {
 void HighOrderStepper::restart(double time, const Vector &x) {
   end_.time = phase_start_ = time;
   end_.state = x;
+  largest_ = x.head(equations_.layout().physical_size()).cwiseAbs();
   read_sources(time);
   complete(end_);
   start_ = end_;
@@ -180,8 +181,7 @@ double HighOrderStepper::step_error() const {
       fifth += method::fifth[i] * stages_(m, i);
       third += method::third[i] * stages_(m, i);
     }
-    const double scale =
-        absolute_[m] + relative_ * std::max(std::abs(start_.state[m]), std::abs(end_.state[m]));
+    const double scale = absolute_[m] + relative_ * std::max(largest_[m], std::abs(end_.state[m]));
     const double squares = fifth * fifth + 0.01 * third * third;
     if (squares > 0)
       largest = std::max(largest, fifth * fifth / std::sqrt(squares) / scale);
@@ -206,8 +206,7 @@ double HighOrderStepper::dense_error() const {
       last = rate / 64 + second / 128 + third / 768;
     }
     const double ratio = std::abs(before) > 0 ? std::min(1.0, std::abs(last / before)) : 1;
-    const double scale =
-        absolute_[j] + relative_ * std::max(std::abs(start_.state[j]), std::abs(end_.state[j]));
+    const double scale = absolute_[j] + relative_ * std::max(largest_[j], std::abs(end_.state[j]));
     largest = std::max(largest, std::abs(last) * ratio / scale);
   }
   return largest;
@@ -295,6 +294,7 @@ void HighOrderStepper::accept(double error) {
   if (first_of_phase_)
     learn({.first = taken * std::min(factor, 2.0), .last = steps_.last});
   first_of_phase_ = false;
+  largest_ = largest_.cwiseMax(end_.state.head(largest_.size()).cwiseAbs());
 }
 
 // How long the two sides, moving apart, will stay in contact: within 0.2 % if they were alone and

@@ -2,8 +2,10 @@
 // Prince, with as much dense output.
 //
 // The error of a step and that of the polynomial through its ends are both kept below the
-// tolerances. Where model and sources allow, the third derivative of the motion is known at the
-// ends (from the Jacobian of the law), and the polynomial has degree 7.
+// tolerances, the relative one of the largest value in the phase so far: a velocity that turns in a
+// contact would else ask for a better accuracy there than where it began. Where model and sources
+// allow, the third derivative of the motion is known at the ends (from the Jacobian of the law),
+// and the polynomial has degree 7.
 //
 // A force like u^(3/2) is not smooth where the penetration u rises from zero and where it returns
 // there. As a function of the square root of the time since then, or until then, it is; so a step
@@ -68,7 +70,8 @@ private:
   const Equations &equations_;
   double maximum_step_, relative_, event_tolerance_;
   Vector absolute_;
-  Matrix stages_; ///< dx/ds, one column each
+  Vector largest_; ///< |x| of the physical part since the phase began
+  Matrix stages_;  ///< dx/ds, one column each
   Vector stage_state_;
   LawResponse response_;
   Vector elastic_, damping_;
