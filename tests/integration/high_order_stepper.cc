@@ -5,6 +5,7 @@
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/tsuji.h"
 #include "integration/impact_log.h"
+#include "integration/step_course.h"
 #include "integration/trajectory.h"
 #include "support/lumped_models.h"
 
@@ -63,6 +64,21 @@ void compare(const std::shared_ptr<const ContactLaw> &law) {
 }
 
 constexpr HertzConstants constants{.stiffness = 1e7, .exponent = 1.5};
+
+TEST(StepCourseTest, ReachesBothEndsAtItsRate) {
+  constexpr double start = 2.25;
+  constexpr double end = 3;
+  for (const StepCourse &course :
+       {StepCourse::even(start, end), StepCourse::since(2, start, end),
+        StepCourse::since(start, start, end), StepCourse::until(3.5, start, end),
+        StepCourse::until(end, start, end)}) {
+    EXPECT_NEAR(course.time(0), start, 1e-15);
+    EXPECT_NEAR(course.time(1), end, 1e-15);
+    // Time is a square of s, of which central differences are exact.
+    for (const double s : {0.0, 0.3, 1.0})
+      EXPECT_NEAR(course.rate(s), (course.time(s + 0.1) - course.time(s - 0.1)) / 0.2, 1e-13) << s;
+  }
+}
 
 TEST(HighOrderStepperTest, AgreesWithRungeKutta) {
   compare(std::make_shared<Hertz>(constants));
