@@ -19,6 +19,7 @@ constexpr double safety = 0.9;
 constexpr double largest_growth = 4;
 constexpr double smallest_growth = 0.2;
 constexpr double exponent = 1.0 / 8; // of the step's error and of the polynomial's alike
+constexpr double fading = 0.9;       // of what was large, with each step
 
 ConstVectorView view_of(const Vector &x) { return {x.data(), x.size()}; }
 
@@ -294,7 +295,7 @@ void HighOrderStepper::accept(double error) {
   if (first_of_phase_)
     learn({.first = taken * std::min(factor, 2.0), .last = steps_.last});
   first_of_phase_ = false;
-  largest_ = largest_.cwiseMax(end_.state.head(largest_.size()).cwiseAbs());
+  largest_ = (fading * largest_).cwiseMax(end_.state.head(largest_.size()).cwiseAbs());
 }
 
 // How long the two sides, moving apart, will stay in contact: within 0.2 % if they were alone and

@@ -2,7 +2,7 @@
 // Prince, with as much dense output.
 //
 // The error of a step and that of the polynomial through its ends are both kept below the
-// tolerances, the relative one of the largest value in the phase so far: a velocity that turns in a
+// tolerances, the relative one of the largest value in the last steps: a velocity that turns in a
 // contact would else ask for a better accuracy there than where it began. Where model and sources
 // allow, the third derivative of the motion is known at the ends (from the Jacobian of the law),
 // and the polynomial has degree 7.
@@ -70,7 +70,7 @@ private:
   const Equations &equations_;
   double maximum_step_, relative_, event_tolerance_;
   Vector absolute_;
-  Vector largest_; ///< |x| of the physical part since the phase began
+  Vector largest_; ///< |x| of the physical part in the last steps of the phase, fading
   Matrix stages_;  ///< dx/ds, one column each
   Vector stage_state_;
   LawResponse response_;

@@ -126,8 +126,8 @@ public:
     settings_.relative_tolerance = 1e-2;
     settings_.absolute_tolerance = 1e-2;
   }
-  static Model make() {
-    Model model({testing::single_mass("mass", 1, 1, 0)});
+  static Model make(double damping = 0) {
+    Model model({testing::single_mass("mass", 1, 1, damping)});
     Projection elongation = model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), false);
     model.add_connection({.name = "cubic",
                           .side_a = "mass.head",
@@ -208,6 +208,25 @@ TEST(HighOrderStepperTest, DenseOutputOfLinearModels) {
     return std::abs(view.coordinate(0)(0.5) - exact.state()[0]);
   };
   EXPECT_NEAR(std::log2(middle_error(0.8) / middle_error(0.4)), 8, 0.7);
+}
+
+// A tolerance relative to the largest value is relative to that of the last steps, not to the
+// amplitude with which the motion began, here ten thousand times that at the end.
+TEST(HighOrderStepperTest, ForgetsTheAmplitudeOfLongAgo) {
+  const Model model = Duffing::make(0.4);
+  const ContactSet none(std::vector<ContactPair>{});
+  const auto at_the_end = [&](double tolerance) {
+    IntegrationSettings settings;
+    settings.relative_tolerance = tolerance;
+    settings.absolute_tolerance = 1e-16;
+    Trajectory trajectory(model, none, settings);
+    trajectory.start(0, Vector::Constant(1, 1), Vector::Zero(1));
+    trajectory.advance(46);
+    return trajectory.motion_state().physical;
+  };
+  const Vector state = at_the_end(1e-13);
+  ASSERT_LT(state.norm(), 2e-4);
+  EXPECT_LT((at_the_end(1e-6) - state).norm(), 1e-5 * state.norm());
 }
 
 TEST(HighOrderStepperTest, MotionsDoNotDependOnEarlierOnes) {
