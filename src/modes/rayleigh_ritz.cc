@@ -17,7 +17,8 @@ Block orthonormalise(const EigenProblem &problem, Block x) {
     const Eigen::LLT<Matrix> cholesky(gram);
     if (cholesky.info() != Eigen::Success)
       throw NumericalError("The approximate modes are linearly dependent");
-    cholesky.matrixU().solveInPlace<Eigen::OnTheRight>(x);
+    if (x.rows() > 0) // a rank may have none
+      cholesky.matrixU().solveInPlace<Eigen::OnTheRight>(x);
   }
   return x;
 }
