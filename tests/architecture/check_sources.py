@@ -1,5 +1,5 @@
 """Checks the rules of docs/architecture.md on the source tree: which folder may include which, which
-library may be used where, and how long a file may be.
+library may be used where, how long a file may be, and how tests are named so that ctest runs them.
 
     check_sources.py TREE          prints every violation as FILE:LINE: what is wrong; exit code 1
     check_sources.py --self-test   proves on made-up trees that each rule can fail
@@ -45,6 +45,7 @@ FENCES = [
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 # Spelled so that this file does not find itself.
 UNFINISHED = re.compile(r"\b(T[O]DO|F[I]XME)\b")
+TEST = re.compile(r"TEST(?:_F|_P)?\((\w+)")
 LONGEST = 450
 CHECKED_FOLDERS = ["src", "tests", "postprocess", "benchmarks", "scripts", "cmake"]
 CHECKED_SUFFIXES = {".cc", ".h", ".py", ".sh", ".cmake", ".txt", ".in"}
@@ -112,8 +113,25 @@ def text_problems(tree):
                     yield f"{name}:{number}: something is left to do"
 
 
+def suite_of(stem):
+    return "".join(word[:1].upper() + word[1:] for word in stem.split("_"))
+
+
+def suite_problems(tree):
+    """ctest finds the tests of my_words.cc by suites named MyWords..., see tests/CMakeLists.txt."""
+    for path in sorted((tree / "tests").rglob("*.cc")):
+        own = suite_of(path.stem)
+        longer = tuple(name for other in path.parent.glob("*.cc")
+                       if (name := suite_of(other.stem)).startswith(own) and name != own)
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            test = TEST.match(line)
+            if test and (not test[1].startswith(own) or test[1].startswith(longer)):
+                yield (f"{path.relative_to(tree).as_posix()}:{number}: the name of the suite "
+                       f"{test[1]} does not begin as ctest looks for it here, {own}")
+
+
 def problems(tree):
-    return [*source_problems(tree), *text_problems(tree)]
+    return [*source_problems(tree), *text_problems(tree), *suite_problems(tree)]
 
 
 SOUND_TREE = {
@@ -132,6 +150,8 @@ SOUND_TREE = {
                               '#include "version.h"\n',
     "src/main.cc": '#include "simulation.h"\n#include <deal.II/base/mpi.h>\n',
     "tests/long.cc": "\n" * LONGEST,
+    "tests/model/two_words.cc": "TEST(TwoWordsTest, Holds) {}\nTEST_P(TwoWords, Holds) {}\n",
+    "tests/model/two_words_more.cc": "TEST(TwoWordsMoreTest, Holds) {}\n",
 }
 
 # File, what is put into it, and a part of the message that must come of it.
@@ -164,6 +184,8 @@ VIOLATIONS = [
     ("src/model/a.cc", "// T" + "ODO: later", "left to do"),
     ("tests/a.py", "# F" + "IXME", "left to do"),
     ("tests/a.cc", "\n" * LONGEST + "one more", "more than 450"),
+    ("tests/model/three.cc", "TEST(FourTest, Holds) {}", "FourTest does not begin as ctest looks"),
+    ("tests/model/two_words.cc", "TEST(TwoWordsMoreTest, Holds) {}", "does not begin as ctest"),
 ]
 
 

@@ -65,7 +65,7 @@ void compare(const std::shared_ptr<const ContactLaw> &law) {
 
 constexpr HertzConstants constants{.stiffness = 1e7, .exponent = 1.5};
 
-TEST(StepCourseTest, ReachesBothEndsAtItsRate) {
+TEST(HighOrderStepperTest, CoursesReachBothEndsAtTheirRate) {
   constexpr double start = 2.25;
   constexpr double end = 3;
   for (const StepCourse &course :
