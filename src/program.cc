@@ -1,0 +1,148 @@
+#include "program.h"
+
+#include "command_line.h"
+#include "common/error.h"
+#include "common/log.h"
+#include "common/signals.h"
+#include "run_information.h"
+#include "simulation.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <petscsys.h>
+
+#include <dlfcn.h>
+#include <filesystem>
+#include <iostream>
+
+namespace vibroimpact {
+
+namespace {
+
+enum ExitCode : int { all_done = 0, bad_input = 1, broke_off = 2, points_failed = 3, stopped = 4 };
+
+// One BLAS thread for each rank: more would fight over the cores. The function exists only where
+// the BLAS is OpenBLAS.
+void use_one_blas_thread() {
+  using SetThreads = void (*)(int);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): what dlsym returns is a function
+  if (auto set_threads =
+          reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+    set_threads(1);
+}
+
+std::shared_ptr<const parameters::ParameterSet> read_parameters(const CommandLine &line) {
+  const std::string file = line.parameter_file.empty()
+                               ? RunFolder::parameters_file(line.resume_folder).string()
+                               : line.parameter_file;
+  return parameters::ParameterSet::read(declare_parameters(), file, line.overrides);
+}
+
+RunOptions run_options(const CommandLine &line) {
+  if (!line.resume_folder.empty())
+    return {.folder = line.resume_folder,
+            .existing = ExistingFolder::resume,
+            .command_line = line.whole,
+            .lines_at_once = line.lines_at_once};
+  std::filesystem::path folder = line.output_folder;
+  if (folder.empty())
+    folder = std::filesystem::path("output") / std::filesystem::path(line.parameter_file).stem();
+  return {.folder = folder,
+          .existing = line.overwrite ? ExistingFolder::overwrite : ExistingFolder::refuse,
+          .command_line = line.whole,
+          .lines_at_once = line.lines_at_once};
+}
+
+void print_version() {
+  const RunInformation information = run_information("", "", MPI_COMM_WORLD);
+  std::string text = "vibroimpact " + information.version + " (" + information.commit + ")";
+  for (const std::string &library : information.libraries)
+    text += "\n  " + library;
+  log::info(text);
+}
+
+int run(const CommandLine &line) {
+  Simulation simulation(read_parameters(line), MPI_COMM_WORLD, line.body_cache);
+  if (line.task == CommandLine::Task::check) {
+    simulation.check();
+    log::info("The file can be run.");
+    return all_done;
+  }
+  const RunOptions options = run_options(line);
+  const RunSummary summary = simulation.run(options);
+  const std::string folder = options.folder.string();
+  if (summary.unbalanced > 0)
+    log::warning("the energy balance of " + std::to_string(summary.unbalanced) +
+                 " points does not close; unbalanced and energy_residual in results.h5 say which "
+                 "and by how much. Try a smaller Relative tolerance.");
+  if (summary.interrupted) {
+    log::info("Stopped. Everything finished so far is in " + folder + "; go on with --resume " +
+              folder);
+    return stopped;
+  }
+  if (summary.failed > 0)
+    log::warning(std::to_string(summary.failed) +
+                 " points failed; status and reason in results.h5 say which and why.");
+  log::info("Results: " + folder +
+            "/results.h5 and summary.txt; modes.pvd for ParaView; figures: "
+            "vibroimpact-plot " +
+            folder);
+  return summary.failed > 0 ? points_failed : all_done;
+}
+
+int perform(const CommandLine &line) {
+  switch (line.task) {
+  case CommandLine::Task::print_help:
+    log::info(usage());
+    return all_done;
+  case CommandLine::Task::print_version:
+    print_version();
+    return all_done;
+  case CommandLine::Task::print_parameters:
+    log::info(parameters::print_declarations(*declare_parameters(), line.print_format));
+    return all_done;
+  default:
+    return run(line);
+  }
+}
+
+// The same InputError is found on every rank; rank 0 prints it.
+int guarded(int argc, char **argv, int rank) {
+  try {
+    const CommandLine line = parse_command_line(argc, argv);
+    PetscOptionsInsertString(nullptr, line.petsc_options.c_str());
+    return perform(line);
+  } catch (const InputError &error) {
+    if (rank == 0)
+      std::cerr << error.what() << std::endl;
+    return bad_input;
+  } catch (const std::exception &error) {
+    std::cerr << "vibroimpact: " << error.what() << std::endl;
+    int ranks = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    // The other ranks may be waiting for this one.
+    if (ranks > 1)
+      MPI_Abort(MPI_COMM_WORLD, broke_off);
+    return broke_off;
+  }
+}
+
+} // namespace
+
+int run_program(int argc, char **argv) {
+  install_signal_handlers();
+  use_one_blas_thread();
+  // PETSc must see none of the program's own arguments, nor a .petscrc of the user.
+  char skip[] = "-skip_petscrc";
+  char *private_arguments[] = {argv[0], skip, nullptr};
+  int count = 2;
+  char **petsc_arguments = private_arguments;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(count, petsc_arguments, 1);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  log::set_rank(rank);
+  install_signal_handlers(); // again: the libraries set their own
+  return guarded(argc, argv, rank);
+}
+
+} // namespace vibroimpact
