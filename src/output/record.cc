@@ -44,12 +44,12 @@ template <class... Contents> void extract(std::string_view bytes, Contents &...c
 
 } // namespace
 
-void Recorder::append(const AnalysisHeader &header) {
+void RecordWriter::append(const AnalysisHeader &header) {
   journal_.append(archived(header_kind, header));
   journal_.synchronise(); // points in other journals are of no use without it
 }
 
-void Recorder::append(const std::string &analysis, const PointResult &result) {
+void RecordWriter::append(const std::string &analysis, const PointResult &result) {
   const std::uint32_t layout = number_of_layout(analysis, result);
   record_.assign(1, point_kind);
   record_.append(reinterpret_cast<const char *>(&layout), sizeof layout);
@@ -57,12 +57,13 @@ void Recorder::append(const std::string &analysis, const PointResult &result) {
   journal_.append(record_);
 }
 
-bool Recorder::fits(const std::string &analysis, const PointResult &result,
-                    std::size_t number) const {
+bool RecordWriter::fits(const std::string &analysis, const PointResult &result,
+                        std::size_t number) const {
   return layouts_[number].analysis == analysis && has_layout(result, layouts_[number].layout);
 }
 
-std::uint32_t Recorder::number_of_layout(const std::string &analysis, const PointResult &result) {
+std::uint32_t RecordWriter::number_of_layout(const std::string &analysis,
+                                             const PointResult &result) {
   if (latest_ < layouts_.size() && fits(analysis, result, latest_))
     return static_cast<std::uint32_t>(latest_);
   std::size_t number = 0;

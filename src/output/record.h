@@ -18,9 +18,9 @@
 namespace vibroimpact {
 
 /// Writes headers and points to a journal.
-class Recorder {
+class RecordWriter {
 public:
-  explicit Recorder(const std::filesystem::path &journal) : journal_(journal) {}
+  explicit RecordWriter(const std::filesystem::path &journal) : journal_(journal) {}
 
   void append(const AnalysisHeader &header);
   void append(const std::string &analysis, const PointResult &result);

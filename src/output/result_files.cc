@@ -35,7 +35,7 @@ FileSink::FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation info
       rebuild_interval_(rebuild_interval),
       next_rebuild_(Clock::now() + std::chrono::duration_cast<Clock::duration>(rebuild_interval)) {
   run_on_all_ranks(communicator_, [this] {
-    recorder_ = std::make_unique<Recorder>(folder_.journal_file(rank_in(communicator_)));
+    record_writer_ = std::make_unique<RecordWriter>(folder_.journal_file(rank_in(communicator_)));
   });
 }
 
@@ -56,7 +56,7 @@ void FileSink::register_header(const AnalysisHeader &header) {
     return other.name == header.name;
   });
   if (known == headers.end())
-    recorder_->append(header);
+    record_writer_->append(header);
   else if (!same_axes(*known, header))
     throw InputError("cannot resume " + folder_.path().string() + ": analysis " + header.name +
                      " has other axes there; it was written by another version of the program");
@@ -68,7 +68,7 @@ const PointResult *FileSink::find(const std::vector<std::size_t> &index) const {
 
 void FileSink::store(const PointResult &result) {
   check_point(header_, result);
-  recorder_->append(header_.name, result);
+  record_writer_->append(header_.name, result);
   if (rank_in(communicator_) == 0 && Clock::now() >= next_rebuild_)
     replace_files();
 }
@@ -76,7 +76,7 @@ void FileSink::store(const PointResult &result) {
 void FileSink::end() {
   // The first call is also the barrier behind which all journals are complete.
   stored_ = {};
-  run_on_all_ranks(communicator_, [this] { recorder_->synchronise(); });
+  run_on_all_ranks(communicator_, [this] { record_writer_->synchronise(); });
   run_on_first_rank(communicator_, [this] {
     for (const auto &[header, points] : replace_files())
       if (header.name == header_.name)

@@ -62,7 +62,7 @@ private:
   derived::DerivedQuantities derived_;
   std::vector<ContactFigures> contacts_;
   std::vector<std::string> problems_; ///< of derived quantities, on rank 0
-  std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<RecordWriter> record_writer_;
   std::set<std::string> begun_;
   AnalysisHeader header_;
   StoredPoints stored_; ///< points of the analysis from an earlier run

@@ -1,5 +1,6 @@
 """Checks the rules of docs/architecture.md on the source tree: which folder may include which, which
-library may be used where, how long a file may be, and how tests are named so that ctest runs them.
+library may be used where, that no name is defined twice, how long a file may be, and how tests are
+named so that ctest runs them.
 
     check_sources.py TREE          prints every violation as FILE:LINE: what is wrong; exit code 1
     check_sources.py --self-test   proves on made-up trees that each rule can fail
@@ -9,6 +10,8 @@ import pathlib
 import re
 import sys
 import tempfile
+
+import defined_names
 
 # In the order data flows: a folder may include itself and what stands before it.
 ORDER = ["common", "parameters", "structure", "modes", "reduction", "model", "contact",
@@ -41,6 +44,13 @@ FENCES = [
     (r"(fstream|cstdio)$", r"(?!model/|contact/|integration/|analyses/)",
      "models and analyses write no files"),
 ]
+
+ROOT = "vibroimpact"
+# These folders stand in the namespace ROOT itself, as do the program's own files.
+WITHOUT_NAMESPACE = {"common"}
+# What is compared between files: the definitions of types, or those of anything.
+COMPARED = {"type"}
+FOLDERS_HAVE_NAMESPACES = False
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 # Spelled so that this file does not find itself.
@@ -113,6 +123,42 @@ def text_problems(tree):
                     yield f"{name}:{number}: something is left to do"
 
 
+def namespace_problem(file, path):
+    """Why `file` (relative to src/) may not open the namespace, or None."""
+    folder = file.split("/")[0] if "/" in file else ""
+    own = [ROOT] + [folder] * (folder != "" and folder not in WITHOUT_NAMESPACE)
+    if path[0] != ROOT or path[-1] == "":
+        return None
+    if list(path[:len(own)]) == own and not set(path[len(own):]) & set(ORDER):
+        return None
+    return f"namespace {'::'.join(path)} is opened, not {'::'.join(own)}"
+
+
+def definition_problem(name, namespace, pair, first):
+    """Why a pair of files may not define the name, or None; `first` holds which pair did so first."""
+    if "" in namespace or namespace[:1] not in ((), (ROOT,)) or name == "main":
+        return None
+    qualified = "::".join([*namespace, name])
+    other = first.setdefault(qualified, pair)
+    return None if other == pair else f"{qualified} is defined in {other} already"
+
+
+def name_problems(tree):
+    """Names stand in the namespace of their folder, and no two pairs of .h and .cc define the same."""
+    first = {}
+    for path in sorted(path for folder in ("src", "tests", "benchmarks")
+                       for path in (tree / folder).rglob("*") if path.suffix in {".cc", ".h"}):
+        name = path.relative_to(tree).as_posix()
+        for what, namespace, defined, line in defined_names.read(path.read_text(encoding="utf-8")):
+            problem = None
+            if what in COMPARED:
+                problem = definition_problem(defined, namespace, name.rsplit(".", 1)[0], first)
+            elif what == "namespace" and FOLDERS_HAVE_NAMESPACES and name.startswith("src/"):
+                problem = namespace_problem(name.removeprefix("src/"), namespace)
+            if problem:
+                yield f"{name}:{line}: {problem}"
+
+
 def suite_of(stem):
     return "".join(word[:1].upper() + word[1:] for word in stem.split("_"))
 
@@ -131,7 +177,8 @@ def suite_problems(tree):
 
 
 def problems(tree):
-    return [*source_problems(tree), *text_problems(tree), *suite_problems(tree)]
+    return [*source_problems(tree), *name_problems(tree), *text_problems(tree),
+            *suite_problems(tree)]
 
 
 SOUND_TREE = {
@@ -142,6 +189,21 @@ SOUND_TREE = {
     "src/modes/solver.cc": '#include "structure/mesh.h"\n#include <slepceps.h>\n',
     "src/reduction/body.h": '#include "structure/mesh.h"\n#include <fstream>\n',
     "src/contact/laws/penalty.h": '#include "parameters/values.h"\n',
+    "src/model/mass.h": "namespace vibroimpact::model {\nclass Mass;\ndouble total(const Mass &);\n}\n",
+    "src/model/mass.cc": "namespace vibroimpact::model {\ndouble total(const Mass &) { return 1; }\n"
+                         "double total(int mass) { return mass; }\n}\n",
+    "src/model/names.h": "// class Mass {};\nnamespace vibroimpact::model {\n"
+                         "template <class Mass> struct Sum : Mass {\n  struct Mass {};\n};\n"
+                         "struct Gap { double total(int mass) const { return mass; } };\n"
+                         "extern double total;\ndouble sum(const Mass &mass);\n}\n"
+                         "namespace std {\ntemplate <> struct hash<Mass> {};\n}\n",
+    "src/model/names.cc": 'const char *text = "class Mass {};";\nnamespace vibroimpact::model {\n'
+                          "namespace {\nclass Mass {};\ndouble total() { return 1; }\n}\n"
+                          "Gap::Gap(int total) : total_{total} { struct Mass {}; }\n"
+                          "double Gap::total() { return 1; }\nstatic int total(char) { return 1; }\n}\n",
+    "src/analyses/mass.h": "namespace vibroimpact::analyses {\nclass Mass {};\n}\n"
+                           "namespace boost::serialization {\nclass Mass {};\n}\n",
+    "src/common/log.h": "namespace vibroimpact::log {\nclass Mass {};\n}\n",
     "src/contact/laws.cc": '#include "contact/laws/penalty.h"\n',
     "src/integration/stepper.cc": "#include <petscts.h>\n",
     "src/output/vtu_writer.cc": "#include <deal.II/base/data_out_base.h>\n",
@@ -187,9 +249,34 @@ VIOLATIONS = [
     ("src/model/a.cc", "// T" + "ODO: later", "left to do"),
     ("tests/a.py", "# F" + "IXME", "left to do"),
     ("tests/a.cc", "\n" * LONGEST + "one more", "more than 450"),
+    ("src/analyses/z.h", "namespace vibroimpact::analyses {\nstruct Mass final : B<int> {\n};\n}",
+     "vibroimpact::analyses::Mass is defined in src/analyses/mass already"),
+    ("src/analyses/z.cc", "namespace vibroimpact::analyses {\nusing Mass = double;\n}",
+     "vibroimpact::analyses::Mass is defined in src/analyses/mass already"),
+    ("src/analyses/z.cc", "namespace vibroimpact::analyses {\nint f(int a) { return a; }\n"
+     "enum class Mass : int { one };\n}",
+     "vibroimpact::analyses::Mass is defined in src/analyses/mass already"),
+    ("tests/model/z.h", "namespace vibroimpact::log {\ntemplate <class A> class Mass {};\n}",
+     "vibroimpact::log::Mass is defined in src/common/log already"),
     ("tests/model/three.cc", "TEST(FourTest, Holds) {}", "FourTest does not begin as ctest looks"),
     ("tests/model/two_words.cc", "TEST(TwoWordsMoreTest, Holds) {}", "does not begin as ctest"),
 ]
+
+NAMESPACE_VIOLATIONS = [
+    ("src/model/a.h", "namespace vibroimpact {\nclass A;\n}", "is opened, not vibroimpact::model"),
+    ("src/model/a.h", "namespace vibroimpact::contact {\nclass A;\n}", "not vibroimpact::model"),
+    ("src/contact/laws/a.h", "namespace vibroimpact::laws {\n}", "not vibroimpact::contact"),
+    ("src/model/a.h", "namespace vibroimpact::model::contact {\n}", "not vibroimpact::model"),
+    ("src/common/a.h", "namespace vibroimpact::model {\n}", "not vibroimpact"),
+    ("src/main.cc", "namespace vibroimpact::model {\n}", "not vibroimpact"),
+    ("src/model/z.cc", "namespace vibroimpact::model {\nint total() { return 1; }\n}",
+     "vibroimpact::model::total is defined in src/model/mass already"),
+    ("src/model/z.cc", "namespace vibroimpact::model {\ntemplate <class T> T total(T t) {\n"
+     "  return t;\n}\n}", "vibroimpact::model::total is defined in src/model/mass already"),
+    ("src/model/z.cc", "namespace vibroimpact::model {\nconst double total = 1;\n}",
+     "vibroimpact::model::total is defined in src/model/mass already"),
+]
+VIOLATIONS += NAMESPACE_VIOLATIONS * FOLDERS_HAVE_NAMESPACES
 
 
 def problems_of(files):

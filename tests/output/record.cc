@@ -34,7 +34,7 @@ TEST_F(RecordTest, PointComesBackAsItWas) {
   PointResult original = point(3, 1, 1e-300);
   original.status = Status::failed;
   original.reason = "diverged";
-  Recorder(file).append("map", original);
+  RecordWriter(file).append("map", original);
   const StoredPoints stored = points("map");
   const PointResult *found = stored.find({3, 1});
   ASSERT_NE(found, nullptr);
@@ -53,41 +53,41 @@ TEST_F(RecordTest, PointComesBackAsItWas) {
 }
 
 TEST_F(RecordTest, PointsAreVisitedInTheOrderOfTheirIndex) {
-  Recorder recorder(file);
+  RecordWriter writer(file);
   for (const std::size_t i : {7, 2, 300, 0, 256})
-    recorder.append("map", point(i, 5 - i % 2, static_cast<double>(i)));
+    writer.append("map", point(i, 5 - i % 2, static_cast<double>(i)));
   std::vector<double> visited;
   points("map").visit([&](const PointResult &p) { visited.push_back(p.fields[0].values[0]); });
   EXPECT_EQ(visited, (std::vector<double>{0, 2, 7, 256, 300}));
 }
 
 TEST_F(RecordTest, TheFirstOfTwoEqualPointsCounts) {
-  Recorder recorder(file);
+  RecordWriter writer(file);
   for (const double value : {1.0, 2.0})
-    recorder.append("map", point(0, 0, value));
+    writer.append("map", point(0, 0, value));
   EXPECT_EQ(points("map").size(), 1U);
   EXPECT_EQ(points("map").find({0, 0})->fields[0].values[0], 1);
 }
 
 TEST_F(RecordTest, NamesAndDescriptionsAreWrittenOnce) {
-  Recorder recorder(file);
-  recorder.append("map", point(0, 0, 1));
+  RecordWriter writer(file);
+  writer.append("map", point(0, 0, 1));
   const std::uintmax_t first = fs::file_size(file);
   for (std::size_t i = 1; i <= 1000; ++i)
-    recorder.append("map", point(i, 0, 1));
+    writer.append("map", point(i, 0, 1));
   // prefix 12, kind and layout 5, index 9, status 1, reason 4, length of the state 8, 4 numbers 32
   EXPECT_EQ(fs::file_size(file) - first, 1000U * 71U);
 }
 
 TEST_F(RecordTest, OtherFieldsAreAnotherLayout) {
-  Recorder recorder(file);
+  RecordWriter writer(file);
   PointResult without = point(1, 0, 4);
   without.fields.erase(without.fields.begin());
   without.summary.clear();
-  recorder.append("map", point(0, 0, 3));
-  recorder.append("map", without);
-  recorder.append("other", point(0, 0, 6));
-  recorder.append("map", point(2, 0, 5));
+  writer.append("map", point(0, 0, 3));
+  writer.append("map", without);
+  writer.append("other", point(0, 0, 6));
+  writer.append("map", point(2, 0, 5));
   const StoredPoints stored = points("map");
   EXPECT_EQ(stored.size(), 3U);
   EXPECT_EQ(stored.find({0, 0})->fields[0].values[0], 3);
@@ -98,10 +98,10 @@ TEST_F(RecordTest, OtherFieldsAreAnotherLayout) {
 }
 
 TEST_F(RecordTest, AResumedRunNumbersItsLayoutsAnew) {
-  Recorder(file).append("map", point(0, 0, 1));
+  RecordWriter(file).append("map", point(0, 0, 1));
   PointResult other = point(1, 0, 2);
   other.fields[0].label = Label("displacement", "m", "of the head");
-  Recorder(file).append("map", other);
+  RecordWriter(file).append("map", other);
   const StoredPoints stored = points("map");
   EXPECT_EQ(stored.find({0, 0})->fields[0].name(), "force");
   EXPECT_EQ(stored.find({1, 0})->fields[0].name(), "displacement");
@@ -110,9 +110,9 @@ TEST_F(RecordTest, AResumedRunNumbersItsLayoutsAnew) {
 TEST_F(RecordTest, JournalsOfSeveralRanksMakeOneAnalysis) {
   const fs::path second = folder.path() / "rank-00001.journal";
   AnalysisHeader header{"map", "stepped sweep", {}};
-  Recorder(file).append(header);
-  Recorder(file).append("map", point(1, 0, 10));
-  Recorder(second).append("map", point(0, 0, 20));
+  RecordWriter(file).append(header);
+  RecordWriter(file).append("map", point(1, 0, 10));
+  RecordWriter(second).append("map", point(0, 0, 20));
   const std::vector<StoredAnalysis> run = read_run({file, second});
   ASSERT_EQ(run.size(), 1U);
   EXPECT_EQ(run[0].header.type, "stepped sweep");
