@@ -1,0 +1,47 @@
+// random_models FOLDER FIRST NUMBER: judges models FIRST, FIRST + 1, ..., a line each as soon as it
+// is known; random_models FOLDER --print SEED prints one as a parameter file. FOLDER takes the
+// record.
+#include "random_models/judge_model.h"
+
+#include <slepcsys.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+
+using namespace vibroimpact::testing;
+
+namespace {
+
+void judge_all(const std::string &folder, std::uint64_t first, std::uint64_t number) {
+  for (std::uint64_t seed = first; seed < first + number; ++seed) {
+    Verdict verdict = judge_model(seed, folder);
+    std::replace(verdict.detail.begin(), verdict.detail.end(), '\n', ' ');
+    std::cout << seed << '\t' << verdict.word << '\t' << verdict.seconds << '\t'
+              << verdict.energy_residual << '\t' << verdict.detail << std::endl;
+  }
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  if (argc != 4)
+    return 1;
+  const std::string folder = argv[1];
+  if (std::strcmp(argv[2], "--print") == 0) {
+    std::cout << random_model({.seed = std::strtoull(argv[3], nullptr, 10)});
+    return 0;
+  }
+  char program[] = "random_models";
+  char skip[] = "-skip_petscrc";
+  char *arguments[] = {program, skip, nullptr};
+  int count = 2;
+  char **private_arguments = arguments;
+  if (SlepcInitialize(&count, &private_arguments, nullptr, nullptr) != 0)
+    return 1;
+  write_record(folder + "/" + record_name);
+  judge_all(folder, std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
+  SlepcFinalize();
+  return 0;
+}
