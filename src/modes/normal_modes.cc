@@ -80,7 +80,7 @@ public:
         return complete(std::move(found), end);
       if (asked == problem_.mass_rank || ++enlargements > most_enlargements)
         throw NumericalError("The lowest modes are lost in the round-off of the stiffness matrix: "
-                             "the elements are too short");
+                             "the elements are too short, or too thin for their length");
     }
   }
 

@@ -78,11 +78,13 @@ void add_plate(Draw &draw, double factor, RandomBodies &bodies) {
   content += material(2700 * factor) + modes(draw, 1, 4);
   content += subsection("Shell sheet", set("Thickness", draw.uniform(0.5, 4), "mm"));
   content += subsection("Support plane", set("At", "all") + set("Fix", "x, y, rz"));
-  content += subsection("Support edge", set("At", draw.of({"edges", "left"})) +
-                                            set("Fix", draw.of({"z", "z, rx, ry"})));
+  const bool edges = draw.chance(0.5);
+  const bool clamped = draw.chance(0.5);
+  content += subsection("Support edge", set("At", edges ? "edges" : "left") +
+                                            set("Fix", clamped ? "z, rx, ry" : "z"));
   content += subsection("Point middle", set("Near", "0.3 m, 0.2 m, 0 m"));
   content += subsection("Point corner", set("Near", "0.45 m, 0.3 m, 0 m"));
-  add_points({"plate.middle", "plate.corner"}, true, bodies);
+  add_points({"plate.middle", "plate.corner"}, edges || clamped, bodies);
   bodies.text += subsection("Body plate", content);
 }
 

@@ -24,7 +24,7 @@ std::string initial_conditions(Draw &draw, const RandomContacts &contacts,
     content += set("At", contacts.stop) + set("Displacement", contacts.onset, "m") +
                (draw.chance(0.3) ? set("Velocity", draw.uniform(-1, 1), "m/s") : "");
   else
-    content += set("At", draw.of(bodies.points)) + set("Shape", "mode") +
+    content += set("At", bodies.points.front()) + set("Shape", "mode") +
                set("Velocity", draw.power(-3, 0.5), "m/s");
   return subsection("Initial condition i", content);
 }
@@ -40,7 +40,8 @@ std::string random_model(const ModelChoice &choice) {
   std::string text = bodies.text + contacts.text;
   text += random_sources(draw, bodies, frequency, duration);
   text += initial_conditions(draw, contacts, bodies);
-  text += subsection("Integration", set("Relative tolerance", "1e-10"));
+  text += subsection("Integration",
+                     set("Relative tolerance", "1e-10") + set("Absolute tolerance", "1e-15 m"));
   text += subsection(
       "Analysis a", set("Type", "transient") +
                         subsection("Transient", set("Duration", duration, "s") +

@@ -63,6 +63,9 @@ ModelRun run_model(const std::string &text, const std::string &folder,
     run.fields = std::move(point.fields);
   } catch (const InputError &error) {
     run.reason = error.what();
+  } catch (const NumericalError &error) { // of the reduction
+    run.status = ModelRun::Status::failed;
+    run.reason = error.what();
   }
   run.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   return run;
