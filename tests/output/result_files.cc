@@ -155,7 +155,7 @@ TEST_F(ResultFiles, MotionSurvivesTheJournal) {
   {
     RunFolder run_folder(MPI_COMM_WORLD, folder, ExistingFolder::refuse, "");
     if (Ranks(MPI_COMM_WORLD).rank == 0)
-      Recorder(run_folder.journal_file(3)).append("release", original);
+      RecordWriter(run_folder.journal_file(3)).append("release", original);
     MPI_Barrier(MPI_COMM_WORLD);
     const StoredPoints points = read_points(run_folder.journal_files(), "release");
     ASSERT_EQ(points.size(), 1U);
