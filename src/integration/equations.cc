@@ -122,9 +122,15 @@ double Equations::rounding(std::size_t contact, const AffineForm &form, double t
   const auto magnitude = [&](Index first) {
     return pair.gap.row.cwiseAbs().dot(x.segment(first, layout_.n).cwiseAbs());
   };
-  double sum = std::abs(form.constant) +
-               std::abs(form.gap) * (std::abs(pair.clearance) + magnitude(0)) +
-               std::abs(form.gap_rate) * magnitude(layout_.velocity());
+  double gap = std::abs(pair.clearance) + magnitude(0);
+  double gap_rate = magnitude(layout_.velocity());
+  for (const Carrier &carrier : carriers_[contact]) {
+    const TimeFunction &function = *model_.sources()[carrier.source].function;
+    gap += std::abs(carrier.factor * function.value(source_time(time)));
+    gap_rate += std::abs(carrier.factor * function.rate(source_time(time)));
+  }
+  double sum =
+      std::abs(form.constant) + std::abs(form.gap) * gap + std::abs(form.gap_rate) * gap_rate;
   for (std::size_t i = 0; i < form.internal.size(); ++i)
     sum += std::abs(form.internal[i] *
                     x[layout_.internal() + pair.internal_offset + static_cast<Index>(i)]);

@@ -98,19 +98,10 @@ private:
     if (state.gap >= 0)
       return;
     const SettledMode settled = settle(*pair.law, state);
-    // States that follow the gap at entry follow it here too.
-    LocalState shifted = state;
-    shifted.gap *= 2;
-    const SettledMode further = settle(*pair.law, shifted);
-    const double shift = shifted.gap - state.gap;
     state.internal = settled.internal;
     pair.law->evaluate(settled.mode, state, response_);
-    double by_gap = response_.force_by_gap;
-    for (std::size_t i = 0; i < settled.internal.size(); ++i)
-      by_gap +=
-          response_.force_by_internal[i] * (further.internal[i] - settled.internal[i]) / shift;
     force += response_.force * pair.gap.row.transpose();
-    derivative += by_gap * pair.gap.row.transpose() * pair.gap.row;
+    derivative += response_.force_by_gap * pair.gap.row.transpose() * pair.gap.row;
   }
 
   const Model &model_;

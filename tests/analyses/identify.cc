@@ -226,7 +226,8 @@ TEST(Identify, FitsFindTheLawsThatMadeTheImpacts) {
         {.restitution = 0.6 * std::pow(v / 3, -0.1), .approach_speed = v, .damping_factor = 5});
   impacts.push_back(
       {.restitution = std::nan(""), .approach_speed = 1, .damping_factor = std::nan("")});
-  const PowerFit fit = fit_power(impacts, 3);
+  impacts.push_back({.restitution = 0, .approach_speed = 5, .damping_factor = std::nan("")});
+  const PowerFit fit = fit_power(impacts, 3); // ln 0 is nothing to fit
   EXPECT_EQ(fit.impacts, 3U);
   EXPECT_NEAR(fit.coefficient, 0.6, 1e-12);
   EXPECT_NEAR(fit.exponent, -0.1, 1e-12);

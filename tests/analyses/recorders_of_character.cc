@@ -4,7 +4,9 @@
 #include "analyses/recorders/regime.h"
 #include "analyses/recorders/section.h"
 #include "analyses/recorders/spectrum.h"
+#include "analyses/window_recording.h"
 #include "contact/laws/linear_penalty.h"
+#include "contact/laws/relaxing_stop.h"
 #include "support/lumped_models.h"
 #include "support/recording.h"
 
@@ -148,6 +150,50 @@ TEST(RecordersOfCharacterTest, ATorusIsQuasiPeriodic) {
   PointResult unclassified;
   without.add_fields(unclassified);
   EXPECT_EQ(value(unclassified, "regime/class"), 0);
+}
+
+// The exponent of a torus is zero, but that of a finite window scatters about it. On either side
+// of zero, within the threshold, it is none.
+TEST(RecordersOfCharacterTest, AnExponentWithinTheThresholdIsNone) {
+  const Forced torus{.zeta = 0, .amplitude = 1, .omega = 0.5 * std::sqrt(2.0), .displacement = 1};
+  const System system = torus.system();
+  int negative = 0;
+  for (long cycles = 60; cycles < 76; ++cycles) {
+    RegimeRecorder regime(system, {});
+    record(system, regime, torus.period(), 0, cycles);
+    PointResult result;
+    regime.add_fields(result);
+    EXPECT_EQ(value(result, "regime/class"), 3) << cycles;
+    negative += value(result, "regime/exponent") < 0 ? 1 : 0;
+  }
+  EXPECT_GT(negative, 0);
+}
+
+// A stop that is hit in every period beside one that only goes on recovering, by less than 1e-9 of
+// what the other one is compressed: the states of both together repeat.
+TEST(RecordersOfCharacterTest, AnInternalStateAtRestBesideOneThatMoves) {
+  const Forced forced{.zeta = 0.1, .amplitude = 1, .omega = 1.65};
+  System system = forced.system();
+  ContactPair hit =
+      contact_along_x(system.model, "block.head", "", 0.3, std::make_shared<RelaxingStop>(30, 5));
+  ContactPair far =
+      contact_along_x(system.model, "block.head", "", 50, std::make_shared<RelaxingStop>(1, 1000));
+  far.name = "far";
+  system.contacts = ContactSet({hit, far});
+  Trajectory trajectory(system.model, system.contacts, system.integration);
+  testing::Nobody nobody;
+  trajectory.start({.time = 0, .physical = Eigen::Vector4d(0, 0, 0, 1e-10)});
+  trajectory.advance(200 * forced.period(), nobody);
+  RegimeRecorder regime(system, {});
+  regime.begin(periods_window(trajectory.time(), forced.period(), 20), trajectory);
+  for (long cycle = 1; cycle <= 20; ++cycle) {
+    trajectory.advance(static_cast<double>(200 + cycle) * forced.period(), regime);
+    regime.period_end(cycle, trajectory);
+  }
+  PointResult result;
+  regime.add_fields(result);
+  EXPECT_EQ(value(result, "regime/class"), 1);
+  EXPECT_EQ(value(result, "regime/period_multiple"), 1);
 }
 
 TEST(RecordersOfCharacterTest, AllZerosOfAPolynomial) {

@@ -3,6 +3,7 @@
 // (independent of this program): lambda = 1.231279272 and 1.362748253 for f = 0.52, mu = 2.
 #include "analyses/stepped_sweep.h"
 
+#include "common/error.h"
 #include "contact/laws/piecewise_stop.h"
 #include "support/lumped_models.h"
 #include "support/points.h"
@@ -11,6 +12,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace vibroimpact {
 namespace {
@@ -91,6 +93,18 @@ TEST(SteppedSweepTest, BothStableOrbitsBetweenTheFolds) {
   EXPECT_NEAR(peak(points, {2, 1}), 0.75308873, 1e-5);
 }
 
+// Turned between the folds, the backward sweep goes on from the end of the forward one, on the same
+// orbit; begun from rest it would be on the other.
+TEST(SteppedSweepTest, TheBackwardSweepGoesOnWhereTheForwardOneEnds) {
+  const SteppedSweep::Settings turned = sweep(1.20, 1.30, 5);
+  System system = isolator(1);
+  testing::Points points;
+  SteppedSweep(turned).run_line(0, system, points);
+  for (const std::size_t point : {2u, 3u, 4u})
+    EXPECT_NEAR(peak(points, {point, 1}), peak(points, {point, 0}), 1e-5) << point;
+  EXPECT_NEAR(peak(points, {4, 1}), 2.03017588, 1e-5);
+}
+
 // From rest every point is the only one of its line and equals a motion of its own.
 TEST(SteppedSweepTest, FromTheInitialConditionsNoPointKnowsTheOthers) {
   SteppedSweep::Settings settings = sweep(1.20, 1.40, 5);
@@ -145,6 +159,29 @@ TEST(SteppedSweepTest, AParameterThatChangesTheStateFails) {
   SteppedSweep(settings).run_line(0, system, points);
   EXPECT_EQ(points.all().at({0, 0}).status, Status::finished);
   EXPECT_EQ(points.all().at({1, 0}).status, Status::failed);
+}
+
+// The last point of the forward sweep, beyond the fold, fails, and the backward sweep begins there:
+// the jump in between was in no direction of it.
+TEST(SteppedSweepTest, AfterAFailureAtTheTurnNoJumpIsSought) {
+  SteppedSweep::Settings settings = sweep(1.0, 1.0, 2);
+  settings.parameter = {
+      .path = "Excitation/push/Frequency", .unit = "rad/s", .values = {1.2, 1.28, 1.36, 1.4}};
+  settings.jump_tolerance = 1e-3;
+  settings.settling.maximum = 200;
+  bool failed = false;
+  testing::Points points([&](const std::vector<parameters::Override> &overrides) {
+    const double lambda = std::stod(overrides.at(0).value);
+    if (lambda > 1.39 && !std::exchange(failed, true))
+      throw NumericalError("once");
+    return isolator(lambda);
+  });
+  System system = isolator(1.2);
+  SteppedSweep(settings).run_line(0, system, points);
+  EXPECT_EQ(points.all().at({3, 0}).status, Status::failed);
+  EXPECT_EQ(points.all().at({3, 1}).status, Status::finished);
+  EXPECT_LT(peak(points, {3, 1}), 0.7 * peak(points, {2, 0})); // on the other side of the fold
+  EXPECT_TRUE(std::isnan(points.value({3, 1}, "jump_from")));
 }
 
 // What an earlier run finished is taken over: the rest comes out the same to the last bit.

@@ -68,6 +68,21 @@ TEST(StressesTest, AllComponentsTogether) {
               1e-6);
 }
 
+// The same growing through many short steps: what was seen before must hide nothing of what comes.
+TEST(StressesTest, AllComponentsThatGrowStepByStep) {
+  const auto body = std::make_shared<ReducedBody>(*beam(1));
+  for (BodyPoint &point : body->points)
+    point.stress = Eigen::Vector3d(2e9, -1e9, 0.5e9);
+  const double omega = body->omega()[0];
+  System system = moving(body, Vector::Zero(1));
+  system.initial.velocity[0] = 1e-3 * omega;
+  const double end = 0.5 * pi / omega; // the first peak of the sine
+  const PointResult result = recorded<Stresses>(system, periods_window(0, end / 40, 40),
+                                                std::vector<std::string>{"beam.root"});
+  EXPECT_NEAR(value_of(result, "point/beam.root/von_mises_stress/maximum"), std::sqrt(7.75) * 1e6,
+              1e-6);
+}
+
 // Modes of different frequency: the largest stress is somewhere between, in any fibre.
 TEST(StressesTest, SeveralModesTogether) {
   const auto body = beam(6);

@@ -65,6 +65,21 @@ TEST(WaveletTest, RidgeOfAChirpFollowsItsFrequency) {
   }
 }
 
+// A burst at the end of a record of 2^n samples does not show at its beginning: in a transform that
+// closed the record to a ring the two would be neighbours.
+TEST(WaveletTest, TheEndOfTheRecordDoesNotShowAtItsBeginning) {
+  constexpr double interval = 0.002, frequency = 10;
+  std::vector<double> samples(2048, 0);
+  for (std::size_t n = 1748; n < samples.size(); ++n)
+    samples[n] = std::sin(2 * pi * frequency * static_cast<double>(n) * interval);
+  for (const Wavelet &wavelet : wavelets) {
+    const auto ridge = WaveletTransform(wavelet, samples, interval, 8).at(frequency);
+    EXPECT_GT(std::abs(ridge[1950]), 0.3);
+    EXPECT_LT(std::abs(ridge[0]), 0.01);
+    EXPECT_LT(std::abs(ridge[100]), 0.01);
+  }
+}
+
 TEST(WaveletTest, ShortTimeAmplitudes) {
   std::vector<double> samples;
   for (int n = 0; n < 1000; ++n)

@@ -1,6 +1,6 @@
 """Checks the rules of docs/architecture.md on the source tree: which folder may include which, which
-library may be used where, that no name is defined twice, how long a file may be, and how tests are
-named so that ctest runs them.
+library may be used where, that no name is defined twice, how long a file may be, how tests are named,
+and that each is built.
 
     check_sources.py TREE          prints every violation as FILE:LINE: what is wrong; exit code 1
     check_sources.py --self-test   proves on made-up trees that each rule can fail
@@ -164,7 +164,7 @@ def suite_of(stem):
 
 
 def suite_problems(tree):
-    """ctest finds the tests of my_words.cc by suites named MyWords..., see tests/CMakeLists.txt."""
+    """The tests of my_words.cc are found by suites named MyWords..., see tests/CMakeLists.txt."""
     for path in sorted((tree / "tests").rglob("*.cc")):
         own = suite_of(path.stem)
         longer = tuple(name for other in path.parent.glob("*.cc")
@@ -173,12 +173,22 @@ def suite_problems(tree):
             test = TEST.match(line)
             if test and (not test[1].startswith(own) or test[1].startswith(longer)):
                 yield (f"{path.relative_to(tree).as_posix()}:{number}: the name of the suite "
-                       f"{test[1]} does not begin as ctest looks for it here, {own}")
+                       f"{test[1]} does not begin with the words of the file, {own}")
+
+
+def built_problems(tree):
+    """A source of tests that its folder's CMakeLists.txt does not name would never run."""
+    for path in sorted((tree / "tests").rglob("*.cc")):
+        listing = path.parent / "CMakeLists.txt"
+        listed = listing.read_text(encoding="utf-8").split() if listing.is_file() else []
+        names = {name.strip("()") for name in listed}
+        if re.search(TEST.pattern, path.read_text(encoding="utf-8")) and path.name not in names:
+            yield f"{path.relative_to(tree).as_posix()}:1: no test program has this source"
 
 
 def problems(tree):
     return [*source_problems(tree), *name_problems(tree), *text_problems(tree),
-            *suite_problems(tree)]
+            *suite_problems(tree), *built_problems(tree)]
 
 
 SOUND_TREE = {
@@ -216,6 +226,8 @@ SOUND_TREE = {
     "tests/long.cc": "\n" * LONGEST,
     "tests/model/two_words.cc": "TEST(TwoWordsTest, Holds) {}\nTEST_P(TwoWords, Holds) {}\n",
     "tests/model/two_words_more.cc": "TEST(TwoWordsMoreTest, Holds) {}\n",
+    "tests/model/CMakeLists.txt": "vibroimpact_test(model\n  SOURCES two_words.cc three.cc\n"
+                                  "    two_words_more.cc)\n",
 }
 
 # File, what is put into it, and a part of the message that must come of it.
@@ -258,8 +270,9 @@ VIOLATIONS = [
      "vibroimpact::analyses::Mass is defined in src/analyses/mass already"),
     ("tests/model/z.h", "namespace vibroimpact::log {\ntemplate <class A> class Mass {};\n}",
      "vibroimpact::log::Mass is defined in src/common/log already"),
-    ("tests/model/three.cc", "TEST(FourTest, Holds) {}", "FourTest does not begin as ctest looks"),
-    ("tests/model/two_words.cc", "TEST(TwoWordsMoreTest, Holds) {}", "does not begin as ctest"),
+    ("tests/model/three.cc", "TEST(FourTest, Holds) {}", "FourTest does not begin with the words"),
+    ("tests/model/two_words.cc", "TEST(TwoWordsMoreTest, Holds) {}", "does not begin with the"),
+    ("tests/model/four.cc", "TEST(FourTest, Holds) {}", "no test program has this source"),
 ]
 
 NAMESPACE_VIOLATIONS = [

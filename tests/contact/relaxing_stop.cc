@@ -4,10 +4,11 @@
 #include "integration/impact_log.h"
 #include "integration/trajectory.h"
 #include "support/law_checks.h"
-#include "support/lumped_models.h"
+#include "support/rigid_contacts.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibroimpact {
@@ -71,6 +72,35 @@ TEST(RelaxingStopTest, IsHitAgainBeforeItHasRecovered) {
   for (const double distance : touches.distance)
     EXPECT_NEAR(distance, 0, 1e-11);
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-8);
+}
+
+// At the release, force zero, the end of the stop has the speed v of the mass and recovers with
+// exp(-t/tau), tau = c/k; a push against the stop slows the mass by a. With s = t/tau the distance
+// between them is tau v (s - b s^2 / 2 - 1 + exp(-s)), b = a tau / v: for b = 0.9 the stop catches
+// up a mass that still moves away.
+TEST(RelaxingStopTest, CatchesUpAMassThatStillMovesAway) {
+  constexpr double compression = 0.5, k = 100, c = 10, tau = c / k, v = compression / tau;
+  const double push = 0.9 * v / tau;
+  double before = 0.1;
+  double after = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double s = (before + after) / 2;
+    (s - 0.45 * s * s - 1 + std::exp(-s) > 0 ? before : after) = s;
+  }
+  Model model({testing::single_mass("block", 1, 0, 0)});
+  model.add_force("push", make_constant(Given::displacement, push), {}, Vector3::UnitX());
+  const ContactSet contacts(
+      {testing::contact_along_x(model, "block.head", "", 0, std::make_shared<RelaxingStop>(k, c))});
+  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  testing::Events events;
+  trajectory.start({.time = 0, .physical = Vector3(compression, -v, compression)});
+  trajectory.advance(0.9 * tau, events);
+  const auto meeting = std::find_if(events.list.begin(), events.list.end(),
+                                    [](const auto &event) { return event.to == 1; });
+  ASSERT_NE(meeting, events.list.end());
+  EXPECT_NEAR(meeting->time, tau * before, 1e-9 * tau);
+  EXPECT_NEAR(meeting->gap_rate, v * (1 - 0.9 * before), 1e-9 * v);
+  EXPECT_GT(meeting->gap_rate, 0.5 * v);
 }
 
 TEST(RelaxingStopTest, DerivativesPowerAndAffineForm) {

@@ -55,6 +55,18 @@ TEST(Band, EndsAtMissingPoints) {
   expect_values(result.values, {1, 2, 4, 4, NAN, NAN, NAN, NAN});
 }
 
+// A point exactly on the level belongs to the interval that begins, or ends, there.
+TEST(Band, BeginsAndEndsAtPointsOnTheLevel) {
+  SmallAnalysis analysis({1}, {1, 2, 3, 4, 5, 6});
+  analysis.add("roof", "m", [](double, double frequency, bool forward) {
+    const double height = std::min(frequency - 2, 5 - frequency); // 0 at 2 and at 5
+    return forward ? height : -height;
+  });
+  const std::string roof =
+      "set Operation = band\nset Field = roof\nset Along = frequency\nset Level = 0 m";
+  expect_values(analysis.derive_one(roof).values, {2, 5, NAN, NAN, 1, 2, 5, 6});
+}
+
 TEST(Band, WhatIsRefused) {
   expect_parts(zigzag().problem(band), {"Other", "one of the two"});
   expect_parts(zigzag().problem(band + "set Level = 1 s"), {"Level", "1 s"});

@@ -76,5 +76,27 @@ TEST(EquilibriumTest, RigidContacts) {
   EXPECT_NEAR(static_equilibrium(model, contacts, load).displacement[0], -0.05, 1e-14);
 }
 
+// Two coordinates on springs of 1 N/m with one of 10 N/m between them, 21 N on the second: alone
+// they stand at (10, 11). The first stop, seen twice as far, is overlapped more and is pressed
+// first; with the second one, at 3, it would have to pull: (3 + 10 q) / 11 = 30/11 < 3.
+TEST(EquilibriumTest, ARigidStopThatWouldPullIsLetGoAndTheOtherOneHolds) {
+  const auto rigid = std::make_shared<NewtonRestitution>(0.5);
+  Model model({single_mass("first", 1, 1, 0), single_mass("second", 1, 1, 0)});
+  Projection elongation = model.displacement({.body = 1, .point = 0}, Vector3::UnitX(), false);
+  elongation.row[0] = -1;
+  model.add_connection({.name = "link",
+                        .side_a = "first.head",
+                        .side_b = "second.head",
+                        .elongation = elongation,
+                        .stiffness = 10});
+  ContactPair doubled = contact_along_x(model, "first.head", "", 6, rigid);
+  doubled.gap.row *= 2;
+  const ContactSet contacts({doubled, contact_along_x(model, "second.head", "", 3, rigid)});
+  const Equilibrium found = static_equilibrium(model, contacts, Eigen::Vector2d(0, 21));
+  EXPECT_NEAR(found.displacement[0], 30.0 / 11, 1e-12);
+  EXPECT_NEAR(found.displacement[1], 3, 1e-12);
+  EXPECT_EQ(found.closed, (std::vector<bool>{false, true}));
+}
+
 } // namespace
 } // namespace vibroimpact

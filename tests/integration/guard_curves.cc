@@ -128,6 +128,25 @@ TEST(GuardCurvesTest, TheFirstOfSeveral) {
   EXPECT_NEAR(*fall.time, a, 1e-9);
 }
 
+// above - 20 t^3 (1 - t)^3: value, slope and curvature are the same at 0 and 1, so that the quintic
+// through them is constant. All that shows the dip of 0.3125 is the bound 14400 of the sixth
+// derivative. The fall is where t (1 - t) = (above / 20)^(1/3).
+TEST(GuardCurvesTest, ADipThatTheEndsDoNotShow) {
+  for (const double above : {0.005, 0.05, 0.2, 0.31}) {
+    const Known curve = {[above](double t) -> Jet {
+                           const double w = t * (1 - t);
+                           const double slope = 1 - 2 * t;
+                           return {above - 20 * w * w * w, -60 * w * w * slope,
+                                   -120 * w * slope * slope + 120 * w * w};
+                         },
+                         14400, 64 * epsilon};
+    const FirstFall fall = first_fall(curve, 0, 1);
+    ASSERT_TRUE(fall.time) << above;
+    const double exact = (1 - std::sqrt(1 - 4 * std::cbrt(above / 20))) / 2;
+    EXPECT_NEAR(*fall.time, exact, 1e-13) << above;
+  }
+}
+
 TEST(GuardCurvesTest, StartAtZero) {
   const auto sine = [](double shift) {
     return Known(

@@ -52,6 +52,44 @@ TEST(LedgerTest, ClosesHoweverStrongTheDamping) {
     }
 }
 
+// Two free masses with a dashpot between them: their relative speed v falls with exp(-c t / mu),
+// mu = m1 m2 / (m1 + m2), and what it loses of mu v^2 / 2 is the work of the damping.
+TEST(LedgerTest, ADashpotBetweenTwoBodies) {
+  Model model({single_mass("a", 2, 0, 0), single_mass("b", 3, 0, 0)});
+  Projection elongation = model.displacement({.body = 1, .point = 0}, Vector3::UnitX(), false);
+  elongation.row[0] = -1;
+  model.add_connection({.name = "dashpot",
+                        .side_a = "a.head",
+                        .side_b = "b.head",
+                        .elongation = elongation,
+                        .damping = 0.7});
+  const ContactSet none;
+  Trajectory trajectory(model, none, IntegrationSettings{});
+  Nobody nobody;
+  trajectory.start(0, Vector::Zero(2), Eigen::Vector2d(1, -0.5));
+  trajectory.advance(1.5, nobody);
+  const double mu = 2 * 3 / 5.0;
+  const double lost = mu / 2 * 1.5 * 1.5 * (1 - std::exp(-2 * 0.7 / mu * 1.5));
+  EXPECT_NEAR(trajectory.state()[trajectory.layout().damping_work()], lost, 1e-12 * lost);
+  EXPECT_LT(trajectory.accuracy().energy_residual, 1e-12);
+}
+
+// Steps with an error of the tolerance may leave a thousand times that.
+TEST(LedgerTest, ThresholdFollowsTheToleranceWhereStepsAreNotExact) {
+  const Model model({single_mass("block", 1, 100, 0.5)});
+  const ContactSet none;
+  const auto threshold = [&](const IntegrationSettings &settings) {
+    Trajectory trajectory(model, none, settings);
+    Nobody nobody;
+    trajectory.start(0, Vector::Constant(1, 0.1), Vector::Zero(1));
+    trajectory.advance(0.1, nobody);
+    return trajectory.accuracy().energy_threshold;
+  };
+  EXPECT_DOUBLE_EQ(threshold({.method = "rk", .relative_tolerance = 1e-7}), 1e-4);
+  EXPECT_DOUBLE_EQ(threshold({.method = "rk", .relative_tolerance = 1e-14}), 1e-10);
+  EXPECT_DOUBLE_EQ(threshold({.relative_tolerance = 1e-7}), 1e-10);
+}
+
 TEST(LedgerTest, ABalanceThatDoesNotCloseIsTold) {
   Accuracy accuracy{.energy_residual = 2e-10, .energy_threshold = 1e-10};
   EXPECT_FALSE(accuracy.balanced());

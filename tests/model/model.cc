@@ -2,7 +2,7 @@
 #include "model/model.h"
 #include "model/direction.h"
 #include "model/initial_condition.h"
-#include "support/lumped_models.h"
+#include "support/rotor_models.h"
 
 #include "common/error.h"
 
@@ -50,6 +50,22 @@ TEST(ModelTest, BodiesStandSideBySide) {
   EXPECT_NEAR(model.highest_frequency(), std::sqrt(15.0), 1e-14);
 }
 
+// The no-load speed of a motor, 40 / 0.8, its time constant and its initial speed count as well.
+TEST(ModelTest, HighestFrequencyOfRotors) {
+  const auto highest = [](const std::optional<Motor> &motor, double initial_speed) {
+    Model model({testing::plane_mass("frame", 2, 32, 0), testing::rotation("disc", 1)});
+    testing::put_rotor(model, 1, "frame.head", 1, 0.1, motor, initial_speed);
+    return model.highest_frequency();
+  };
+  const Motor motor{.starting_torque = 40, .slope = 0.8, .time_constant = 0.1};
+  Motor quick = motor;
+  quick.time_constant = 0.001;
+  EXPECT_DOUBLE_EQ(highest(std::nullopt, 0), 4);
+  EXPECT_DOUBLE_EQ(highest(std::nullopt, -20), 20);
+  EXPECT_DOUBLE_EQ(highest(motor, 0), 50);
+  EXPECT_DOUBLE_EQ(highest(quick, 0), 1000);
+}
+
 TEST(ModelTest, BaseMotionLoadsAndCarriesItsBodies) {
   Model model({single_mass("a", 2, 30, 0), single_mass("b", 5, 10, 0)});
   model.add_base_motion("ground", std::make_shared<Harmonic>(Given::displacement, 0.1, 3, M_PI / 2),
@@ -95,6 +111,45 @@ TEST(ModelTest, StaticDeflectionIsThatOfAPointForce) {
   body.stiffness[0] = 0;
   EXPECT_THROW(static_deflection(body, body.points[0], Vector3::UnitX(), 0.01), NumericalError);
   EXPECT_THROW(static_deflection(body, body.points[0], Vector3::UnitY(), 0.01), NumericalError);
+}
+
+// What the forces take from the coordinates and the base puts in is what the springs store: along a
+// motion, d/dt energy = -f . v + power of the base. The floor carries the first block alone, so
+// that a spring to the floor, one to the ground and one between the blocks see it in different
+// ways.
+TEST(ModelTest, CubicSpringsStoreTheWorkOfTheBlocksAndTheBase) {
+  Model model({single_mass("a", 1, 0, 0), single_mass("b", 1, 0, 0)});
+  model.add_base_motion("floor", std::make_shared<Harmonic>(Given::displacement, 0.3, 5, 0.2), {0},
+                        Vector3::UnitX());
+  const Projection a = model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), true);
+  const Projection b = model.displacement({.body = 1, .point = 0}, Vector3::UnitX(), true);
+  const Projection relative = model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), false);
+  const Projection between{.row = b.row - a.row, .carrier = {b.carrier[0] - a.carrier[0]}};
+  const std::vector<Projection> elongations = {a, relative, between};
+  for (std::size_t i = 0; i < elongations.size(); ++i)
+    model.add_connection({.name = "spring" + std::to_string(i),
+                          .side_a = "a.head",
+                          .side_b = "ground",
+                          .elongation = elongations[i],
+                          .cubic_stiffness = 1.0 + static_cast<double>(i)});
+  const auto position = [](double t) -> Vector {
+    return Eigen::Vector2d(std::sin(2 * t), 0.5 * std::cos(3 * t));
+  };
+  const auto energy = [&](double t) {
+    const Vector q = position(t);
+    return model.cubic_energy(t, ConstVectorView(q.data(), 2));
+  };
+  for (const double t : {0.1, 0.7, 1.9}) {
+    const Vector q = position(t);
+    const Vector v = Eigen::Vector2d(2 * std::cos(2 * t), -1.5 * std::sin(3 * t));
+    Vector force = Vector::Zero(2);
+    const double base_power =
+        model.add_cubic_forces(t, ConstVectorView(q.data(), 2), VectorView(force.data(), 2));
+    constexpr double h = 1e-4;
+    const double stored = (energy(t + h) - energy(t - h)) / (2 * h);
+    EXPECT_NEAR(stored, base_power - force.dot(v), 1e-5) << t;
+    EXPECT_GT(std::abs(base_power), 0.01) << t;
+  }
 }
 
 TEST(ModelTest, Directions) {

@@ -1,11 +1,14 @@
 // Records in text and HDF5 files, sound and broken.
 #include "model/record_file.h"
 #include "common/hdf5_file.h"
+#include "model/excitation.h"
+#include "model/histories.h"
 #include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 namespace vibroimpact {
 namespace {
@@ -66,6 +69,50 @@ TEST(RecordFileTest, SaysWhatIsWrongAndWhere) {
       EXPECT_EQ(error.key(), broken.key) << broken.text;
       EXPECT_NE(std::string(error.what()).find(broken.says), std::string::npos) << error.what();
     }
+}
+
+// What an excitation makes of a record of 0, 1, 3 at 0, 1, 2 s: between the samples and after them.
+TimeFunctionPointer history_of(const std::string &more, Given given, bool moves_base) {
+  const testing::TemporaryFolder folder;
+  std::ofstream(folder.path() / "record.csv") << "0,0\n1,1\n2,3\n";
+  const auto root = std::make_shared<parameters::Section>("", "");
+  declare_excitations(*root);
+  const std::string text = "subsection Excitation shake\nset History = recorded\n"
+                           "subsection Recorded\nset File = record.csv\n" +
+                           more + "end\nend\n";
+  const auto set = parameters::ParameterSet::parse(root, text, "test.prm", false);
+  const HistoryContext context{.type = "recorded",
+                               .given = given,
+                               .moves_base = moves_base,
+                               .dimension = parameters::dimension::length,
+                               .file_folder = folder.path().string(),
+                               .file_checksums = {}};
+  return create_history(set->root().instance("Excitation", "shake"), context);
+}
+
+// A base stays where its displacement ends, and goes on at the velocity with which the record of
+// that ends; a force and an acceleration are over.
+TEST(RecordFileTest, WhatHoldsAfterTheRecord) {
+  const std::string spline = "set Interpolation = cubic spline\n";
+  const TimeFunctionPointer displaced = history_of(spline, Given::displacement, true);
+  EXPECT_NEAR(displaced->value(7), 3, 1e-15);
+  EXPECT_EQ(displaced->rate(7), 0);
+  const TimeFunctionPointer velocity = history_of("", Given::velocity, true);
+  EXPECT_NEAR(velocity->rate(7), 3, 1e-15);
+  EXPECT_NEAR(velocity->value(4), 0.5 + 2 + 2 * 3, 1e-14); // the areas under the lines
+  const TimeFunctionPointer acceleration = history_of("", Given::acceleration, true);
+  EXPECT_EQ(acceleration->acceleration(7), 0);
+  EXPECT_NEAR(acceleration->rate(7), 2.5, 1e-15);
+  EXPECT_EQ(history_of("", Given::displacement, false)->value(7), 0);
+}
+
+TEST(RecordFileTest, UnitsScaleAndOffset) {
+  const TimeFunctionPointer history = history_of("set Time unit = ms\nset Time offset = 1 ms\n"
+                                                 "set Unit = mm\nset Scale factor = -2\n",
+                                                 Given::displacement, false);
+  EXPECT_NEAR(history->value(1.5e-3), -1e-3, 1e-15);
+  EXPECT_NEAR(history->value(2.5e-3), -4e-3, 1e-15);
+  EXPECT_EQ(history->value(0.5e-3), 0);
 }
 
 TEST(RecordFileTest, Hdf5) {

@@ -240,6 +240,13 @@ TEST(TimeHistoriesTest, RecordsPassThroughTheirSamples) {
   EXPECT_EQ(line->value(7), 0.25);
 }
 
+// Samples a time h apart tell nothing above their Nyquist frequency, pi / h; the shortest h counts.
+TEST(TimeHistoriesTest, HighestFrequencyOfARecord) {
+  const auto history =
+      make_recorded(Given::displacement, record, Interpolation::linear, OutsideRecord::zero);
+  EXPECT_DOUBLE_EQ(history->highest_frequency(), pi / 0.125);
+}
+
 // Acceleration 0, 3, 0 at t = 0, 1, 2: velocity 3 and displacement 3 at t = 2, by hand.
 TEST(TimeHistoriesTest, RecordedAccelerationIsIntegratedExactly) {
   const auto motion = make_recorded(Given::acceleration, {.time = {0, 1, 2}, .value = {0, 3, 0}},

@@ -27,6 +27,21 @@ TEST(NormalModes, LowFrequenciesOfFineMeshesAreAccurate) {
   EXPECT_NEAR(modes.eigenvalues[1] / (scale * std::pow(exact[1], 4)), 1, 1e-10);
 }
 
+// A bar on a spring so soft that it moves as a rigid body: omega^2 = k / m up to k L / (3 E A).
+// That lies far below the shift of the spectrum, to which the errors are relative at first.
+TEST(NormalModes, BoundsHoldBelowTheShift) {
+  for (const double spring : {1e-2, 3e-2, 1e-1, 0.7, 5.0}) {
+    BeamDefinition bar = thin_beam(2);
+    bar.supports.push_back({"line", {"all", {}}, {true, true, false, true, true, true}, {}});
+    bar.supports.push_back({"spring", {"end", {}}, {}, {0, 0, spring, 0, 0, 0}});
+    const NormalModes modes = solve_beam(bar, {1, {}});
+    const double softness = spring * beam_length(bar) / (3 * 206e9 * 0.03 * 0.00075);
+    const double error = std::abs(modes.eigenvalues[0] / (spring / beam_mass(bar)) - 1);
+    EXPECT_LE(error, modes.error_bounds[0] + softness) << spring;
+    EXPECT_GT(modes.error_bounds[0], 1e-16) << spring;
+  }
+}
+
 TEST(NormalModes, AllModesOfABodyCanBeTaken) {
   const NormalModes modes = solve_beam(cantilever(30), {60, {}});
   EXPECT_EQ(modes.number, 60);
@@ -109,6 +124,20 @@ TEST(NormalModes, ABandHoldsTheModesOfTheClosedForm) {
   EXPECT_EQ(modes.first, below);
   EXPECT_EQ(modes.number, inside);
   EXPECT_GT(inside, 10);
+}
+
+// A mode exactly on either edge belongs to the band, one just outside does not.
+TEST(NormalModes, ABandEndsWithTheModesOnItsEdges) {
+  const NormalModes modes = solve_beam(cantilever(20), {5, {}});
+  const double first = std::sqrt(modes.eigenvalues[1]);
+  const double last = std::sqrt(modes.eigenvalues[3]);
+  const NormalModes band = solve_beam(cantilever(20), {5, {{first, last}}});
+  EXPECT_EQ(band.first, 1);
+  EXPECT_EQ(band.number, 3);
+  const NormalModes inside =
+      solve_beam(cantilever(20), {5, {{first * (1 + 1e-7), last * (1 - 1e-7)}}});
+  EXPECT_EQ(inside.first, 2);
+  EXPECT_EQ(inside.number, 1);
 }
 
 TEST(NormalModes, ABandWithoutModesIsEmpty) {

@@ -104,6 +104,7 @@ TEST(Expressions, names_of_units_functions_and_constants_are_reserved) {
 TEST(Expressions, the_radian_counts_as_one_only_beside_length_or_mass) {
   EXPECT_TRUE(fits(evaluate("3 N m/rad", {}), dimension::rotational_stiffness));
   EXPECT_TRUE(fits(evaluate("2 mm * 3 Hz", {}), dimension::velocity));
+  EXPECT_TRUE(fits(evaluate("3 N rad/m", {}), dimension::stiffness)); // kg/s^2 has no length
   EXPECT_FALSE(fits(evaluate("3 Hz", {}), dimension::inverse_time));
   EXPECT_FALSE(fits(evaluate("3/s", {}), dimension::frequency));
   EXPECT_FALSE(fits(evaluate("3 deg", {}), dimension::none));

@@ -58,6 +58,14 @@ TEST(LumpedBody, BaseMotionMovesTheMassesOfItsAxis) {
   EXPECT_EQ(body.effective_mass().colwise().sum().transpose(), Vector(body.total_mass));
 }
 
+TEST(LumpedBody, MassesOfOneAxisAddUp) {
+  BodyDefinition definition = two_masses();
+  definition.masses[1].axes = {0};
+  const ReducedBody body = lumped_body(definition);
+  EXPECT_EQ(body.total_mass, Vector3(4.5, 0, 0));
+  EXPECT_EQ(body.effective_mass().colwise().sum().transpose(), Vector(body.total_mass));
+}
+
 TEST(LumpedBody, MissingMassesAreRefused) {
   BodyDefinition definition = two_masses();
   definition.masses[1].mass = 0;

@@ -99,6 +99,19 @@ TEST(Reduce, FreeBodyHasRigidModesWithTheirInertia) {
   EXPECT_NEAR(body.effective_mass().topRows(2).col(along_x).sum(), beam_mass(beam), 1e-12);
 }
 
+// The tip of a cantilever moves by L^3 / (3 EI) per unit force, whatever else loads the body.
+TEST(Reduce, FlexibilityIsThatOfThePointWithAndWithoutALoad) {
+  BeamDefinition beam = cantilever(10);
+  const double exact = std::pow(beam_length(beam), 3) / (3 * bending_stiffness(beam));
+  Matrix expected = Matrix::Zero(3, 3);
+  expected(along_x, along_x) = exact;
+  EXPECT_LT((reduced(beam, 2).point("head").flexibility - expected).norm(), 1e-9 * exact);
+  beam.loads.push_back({.name = "pull", .at = {"end", {}}, .force = {7, 0, 0}});
+  const ReducedBody loaded = reduced(beam, 2);
+  EXPECT_LT((loaded.point("head").flexibility - expected).norm(), 1e-9 * exact);
+  EXPECT_NEAR(loaded.point("head").static_displacement[along_x] / (7 * exact), 1, 1e-9);
+}
+
 TEST(Reduce, DampingRatiosRepeatTheLastOne) {
   BodyDefinition definition = body_of(tuned_cantilever(20), 4);
   definition.damping.ratios = {0.01, 0.03};

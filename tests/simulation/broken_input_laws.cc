@@ -117,6 +117,18 @@ TEST(BrokenInputLawsTest, ValuesOutOfRange) {
   expect_message(changed(text(3), "1e10 N/m^1.5", "1e10 N/m"), {"Stiffness"});
 }
 
+// Radii and materials give the k of n = 3/2; with another exponent it must be given.
+TEST(BrokenInputLawsTest, AnotherExponentNeedsItsStiffness) {
+  for (const std::string side : {"a", "b"}) {
+    const std::string text = with_law("hertz", "  subsection Hertz\n    set Radius " + side +
+                                                   " = 10 mm\n    set Young modulus a = 200 GPa\n"
+                                                   "    set Young modulus b = 200 GPa\n"
+                                                   "    set Exponent = 1.5\n  end");
+    EXPECT_EQ(message_of(text), "") << side;
+    expect_message(changed(text, "Exponent = 1.5", "Exponent = 2"), {"Exponent = 2", "Stiffness"});
+  }
+}
+
 TEST(BrokenInputLawsTest, UnknownNames) {
   const std::string text = with_law(samples[5].law, samples[5].section);
   expect_message(changed(text, "= flores", "= florez"), {"Relation", "florez", "flores"});

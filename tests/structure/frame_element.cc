@@ -80,6 +80,40 @@ TEST(FrameElement, RigidRotationHasTheInertiaOfARod) {
   EXPECT_NEAR(u.dot(m * u), expected, 1e-14 * expected);
 }
 
+// Nodes on the x axis, the beam a height h above them along z. A rigid turn about a line along x at
+// the depth d below the nodes moves the mass m at the radius h + d: its inertia is m (h + d)^2 +
+// the polar one. With the axis on the other side of the nodes it would be m (h - d)^2.
+TEST(FrameElement, OffsetIsFromTheNodesToTheAxis) {
+  constexpr double height = 0.3, depth = 0.2, length = 2;
+  const ElementFrame frame = element_frame(Vector3::Zero(), Vector3(length, 0, 0), {});
+  const FrameElement element({0, 1}, properties(), frame, Vector3(0, 0, height));
+  const Vector3 turn = Vector3::UnitX();
+  ElementVector u;
+  u << turn.cross(Vector3(0, 0, depth)), turn, turn.cross(Vector3(length, 0, depth)), turn;
+  const double mass = properties().mass_per_length * length;
+  const double expected =
+      mass * (height + depth) * (height + depth) + properties().polar_inertia * length;
+  EXPECT_NEAR(u.dot(element.mass() * u), expected, 1e-13 * expected);
+}
+
+// The second node turns by t about y and steps back along x by h t: the end of the beam above it
+// stays where it is along x, so that the beam bends without being stretched.
+TEST(FrameElement, AnArmThatTurnsMovesTheEndOfTheAxis) {
+  constexpr double height = 0.3, length = 2, t = 1e-3;
+  const ElementFrame frame = element_frame(Vector3::Zero(), Vector3(length, 0, 0), {});
+  const FrameElement element({0, 1}, properties(), frame, Vector3(0, 0, height));
+  NodalMatrix u = ElementVector::Zero();
+  u(6) = -height * t;
+  u(10) = t;
+  const double moment = 4 * properties().bending_stiffness_y / length * t;
+  for (const NodalMatrix &force :
+       {NodalMatrix(element.stiffness() * u), element.force(element.stiffness(), u)}) {
+    EXPECT_NEAR(force(6), 0, 1e-9 * moment);
+    EXPECT_NEAR(force(10) / moment, 1, 1e-12);
+    EXPECT_NEAR(force(4) / moment, 0.5, 1e-12);
+  }
+}
+
 TEST(FrameElement, TwistingInertiaIsThePolarOne) {
   const ElementFrame frame = element_frame(Vector3::Zero(), Vector3(2, 0, 0), {});
   ElementVector u = ElementVector::Zero();

@@ -43,12 +43,14 @@ inline std::shared_ptr<const ReducedBody> rotation(const std::string &name, doub
 
 /// Puts the rotation (body `index`) onto a point of the model, turning from x to y.
 inline void put_rotor(Model &model, std::size_t index, const std::string &at, double mass,
-                      double eccentricity, std::optional<Motor> motor = std::nullopt) {
+                      double eccentricity, std::optional<Motor> motor = std::nullopt,
+                      double initial_speed = 0) {
   Rotor rotor;
   rotor.name = model.bodies()[index]->name;
   rotor.angle = model.offset(index);
   rotor.mass = mass;
   rotor.eccentricity = eccentricity;
+  rotor.initial_speed = initial_speed;
   rotor.motor = motor;
   PointReference point;
   model.find_point(at, point);
