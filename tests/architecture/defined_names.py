@@ -94,6 +94,13 @@ def defined_name(head, ends_with_body):
     return None if qualified or MACRO.match(words[name]) else head[name]
 
 
+def only_forwards(tokens, begin):
+    """Does the group hold forward declarations of classes and nothing else?"""
+    words = [token for token, _ in tokens[begin + 1:end_of_group(tokens, begin) - 1]]
+    return len(words) > 0 and len(words) % 3 == 0 and all(
+        words[i] in TYPES and words[i + 2] == ";" for i in range(0, len(words), 3))
+
+
 def read_scope(tokens, begin, namespace):
     """Yields what `read` returns; ends behind the brace that closes the scope."""
     head, i = [], begin
@@ -105,7 +112,7 @@ def read_scope(tokens, begin, namespace):
         if token == "{" and "namespace" in words[:2]:
             path = [word for word in words if NAME.match(word) and word not in ("namespace", "inline")]
             inner = namespace + (tuple(path) or ("",))
-            yield "namespace", inner, "", line
+            yield "forwards" if only_forwards(tokens, i) else "namespace", inner, "", line
             i = yield from read_scope(tokens, i + 1, inner)
             head = []
         elif token == ";" or token == "{" and "=" not in words:
@@ -128,6 +135,6 @@ def read_scope(tokens, begin, namespace):
 
 def read(text):
     """Of a whole source, in order: (kind, namespace, name, line). The kinds are "namespace" where one is
-    opened, then without a name, and "type" and "other" for definitions. The namespace is a tuple of its
-    names, "" for an unnamed one."""
+    opened and "forwards" where it only declares classes, both without a name, and "type" and "other"
+    for definitions. The namespace is a tuple of its names, "" for an unnamed one."""
     return list(read_scope(list(tokens_of(text)), 0, ()))
