@@ -1,4 +1,5 @@
-"""Mode shapes of every body with a mesh, against the length along it."""
+"""Mode shapes of every body with a mesh: of beams against the length along them, of shells as
+surfaces."""
 
 from __future__ import annotations
 
@@ -6,7 +7,7 @@ import functools
 
 import numpy as np
 
-from . import style
+from . import mode_surfaces, style
 from .labels import scale_for
 from .results import Analysis, Body, Results
 
@@ -19,7 +20,8 @@ def figures(results: Results, analysis: Analysis):
         return
     for body in results.bodies():
         if body.has("shapes"):
-            yield f"{analysis.name}-{body.name}", functools.partial(shapes_of, body)
+            draw = mode_surfaces.shapes_of if body.has("surfaces") else shapes_of
+            yield f"{analysis.name}-{body.name}", functools.partial(draw, body)
 
 
 def shapes_of(body: Body):

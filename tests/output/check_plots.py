@@ -22,7 +22,8 @@ import h5py  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402  (after style has chosen the backend)
 import numpy as np  # noqa: E402
 
-from plot_examples import write_all  # noqa: E402
+from plot_examples import Writer, write_all  # noqa: E402
+from shell_plot_examples import pipe_nodes, plate_nodes, write_shells  # noqa: E402
 
 FIGURE_NAMES = {
     "modes-left", "modes-right", "release-contact-heads", "release-first-impact-heads",
@@ -256,6 +257,87 @@ class Kinds(unittest.TestCase):
     def test_no_text_overlaps_or_is_cut(self):
         for name in ("sweep-contact-stop", "orbits-poincare-period-first.mass-x",
                      "plane-map-displacement-x-first.mass", "sweep-spectrum-first.mass-displacement-x"):
+            with self.subTest(name):
+                check_layout(self, self.known[name]())
+
+
+class Shells(unittest.TestCase):
+    """Modes of shells that are known."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        writer = Writer(cls.folder)
+        write_shells(writer)
+        writer.file.close()
+        cls.results = cls.enterClassContext(Results(cls.folder))
+        cls.enterClassContext(plt.rc_context(style.SETTINGS))
+        cls.addClassCleanup(plt.close, "all")
+        analysis, = cls.results.analyses()
+        cls.known = dict(figures(cls.results, analysis))
+
+    def panels(self, name):
+        figure = self.known[name]()
+        return [axes for axes in figure.axes if axes.get_label() != "<colorbar>"]
+
+    def test_the_program_draws_them(self):
+        run = plot(self.folder, "--dpi", "50")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual({path.stem for path in (self.folder / "figures").iterdir()},
+                         {"shapes-plate", "shapes-tilted", "shapes-pipe"})
+
+    def test_each_mode_has_a_panel_with_its_number_and_frequency(self):
+        panels = self.panels("shapes-plate")
+        self.assertEqual([axes.get_title("left") for axes in panels],
+                         [f"Mode {n}: {1.5 * n:g} Hz" for n in range(1, 10)])
+        self.assertEqual(panels[0].figure._suptitle.get_text(),
+                         "Body plate, the first 9 of 11 modes")
+        self.assertEqual(self.panels("shapes-pipe")[0].get_title(), "Mode 1: 1.5 Hz")
+
+    def test_colours_of_flat_shells_are_the_displacement_across_them(self):
+        axes = self.panels("shapes-plate")[0]
+        mesh, = [c for c in axes.collections if c.get_array() is not None]
+        np.testing.assert_allclose(mesh.get_array(), plate_nodes()[:, 0] / 4)
+        self.assertEqual(mesh.get_clim(), (-1, 1))
+        np.testing.assert_allclose(mesh._triangulation.x, plate_nodes()[:, 0])
+        self.assertEqual(axes.get_aspect(), 1)
+        self.assertEqual((axes.get_xlabel(), self.panels("shapes-plate")[6].get_xlabel()),
+                         ("", "x (m)"))
+        stiffeners = axes.collections[-1].get_segments()
+        np.testing.assert_allclose(stiffeners, [[[0, 0], [1, 0]], [[1, 0], [2, 0]]])
+
+    def test_modes_within_the_plane_are_drawn_deformed(self):
+        axes = self.panels("shapes-plate")[1]
+        self.assertFalse([c for c in axes.collections if c.get_array() is not None])
+        corners = np.concatenate([path.vertices for c in axes.collections[1:2]
+                                  for path in c.get_paths()])
+        np.testing.assert_allclose(corners.max(axis=0), [4 + 0.1 * np.hypot(4, 2), 2])
+
+    def test_a_plate_may_lie_anywhere(self):
+        axes = self.panels("shapes-tilted")[0]
+        mesh, = [c for c in axes.collections if c.get_array() is not None]
+        np.testing.assert_allclose(np.abs(mesh.get_array()), plate_nodes()[:, 0] / 4, atol=1e-12)
+        xy = np.column_stack([mesh._triangulation.x, mesh._triangulation.y])
+        found = np.linalg.norm(xy[:, None] - xy, axis=2)
+        expected = np.linalg.norm(plate_nodes()[:, None] - plate_nodes(), axis=2)
+        np.testing.assert_allclose(found, expected, atol=1e-12)
+
+    def test_curved_shells_are_drawn_in_space_with_equal_scales(self):
+        axes, = self.panels("shapes-pipe")
+        ranges = [np.ptp(limits()) for limits in (axes.get_xlim, axes.get_ylim, axes.get_zlim)]
+        shape = axes._box_aspect / axes._box_aspect[0]
+        np.testing.assert_allclose(ranges / ranges[0], shape)
+        faces = axes.collections[0]
+        extent = np.linalg.norm(np.ptp(pipe_nodes(), axis=0))
+        axes.figure.canvas.draw()
+        radius = np.hypot(faces._vec[0], faces._vec[2])
+        self.assertAlmostEqual(radius.max(), 1 + 0.1 * extent)
+        self.assertAlmostEqual(radius.min(), 1)
+
+    def test_no_text_overlaps_or_is_cut(self):
+        for name in ("shapes-plate", "shapes-tilted"):
             with self.subTest(name):
                 check_layout(self, self.known[name]())
 
