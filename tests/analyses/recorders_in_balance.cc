@@ -1,0 +1,119 @@
+// What different recorders tell of one motion fits together: momentum, velocities and impulses over
+// a window that is no whole number of periods, on a shaken floor, against a stop, with a dashpot.
+#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/forces.h"
+#include "analyses/recorders/impacts.h"
+#include "analyses/recorders/statistics.h"
+#include "contact/laws/kelvin_voigt.h"
+#include "model/piecewise_function.h"
+#include "support/recorded_windows.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vibroimpact {
+namespace {
+
+using testing::recorded;
+using testing::value_of;
+
+constexpr double mass = 2, weight = 7, end = 2.345;
+constexpr double floor_amplitude = 0.02, omega = 11;
+
+System shaken_block() {
+  Model model({testing::single_mass("block", mass, 300, 4)});
+  model.add_base_motion(
+      "floor", std::make_shared<Harmonic>(Given::displacement, floor_amplitude, omega, 0.4), {0},
+      Vector3::UnitX());
+  model.add_force("weight", make_constant(Given::displacement, weight), {}, Vector3::UnitX());
+  model.add_connection({.name = "anchor",
+                        .side_a = "block.head",
+                        .side_b = "ground",
+                        .elongation = model.displacement({}, -Vector3::UnitX(), true),
+                        .stiffness = 50,
+                        .damping = 3});
+  const ContactPair stop = testing::contact_along_x(model, "block.head", "", 0.03,
+                                                    std::make_shared<KelvinVoigt>(5e3, 20));
+  return testing::system_of(std::move(model), ContactSet({stop}));
+}
+
+const Window window{.start = 0, .end = end};
+const std::string head = "point/block.head/";
+
+struct Ends {
+  double displacement, velocity; // of the block relative to the floor, and in space
+  double floor_displacement, floor_velocity;
+};
+
+Ends at_the_end(const System &system) {
+  Trajectory trajectory(system.model, system.contacts, system.integration);
+  trajectory.start(0, system.initial.displacement, system.initial.velocity);
+  trajectory.advance(end);
+  return {trajectory.state()[0], trajectory.state()[1],
+          floor_amplitude * (std::sin(omega * end + 0.4) - std::sin(0.4)),
+          floor_amplitude * omega * (std::cos(omega * end + 0.4) - std::cos(0.4))};
+}
+
+TEST(RecordersInBalanceTest, MeanRatesAreTheChangesOverTheWindow) {
+  const System system = shaken_block();
+  const Ends ends = at_the_end(system);
+  const PointResult result = recorded<Statistics>(system, window, WatchedSelection{});
+  EXPECT_NEAR(value_of(result, head + "velocity_x/mean"), ends.displacement / end, 1e-9);
+  EXPECT_NEAR(value_of(result, head + "acceleration_x/mean"),
+              (ends.velocity + ends.floor_velocity) / end, 1e-7);
+}
+
+// m a = weight - force on floor and ground - force on the stop; in the mean as at every instant.
+TEST(RecordersInBalanceTest, MeanForcesChangeTheMomentum) {
+  const System system = shaken_block();
+  const PointResult motion = recorded<Statistics>(system, window, WatchedSelection{});
+  const PointResult forces = recorded<Forces>(system, window);
+  const double on_floor = value_of(forces, "body/block/base_force_x/mean");
+  const double on_stop = value_of(motion, "contact/heads/normal_force/mean");
+  EXPECT_GT(on_stop, 0.1);
+  EXPECT_NEAR(mass * value_of(motion, head + "acceleration_x/mean"), weight - on_floor - on_stop,
+              1e-6);
+  // The anchor's tension by its closed form in the mean of what it sees.
+  EXPECT_NEAR(
+      std::abs(value_of(forces, "connection/anchor/force/mean")),
+      std::abs(50 * value_of(motion, head + "absolute_displacement_x/mean") +
+               3 * (at_the_end(system).displacement + at_the_end(system).floor_displacement) / end),
+      1e-7);
+}
+
+// The impulses of all impacts together are the mean force on the stop times the window; the time in
+// contact and the deepest overlap are those that the gap shows.
+TEST(RecordersInBalanceTest, ImpactsAddUpToTheForceOnTheStop) {
+  const System system = shaken_block();
+  const PointResult impacts = recorded<Impacts>(system, window);
+  const PointResult motion = recorded<Statistics>(system, window, WatchedSelection{});
+  const PointResult extremes = recorded<Excursions>(system, window, WatchedSelection{});
+  const std::string stop = "contact/heads/";
+  const double count = value_of(impacts, stop + "impacts");
+  EXPECT_GT(count, 2);
+  EXPECT_NEAR(count * value_of(impacts, stop + "impulse/mean"),
+              value_of(motion, stop + "normal_force/mean") * end, 1e-7);
+  EXPECT_NEAR(count * value_of(impacts, stop + "contact_duration/mean"),
+              value_of(impacts, stop + "contact_fraction") * end, 1e-9);
+  EXPECT_NEAR(value_of(impacts, stop + "penetration/maximum"),
+              -value_of(extremes, stop + "gap/minimum"), 1e-9);
+  EXPECT_NEAR(value_of(impacts, stop + "peak_force/maximum"),
+              value_of(extremes, stop + "normal_force/maximum"), 1e-6);
+  // The gap is the clearance less the displacement in space.
+  EXPECT_NEAR(value_of(extremes, stop + "gap/minimum"),
+              0.03 - value_of(extremes, head + "absolute_displacement_x/maximum"), 1e-9);
+}
+
+TEST(RecordersInBalanceTest, SquaresAreThoseOfMeanAndScatter) {
+  const PointResult result = recorded<Statistics>(shaken_block(), window, WatchedSelection{});
+  for (const std::string name : {"displacement_x", "velocity_x", "acceleration_x"}) {
+    const double mean = value_of(result, head + name + "/mean");
+    const double scatter = value_of(result, head + name + "/rms_about_mean");
+    const double rms = value_of(result, head + name + "/rms");
+    EXPECT_NEAR(rms * rms, mean * mean + scatter * scatter, 1e-9 * rms * rms) << name;
+  }
+}
+
+} // namespace
+} // namespace vibroimpact
