@@ -42,6 +42,8 @@ void warn_of_implausible(const std::string &name, const AssembledBody &body, dou
   if (body.model.mesh.unused_nodes > 0)
     log::warning("body " + name + ": " + std::to_string(body.model.mesh.unused_nodes) +
                  " nodes of the mesh belong to no cell and are left out");
+  if (body.model.locking)
+    log::warning("body " + name + ": " + locking_sentence(*body.model.locking));
   if (first_elastic == 0)
     return;
   const double frequency = std::sqrt(first_elastic) / two_pi;

@@ -5,6 +5,7 @@
 #include "structure/element.h"
 #include "structure/mesh.h"
 #include "structure/shell_definition.h"
+#include "structure/triangle_locking.h"
 
 namespace vibroimpact::structure {
 
@@ -25,6 +26,7 @@ struct BodyModel {
   bool loaded = false;
   std::vector<std::array<double, 6>> load; ///< per node and component [N], [N m]
   Vector3 acceleration = Vector3::Zero();  ///< of gravity [m/s^2]
+  std::optional<TriangleLocking> locking;  ///< of a shell with triangles that are too large
   double wave_speed = 0;                   ///< largest sqrt(E / rho) of its materials [m/s]
 
   /// Mass of the elements, without lumped masses [kg].

@@ -2,52 +2,27 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibroimpact::structure {
 
-namespace {
-
-constexpr std::array<double, 4> corner_r = {-1, 1, 1, -1};
-constexpr std::array<double, 4> corner_s = {-1, -1, 1, 1};
-/// Its two cuts into triangles.
-constexpr std::array<std::array<int, 3>, 4> cuts = {{{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}};
-
-Shape bilinear(double r, double s) {
-  Shape shape;
-  for (int i = 0; i < 4; ++i) {
-    const double along_r = 1 + corner_r[i] * r;
-    const double along_s = 1 + corner_s[i] * s;
-    shape.value[i] = along_r * along_s / 4;
-    shape.r[i] = corner_r[i] * along_s / 4;
-    shape.s[i] = corner_s[i] * along_r / 4;
-  }
-  return shape;
-}
-
-/// The 2 x 2 Gauss points, all of weight 1.
-std::array<std::array<double, 2>, 4> gauss_points() {
-  const double g = 1 / std::sqrt(3.0);
-  return {{{-g, -g}, {g, -g}, {g, g}, {-g, g}}};
-}
-
-} // namespace
-
 QuadrilateralShell::QuadrilateralShell(const std::array<int, 4> &nodes,
                                        const NodeVectors &positions,
+                                       const NodeVectors &surface_normals,
                                        const ShellProperties &properties)
-    : ShellElement({nodes.begin(), nodes.end()}, {positions.begin(), positions.end()}, properties) {
-  for (int i = 0; i < 4; ++i) {
-    corners_[i] = this->positions()[i];
-    directors_[i] = (positions[(i + 1) % 4] - positions[i])
-                        .cross(positions[(i + 3) % 4] - positions[i])
-                        .normalized();
-  }
+    : ShellElement({nodes.begin(), nodes.end()}, {positions.begin(), positions.end()}, properties),
+      directors_(corner_normals(positions)), surface_normals_(surface_normals) {
+  std::copy(this->positions().begin(), this->positions().end(), corners_.begin());
 }
 
 DirectorPoint QuadrilateralShell::at(double r, double s) const {
   const Shape shape = bilinear(r, s);
   return director_point(shape, shape, corners_, directors_);
+}
+
+MembraneQuadrilateral QuadrilateralShell::membrane() const {
+  return {corners_, directors_, surface_normals_, properties()};
 }
 
 void QuadrilateralShell::add_bending_and_shear(NodalMatrix &stiffness) const {
@@ -69,10 +44,8 @@ void QuadrilateralShell::add_bending_and_shear(NodalMatrix &stiffness) const {
 }
 
 NodalMatrix QuadrilateralShell::stiffness() const {
-  NodalMatrix stiffness = NodalMatrix::Zero(24, 24);
+  NodalMatrix stiffness = membrane().stiffness();
   add_bending_and_shear(stiffness);
-  for (const std::array<int, 3> &corners : cuts)
-    add_membrane(corners, 0.5, stiffness);
   return (stiffness + stiffness.transpose()) / 2;
 }
 
@@ -95,8 +68,8 @@ NodalMatrix QuadrilateralShell::mass() const {
 Matrix QuadrilateralShell::stress(int node) const {
   const DirectorPoint point = at(corner_r[node], corner_s[node]);
   const TangentBasis basis(point);
-  return surface_stress(basis.in_plane * covariant_curvature(point, directors_),
-                        {cuts.begin(), cuts.end()}, basis.first, basis.second);
+  return surface_stress(membrane().strain(corner_r[node], corner_s[node]),
+                        basis.in_plane * covariant_curvature(point, directors_));
 }
 
 double QuadrilateralShell::area() const {

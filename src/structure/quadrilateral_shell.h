@@ -4,22 +4,21 @@
 // a coordinate line is taken from the mid-sides only, which removes shear locking without any zero
 // energy mode and passes the patch tests of bending and shear on distorted meshes. The directors
 // are the normals of the bilinear mid-surface at the nodes. The membrane is that of
-// membrane_triangle.h on both diagonals. It takes in-plane bending exactly in rectangles of any
-// aspect ratio, which bilinear displacements with or without the membrane cure of MITC4+ (ko2017)
-// do not, and has the drilling rotation; and its strains come from the chords between the nodes, so
-// that a warped element in inextensional bending does not lock.
+// membrane_quadrilateral.h: it bends exactly within the plane of rectangles of any aspect ratio,
+// has the drilling rotation, and lets warped elements bend without stretching.
 #pragma once
 
-#include "structure/director_kinematics.h"
+#include "structure/membrane_quadrilateral.h"
 #include "structure/shell_element.h"
 
 namespace vibroimpact::structure {
 
 class QuadrilateralShell : public ShellElement {
 public:
-  /// Nodes around the element; `positions` are theirs [m].
+  /// Nodes around the element; `positions` are theirs [m], `surface_normals` the unit normals there
+  /// of the surface that the whole mesh stands for (see surface_normals.h).
   QuadrilateralShell(const std::array<int, 4> &nodes, const NodeVectors &positions,
-                     const ShellProperties &properties);
+                     const NodeVectors &surface_normals, const ShellProperties &properties);
 
   NodalMatrix stiffness() const override;
   NodalMatrix mass() const override;
@@ -30,10 +29,12 @@ public:
 
 private:
   DirectorPoint at(double r, double s) const;
+  MembraneQuadrilateral membrane() const;
   void add_bending_and_shear(NodalMatrix &stiffness) const;
 
   NodeVectors corners_;
   NodeVectors directors_;
+  NodeVectors surface_normals_;
 };
 
 } // namespace vibroimpact::structure

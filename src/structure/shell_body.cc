@@ -5,6 +5,7 @@
 #include "structure/mesh_check.h"
 #include "structure/quadrilateral_shell.h"
 #include "structure/shell_mesh.h"
+#include "structure/surface_normals.h"
 #include "structure/triangle_shell.h"
 
 #include <set>
@@ -49,6 +50,7 @@ std::vector<int> parts_of_surfaces(const Mesh &mesh, const ShellDefinition &defi
 }
 
 std::shared_ptr<const Element> shell_element(const Mesh &mesh, const Surface &surface,
+                                             const NodeVectors &normals,
                                              const ShellProperties &properties) {
   const auto &c = surface.corners;
   const auto &nodes = mesh.nodes;
@@ -57,7 +59,7 @@ std::shared_ptr<const Element> shell_element(const Mesh &mesh, const Surface &su
                                            std::array{nodes[c[0]], nodes[c[1]], nodes[c[2]]},
                                            properties);
   return std::make_shared<QuadrilateralShell>(
-      c, NodeVectors{nodes[c[0]], nodes[c[1]], nodes[c[2]], nodes[c[3]]}, properties);
+      c, NodeVectors{nodes[c[0]], nodes[c[1]], nodes[c[2]], nodes[c[3]]}, normals, properties);
 }
 
 /// Sums of the normals of the surfaces around each node.
@@ -116,9 +118,14 @@ void add_shell_elements(BodyModel &model, const ShellDefinition &definition) {
   for (const ShellPart &part : definition.parts)
     properties.push_back(shell_properties(part.thickness, part.material, "Shell", part.name));
   const std::vector<int> parts = parts_of_surfaces(model.mesh, definition);
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  const std::vector<NodeVectors> around = surface_normals(model.mesh);
+  std::vector<double> thickness;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    thickness.push_back(properties[parts[i]].thickness);
     model.elements.push_back(
-        shell_element(model.mesh, model.mesh.surfaces[i], properties[parts[i]]));
+        shell_element(model.mesh, model.mesh.surfaces[i], around[i], properties[parts[i]]));
+  }
+  model.locking = find_locking(model.mesh, around, thickness);
   const std::vector<Vector3> normals = node_normals(model.mesh);
   for (const Stiffener &stiffener : definition.stiffeners)
     try {

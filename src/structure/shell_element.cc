@@ -1,7 +1,5 @@
 #include "structure/shell_element.h"
 
-#include "structure/membrane_triangle.h"
-
 #include <Eigen/Dense>
 
 namespace vibroimpact::structure {
@@ -59,54 +57,14 @@ NodalVector ShellElement::deformation(const NodalVector &u) const {
   return rest;
 }
 
-void ShellElement::add_membrane(const std::array<int, 3> &corners, double weight,
-                                NodalMatrix &stiffness) const {
-  const Vector3 side = positions_[corners[1]] - positions_[corners[0]];
-  const Vector3 other = positions_[corners[2]] - positions_[corners[0]];
-  const Vector3 x = side.normalized();
-  const Vector3 normal = side.cross(other).normalized();
-  const Vector3 y = normal.cross(x);
-  const MembraneMatrix membrane =
-      membrane_triangle({{{0, 0}, {side.norm(), 0}, {other.dot(x), other.dot(y)}}}, properties_);
-  Eigen::Matrix<double, 3, 6> to_plane = Eigen::Matrix<double, 3, 6>::Zero();
-  to_plane.block<1, 3>(0, 0) = x;
-  to_plane.block<1, 3>(1, 0) = y;
-  to_plane.block<1, 3>(2, 3) = normal;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      stiffness.block<6, 6>(6 * corners[i], 6 * corners[j]) +=
-          weight * to_plane.transpose() * membrane.block<3, 3>(3 * i, 3 * j) * to_plane;
-}
-
-Matrix ShellElement::surface_stress(const Eigen::Matrix<double, 3, 24> &curvature,
-                                    const std::vector<std::array<int, 3>> &triangles,
-                                    const Vector3 &first, const Vector3 &second) const {
+Matrix ShellElement::surface_stress(const Eigen::Matrix<double, 3, 24> &strain,
+                                    const Eigen::Matrix<double, 3, 24> &curvature) const {
   const Index columns = 6 * static_cast<Index>(positions_.size());
-  const Vector3 normal = first.cross(second);
-  Matrix strain = Matrix::Zero(3, columns);
-  double covered = 0;
-  for (const std::array<int, 3> &corners : triangles) {
-    std::array<Eigen::Vector2d, 3> flat;
-    for (int i = 0; i < 3; ++i)
-      flat[i] = {positions_[corners[i]].dot(first), positions_[corners[i]].dot(second)};
-    const Eigen::Vector2d side = flat[1] - flat[0];
-    const Eigen::Vector2d other = flat[2] - flat[0];
-    const double area = (side.x() * other.y() - side.y() * other.x()) / 2;
-    covered += area;
-    const Eigen::Matrix<double, 3, 9> rows = area * membrane_strain(flat);
-    for (int i = 0; i < 3; ++i) {
-      const Index node = 6 * corners[i];
-      strain.middleCols<3>(node) +=
-          rows.col(3 * i) * first.transpose() + rows.col(3 * i + 1) * second.transpose();
-      strain.middleCols<3>(node + 3) += rows.col(3 * i + 2) * normal.transpose();
-    }
-  }
-  const Matrix bending = properties_.thickness / 2 * curvature.leftCols(columns);
-  Matrix stress(6, columns);
-  stress << strain / covered + bending, strain / covered - bending;
   const Eigen::Matrix3d modulus = properties_.membrane_stiffness / properties_.thickness;
-  stress.topRows<3>() = modulus * stress.topRows<3>();
-  stress.bottomRows<3>() = modulus * stress.bottomRows<3>();
+  const Matrix membrane = modulus * strain.leftCols(columns);
+  const Matrix bending = properties_.thickness / 2 * modulus * curvature.leftCols(columns);
+  Matrix stress(6, columns);
+  stress << membrane + bending, membrane - bending;
   return stress;
 }
 

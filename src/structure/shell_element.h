@@ -1,8 +1,5 @@
-// What the three- and four-node shell elements have in common: their nodes in space, the membrane
-// made of flat triangles, and products without the round-off of rigid motions.
-//
-// The membrane of a quadrilateral is the mean of its two cuts into triangles, so that it depends on
-// no numbering and follows a warped element: each triangle lies in its own plane.
+// What the three- and four-node shell elements have in common: their nodes in space, their mass,
+// and products without the round-off of rigid motions.
 //
 // The mass is consistent with a displacement that knows the rotations: an edge e from node i to
 // node j bows by (theta_i - theta_j) x e / 8 in its middle, as a beam with these end rotations
@@ -35,13 +32,10 @@ protected:
 
   const ShellProperties &properties() const { return properties_; }
   const std::vector<Vector3> &positions() const { return positions_; }
-  /// Stress at the top and the bottom, 6 x 6 nodes, from the curvature (k_11, k_22, 2 k_12) and the
-  /// mean membrane strain of triangles that cover the element, in the axes 1 and 2.
-  Matrix surface_stress(const Eigen::Matrix<double, 3, 24> &curvature,
-                        const std::vector<std::array<int, 3>> &triangles, const Vector3 &first,
-                        const Vector3 &second) const;
-  /// Adds `weight` times the membrane of the triangle over three of the nodes.
-  void add_membrane(const std::array<int, 3> &corners, double weight, NodalMatrix &stiffness) const;
+  /// Stress at the top and the bottom, 6 x 6 nodes, from the membrane strain (e_11, e_22, 2 e_12)
+  /// and the curvature (k_11, k_22, 2 k_12).
+  Matrix surface_stress(const Eigen::Matrix<double, 3, 24> &strain,
+                        const Eigen::Matrix<double, 3, 24> &curvature) const;
   /// Adds the mass of a piece of the mid-surface [m^2] where the shape functions have these values;
   /// `bows` are 1 in the middle of the edge from node i to the next and vanish on the others.
   void add_mass(const Eigen::Vector4d &shapes, const Eigen::Vector4d &bows, double area,

@@ -1,5 +1,7 @@
 #include "structure/triangle_shell.h"
 
+#include "structure/membrane_triangle.h"
+
 #include <Eigen/Dense>
 
 namespace vibroimpact::structure {
@@ -95,6 +97,29 @@ Eigen::Matrix<double, 24, 24> TriangleShell::with_bubble() const {
   return stiffness;
 }
 
+Eigen::Matrix<double, 9, 18> TriangleShell::to_plane(const TangentBasis &basis) const {
+  Eigen::Matrix<double, 9, 18> rows = Eigen::Matrix<double, 9, 18>::Zero();
+  for (int i = 0; i < 3; ++i) {
+    rows.block<1, 3>(3 * i, 6 * i) = basis.first;
+    rows.block<1, 3>(3 * i + 1, 6 * i) = basis.second;
+    rows.block<1, 3>(3 * i + 2, 6 * i + 3) = directors_[i];
+  }
+  return rows;
+}
+
+std::array<Eigen::Vector2d, 3> TriangleShell::flat_corners(const TangentBasis &basis) const {
+  std::array<Eigen::Vector2d, 3> flat;
+  for (int i = 0; i < 3; ++i)
+    flat[i] = {corners_[i].dot(basis.first), corners_[i].dot(basis.second)};
+  return flat;
+}
+
+void TriangleShell::add_membrane(NodalMatrix &stiffness) const {
+  const TangentBasis basis(at(1.0 / 3, 1.0 / 3));
+  const Eigen::Matrix<double, 9, 18> rows = to_plane(basis);
+  stiffness += rows.transpose() * membrane_triangle(flat_corners(basis), properties()) * rows;
+}
+
 NodalMatrix TriangleShell::stiffness() const {
   const Eigen::Matrix<double, 24, 24> full = with_bubble();
   Eigen::Matrix<double, 3, 2> in_plane; // the bubble turns about axes in the plane
@@ -104,7 +129,7 @@ NodalMatrix TriangleShell::stiffness() const {
   const Eigen::Matrix2d bubble = in_plane.transpose() * full.block<3, 3>(21, 21) * in_plane;
   NodalMatrix stiffness =
       full.topLeftCorner<18, 18>() - coupling * bubble.inverse() * coupling.transpose();
-  add_membrane({0, 1, 2}, 1, stiffness);
+  add_membrane(stiffness);
   return (stiffness + stiffness.transpose()) / 2;
 }
 
@@ -122,8 +147,9 @@ NodalMatrix TriangleShell::mass() const {
 Matrix TriangleShell::stress(int node) const {
   const DirectorPoint point = at(node == 1 ? 1 : 0, node == 2 ? 1 : 0);
   const TangentBasis basis(point);
-  return surface_stress(basis.in_plane * covariant_curvature(point, directors_), {{0, 1, 2}},
-                        basis.first, basis.second);
+  Eigen::Matrix<double, 3, 24> strain = Eigen::Matrix<double, 3, 24>::Zero();
+  strain.leftCols<18>() = membrane_strain(flat_corners(basis)) * to_plane(basis);
+  return surface_stress(strain, basis.in_plane * covariant_curvature(point, directors_));
 }
 
 double TriangleShell::area() const { return normal_.norm() / 2; }

@@ -26,6 +26,10 @@ public:
 
 private:
   DirectorPoint at(double r, double s) const;
+  /// From the in-plane displacements and the drilling of the corners in the axes of a basis.
+  Eigen::Matrix<double, 9, 18> to_plane(const TangentBasis &basis) const;
+  std::array<Eigen::Vector2d, 3> flat_corners(const TangentBasis &basis) const;
+  void add_membrane(NodalMatrix &stiffness) const;
   Eigen::Matrix<double, 2, 24> assumed_shear(double r, double s) const;
   /// Rows 18 ... 23 are the bubble; those of its displacement vanish.
   Eigen::Matrix<double, 24, 24> with_bubble() const;

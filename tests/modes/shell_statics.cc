@@ -18,6 +18,10 @@ double cylinder(int elements, CellShape shape) {
   return static_at_point(pinched_cylinder(elements, shape))[2] / pinched_cylinder_reference;
 }
 
+double twisted(const TwistedBeam &beam) {
+  return static_at_point(twisted_beam(beam))[beam.axis] / twisted_beam_reference(beam);
+}
+
 // Cantilever strip of length 1 and width 0.2, thickness t, no Poisson effect, loaded at its end.
 ShellDefinition strip(double thickness, CellShape shape, const Vector3 &force, int across = 1) {
   ShellDefinition shell;
@@ -43,6 +47,38 @@ TEST(ShellStatics, ScordelisLoRoof) {
 TEST(ShellStatics, PinchedCylinder) {
   EXPECT_NEAR(cylinder(40, CellShape::quadrilateral), 1, 0.01);
   EXPECT_NEAR(cylinder(64, CellShape::triangle), 1, 0.01);
+}
+
+// Warped elements neither lock as they become thin, nor on a mesh whose lines are not those of the
+// surface.
+TEST(ShellStatics, TwistedBeam) {
+  for (const int axis : {1, 2})
+    for (const double thickness : {0.32, 0.0032}) {
+      EXPECT_NEAR(twisted({.axis = axis, .thickness = thickness}), 1, 0.02) << axis << thickness;
+      EXPECT_NEAR(
+          twisted({.along = 24, .across = 4, .axis = axis, .thickness = thickness, .skewed = true}),
+          1, 0.005)
+          << axis << thickness;
+    }
+}
+
+// Thin, curved both ways against each other, bending with little stretching: warped elements, and
+// flat ones that meet at angles.
+TEST(ShellStatics, HyperbolicParaboloid) {
+  EXPECT_NEAR(static_at_point(hypar(16, true))[2] / hypar_straight_reference, 1, 0.01);
+  EXPECT_NEAR(static_at_point(hypar(16, false))[2] / hypar_reference, 1, 0.05);
+}
+
+// Twist passes from element to element by the drilling rotation: a drilling too weak everywhere
+// makes the hook diverge.
+TEST(ShellStatics, RaaschsHook) {
+  EXPECT_NEAR(static_at_point(raasch_hook(18, 3))[2] / raasch_hook_reference, 1, 0.05);
+  EXPECT_NEAR(static_at_point(raasch_hook(72, 10))[2] / raasch_hook_reference, 1, 0.01);
+}
+
+// Flat elements of a sphere, drilling about the normals of the smooth surface.
+TEST(ShellStatics, Hemisphere) {
+  EXPECT_NEAR(static_at_point(hemisphere(8))[0] / hemisphere_reference, 1, 0.02);
 }
 
 // P L^3 / 3 E I + P L / (5/6 G A), thin and thick.

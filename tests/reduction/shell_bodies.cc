@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <complex>
+#include <sstream>
 
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
@@ -41,7 +42,29 @@ BodyDefinition attached_beam(int number) {
 
 constexpr Index along_x = 0;
 
+/// What reduce() warns of, one line each.
+std::vector<std::string> warnings_of(const ShellDefinition &shell) {
+  testing::internal::CaptureStdout();
+  reduce(body_of(shell, 2), MPI_COMM_WORLD);
+  std::istringstream text(testing::internal::GetCapturedStdout());
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);)
+    if (line.starts_with("warning: "))
+      lines.push_back(line);
+  return lines;
+}
+
 } // namespace
+
+// One warning for the body, with how many, where, and what helps.
+TEST(ShellBodies, TrianglesThatLockAreWarnedOf) {
+  const std::vector<std::string> lines = warnings_of(hemisphere(8, CellShape::triangle));
+  ASSERT_EQ(lines.size(), 1U);
+  for (const char *words : {"body plate: 128 of 128 triangles", "around (", "Use quadrilaterals"})
+    EXPECT_NE(lines[0].find(words), std::string::npos) << lines[0];
+  EXPECT_TRUE(warnings_of(hemisphere(8)).empty());
+  EXPECT_TRUE(warnings_of(square_plate(4, CellShape::triangle)).empty());
+}
 
 // NAFEMS 13H: the plate answers to a pressure of 100 Pa at its first frequency, with 2 % of
 // critical damping, by 45.42 mm. A pressure p acts like a base acceleration p / (rho t).
