@@ -258,8 +258,9 @@ std::vector<ContactFigures> Simulation::contacts_of(const std::vector<Job> &jobs
       if (known.insert(contact.name).second)
         figures.push_back(contact);
   }
-  if (const std::string warning = truncation_warning(figures); !warning.empty())
-    log::warning(warning);
+  for (const std::string &warning : {flexibility_warning(figures), impact_warning(figures)})
+    if (!warning.empty())
+      log::warning(warning);
   return figures;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyses/runner.h"
-#include "contact/local_flexibility.h"
+#include "contact/truncation.h"
 #include "derived/derived_quantities.h"
 #include "output/run_folder.h"
 #include "parameters/values.h"

@@ -26,6 +26,12 @@ bool ContactLaw::rigid() const {
   });
 }
 
+std::optional<ElasticForce> ContactLaw::elastic_force() const {
+  if (const std::optional<PowerLaw> law = power_law())
+    return ElasticForce{.stiffness = law->stiffness, .exponent = law->exponent};
+  return std::nullopt;
+}
+
 SettledMode settle(const ContactLaw &law, LocalState state) {
   SettledMode settled{.mode = law.initial_mode(state),
                       .internal = {state.internal.begin(), state.internal.end()}};

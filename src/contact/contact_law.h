@@ -96,6 +96,12 @@ struct PowerLaw {
   std::optional<double> dissipation = 0; ///< d >= 0 [s/m]; none when it differs between impacts
 };
 
+/// The part of a force that is left without damping and history: F = k u^n.
+struct ElasticForce {
+  double stiffness = 0; ///< k > 0 [N/m^n]
+  double exponent = 1;  ///< n > 0
+};
+
 class ContactLaw {
 public:
   virtual ~ContactLaw() = default;
@@ -122,6 +128,10 @@ public:
 
   /// For laws of that form; nothing for all others.
   virtual std::optional<PowerLaw> power_law() const { return std::nullopt; }
+
+  /// The elastic part of the force; nothing for rigid laws and where it is no power of the
+  /// penetration. It says how the peak force of an impact grows with the mass: like m^(n/(n+1)).
+  virtual std::optional<ElasticForce> elastic_force() const;
 
 protected:
   ContactLaw(std::vector<Mode> modes, std::vector<double> initial_internal);

@@ -26,6 +26,7 @@ struct ContactPair {
   std::string group{};       ///< the section whose pairing found it; empty for a contact by itself
   Vector3 normal = Vector3::Zero();   ///< n
   double least_flexibility_share = 0; ///< below it the check of the kept modes warns
+  double largest_impact_error = 0;    ///< above it too
 
   int n_internal() const { return law->n_internal(); }
 };

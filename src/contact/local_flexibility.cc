@@ -1,8 +1,5 @@
 #include "contact/local_flexibility.h"
 
-#include <cmath>
-#include <limits>
-#include <sstream>
 #include <stdexcept>
 
 namespace vibroimpact {
@@ -55,40 +52,6 @@ std::optional<LocalFlexibility> local_flexibility(const ContactPair &pair, const
     throw std::logic_error("contact " + pair.name + " has no point " + pair.side_a);
   const bool two_points = model.find_point(pair.side_b, b);
   return local_flexibility(a, two_points ? std::optional(b) : std::nullopt, pair.normal, model);
-}
-
-std::vector<ContactFigures> contact_figures(const ContactSet &contacts, const Model &model) {
-  std::vector<ContactFigures> figures;
-  for (const ContactPair &pair : contacts.pairs()) {
-    const auto flexibility = local_flexibility(pair, model);
-    figures.push_back({.name = pair.name,
-                       .clearance = pair.clearance,
-                       .flexibility_share = flexibility ? flexibility->share()
-                                                        : std::numeric_limits<double>::quiet_NaN(),
-                       .least_share = pair.least_flexibility_share});
-  }
-  return figures;
-}
-
-std::string truncation_warning(const std::vector<ContactFigures> &contacts) {
-  constexpr std::size_t most_named = 8;
-  std::ostringstream named;
-  std::size_t count = 0;
-  for (const ContactFigures &contact : contacts)
-    // Rounded down, so that no share looks as if it were enough.
-    if (contact.flexibility_share < contact.least_share && ++count <= most_named)
-      named << (count > 1 ? ", " : "") << contact.name << " ("
-            << std::floor(1000 * contact.flexibility_share) / 10 << " %)";
-  if (count == 0)
-    return "";
-  if (count > most_named)
-    named << " and " << count - most_named << " more";
-  return "the kept modes carry less of the static flexibility than Least flexibility share asks "
-         "for "
-         "at the contacts " +
-         named.str() +
-         "; forces there come out too large and contacts too short. Keep more modes, or name the "
-         "points or interfaces in Modes/Attachments";
 }
 
 } // namespace vibroimpact

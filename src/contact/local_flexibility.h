@@ -5,8 +5,6 @@
 #include "contact/contact_set.h"
 
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace vibroimpact {
 
@@ -25,19 +23,5 @@ std::optional<LocalFlexibility> local_flexibility(const PointReference &a,
                                                   const std::optional<PointReference> &b,
                                                   const Vector3 &normal, const Model &model);
 std::optional<LocalFlexibility> local_flexibility(const ContactPair &pair, const Model &model);
-
-/// What is told of a contact before any motion.
-struct ContactFigures {
-  std::string name;
-  double clearance = 0;         ///< [m]
-  double flexibility_share = 0; ///< of the kept coordinates; NaN where it is not known
-  double least_share = 0;       ///< below it there is a warning
-};
-
-std::vector<ContactFigures> contact_figures(const ContactSet &contacts, const Model &model);
-
-/// One sentence that names the contacts whose kept coordinates carry too little of the static
-/// flexibility, with their shares; empty when there are none.
-std::string truncation_warning(const std::vector<ContactFigures> &contacts);
 
 } // namespace vibroimpact

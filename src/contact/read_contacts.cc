@@ -54,7 +54,8 @@ public:
                                           contact_.boolean("Prestressed"),
             .origin = contact_.locate("Clearance"),
             .normal = meeting.normal,
-            .least_flexibility_share = contact_.quantity("Least flexibility share")};
+            .least_flexibility_share = contact_.quantity("Least flexibility share"),
+            .largest_impact_error = contact_.quantity("Largest impact error")};
   }
 
 private:
@@ -136,8 +137,13 @@ void declare_contacts(parameters::Section &root) {
                 "Instead of the key Stiffness of a law: this multiple of the static stiffness with "
                 "which both sides together resist a force between them.")
       .quantity("Least flexibility share", "0.9", dimension::none, range::fraction, "",
-                "A warning tells when the kept modes carry less than this share of the static "
-                "displacement that a force at the contact causes.");
+                "There is a warning when the kept modes carry less than this share of the static "
+                "displacement that a force at the contact causes: a measure for quasi-static "
+                "contacts, not for impacts.")
+      .quantity("Largest impact error", "0.02", dimension::none, range::positive, "",
+                "There is a warning when the modes that are left out make the peak force of a "
+                "short impact, or the impulse between rigid sides, too large by more than this "
+                "share.");
   declare_contact_laws(contact);
 }
 

@@ -282,10 +282,14 @@ void write_contacts(Hdf5File &file, const std::vector<ContactFigures> &contacts)
   std::vector<std::string> names;
   std::vector<double> clearances;
   std::vector<double> shares;
+  std::vector<double> errors;
+  std::vector<double> periods;
   for (const ContactFigures &contact : contacts) {
     names.push_back(contact.name);
     clearances.push_back(contact.clearance);
     shares.push_back(contact.flexibility_share);
+    errors.push_back(contact.impact_error);
+    periods.push_back(contact.shortest_period);
   }
   file.create_group("/contact");
   write_label_scale(file, "/contact/contact", names, "contact of the model");
@@ -300,6 +304,12 @@ void write_contacts(Hdf5File &file, const std::vector<ContactFigures> &contacts)
       "/contact/flexibility_share", shares, "1",
       "share of the static flexibility along the normal that the kept coordinates carry; NaN where "
       "it is not known");
+  write("/contact/impact_error", errors, "1",
+        "relative error of the peak force of a short impact, or of the impulse of rigid sides, by "
+        "the modes left out; NaN where it is not known");
+  write("/contact/shortest_period", periods, "s",
+        "shortest period of the kept coordinates of the contact's sides, of the side where it is "
+        "longer; 0 where no mesh takes part, NaN where it has no mass at the contact");
 }
 
 void write_analysis(Hdf5File &file, const AnalysisHeader &header, const AnalysisArrays &arrays,

@@ -5,7 +5,7 @@
 //                           processor
 //   /body/NAME/             mode [-], axis, component, point, node, end (scales); frequency [Hz],
 //                           damping_ratio, mass, stiffness, effective_mass, base_participation, ...
-//   /contact/               contact (scale of names); clearance, flexibility_share
+//   /contact/               contact (scale of names); clearance, flexibility_share, ...
 //   /analysis/NAME/         attributes: name, type, grid; the outer axes (scales), status, reason,
 //                           and the fields, nested by the slashes of their names
 //   /analysis/NAME/derived/ the derived quantities; attributes operation, axis, axes
@@ -15,7 +15,7 @@
 #pragma once
 
 #include "common/hdf5_file.h"
-#include "contact/local_flexibility.h"
+#include "contact/truncation.h"
 #include "derived/labelled_array.h"
 #include "output/analysis_arrays.h"
 #include "reduction/reduced_body.h"

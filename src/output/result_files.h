@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/result_sink.h"
-#include "contact/local_flexibility.h"
+#include "contact/truncation.h"
 #include "derived/derived_quantities.h"
 #include "output/hdf5_results.h"
 #include "output/record.h"

@@ -97,10 +97,14 @@ std::string body_summary(const ReducedBody &body) {
 
 std::string contact_summary(const std::vector<ContactFigures> &contacts) {
   std::string text;
-  for (const ContactFigures &contact : contacts)
-    if (!std::isnan(contact.flexibility_share))
-      text += summary_line("contact." + contact.name + ".flexibility_share",
-                           contact.flexibility_share, "1");
+  for (const ContactFigures &contact : contacts) {
+    const auto add = [&](const std::string &name, double value) {
+      if (!std::isnan(value))
+        text += summary_line("contact." + contact.name + "." + name, value, "1");
+    };
+    add("flexibility_share", contact.flexibility_share);
+    add("impact_error", contact.impact_error);
+  }
   return text;
 }
 

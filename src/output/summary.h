@@ -1,7 +1,7 @@
 // The few figures of a run that a person or a test compares: `name = value [unit]` lines.
 #pragma once
 
-#include "contact/local_flexibility.h"
+#include "contact/truncation.h"
 #include "output/record.h"
 #include "reduction/reduced_body.h"
 
@@ -13,7 +13,8 @@ namespace vibroimpact {
 /// mass along x, y, z, and for modal bodies the orthogonality residual.
 std::string body_summary(const ReducedBody &body);
 
-/// `contact.NAME.flexibility_share = 0.97 [1]` of each contact for which it is known.
+/// `contact.NAME.flexibility_share = 0.97 [1]` and `contact.NAME.impact_error = 0.008 [1]` of each
+/// contact for which they are known.
 std::string contact_summary(const std::vector<ContactFigures> &contacts);
 
 /// Nobody reads the lines of more points than this.

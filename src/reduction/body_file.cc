@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little, "the format is little-
 
 namespace {
 
-const std::string title = "vibroimpact reduced body 3";
+const std::string title = "vibroimpact reduced body 4";
 
 class Writer {
 public:
@@ -120,6 +120,7 @@ void write(Writer &out, const ReducedBody &body) {
     out.matrix("rows", point.rows);
     out.matrix("static_displacement", point.static_displacement);
     out.matrix("flexibility", point.flexibility);
+    out.matrix("inverse_mass", point.inverse_mass);
     out.matrix("stress", point.stress);
   }
   out.matrix("nodes", body.recovery.nodes);
@@ -150,6 +151,7 @@ ReducedBody read(Reader &in) {
     point.rows = in.matrix("rows");
     point.static_displacement = in.matrix("static_displacement");
     point.flexibility = in.matrix("flexibility");
+    point.inverse_mass = in.matrix("inverse_mass");
     point.stress = in.matrix("stress");
     body.points.push_back(std::move(point));
   }

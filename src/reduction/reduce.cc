@@ -1,10 +1,10 @@
 #include "reduction/reduce.h"
 
 #include "common/log.h"
-#include "modes/static_solution.h"
 #include "reduction/basis.h"
 #include "reduction/body_file.h"
 #include "reduction/lumped_body.h"
+#include "reduction/point_response.h"
 #include "reduction/rotor_body.h"
 
 #include <algorithm>
@@ -57,42 +57,6 @@ void warn_of_implausible(const std::string &name, const AssembledBody &body, dou
        << "through it at " << body.model.wave_speed << " m/s, and its mass is "
        << body.model.total_mass() << " kg";
   log::warning(text.str());
-}
-
-/// Static displacements of the whole mesh.
-struct Statics {
-  Vector deflection;               ///< under the loads of the body; empty without loads
-  std::vector<Matrix> flexibility; ///< of each point, see BodyPoint; empty for a free body
-};
-
-/// Loads of the body (if any) first, then unit forces at the points along each axis.
-Matrix static_loads(const AssembledBody &body) {
-  const Index given = body.model.loaded ? 1 : 0;
-  const auto points = static_cast<Index>(body.model.points.size());
-  Matrix loads = Matrix::Zero(body.free.size, given + 3 * points);
-  if (given > 0)
-    loads.col(0) = body.load;
-  for (Index p = 0; p < points; ++p)
-    for (Index axis = 0; axis < 3; ++axis)
-      if (const int dof = body.free.number[body.model.points[p].node][axis]; dof >= 0)
-        loads(dof, given + 3 * p + axis) = 1;
-  return loads;
-}
-
-Statics solve_statics(const AssembledBody &body, bool held) {
-  const Matrix loads = static_loads(body);
-  Statics statics;
-  if (!held || loads.cols() == 0)
-    return statics;
-  const Matrix solution = modes::static_solution(problem_of(body), loads);
-  const Index given = body.model.loaded ? 1 : 0;
-  if (given > 0)
-    statics.deflection = node_rows(body.free, solution.col(0));
-  for (Index first = given; first < loads.cols(); first += 3) {
-    const Matrix moved = loads.middleCols(first, 3).transpose() * solution.middleCols(first, 3);
-    statics.flexibility.emplace_back((moved + moved.transpose()) / 2);
-  }
-  return statics;
 }
 
 Matrix diagonal(const Vector &entries) { return entries.asDiagonal(); }
@@ -153,8 +117,8 @@ Matrix stress_at(const structure::BodyModel &model, int node, const Matrix &shap
   return all;
 }
 
-void add_points(const structure::BodyModel &model, const Matrix &shapes, const Statics &statics,
-                ReducedBody &body) {
+void add_points(const structure::BodyModel &model, const Matrix &shapes,
+                const PointResponse &response, ReducedBody &body) {
   for (std::size_t p = 0; p < model.points.size(); ++p) {
     const structure::NamedNode &named = model.points[p];
     const Index row = Index{6} * named.node;
@@ -164,10 +128,11 @@ void add_points(const structure::BodyModel &model, const Matrix &shapes, const S
                     .interface = named.interface,
                     .node = named.node};
     point.stress = stress_at(model, named.node, shapes);
-    if (statics.deflection.size() > 0)
-      point.static_displacement = statics.deflection.segment(row, 6);
-    if (!statics.flexibility.empty())
-      point.flexibility = statics.flexibility[p];
+    if (response.deflection.size() > 0)
+      point.static_displacement = response.deflection.segment(row, 6);
+    if (!response.flexibility.empty())
+      point.flexibility = response.flexibility[p];
+    point.inverse_mass = response.inverse_mass[p];
     body.points.push_back(std::move(point));
   }
 }
@@ -178,7 +143,7 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
                     ? fixed_interface_basis(definition, assembled, communicator)
                     : free_interface_basis(definition, assembled);
   warn_of_implausible(definition.name, assembled, basis.first_elastic);
-  const Statics statics = solve_statics(assembled, basis.held);
+  const PointResponse response = point_response(assembled, basis.held);
 
   ReducedBody body;
   body.name = definition.name;
@@ -189,9 +154,9 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
       modal_damping(definition.damping, assembled, body.stiffness, basis.shapes, basis.normal);
   body.base_participation =
       free_rows(assembled.free, basis.shapes).transpose() * assembled.base_inertia;
-  add_points(assembled.model, basis.shapes, statics, body);
+  add_points(assembled.model, basis.shapes, response, body);
   body.recovery = recovery(assembled.model.mesh, std::move(basis.shapes));
-  body.recovery.static_displacement = statics.deflection;
+  body.recovery.static_displacement = response.deflection;
   body.total_mass.setConstant(assembled.model.total_mass());
   body.eigen_residual = std::move(basis.error_bounds);
   body.orthogonality_residual = basis.orthogonality_residual;

@@ -28,6 +28,10 @@ struct BodyPoint {
   /// body before reduction [m/N]; empty for bodies without a mesh and for those that no support
   /// holds.
   Matrix flexibility{};
+  /// 3 x 3, velocity along an axis (row) right after a unit impulse along another (column), of the
+  /// body before reduction: P M^-1 P^T over the free degrees of freedom, with the consistent mass
+  /// [1/kg]. Empty for bodies without a mesh and where the point moves without mass.
+  Matrix inverse_mass{};
   std::string interface {}; ///< the interface the point is one of; empty for a point by itself
   int node = -1;            ///< column of Recovery::nodes; -1 for bodies without a mesh
   /// 3k x n: direct stresses along two axes and shear stress per unit coordinate, three rows for

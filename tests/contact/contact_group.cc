@@ -1,6 +1,6 @@
 // Contact sections that stand for many contacts, on bodies made by hand.
 #include "contact/contact_set.h"
-#include "contact/local_flexibility.h"
+#include "contact/truncation.h"
 
 #include <gtest/gtest.h>
 
@@ -133,13 +133,13 @@ TEST(ContactGroupTest, ShareOfTheFlexibility) {
   ASSERT_EQ(figures.size(), 3U);
   EXPECT_NEAR(figures[0].flexibility_share, 0.75, 1e-14);
   EXPECT_EQ(figures[0].least_share, 0.9);
-  const std::string warning = truncation_warning(figures);
+  const std::string warning = flexibility_warning(figures);
   EXPECT_NE(warning.find("gap.1 (75 %)"), std::string::npos) << warning;
   EXPECT_NE(warning.find("gap.3 (75 %)"), std::string::npos) << warning;
 }
 
 TEST(ContactGroupTest, NoWarningAboveTheThreshold) {
-  EXPECT_EQ(truncation_warning({{"a", 0, 0.91, 0.9}, {"b", 0, std::nan(""), 0.9}}), "");
+  EXPECT_EQ(flexibility_warning({{"a", 0, 0.91, 0.9}, {"b", 0, std::nan(""), 0.9}}), "");
 }
 
 } // namespace

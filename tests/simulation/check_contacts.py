@@ -154,6 +154,17 @@ class ManyContacts(unittest.TestCase):
             self.assertAlmostEqual(share, self.summary(f"contact.{name}.flexibility_share"),
                                    delta=1e-10)
 
+    def test_impact_error_of_the_contacts(self):
+        body = self.results["body/plate"]
+        points = [name.decode() for name in body["point"][:]]
+        for c, name in enumerate(NODES):
+            row = np.abs(body["point_rows"][points.index(name), 2])
+            highest = body["frequency"][:][row > 1e-6 * row.max()].max()
+            self.assertAlmostEqual(self.results["contact/shortest_period"][c] * highest, 1)
+            error = self.results["contact/impact_error"][c]
+            self.assertGreater(error, 0)
+            self.assertAlmostEqual(error, self.summary(f"contact.{name}.impact_error"), delta=1e-10)
+
     def test_one_warning_names_the_contacts(self):
         for output in self.output.values():
             lines = [line for line in output.splitlines() if "static flexibility" in line]

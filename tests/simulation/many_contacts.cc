@@ -168,7 +168,7 @@ TEST(ManyContactsTest, AttachmentsCarryTheWholeFlexibility) {
     EXPECT_LT(contact.flexibility_share, 0.99) << contact.name;
     EXPECT_GT(contact.flexibility_share, 0.05) << contact.name;
   }
-  EXPECT_NE(truncation_warning(figures).find("stops.1 ("), std::string::npos);
+  EXPECT_NE(flexibility_warning(figures).find("stops.1 ("), std::string::npos);
 }
 
 Matrix gap_rows(const System &system) {

@@ -28,6 +28,9 @@ public:
   std::string name() const override { return "linear penalty"; }
   int initial_mode(const LocalState &state) const override { return open_or_contact(state); }
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
+  std::optional<ElasticForce> elastic_force() const override {
+    return ElasticForce{.stiffness = stiffness_, .exponent = 1};
+  }
 
 private:
   double stiffness_;

@@ -50,4 +50,11 @@ void PiecewiseStop::evaluate(int mode, const LocalState &state, LawResponse &res
   response.dissipated_power = damping_constant * state.gap_rate * state.gap_rate;
 }
 
+// A dashpot alone has no elastic force.
+std::optional<ElasticForce> PiecewiseStop::elastic_force() const {
+  if (stiffness_ == 0)
+    return std::nullopt;
+  return ElasticForce{.stiffness = stiffness_, .exponent = 1};
+}
+
 } // namespace vibroimpact

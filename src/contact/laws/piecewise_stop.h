@@ -32,6 +32,7 @@ public:
   std::string name() const override { return "piecewise stop"; }
   int initial_mode(const LocalState &state) const override { return open_or_contact(state); }
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
+  std::optional<ElasticForce> elastic_force() const override;
 
 private:
   double stiffness_;

@@ -39,6 +39,9 @@ public:
   std::vector<InternalState> internal_states() const override;
   int initial_mode(const LocalState &state) const override;
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
+  std::optional<ElasticForce> elastic_force() const override {
+    return ElasticForce{.stiffness = stiffness_, .exponent = 1};
+  }
 
 private:
   double stiffness_;

@@ -1,0 +1,57 @@
+#include "modes/impulse_response.h"
+
+#include "modes/factorisation.h"
+
+namespace vibroimpact::modes {
+
+using petsc::check;
+
+namespace {
+
+petsc::Vector diagonal_vector(Mat matrix) {
+  petsc::Vector diagonal;
+  check(MatCreateVecs(matrix, nullptr, diagonal.address()), "Making a vector");
+  check(MatGetDiagonal(matrix, diagonal.get()), "Reading a matrix");
+  return diagonal;
+}
+
+Block own_entries(Vec vector) {
+  PetscInt size = 0;
+  const double *entries = nullptr;
+  check(VecGetLocalSize(vector, &size), "Reading a vector");
+  check(VecGetArrayRead(vector, &entries), "Reading a vector");
+  Block own = Eigen::Map<const Vector>(entries, size);
+  check(VecRestoreArrayRead(vector, &entries), "Reading a vector");
+  return own;
+}
+
+/// The matrix with 1 on the diagonal where there is 0, which leaves the others alone.
+petsc::Matrix regular(Mat mass) {
+  const petsc::Vector diagonal = diagonal_vector(mass);
+  double *entries = nullptr;
+  PetscInt size = 0;
+  check(VecGetLocalSize(diagonal.get(), &size), "Reading a vector");
+  check(VecGetArray(diagonal.get(), &entries), "Reading a vector");
+  for (PetscInt i = 0; i < size; ++i)
+    entries[i] = entries[i] == 0 ? 1 : 0;
+  check(VecRestoreArray(diagonal.get(), &entries), "Writing a vector");
+  petsc::Matrix matrix;
+  check(MatDuplicate(mass, MAT_COPY_VALUES, matrix.address()), "Copying a matrix");
+  check(MatDiagonalSet(matrix.get(), diagonal.get(), ADD_VALUES), "Changing a matrix");
+  return matrix;
+}
+
+} // namespace
+
+Vector diagonal(Mat matrix) {
+  return gather(Layout(matrix), own_entries(diagonal_vector(matrix).get()));
+}
+
+Matrix impulse_response(Mat mass, const Matrix &impulses) {
+  const Layout layout(mass);
+  const petsc::Matrix matrix = regular(mass);
+  const Factorisation factorised(matrix.get(), mass, 0);
+  return gather(layout, factorised.solve(own_rows(layout, impulses)));
+}
+
+} // namespace vibroimpact::modes

@@ -1,0 +1,17 @@
+// The velocities of a body right after an impulse.
+#pragma once
+
+#include "modes/vector_block.h"
+
+namespace vibroimpact::modes {
+
+/// The diagonal of a matrix: all rows on every rank. Collective.
+Vector diagonal(Mat matrix);
+
+/// v with M v = impulse for each column, rows as in the matrix, the same on every rank. A degree of
+/// freedom without mass (zero on the diagonal, and so in its row) has no velocity of its own: its
+/// impulse must be zero, and so is its velocity. Collective. Throws NumericalError when MUMPS
+/// fails.
+Matrix impulse_response(Mat mass, const Matrix &impulses);
+
+} // namespace vibroimpact::modes
