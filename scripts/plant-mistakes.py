@@ -20,7 +20,6 @@ empty lines; lines from # on are comments. The old text must stand in the file o
 import argparse
 import collections
 import difflib
-import importlib.util
 import json
 import os
 import pathlib
@@ -34,20 +33,15 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # What needs hours, says nothing of the code, or repeats on several ranks what one has done.
-LEFT_OUT = r"verification|architecture|\.ranks\d|^simulation\.runs$|^output\.check_plots$"
+LEFT_OUT = r"^architecture|\.ranks\d|^simulation\.runs$|^output\.check_plots$"
 
 Mistake = collections.namedtuple("Mistake", "file line kind start end new")
 
 
-def folders_in_order():
-    rules = ROOT / "tests" / "architecture" / "check_sources.py"
-    spec = importlib.util.spec_from_file_location("check_sources", rules)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return [*module.ORDER, "simulation"]
+sys.path.insert(0, str(ROOT / "tests" / "architecture"))
+from check_sources import ORDER as FOLDERS  # noqa: E402
 
-
-ORDER = folders_in_order()
+ORDER = [*FOLDERS, "simulation"]
 
 
 # ---- places ------------------------------------------------------------------------------------
@@ -229,6 +223,7 @@ class Entry:
         self.environment = dict(pair.split("=", 1) for pair in properties.get("ENVIRONMENT", []))
         self.folder = pathlib.Path(properties["WORKING_DIRECTORY"]).name
         self.directory = properties["WORKING_DIRECTORY"]
+        self.labels = properties.get("LABELS", [])
         self.usual = 0.0
 
     def run(self, limit):
@@ -251,7 +246,7 @@ def entries(copy, left_out):
                            capture_output=True, text=True).stdout
     found = [Entry(test) for test in json.loads(shown)["tests"]
              if "command" in test and not re.search(left_out, test["name"])]
-    return [entry for entry in found if entry.folder in ORDER]
+    return [entry for entry in found if entry.folder in ORDER and "verification" not in entry.labels]
 
 
 def measure(tests, file):
