@@ -94,10 +94,12 @@ TEST(SteppedSweepTest, BothStableOrbitsBetweenTheFolds) {
 }
 
 // Turned between the folds, the backward sweep goes on from the end of the forward one, on the same
-// orbit; begun from rest it would be on the other.
+// orbit; begun from the initial conditions, which are those of the orbit without contact there, it
+// would be on the other.
 TEST(SteppedSweepTest, TheBackwardSweepGoesOnWhereTheForwardOneEnds) {
   const SteppedSweep::Settings turned = sweep(1.20, 1.30, 5);
   System system = isolator(1);
+  system.initial.velocity[0] = 0.52 * 1.30 / (1 - 1.30 * 1.30);
   testing::Points points;
   SteppedSweep(turned).run_line(0, system, points);
   for (const std::size_t point : {2u, 3u, 4u})

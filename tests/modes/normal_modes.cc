@@ -28,16 +28,17 @@ TEST(NormalModes, LowFrequenciesOfFineMeshesAreAccurate) {
 }
 
 // A bar on a spring so soft that it moves as a rigid body: omega^2 = k / m up to k L / (3 E A).
-// That lies far below the shift of the spectrum, to which the errors are relative at first.
+// That lies far below the shift of the spectrum, to which the errors are relative at first; a bound
+// below rounding could not hold.
 TEST(NormalModes, BoundsHoldBelowTheShift) {
-  for (const double spring : {1e-2, 3e-2, 1e-1, 0.7, 5.0}) {
+  for (const double spring : {1e-9, 3e-8, 1e-7, 1e-6}) {
     BeamDefinition bar = thin_beam(2);
     bar.supports.push_back({"line", {"all", {}}, {true, true, false, true, true, true}, {}});
     bar.supports.push_back({"spring", {"end", {}}, {}, {0, 0, spring, 0, 0, 0}});
     const NormalModes modes = solve_beam(bar, {1, {}});
     const double softness = spring * beam_length(bar) / (3 * 206e9 * 0.03 * 0.00075);
     const double error = std::abs(modes.eigenvalues[0] / (spring / beam_mass(bar)) - 1);
-    EXPECT_LE(error, modes.error_bounds[0] + softness) << spring;
+    EXPECT_LE(error, modes.error_bounds[0] + softness + 4e-16) << spring;
     EXPECT_GT(modes.error_bounds[0], 1e-16) << spring;
   }
 }

@@ -4,19 +4,18 @@ same answer on one, two and three ranks.
 
 usage: check_contacts.py PROGRAM MPIEXEC
 """
-import base64
 import pathlib
 import re
-import struct
 import subprocess
 import sys
 import tempfile
 import unittest
-import xml.etree.ElementTree as ElementTree
-import zlib
 
 import h5py
 import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+from vtu_arrays import vtu_arrays  # noqa: E402
 
 PROGRAM, MPIEXEC = sys.argv[1:3]
 
@@ -73,29 +72,6 @@ subsection Analysis rattle
 end
 """
 NODES = {"stops.1": (0.2, 0.1, 0), "stops.2": (0.3, 0.2, 0), "stops.3": (0.5, 0.3, 0)}
-
-
-def vtu_arrays(file):
-    """Points and point data of a VTU file with compressed inline arrays."""
-    root = ElementTree.parse(file).getroot()
-    piece = root.find("UnstructuredGrid/Piece")
-    arrays = {}
-    for array in [*piece.find("Points"), *piece.find("PointData")]:
-        text = re.sub(r"\s", "", array.text)
-        count = struct.unpack("<I", base64.b64decode(text[:8])[:4])[0]
-        length = 4 * ((4 * (3 + count) + 2) // 3)  # of the header in base 64
-        header = struct.unpack(f"<{3 + count}I", base64.b64decode(text[:length])[:4 * (3 + count)])
-        data, position = b"", 0
-        packed = base64.b64decode(text[length:])
-        for size in header[3:]:
-            data += zlib.decompress(packed[position:position + size])
-            position += size
-        kind = {"Float32": "<f4", "Float64": "<f8"}[array.get("type")]
-        values = np.frombuffer(data, kind)
-        components = int(array.get("NumberOfComponents", 1))
-        name = array.get("Name") or "Points"
-        arrays[name] = values.reshape(-1, components) if components > 1 else values
-    return arrays
 
 
 class ManyContacts(unittest.TestCase):
