@@ -2,10 +2,12 @@
 //
 // A triangle lies in its plane. Bending without stretching turns its corners against each other
 // about axes of the surface, of which a part lies along the triangle's normal: to the drilling
-// rotation it looks like bending in the plane. The energy of this grows against that of bending
-// with (s/t)^2, s being the sagitta of the surface over the triangle and t the thickness: on a
-// sphere, of radius R, 4 s/t = size^2 / (R t) and the ratio is (4 s/t)^2 / 80 (the hemisphere of
-// docs/gallery/plates-and-shells.md); on a twisted strip it is a few times that.
+// rotation it looks like bending in the plane. In a surface that curves one way only, most bending
+// turns about the straight lines of the surface, along which the normal is constant, and little of
+// it is felt. What counts is the Gaussian curvature 1/R^2: with m = size^2 / (R t), t the
+// thickness, the energy of this is 0.02 m^2 of that of bending on a hemisphere, 0.08 m^2 on a
+// hyperbolic paraboloid, 0.2 m^2 on a twisted strip and 0.4 m^2 on a skewed mesh of it
+// (docs/gallery/plates-and-shells.md).
 #pragma once
 
 #include "structure/mesh.h"
@@ -16,9 +18,9 @@ namespace vibroimpact::structure {
 
 struct TriangleLocking {
   int triangles = 0; ///< of the mesh
-  int locking = 0;   ///< with a sagitta of more than a quarter of the thickness
+  int locking = 0;   ///< with m > 1/4
   /// The worst of them.
-  double sagitta_to_thickness = 0;
+  double size_ratio = 0;           ///< m
   Vector3 place = Vector3::Zero(); ///< its middle [m]
 };
 
