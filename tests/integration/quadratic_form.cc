@@ -22,8 +22,8 @@ TEST(QuadraticFormTest, TermsOfVeryDifferentSize) {
   EXPECT_NEAR((*form)(0, 2), 0, 1e-7);
 }
 
-// Where the square is one, the linear term is 1e9 with a rounding of 1e-7: the square is known to as
-// much. Near zero it would be lost.
+// Where the square is one, the linear term is 1e9 with a rounding of 1e-7: the square is known to
+// as much. Near zero it would be lost.
 TEST(QuadraticFormTest, ASquareBesideALargeLinearTerm) {
   const std::optional<Matrix> form =
       quadratic_form([](const Vector &x) { return 1e-6 * x[0] * x[0] + 1e6 * x[0]; }, 1);
