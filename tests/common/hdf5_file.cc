@@ -4,6 +4,7 @@
 #include "text_of.h"
 
 #include <gtest/gtest.h>
+#include <hdf5.h>
 
 namespace vibroimpact {
 namespace {
@@ -113,6 +114,16 @@ TEST_F(Hdf5FileTest, ErrorsNameFileObjectAndReason) {
   EXPECT_NE(message.find("/g/none"), std::string::npos) << message;
   file.write("/twice", {}, std::vector<double>{0});
   EXPECT_THROW(file.write("/twice", {}, std::vector<double>{0}), std::runtime_error);
+}
+
+// The exception says all: the library prints no stack of errors beside it, even where the program
+// opens a file before it makes one.
+TEST_F(Hdf5FileTest, ErrorsAreNotPrinted) {
+  testing::write_text(name, "no hdf5");
+  H5Eset_auto2(H5E_DEFAULT, reinterpret_cast<H5E_auto2_t>(H5Eprint2), stderr);
+  ::testing::internal::CaptureStderr();
+  EXPECT_THROW(Hdf5File::open(name), std::runtime_error);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 // The library must not learn of it: whatever is written after the disk is full, the program lives,
