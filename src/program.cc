@@ -11,15 +11,23 @@
 
 #include <petscsys.h>
 
+#include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 namespace vibroimpact {
 
 namespace {
 
-enum ExitCode : int { all_done = 0, bad_input = 1, broke_off = 2, points_failed = 3, stopped = 4 };
+enum ExitCode : int {
+  all_done = 0,
+  bad_input = 1,
+  broke_off = 2,
+  points_failed = 3,
+  stopped = stopped_exit_code
+};
 
 // One BLAS thread for each rank: more would fight over the cores. The function exists only where
 // the BLAS is OpenBLAS.
@@ -61,6 +69,33 @@ void print_version() {
   log::info(text);
 }
 
+// Files for ParaView in the folder, a few of them.
+std::string pictures(const std::filesystem::path &folder) {
+  std::set<std::string> files;
+  for (const auto &entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".pvd")
+      files.insert(entry.path().filename().string());
+  constexpr std::size_t most = 4;
+  std::string list;
+  std::size_t listed = 0;
+  for (const std::string &file : files)
+    if (listed++ < most)
+      list += (list.empty() ? "; for ParaView: " : ", ") + file;
+  return files.size() > most ? list + ", ..." : list;
+}
+
+// What is told on the way to exit code 3 and 0.
+int tell_end(const RunSummary &summary, const std::string &folder) {
+  if (summary.failed > 0)
+    log::warning(std::to_string(summary.failed) +
+                 " points failed; status and reason in results.h5 say which and why.");
+  log::info("Results: " + folder + "/results.h5 and summary.txt" + pictures(folder) +
+            "; figures: vibroimpact-plot " + folder);
+  if (!summary.left_out.empty())
+    throw InputError(summary.left_out);
+  return summary.failed > 0 ? points_failed : all_done;
+}
+
 int run(const CommandLine &line) {
   Simulation simulation(read_parameters(line), MPI_COMM_WORLD, line.body_cache);
   if (line.task == CommandLine::Task::check) {
@@ -74,20 +109,15 @@ int run(const CommandLine &line) {
   if (summary.unbalanced > 0)
     log::warning("the energy balance of " + std::to_string(summary.unbalanced) +
                  " points does not close; unbalanced and energy_residual in results.h5 say which "
-                 "and by how much. Try a smaller Relative tolerance.");
+                 "and by how much. A smaller Maximum step helps where little but a moving base "
+                 "drives the motion, a smaller Relative tolerance in most other cases; where "
+                 "neither does, compare with Method = rk.");
   if (summary.interrupted) {
     log::info("Stopped. Everything finished so far is in " + folder + "; go on with --resume " +
               folder);
     return stopped;
   }
-  if (summary.failed > 0)
-    log::warning(std::to_string(summary.failed) +
-                 " points failed; status and reason in results.h5 say which and why.");
-  log::info("Results: " + folder +
-            "/results.h5 and summary.txt; modes.pvd for ParaView; figures: "
-            "vibroimpact-plot " +
-            folder);
-  return summary.failed > 0 ? points_failed : all_done;
+  return tell_end(summary, folder);
 }
 
 int perform(const CommandLine &line) {
@@ -130,7 +160,8 @@ int guarded(int argc, char **argv, int rank) {
 } // namespace
 
 int run_program(int argc, char **argv) {
-  install_signal_handlers();
+  // Under mpirun one of the processes speaks for all, once they know who they are.
+  install_signal_handlers(std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr);
   use_one_blas_thread();
   // PETSc must see none of the program's own arguments, nor a .petscrc of the user.
   char skip[] = "-skip_petscrc";
@@ -141,7 +172,7 @@ int run_program(int argc, char **argv) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   log::set_rank(rank);
-  install_signal_handlers(); // again: the libraries set their own
+  install_signal_handlers(rank == 0); // again: the libraries set their own
   return guarded(argc, argv, rank);
 }
 

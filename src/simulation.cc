@@ -3,7 +3,10 @@
 #include "analyses/cost.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "common/signals.h"
+#include "common/work_limit.h"
 #include "contact/contact_set.h"
+#include "contact/laws.h"
 #include "integration/settings.h"
 #include "model/connection.h"
 #include "model/excitation.h"
@@ -50,6 +53,10 @@ namespace {
 std::filesystem::path body_file_name(const std::string &fingerprint) {
   return std::filesystem::path("bodies") / (content_hash(fingerprint) + ".body");
 }
+
+// Of processor time, in --check [s].
+constexpr double longest_reduction_in_check = 7;
+constexpr double longest_trial = 2.5; // of all analyses together
 
 // Can a key at this path change a body?
 bool reaches_bodies(const std::string &path) {
@@ -223,11 +230,19 @@ derived::DerivedQuantities Simulation::derived_quantities(const std::vector<Job>
   return quantities;
 }
 
-void Simulation::log_cost(const Job &job) const {
-  const Case first = build_case(job, grid_overrides(job.keys, 0));
-  check_case(first);
-  log::info("analysis " + job.name + ": " +
-            cost_sentence(*first.analysis, first.system, grid_size(job.keys)));
+// Rank 0 tries for so many seconds at most; the others have nothing to do. Returns the estimate
+// [s].
+double Simulation::log_cost(const Job &job, double seconds) const {
+  check_case(build_case(job, grid_overrides(job.keys, 0)));
+  int rank = 0;
+  MPI_Comm_rank(communicator_, &rank);
+  if (rank != 0)
+    return 0;
+  const Cost cost = estimate_cost(
+      job.keys, [&](const std::vector<Override> &overrides) { return build_case(job, overrides); },
+      seconds);
+  log::info("analysis " + job.name + ": " + cost.sentence());
+  return cost.seconds;
 }
 
 namespace {
@@ -244,6 +259,19 @@ void log_groups(const ContactSet &contacts, std::set<std::string> &told) {
 }
 
 } // namespace
+
+// A grid may change the law of a contact.
+void Simulation::warn_of_unused_laws(const std::vector<Job> &jobs) const {
+  std::vector<std::string> swept;
+  for (const Job &job : jobs)
+    for (const std::string &path : grid_paths(job.keys))
+      swept.push_back(path);
+  const Values root = parameters_->root();
+  for (const std::string &name : listed_instances(root, "Contacts", "Contact"))
+    if (std::find(swept.begin(), swept.end(), "Contact/" + name + "/Law") == swept.end())
+      for (const std::string &warning : unused_law_sections(root.instance("Contact", name)))
+        log::warning(warning);
+}
 
 // Of the contacts of all analyses, as the first point of each has them. Tells of their pairings,
 // and where the bodies keep too few modes for them.
@@ -267,12 +295,27 @@ std::vector<ContactFigures> Simulation::contacts_of(const std::vector<Job> &jobs
 void Simulation::check() {
   const std::vector<Job> all = jobs();
   derived_quantities(all);
-  reduce_all(all);
+  int rank = 0;
+  MPI_Comm_rank(communicator_, &rank);
+  {
+    const EndAtLimit limit(longest_reduction_in_check,
+                           "The keys of the file are good. Its bodies take longer to reduce than a "
+                           "check may, so that contacts, analyses and cost are not checked; the "
+                           "run itself checks them before it computes anything.",
+                           rank == 0);
+    reduce_all(all);
+  }
   for (const auto &body : bodies(parameters_->root()))
     log::info("body " + body->name + ": " + body_sentence(*body));
-  for (const Job &job : all)
-    log_cost(job);
+  warn_of_unused_laws(all);
   contacts_of(all);
+  const double so_far = processor_seconds();
+  double seconds = so_far;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    seconds += log_cost(all[i], (so_far + longest_trial - processor_seconds()) /
+                                    static_cast<double>(all.size() - i));
+  log::info("in all about " + short_number(seconds) + " s on one core, " + short_number(so_far) +
+            " s of them for the bodies and before");
 }
 
 RunSummary Simulation::run(const RunOptions &options) {
@@ -283,6 +326,7 @@ RunSummary Simulation::run(const RunOptions &options) {
   reduce_all(all);
   for (const Job &job : all)
     check_case(build_case(job, grid_overrides(job.keys, 0)));
+  const DeferSignals results_at_stake;
   RunFolder folder(communicator_, options.folder, options.existing, parameters_->echo());
   log::open_file(folder.log_file().string());
   keep_bodies(folder);
@@ -297,6 +341,7 @@ RunSummary Simulation::run(const RunOptions &options) {
   MPI_Comm_rank(communicator_, &rank);
   if (rank == 0)
     write_mode_files(folder, reduced);
+  warn_of_unused_laws(all);
   RunSummary total;
   for (const Job &job : all) {
     const RunSummary summary = run_analysis(
@@ -310,7 +355,8 @@ RunSummary Simulation::run(const RunOptions &options) {
     if (total.interrupted)
       break;
   }
-  sink.check_derived();
+  if (!total.interrupted)
+    total.left_out = sink.missing_derived();
   return total;
 }
 

@@ -61,7 +61,8 @@ private:
   std::optional<ReducedBody> kept_body(const std::string &fingerprint) const;
   void keep_bodies(RunFolder &folder) const;
   derived::DerivedQuantities derived_quantities(const std::vector<Job> &jobs) const;
-  void log_cost(const Job &job) const;
+  void warn_of_unused_laws(const std::vector<Job> &jobs) const;
+  double log_cost(const Job &job, double seconds) const;
   std::vector<ContactFigures> contacts_of(const std::vector<Job> &jobs) const;
   std::string file_folder() const;
 

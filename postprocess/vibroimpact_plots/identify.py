@@ -180,7 +180,7 @@ def restitution_over_ratio(sheet: Sheet):
 def force_record(sheet: Sheet):
     """The sampled record, and the pulses as they were."""
     figure, (axes,) = style.panels(1, height=2.8)
-    axes.vlines(sheet.of_motion("time"), 0, sheet.of_motion("peak_force"), color="0.7",
+    axes.vlines(sheet.of_motion("peak_time"), 0, sheet.of_motion("peak_force"), color="0.7",
                 label="pulses, true peak")
     axes.plot(sheet.analysis.read(sheet.path("record/time")).values,
               sheet.analysis.read(sheet.path("record/force")).values, color=style.COLOURS[0],

@@ -142,12 +142,12 @@ def draw_pulses(axes, analysis: Analysis, contact: str) -> None:
 
 
 def impact_peaks(analysis: Analysis, contact: str):
-    """Start and peak force of all impacts, or None. A history is sampled and can miss the peaks of
-    short impacts; the table has them as they were."""
+    """Instant and force of the peaks of all impacts, or None. A history is sampled and can miss the
+    peaks of short impacts; the table has them as they were."""
     table = f"contact/{contact}/impact/"
-    if not analysis.has(table + "time") or not analysis.has(table + "peak_force"):
+    if not analysis.has(table + "peak_time") or not analysis.has(table + "peak_force"):
         return None
-    return analysis.read(table + "time"), analysis.read(table + "peak_force")
+    return analysis.read(table + "peak_time"), analysis.read(table + "peak_force")
 
 
 def draw_peaks(axes, analysis: Analysis, peaks, time_scale, scale) -> Line2D:

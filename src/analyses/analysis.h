@@ -7,6 +7,7 @@
 
 #include "analyses/system.h"
 #include "common/result_sink.h"
+#include "common/signals.h"
 
 #include <memory>
 #include <stdexcept>
@@ -14,9 +15,6 @@
 #include <vector>
 
 namespace vibroimpact {
-
-/// Thrown by LineContext::store when the run was asked to stop: the point is kept, the line ends.
-struct Interrupted {};
 
 /// Where a line finds what is already done and leaves what it has computed.
 class LineContext {
@@ -26,18 +24,15 @@ public:
   virtual const PointResult *find(const std::vector<std::size_t> &index) const = 0;
   /// Makes the point durable. Throws Interrupted after that when the run is to stop.
   virtual void store(PointResult result) = 0;
+  /// The share (0 to 1) of the point at hand that is done, at least; called now and then in a long
+  /// motion. Throws Interrupted when the run is to stop: the point is then left unfinished.
+  virtual void note_progress(double /*share*/) {}
   /// The point was found finished: only the progress counts on.
   virtual void skip() = 0;
   /// The system of this line with other values of some keys. InputError.
   virtual System build(const std::vector<parameters::Override> & /*overrides*/) const {
     throw std::logic_error("no other systems can be built here");
   }
-};
-
-/// Rough size of the work of one line, for the cost estimate.
-struct Workload {
-  double simulated_time = 0; ///< [s]
-  std::size_t points = 1;
 };
 
 class Analysis {
@@ -47,7 +42,6 @@ public:
   virtual std::string type() const = 0;
   virtual std::vector<Axis> axes() const = 0;
   virtual std::size_t lines() const { return 1; }
-  virtual Workload workload(const System &system) const = 0;
   /// InputError when the system and the analysis do not fit, before anything runs.
   virtual void check(const System &system) const = 0;
   /// Values of keys at which run_line() will build other systems, known beforehand so that their

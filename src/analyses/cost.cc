@@ -1,55 +1,247 @@
 #include "analyses/cost.h"
 
-#include "common/error.h"
-#include "integration/trajectory.h"
+#include "common/work_limit.h"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <numbers>
+#include <numeric>
 #include <sstream>
 
 namespace vibroimpact {
 
 namespace {
 
-// Seconds of the motion from the initial conditions that are integrated in a second, here and now.
-// Models without frequencies of their own are tried for parts of the time that is wanted.
-double motion_per_second(const System &system, double wanted) {
-  using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::duration<double> enough(0.05);
-  const double highest = std::max(system.model.highest_frequency(), 1e-3);
-  const double stretch = std::min(2 * std::numbers::pi / highest, wanted / 1000);
-  Trajectory trajectory(system.model, system.contacts, system.integration);
-  trajectory.start(0, system.initial.displacement, system.initial.velocity);
-  const Clock::time_point start = Clock::now();
-  std::chrono::duration<double> elapsed{};
-  for (int i = 1; elapsed < enough && i <= 5000; ++i) {
-    trajectory.advance(i * stretch);
-    elapsed = Clock::now() - start;
+constexpr std::size_t points_at_a_place = 5; // measured, behind the one that begins
+constexpr std::size_t most_places = 60;
+constexpr std::size_t least_places = 8;
+constexpr double good_enough = 0.05; // relative standard error
+constexpr double least_told = 0.01;  // [s]
+
+/// The steps first ... last of a line, the others being left out, and the time each takes.
+class TriedSteps : public LineContext {
+public:
+  TriedSteps(std::size_t first, std::size_t last, const SystemSource &source)
+      : first_(first), last_(last), source_(source), begun_(processor_seconds()) {
+    left_out_.status = Status::failed; // no state to go on from
   }
-  return trajectory.time() / elapsed.count();
+
+  const PointResult *find(const std::vector<std::size_t> & /*index*/) const override {
+    const std::size_t step = asked_++;
+    return step >= first_ && step <= last_ ? nullptr : &left_out_;
+  }
+  void store(PointResult result) override {
+    const double now = processor_seconds();
+    times_.push_back(now - begun_);
+    begun_ = now;
+    share_ = 0;
+    if (result.status == Status::failed && failed_++ == 0)
+      reason_ = result.reason;
+    if (first_ + times_.size() > last_)
+      throw Interrupted{}; // the rest of the line is not needed
+  }
+  void note_progress(double share) override {
+    share_ = share;
+    leave_if_stopped();
+  }
+  void skip() override {}
+  System build(const std::vector<parameters::Override> &overrides) const override {
+    return source_(overrides);
+  }
+
+  const std::vector<double> &times() const { return times_; } ///< of the finished steps [s]
+  std::size_t failed() const { return failed_; }
+  const std::string &reason() const { return reason_; }
+  /// Of the step at which the limit was reached.
+  double share() const { return share_; }
+  double since_last() const { return processor_seconds() - begun_; } ///< [s]
+
+private:
+  std::size_t first_, last_;
+  const SystemSource &source_;
+  double begun_;
+  mutable std::size_t asked_ = 0;
+  PointResult left_out_;
+  std::vector<double> times_;
+  std::size_t failed_ = 0;
+  std::string reason_;
+  double share_ = 0;
+};
+
+/// Times of tried parts that have the same meaning.
+class Sample {
+public:
+  void add(double value) {
+    sum_ += value;
+    squares_ += value * value;
+    ++count_;
+  }
+  std::size_t count() const { return count_; }
+  double mean() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0; }
+  /// Standard error of the mean; 0 for less than two.
+  double error() const {
+    if (count_ < 2)
+      return 0;
+    const auto n = static_cast<double>(count_);
+    return std::sqrt(std::max(0.0, squares_ / n - mean() * mean()) / (n - 1));
+  }
+
+private:
+  double sum_ = 0, squares_ = 0;
+  std::size_t count_ = 0;
+};
+
+// Every place once, neighbours far apart in time: steps of about the golden section, coprime with
+// the number of places.
+std::size_t stride_over(std::size_t places) {
+  auto stride = std::max<std::size_t>(
+      1, static_cast<std::size_t>(static_cast<double>(places) / std::numbers::phi));
+  while (std::gcd(stride, places) != 1)
+    ++stride;
+  return stride;
 }
+
+class Estimate {
+public:
+  Estimate(const std::vector<GridKey> &keys, const CaseFactory &factory)
+      : keys_(keys), factory_(factory), first_(factory(grid_overrides(keys, 0))),
+        lines_(first_.analysis->lines()) {
+    std::size_t points = 1;
+    for (const Axis &axis : first_.analysis->axes())
+      points *= axis.size();
+    steps_ = points / lines_;
+    tasks_ = grid_size(keys) * lines_;
+    parts_ = (steps_ + points_at_a_place - 1) / points_at_a_place;
+    cost_.points = steps_ * tasks_;
+  }
+
+  Cost within(double seconds) {
+    const double end = processor_seconds() + seconds;
+    const std::size_t places = tasks_ * parts_;
+    const std::size_t stride = stride_over(places);
+    std::size_t place = places / 2;
+    for (std::size_t i = 0; i < std::min(places, most_places) && !sure(); ++i) {
+      // Half of what is left, lest one slow place be all that is tried.
+      const double left = end - processor_seconds();
+      if (!(left > 0.02 * seconds))
+        break;
+      try_place(place, places == 1 ? left : left / 2);
+      place = (place + stride) % places;
+    }
+    finish();
+    return cost_;
+  }
+
+private:
+  bool sure() const {
+    return following_.count() >= least_places &&
+           following_.error() < good_enough * following_.mean();
+  }
+
+  void try_place(std::size_t place, double seconds) {
+    const WorkLimit limit(seconds);
+    const std::size_t task = place / parts_;
+    const std::size_t measured = (place % parts_) * points_at_a_place;
+    const std::size_t first = measured > 0 ? measured - 1 : 0;
+    const std::size_t last = std::min(steps_ - 1, measured + points_at_a_place - 1);
+    const double start = processor_seconds();
+    try {
+      Case work = factory_(grid_overrides(keys_, task / lines_));
+      building_.add(processor_seconds() - start);
+      TriedSteps steps(first, last, work.source);
+      try {
+        work.analysis->run_line(task % lines_, work.system, steps);
+        note(steps, false);
+      } catch (const Interrupted &) {
+        note(steps, limit.reached());
+      }
+    } catch (const InputError &error) {
+      building_.add(processor_seconds() - start);
+      note_failure(1, error.what());
+    }
+  }
+
+  void note(const TriedSteps &steps, bool cut) {
+    const std::vector<double> &times = steps.times();
+    cost_.tried += times.size();
+    note_failure(steps.failed(), steps.reason());
+    if (!times.empty())
+      beginning_.add(times.front());
+    if (times.size() > 1)
+      following_.add(std::accumulate(times.begin() + 1, times.end(), 0.0) /
+                     static_cast<double>(times.size() - 1));
+    if (cut && steps.share() > 0) // left out, the slow ones would be missed
+      (times.empty() ? beginning_ : following_).add(steps.since_last() / steps.share());
+    else if (cut)
+      longest_cut_ = std::max(longest_cut_, steps.since_last());
+  }
+
+  void note_failure(std::size_t failed, const std::string &reason) {
+    if (failed > 0 && cost_.failed == 0)
+      cost_.reason = reason;
+    cost_.failed += failed;
+  }
+
+  // Each line has one point that begins it; the others go on from the one before.
+  void finish() {
+    const auto tasks = static_cast<double>(tasks_);
+    const double others = static_cast<double>(cost_.points) - tasks;
+    const Sample &following = following_.count() > 0 ? following_ : beginning_;
+    cost_.by_parts = cost_.tried == 0 && beginning_.count() > 0;
+    cost_.at_least = beginning_.count() == 0 && longest_cut_ > 0;
+    cost_.seconds =
+        tasks * (building_.mean() + beginning_.mean()) + others * following.mean() + longest_cut_;
+    if (cost_.tried < cost_.points)
+      cost_.error = std::hypot(tasks * beginning_.error(), others * following.error());
+  }
+
+  const std::vector<GridKey> &keys_;
+  const CaseFactory &factory_;
+  Case first_;
+  std::size_t lines_;
+  std::size_t steps_ = 1; ///< of a line
+  std::size_t parts_ = 1; ///< of a line
+  std::size_t tasks_ = 1; ///< lines of all grid points
+  Sample building_, beginning_, following_;
+  double longest_cut_ = 0;
+  Cost cost_;
+};
 
 } // namespace
 
-std::string cost_sentence(const Analysis &analysis, const System &system, std::size_t repetitions) {
-  const Workload work = analysis.workload(system);
-  const auto lines = static_cast<double>(analysis.lines() * repetitions);
+// Two digits, or whole seconds.
+std::string short_number(double seconds) {
   std::ostringstream text;
-  text.precision(3);
-  text << system.model.size() << " coordinates, " << lines * static_cast<double>(work.points)
-       << " points, at most " << lines * work.simulated_time << " s of motion, ";
-  if (!(work.simulated_time > 0)) {
-    text << "nothing to integrate";
-    return text.str();
-  }
-  try {
-    text << "about " << lines * work.simulated_time / motion_per_second(system, work.simulated_time)
-         << " s of computing on one core if nothing settles early";
-  } catch (const NumericalError &error) {
-    text << "of which no estimate can be made: " << error.what();
-  }
+  text.precision(2);
+  if (seconds >= 100)
+    text << std::llround(seconds);
+  else
+    text << seconds;
   return text.str();
+}
+
+std::string Cost::sentence() const {
+  std::ostringstream text;
+  text << points << (points == 1 ? " point, " : " points, ");
+  if (!at_least && seconds + 2 * error < least_told)
+    text << "less than " << least_told;
+  else
+    text << (at_least ? "more than " : "about ") << short_number(seconds);
+  text << " s of computing on one core";
+  const double twice = 2 * error;
+  if (by_parts)
+    text << " by a part of the motion; less if it settles early";
+  else if (tried < points && error > 0) {
+    text << " (" << short_number(std::max(seconds - twice, seconds / 10)) << " to "
+         << short_number(seconds + twice) << " s; " << tried << " points tried)";
+  }
+  if (failed > 0)
+    text << "; " << failed << " of " << tried << " tried points failed: " << reason;
+  return text.str();
+}
+
+Cost estimate_cost(const std::vector<GridKey> &keys, const CaseFactory &factory, double seconds) {
+  return Estimate(keys, factory).within(seconds);
 }
 
 std::string body_sentence(const ReducedBody &body) {

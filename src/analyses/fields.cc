@@ -36,8 +36,19 @@ const AccuracyLabels &accuracy_labels() {
   return labels;
 }
 
-// Of a scalar; 0 when the point does not have it.
-double scalar_of(const PointResult &result, const Label &label) {
+struct SettledLabels {
+  Label steady{"steady", "1", "1 when the motion was judged steady before recording"};
+  Label multiple{"period_multiple", "1", "forcing periods after which it repeats, 0 unknown"};
+  Label cycles{"settling_cycles", "1", "forcing periods before recording"};
+};
+
+const SettledLabels &settled_labels() {
+  static const SettledLabels labels;
+  return labels;
+}
+
+// Of a scalar; `otherwise` when the point does not have it.
+double scalar_of(const PointResult &result, const Label &label, double otherwise) {
   const auto first = [&result](auto is_wanted) {
     const auto found = std::find_if(result.fields.begin(), result.fields.end(), is_wanted);
     return found == result.fields.end() ? nullptr : &*found;
@@ -45,7 +56,7 @@ double scalar_of(const PointResult &result, const Label &label) {
   const Field *found = first([&](const Field &field) { return field.label == label; });
   if (found == nullptr) // an earlier version of the program may have described it otherwise
     found = first([&](const Field &field) { return field.name() == label.name(); });
-  return found == nullptr || found->values.empty() ? 0 : found->values[0];
+  return found == nullptr || found->values.empty() ? otherwise : found->values[0];
 }
 
 constexpr Column columns[] = {
@@ -58,6 +69,8 @@ constexpr Column columns[] = {
     {"restitution_coefficient", "1", "separation speed over approach speed",
      [](const Impact &i) { return i.restitution_coefficient(); }},
     {"peak_force", "N", "largest normal force", [](const Impact &i) { return i.peak_force; }},
+    {"peak_time", "s", "instant of the largest normal force",
+     [](const Impact &i) { return i.peak_time; }},
     {"impulse", "N s", "time integral of the normal force",
      [](const Impact &i) { return i.impulse; }},
     {"maximum_penetration", "m", "largest overlap",
@@ -66,6 +79,9 @@ constexpr Column columns[] = {
      [](const Impact &i) { return i.dissipated_energy; }},
     {"chatter_duration", "s", "time in which further impacts, left out, come to rest",
      [](const Impact &i) { return i.chatter_duration; }},
+    {"finished", "1",
+     "1 when the sides parted before the end; 0: the values are those up to the end",
+     [](const Impact &i) { return i.finished ? 1.0 : 0.0; }},
 };
 
 } // namespace
@@ -92,6 +108,13 @@ SummaryLine scalar_line(const std::string &name, double value, const std::string
   return {.label = Label(name, unit, ""), .value = value};
 }
 
+void add_settled(PointResult &result, bool steady, long multiple, long cycles) {
+  const SettledLabels &labels = settled_labels();
+  result.fields.push_back(scalar_field(labels.steady, steady ? 1 : 0));
+  result.fields.push_back(scalar_field(labels.multiple, static_cast<double>(multiple)));
+  result.fields.push_back(scalar_field(labels.cycles, static_cast<double>(cycles)));
+}
+
 void add_accuracy(PointResult &result, const Accuracy &accuracy,
                   const IntegrationSettings &settings) {
   const auto add = [&result](const Label &label, double value) {
@@ -111,11 +134,15 @@ void add_accuracy(PointResult &result, const Accuracy &accuracy,
 }
 
 bool unbalanced(const PointResult &result) {
-  return scalar_of(result, accuracy_labels().unbalanced) > 0;
+  return scalar_of(result, accuracy_labels().unbalanced, 0) > 0;
+}
+
+bool recorded_unsettled(const PointResult &result) {
+  return scalar_of(result, settled_labels().steady, 1) == 0;
 }
 
 double undecided_events(const PointResult &result) {
-  return scalar_of(result, accuracy_labels().undecided_events);
+  return scalar_of(result, accuracy_labels().undecided_events, 0);
 }
 
 namespace {
@@ -144,7 +171,7 @@ void add_group(PointResult &result, const ContactGroup &group, const ImpactLog &
   };
   add("contacts", static_cast<double>(group.count), "1", "contacts of the group");
   add("touched", touched, "1", "contacts with an impact");
-  add("impacts", impacts, "1", "finished impacts of all its contacts");
+  add("impacts", impacts, "1", "impacts of all its contacts");
   add("peak_force", peak, "N", "largest normal force of a single contact");
   add("impulse", impulse, "N s", "sum over all impacts");
   add("dissipated_energy", dissipated, "J", "lost in the contact laws, sum over all impacts");

@@ -21,12 +21,17 @@ Field series_field(const std::string &name, const std::string &dimension,
 
 SummaryLine scalar_line(const std::string &name, double value, const std::string &unit);
 
+/// What a motion has settled to.
+void add_settled(PointResult &result, bool steady, long multiple, long cycles);
+
 /// Accuracy of a motion as fields and summary lines.
 void add_accuracy(PointResult &result, const Accuracy &accuracy,
                   const IntegrationSettings &settings);
 
 /// True when the energy balance of the motion did not close.
 bool unbalanced(const PointResult &result);
+/// True when the motion was recorded before it was judged steady.
+bool recorded_unsettled(const PointResult &result);
 /// Touches of the motion that rounding decides.
 double undecided_events(const PointResult &result);
 

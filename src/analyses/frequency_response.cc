@@ -110,21 +110,22 @@ std::shared_ptr<const Analysis> FrequencyResponse::create(const parameters::Valu
       Settings{.frequencies = read_frequencies(values), .excitation = values.text("Excitation")});
 }
 
-Workload FrequencyResponse::workload(const System & /*system*/) const {
-  return {.simulated_time = 0, .points = 1};
-}
-
 void FrequencyResponse::check(const System &system) const {
   const LinearResponse response(system.model, sweep_source(system, settings_.excitation));
 }
 
-PointResult FrequencyResponse::compute(const System &system) const {
+PointResult FrequencyResponse::compute(const System &system, LineContext &context) const {
   const LinearResponse response(system.model, sweep_source(system, settings_.excitation));
   const std::vector<Channel> channels = observed_channels(system.model);
   const auto at = [&](double frequency) { return response.at(2 * std::numbers::pi * frequency); };
   std::vector<ComplexAmplitudes> motions;
-  for (const double frequency : settings_.frequencies)
+  const auto share = [&] {
+    return static_cast<double>(motions.size()) / static_cast<double>(settings_.frequencies.size());
+  };
+  for (const double frequency : settings_.frequencies) {
     motions.push_back(at(frequency));
+    context.note_progress(share() / 2); // the other half goes into the quantities
+  }
   PointResult result;
   result.fields.push_back(
       series_field("frequency", "frequency", settings_.frequencies, "Hz", "excitation frequency"));
@@ -153,7 +154,7 @@ void FrequencyResponse::run_line(std::size_t /*line*/, System &system, LineConte
   }
   PointResult result;
   try {
-    result = compute(system);
+    result = compute(system, context);
   } catch (const NumericalError &error) {
     result = {.index = {}, .status = Status::failed, .reason = error.what()};
   }

@@ -2,6 +2,7 @@
 
 #include "analyses/fields.h"
 #include "analyses/identify_record.h"
+#include "analyses/motion_progress.h"
 #include "common/error.h"
 
 #include <numbers>
@@ -95,10 +96,6 @@ std::shared_ptr<const Analysis> Identify::create(const parameters::Values &analy
                .listed_impacts = count(values, "Listed impacts")});
 }
 
-Workload Identify::workload(const System & /*system*/) const {
-  return {.simulated_time = settings_.duration, .points = 1};
-}
-
 std::size_t Identify::contact_index(const ContactSet &contacts) const {
   if (settings_.contact.empty() && contacts.size() == 1)
     return 0;
@@ -142,11 +139,12 @@ IdentificationInput Identify::input(const System &system) const {
           .listed_impacts = settings_.listed_impacts};
 }
 
-PointResult Identify::compute(const System &system) const {
+PointResult Identify::compute(const System &system, LineContext &context) const {
   const std::size_t contact = contact_index(system.contacts);
   Trajectory trajectory(system.model, system.contacts, system.integration);
-  ImpactLog log(system.contacts, settings_.recorded_pulses);
-  std::vector<Observer *> observing = {&log};
+  ImpactLog log(system.contacts, settings_.recorded_pulses, true);
+  MotionProgress progress(context, 0, settings_.duration);
+  std::vector<Observer *> observing = {&log, &progress};
   std::optional<ForceRecord> record;
   if (settings_.sampling_frequency > 0)
     observing.push_back(&record.emplace(contact, 1 / settings_.sampling_frequency));
@@ -179,7 +177,7 @@ void Identify::run_line(std::size_t /*line*/, System &system, LineContext &conte
     context.skip();
     return;
   }
-  context.store(compute(system));
+  context.store(compute(system, context));
 }
 
 } // namespace vibroimpact

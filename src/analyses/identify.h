@@ -27,7 +27,6 @@ public:
 
   std::string type() const override { return "identify"; }
   std::vector<Axis> axes() const override { return {}; }
-  Workload workload(const System &system) const override;
   void check(const System &system) const override;
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
@@ -35,7 +34,7 @@ private:
   std::size_t contact_index(const ContactSet &contacts) const;
   ContactConstants constants(const System &system) const;
   IdentificationInput input(const System &system) const;
-  PointResult compute(const System &system) const;
+  PointResult compute(const System &system, LineContext &context) const;
 
   Settings settings_;
 };

@@ -55,8 +55,6 @@ std::shared_ptr<const Analysis> Modal::create(const parameters::Values & /*analy
   return std::make_shared<Modal>();
 }
 
-Workload Modal::workload(const System & /*system*/) const { return {}; }
-
 void Modal::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
   if (context.find({})) {
     context.skip();

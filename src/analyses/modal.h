@@ -12,7 +12,6 @@ public:
 
   std::string type() const override { return "modal"; }
   std::vector<Axis> axes() const override { return {}; }
-  Workload workload(const System &system) const override;
   void check(const System & /*system*/) const override {}
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 };

@@ -139,7 +139,7 @@ Motion FrameRecorder::motion(const ImpactLog &log) const {
     double peak = 0;
     for (std::size_t i = 0; i < motion.time.size(); ++i) {
       for (const Impact &impact : log.impacts(c))
-        if (impact.start_time <= motion.time[i])
+        if (impact.peak_time <= motion.time[i])
           peak = std::max(peak, impact.peak_force);
       peak = std::max(peak, trace.force[i]);
       trace.peak_force.push_back(peak);

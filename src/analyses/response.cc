@@ -1,6 +1,7 @@
 #include "analyses/response.h"
 
 #include "analyses/fields.h"
+#include "analyses/motion_progress.h"
 #include "analyses/steadiness.h"
 #include "analyses/window_recording.h"
 #include "common/error.h"
@@ -70,16 +71,6 @@ double Response::period(const System &system) const {
                    "and Recorded time.");
 }
 
-Workload Response::workload(const System &system) const {
-  const double cycle = period(system);
-  const Window recorded = window(0, cycle);
-  return {.simulated_time =
-              recorded.end + (settings_.by_time
-                                  ? settings_.settling_time
-                                  : static_cast<double>(settings_.settling.maximum) * cycle),
-          .points = 1};
-}
-
 void Response::check(const System &system) const {
   period(system);
   Trajectory trajectory(system.model, system.contacts, system.integration);
@@ -87,16 +78,30 @@ void Response::check(const System &system) const {
   const WindowRecording recording(settings_.recorders, system);
 }
 
-SettledMotion Response::settle_motion(const System &system, Trajectory &trajectory,
-                                      double period) const {
+// The motion that is not recorded is the whole but for the window: `share` of the work at most.
+SettledMotion Response::settle_motion(const System &system, Trajectory &trajectory, double period,
+                                      double share, LineContext &context) const {
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   if (!settings_.by_time)
     return settle(trajectory, period,
                   state_scale(trajectory.equations(), 2 * std::numbers::pi / period),
-                  settings_.settling);
-  if (settings_.settling_time > 0)
-    trajectory.advance(settings_.settling_time);
+                  settings_.settling, [&](long periods) {
+                    context.note_progress(share * static_cast<double>(periods) /
+                                          static_cast<double>(settings_.settling.maximum));
+                  });
+  constexpr int parts = 100; // after each of which the progress is noted
+  for (int i = 1; settings_.settling_time > 0 && i <= parts; ++i) {
+    trajectory.advance(i == parts ? settings_.settling_time : settings_.settling_time * i / parts);
+    context.note_progress(share * i / parts);
+  }
   return {};
+}
+
+double Response::settling_share(double period) const {
+  const double settling = settings_.by_time
+                              ? settings_.settling_time
+                              : static_cast<double>(settings_.settling.maximum) * period;
+  return settling / (settling + window(0, period).end);
 }
 
 Window Response::window(double start, double period) const {
@@ -105,23 +110,20 @@ Window Response::window(double start, double period) const {
              : periods_window(start, period, settings_.cycles);
 }
 
-PointResult Response::compute(const System &system) const {
+PointResult Response::compute(const System &system, LineContext &context) const {
   const double cycle = period(system);
+  const double share = settling_share(cycle);
   Trajectory trajectory(system.model, system.contacts, system.integration);
   WindowRecording recording(settings_.recorders, system);
-  const SettledMotion settled = settle_motion(system, trajectory, cycle);
-  recording.run(window(trajectory.time(), cycle), trajectory);
+  const SettledMotion settled = settle_motion(system, trajectory, cycle, share, context);
+  const Window recorded = window(trajectory.time(), cycle);
+  MotionProgress progress(context, recorded.start, recorded.end, share);
+  recording.run(recorded, trajectory, progress);
 
   PointResult result;
   recording.add_fields(result);
-  if (!settings_.by_time) {
-    result.fields.push_back(scalar_field("steady", settled.steady() ? 1 : 0, "1",
-                                         "1 when the motion was judged steady before recording"));
-    result.fields.push_back(scalar_field("period_multiple", static_cast<double>(settled.multiple),
-                                         "1", "forcing periods after which it repeats, 0 unknown"));
-    result.fields.push_back(scalar_field("settling_cycles", static_cast<double>(settled.cycles),
-                                         "1", "forcing periods before recording"));
-  }
+  if (!settings_.by_time)
+    add_settled(result, settled.steady(), settled.multiple, settled.cycles);
   const Vector state = trajectory.motion_state().physical;
   result.fields.push_back(series_field("state", "state", {state.begin(), state.end()}, "SI",
                                        "state at the end: coordinates, their rates, internal "
@@ -137,7 +139,7 @@ void Response::run_line(std::size_t /*line*/, System &system, LineContext &conte
   }
   PointResult result;
   try {
-    result = compute(system);
+    result = compute(system, context);
   } catch (const NumericalError &error) {
     result = {.index = {}, .status = Status::failed, .reason = error.what()};
   }

@@ -28,15 +28,16 @@ public:
 
   std::string type() const override { return "response"; }
   std::vector<Axis> axes() const override { return {}; }
-  Workload workload(const System &system) const override;
   void check(const System &system) const override;
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:
   double period(const System &system) const;
-  SettledMotion settle_motion(const System &system, Trajectory &trajectory, double period) const;
+  SettledMotion settle_motion(const System &system, Trajectory &trajectory, double period,
+                              double share, LineContext &context) const;
+  double settling_share(double period) const;
   Window window(double start, double period) const;
-  PointResult compute(const System &system) const;
+  PointResult compute(const System &system, LineContext &context) const;
 
   Settings settings_;
 };

@@ -53,7 +53,8 @@ private:
 enum : int { next_line = 0, points_done = 1 };
 
 // Points done, told to the others now and then only: a message for each would cost more than a
-// cheap point itself. The clock decides when, for the display alone.
+// cheap point itself. The clock decides when, for the display alone. Of the points at hand only
+// the share of this rank's is known.
 class PointCounter {
 public:
   PointCounter(SharedCounters &counters, Progress &progress)
@@ -65,9 +66,14 @@ public:
       tell();
   }
 
-  void tell() {
+  void count_share(double share) {
+    if (Clock::now() - last_told_ >= std::chrono::milliseconds(100))
+      tell(share);
+  }
+
+  void tell(double share = 0) {
     const long before = counters_.add(points_done, untold_);
-    progress_.update(static_cast<std::size_t>(before + untold_));
+    progress_.update(static_cast<std::size_t>(before + untold_), share);
     untold_ = 0;
     last_told_ = Clock::now();
   }
@@ -111,8 +117,12 @@ public:
     ++(result.status == Status::failed ? summary_.failed : summary_.finished);
     summary_.unbalanced += unbalanced(result) ? 1 : 0;
     count();
-    if (stop_requested())
-      throw Interrupted{};
+    leave_if_stopped();
+  }
+
+  void note_progress(double share) override {
+    counter_.count_share(share);
+    leave_if_stopped();
   }
 
   void skip() override { count(); }

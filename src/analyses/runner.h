@@ -36,6 +36,8 @@ struct RunSummary {
   /// Points of this run, on all ranks, whose energy balance does not close.
   std::size_t unbalanced = 0;
   bool interrupted = false;
+  /// What the result files lack because a derived quantity could not be computed; else empty.
+  std::string left_out{};
 };
 
 /// Lines that a rank has in work at once. With more than one their motions share the vector lanes,

@@ -149,11 +149,15 @@ SettlingRule read_settling(const parameters::Values &section) {
 }
 
 SettledMotion settle(Trajectory &trajectory, double period, const Vector &scale,
-                     const SettlingRule &rule) {
+                     const SettlingRule &rule,
+                     const std::function<void(long periods)> &after_period) {
   Settling settling(trajectory, period, scale, rule);
   while (settling.cycles() < rule.maximum &&
-         !(settling.cycles() >= rule.minimum && settling.steady()))
+         !(settling.cycles() >= rule.minimum && settling.steady())) {
     settling.advance();
+    if (after_period)
+      after_period(settling.cycles());
+  }
   return settling.motion();
 }
 

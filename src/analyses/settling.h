@@ -4,6 +4,8 @@
 #include "integration/trajectory.h"
 #include "parameters/values.h"
 
+#include <functional>
+
 namespace vibroimpact {
 
 struct SettlingRule {
@@ -31,9 +33,11 @@ struct SettledMotion {
 
 /// Goes on from where the trajectory stands, at time zero, period by period and without being
 /// watched, or straight to the limit of the periods, from which it must go on to be steady by
-/// itself. `scale` as for Steadiness. NumericalError.
+/// itself. `scale` as for Steadiness. `after_period`, where given, is called with the number of
+/// periods behind each of them. NumericalError.
 SettledMotion settle(Trajectory &trajectory, double period, const Vector &scale,
-                     const SettlingRule &rule);
+                     const SettlingRule &rule,
+                     const std::function<void(long periods)> &after_period = {});
 
 /// Largest difference of two ranges over the largest state in either, both times `scale`.
 double relative_distance(const SettledMotion &a, const SettledMotion &b, const Vector &scale);

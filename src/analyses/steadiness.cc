@@ -16,6 +16,19 @@ double Steadiness::change(Index newer, Index older) const {
   return (state(newer) - state(older)).cwiseAbs().maxCoeff();
 }
 
+// The states of the last k periods are no farther than `distance` from the motion that repeats
+// after k periods, p_0 ... p_{k-1}. If that repeats after j < k already, p_0 = p_j, then |x_0 -
+// x_j| <= |x_0 - p_0| + |p_j - x_j| <= 2 distance: what the approach alone explains. A lightly
+// damped motion that spirals in comes near to where it was some periods before long before it is
+// near to where it was one period before. Twice as much is allowed, since the largest entry of a
+// vector that turns changes.
+long Steadiness::shortest(Index k, double distance) const {
+  for (Index j = 1; j < k; ++j)
+    if (change(0, j) <= 4 * distance)
+      return j;
+  return k;
+}
+
 void Steadiness::add(const Vector &physical) {
   states_.col(seen_++ % states_.cols()) = physical.cwiseProduct(scale_);
   const Index known = std::min(seen_, states_.cols());
@@ -29,7 +42,7 @@ void Steadiness::add(const Vector &physical) {
     const double remaining = factor < 1 ? last * std::max(1.0, factor / (1 - factor)) : last;
     const bool small_already = last <= 1e-3 * tolerance_ * size;
     if ((factor < 1 && remaining <= tolerance_ * size) || small_already)
-      multiple_ = k;
+      multiple_ = shortest(k, last + std::min(remaining, tolerance_ * size));
   }
 }
 

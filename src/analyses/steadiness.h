@@ -14,10 +14,12 @@ public:
   void add(const Vector &physical);
   /// Is the estimated distance to the periodic motion below the tolerance?
   bool steady() const { return multiple_ > 0; }
-  /// Number of periods after which the motion repeats; 0 when it is not steady.
+  /// The least number of periods after which the motion that it has come so near to repeats; 0 when
+  /// it is not steady.
   long multiple() const { return multiple_; }
 
 private:
+  long shortest(Index k, double distance) const;
   /// The state of so many periods ago.
   auto state(Index periods) const;
   double change(Index newer, Index older) const;

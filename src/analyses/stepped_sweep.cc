@@ -69,14 +69,8 @@ SettledMotion stored_motion(const PointResult &result) {
 }
 
 void add_settling(PointResult &result, const SettledMotion &settled) {
-  static const Label steady("steady", "1", "1 when the motion was judged steady before recording");
-  static const Label multiple("period_multiple", "1",
-                              "forcing periods after which it repeats, 0 unknown");
-  static const Label cycles("settling_cycles", "1", "forcing periods before recording");
   static const Label end_state = state_label(state, "state at the end");
-  result.fields.push_back(scalar_field(steady, settled.steady() ? 1 : 0));
-  result.fields.push_back(scalar_field(multiple, static_cast<double>(settled.multiple)));
-  result.fields.push_back(scalar_field(cycles, static_cast<double>(settled.cycles)));
+  add_settled(result, settled.steady(), settled.multiple, settled.cycles);
   result.fields.push_back(state_field(end_state, settled.state.physical));
 }
 
@@ -193,18 +187,6 @@ std::vector<SteppedSweep::Step> SteppedSweep::steps_of_line(std::size_t line) co
   return steps;
 }
 
-Workload SteppedSweep::workload(const System &system) const {
-  Workload work{.simulated_time = 0, .points = steps_of_line(0).size()};
-  const auto cycles = static_cast<double>(settings_.settling.maximum + settings_.recorded);
-  const std::size_t source = sweep_source(system, settings_.excitation);
-  const double period = system.model.sources()[source].function->period();
-  for (const Step &step : steps_of_line(0))
-    work.simulated_time +=
-        cycles *
-        (settings_.parameter.is_frequency() ? 1 / settings_.parameter.values[step.point] : period);
-  return work;
-}
-
 void SteppedSweep::check(const System &system) const {
   const Source &swept = system.model.sources()[sweep_source(system, settings_.excitation)];
   if (settings_.parameter.is_frequency() && !swept.function->with_frequency(1))
@@ -224,17 +206,24 @@ std::vector<std::vector<parameters::Override>> SteppedSweep::variants() const {
   return overrides;
 }
 
+// Of at most so many periods; the search for a jump has no share of its own.
+void SteppedSweep::note(long periods, LineContext &context) const {
+  context.note_progress(static_cast<double>(periods) /
+                        static_cast<double>(settings_.settling.maximum + settings_.recorded));
+}
+
 PointResult SteppedSweep::compute(const Step &step, SweptSystem &swept, const MotionState &from,
-                                  SettledMotion &settled) const {
+                                  SettledMotion &settled, LineContext &context) const {
   const System &system = swept.system();
   Trajectory &trajectory = swept.trajectory();
   WindowRecording &recording = swept.recording();
   PointResult result{.index = step.index()};
   trajectory.start(from);
-  settled = settle(trajectory, swept.period(), swept.scale(), settings_.settling);
+  settled = settle(trajectory, swept.period(), swept.scale(), settings_.settling,
+                   [&](long periods) { note(periods, context); });
   recording.run(periods_window(static_cast<double>(settled.cycles) * swept.period(), swept.period(),
                                settings_.recorded),
-                trajectory);
+                trajectory, [&](long period) { note(settled.cycles + period, context); });
   settled.state = {.time = 0, .physical = trajectory.motion_state().physical};
 
   recording.add_fields(result);
@@ -243,8 +232,8 @@ PointResult SteppedSweep::compute(const Step &step, SweptSystem &swept, const Mo
   return result;
 }
 
-Jump SteppedSweep::search(const BranchPoint &before, const BranchPoint &after,
-                          SweptSystem &swept) const {
+Jump SteppedSweep::search(const BranchPoint &before, const BranchPoint &after, SweptSystem &swept,
+                          LineContext &context) const {
   const Vector scale = swept.scale();
   const double width = settings_.jump_tolerance * settings_.parameter.magnitude();
   return find_jump(
@@ -252,7 +241,8 @@ Jump SteppedSweep::search(const BranchPoint &before, const BranchPoint &after,
       [&](double value, const MotionState &from) {
         swept.move_to(value);
         swept.trajectory().start(from);
-        return settle(swept.trajectory(), swept.period(), swept.scale(), settings_.settling);
+        return settle(swept.trajectory(), swept.period(), swept.scale(), settings_.settling,
+                      [&](long /*periods*/) { context.note_progress(0); });
       },
       [&](const SettledMotion &a, const SettledMotion &b) {
         return relative_distance(a, b, scale);
@@ -261,7 +251,7 @@ Jump SteppedSweep::search(const BranchPoint &before, const BranchPoint &after,
 
 // The point of one step, with the jump on the way to it; `before` and `from` move on to it.
 PointResult SteppedSweep::advance(const Step &step, SweptSystem &swept, MotionState &from,
-                                  std::optional<BranchPoint> &before) const {
+                                  std::optional<BranchPoint> &before, LineContext &context) const {
   const double value = settings_.parameter.values[step.point];
   swept.move_to(value);
   if (step.from_rest || from.physical.size() == 0) {
@@ -270,12 +260,12 @@ PointResult SteppedSweep::advance(const Step &step, SweptSystem &swept, MotionSt
     from = swept.trajectory().motion_state();
   }
   BranchPoint after{.value = value, .motion = {}};
-  PointResult result = compute(step, swept, from, after.motion);
+  PointResult result = compute(step, swept, from, after.motion, context);
   if (searches_jumps()) {
-    const Jump jump = before ? search(*before, after, swept) : Jump{};
+    const Jump jump = before ? search(*before, after, swept, context) : Jump{};
     if (jump.start_on_branch) {
       swept.move_to(value);
-      result = compute(step, swept, *jump.start_on_branch, after.motion);
+      result = compute(step, swept, *jump.start_on_branch, after.motion, context);
     }
     add_jump(result, jump, after.motion, settings_.parameter.unit);
   }
@@ -304,7 +294,7 @@ void SteppedSweep::run_line(std::size_t line, System &system, LineContext &conte
     }
     // After a failure the next point goes on from where this one started.
     try {
-      context.store(advance(step, swept, from, before));
+      context.store(advance(step, swept, from, before, context));
     } catch (const NumericalError &error) {
       context.store({.index = step.index(), .status = Status::failed, .reason = error.what()});
     } catch (const InputError &error) {

@@ -47,7 +47,6 @@ public:
   /// frequency or swept key, direction
   std::vector<Axis> axes() const override;
   std::size_t lines() const override;
-  Workload workload(const System &system) const override;
   void check(const System &system) const override;
   std::vector<std::vector<parameters::Override>> variants() const override;
   void run_line(std::size_t line, System &system, LineContext &context) const override;
@@ -56,10 +55,12 @@ private:
   struct Step;
   std::vector<Step> steps_of_line(std::size_t line) const;
   PointResult compute(const Step &step, SweptSystem &swept, const MotionState &from,
-                      SettledMotion &settled) const;
+                      SettledMotion &settled, LineContext &context) const;
+  void note(long periods, LineContext &context) const;
   PointResult advance(const Step &step, SweptSystem &swept, MotionState &from,
-                      std::optional<BranchPoint> &before) const;
-  Jump search(const BranchPoint &before, const BranchPoint &after, SweptSystem &swept) const;
+                      std::optional<BranchPoint> &before, LineContext &context) const;
+  Jump search(const BranchPoint &before, const BranchPoint &after, SweptSystem &swept,
+              LineContext &context) const;
   bool searches_jumps() const { return settings_.jump_tolerance > 0; }
 
   Settings settings_;

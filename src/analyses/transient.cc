@@ -1,6 +1,7 @@
 #include "analyses/transient.h"
 
 #include "analyses/fields.h"
+#include "analyses/motion_progress.h"
 #include "analyses/motion_recorder.h"
 #include "analyses/window_recording.h"
 #include "common/error.h"
@@ -53,19 +54,15 @@ std::shared_ptr<const Analysis> Transient::create(const parameters::Values &anal
   return std::make_shared<Transient>(settings);
 }
 
-Workload Transient::workload(const System & /*system*/) const {
-  return {.simulated_time = settings_.duration, .points = 1};
-}
-
 void Transient::check(const System &system) const {
   Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
 }
 
-PointResult Transient::compute(const System &system) const {
+PointResult Transient::compute(const System &system, LineContext &context) const {
   Trajectory trajectory(system.model, system.contacts, system.integration);
-  ImpactLog log(system.contacts, settings_.recorded_pulses);
+  ImpactLog log(system.contacts, settings_.recorded_pulses, true);
   MotionRecorder recorder(system,
                           equal_instants(0, settings_.duration, settings_.sampling_interval));
   std::vector<double> frames;
@@ -74,13 +71,15 @@ PointResult Transient::compute(const System &system) const {
                      (settings_.last_frame - settings_.first_frame) * static_cast<double>(i) /
                          static_cast<double>(std::max<std::size_t>(settings_.frames - 1, 1)));
   FrameRecorder pictures(system, frames);
-  Observers observers({&log, &recorder, &pictures});
+  MotionProgress progress(context, 0, settings_.duration);
+  Observers observers({&log, &recorder, &pictures, &progress});
   WindowRecording recording(settings_.recorders, system);
   PointResult result;
   try {
     trajectory.start(0, system.initial.displacement, system.initial.velocity);
     recording.run({.start = 0, .end = settings_.duration}, trajectory, observers);
     recording.add_fields(result, "recorded/");
+    log.end_record(trajectory.time(), trajectory.state(), trajectory.layout());
   } catch (const NumericalError &error) {
     result.status = Status::failed;
     result.reason = error.what();
@@ -99,7 +98,7 @@ void Transient::run_line(std::size_t /*line*/, System &system, LineContext &cont
     context.skip();
     return;
   }
-  context.store(compute(system));
+  context.store(compute(system, context));
 }
 
 } // namespace vibroimpact

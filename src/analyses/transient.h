@@ -24,12 +24,11 @@ public:
 
   std::string type() const override { return "transient"; }
   std::vector<Axis> axes() const override { return {}; }
-  Workload workload(const System &system) const override;
   void check(const System &system) const override;
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:
-  PointResult compute(const System &system) const;
+  PointResult compute(const System &system, LineContext &context) const;
 
   Settings settings_;
 };

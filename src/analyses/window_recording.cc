@@ -26,18 +26,20 @@ std::vector<Observer *> WindowRecording::observers() const {
   return list;
 }
 
-void WindowRecording::run(const Window &window, Trajectory &trajectory) {
-  watch(window, trajectory, *together_);
+void WindowRecording::run(const Window &window, Trajectory &trajectory,
+                          const std::function<void(long period)> &after_period) {
+  watch(window, trajectory, *together_, after_period);
 }
 
 void WindowRecording::run(const Window &window, Trajectory &trajectory, Observer &also) {
   std::vector<Observer *> watching = observers();
   watching.insert(watching.begin(), &also);
   Observers all(watching);
-  watch(window, trajectory, all);
+  watch(window, trajectory, all, {});
 }
 
-void WindowRecording::watch(const Window &window, Trajectory &trajectory, Observer &all) {
+void WindowRecording::watch(const Window &window, Trajectory &trajectory, Observer &all,
+                            const std::function<void(long period)> &after_period) {
   for (const auto &recorder : recorders_)
     recorder->begin(window, trajectory);
   for (long cycle = 1; cycle <= window.cycles; ++cycle) {
@@ -47,6 +49,8 @@ void WindowRecording::watch(const Window &window, Trajectory &trajectory, Observ
                        all);
     for (const auto &recorder : recorders_)
       recorder->period_end(cycle, trajectory);
+    if (after_period)
+      after_period(cycle);
   }
   if (window.cycles == 0)
     trajectory.advance(window.end, all);

@@ -3,6 +3,7 @@
 
 #include "analyses/recorder.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -16,8 +17,10 @@ public:
   WindowRecording(const std::vector<RecorderFactory> &factories, const System &system);
 
   /// Integrates from window.start, where the trajectory must stand, to window.end, stopping at the
-  /// end of each period. `also` watches as well. NumericalError.
-  void run(const Window &window, Trajectory &trajectory);
+  /// end of each period; `after_period`, where given, is called there. `also` watches as well.
+  /// NumericalError.
+  void run(const Window &window, Trajectory &trajectory,
+           const std::function<void(long period)> &after_period = {});
   void run(const Window &window, Trajectory &trajectory, Observer &also);
 
   bool empty() const { return recorders_.empty(); }
@@ -26,7 +29,8 @@ public:
 
 private:
   std::vector<Observer *> observers() const;
-  void watch(const Window &window, Trajectory &trajectory, Observer &all);
+  void watch(const Window &window, Trajectory &trajectory, Observer &all,
+             const std::function<void(long period)> &after_period);
 
   std::vector<std::unique_ptr<Recorder>> recorders_;
   std::unique_ptr<Observers> together_; ///< the same for all windows, so that it is asked once

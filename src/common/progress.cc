@@ -1,5 +1,6 @@
 #include "common/progress.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -60,8 +61,10 @@ bool on_terminal() {
 
 } // namespace
 
+Surroundings usual_surroundings() { return {&std::cout, on_terminal(), steady_seconds}; }
+
 Progress::Progress(std::size_t total, std::string label, bool active)
-    : Progress(total, std::move(label), {&std::cout, on_terminal(), steady_seconds}) {
+    : Progress(total, std::move(label), usual_surroundings()) {
   active_ = active;
 }
 
@@ -85,21 +88,22 @@ bool Progress::due(std::size_t done, double now) const {
          now - last_print_ >= seconds_between_plain_lines;
 }
 
-std::string Progress::line(std::size_t done, double now) const {
-  std::string text =
-      label_ + ": " + std::to_string(done) + " of " + std::to_string(total_) + " (" +
-      formatted("%.0f", 100.0 * static_cast<double>(done) / static_cast<double>(total_)) + " %)";
+std::string Progress::line(std::size_t done, double share, double now) const {
+  const double cases = std::min(static_cast<double>(done) + share, static_cast<double>(total_));
+  std::string text = label_ + ": " + std::to_string(done) + " of " + std::to_string(total_) + " (" +
+                     formatted("%.0f", 100.0 * cases / static_cast<double>(total_)) + " %)";
   const double elapsed = now - start_;
-  if (done == 0 || elapsed <= 0)
+  if (!(cases > 0) || elapsed <= 0)
     return text;
-  const double cases_per_second = static_cast<double>(done) / elapsed;
+  const double cases_per_second = cases / elapsed;
   text += ", " + rate(cases_per_second);
   if (done < total_)
-    return text + ", " + duration(static_cast<double>(total_ - done) / cases_per_second) + " left";
+    return text + ", " + duration((static_cast<double>(total_) - cases) / cases_per_second) +
+           " left";
   return text + ", took " + duration(elapsed);
 }
 
-void Progress::update(std::size_t done) {
+void Progress::update(std::size_t done, double share) {
   if (!active_ || total_ == 0)
     return;
   const double now = surroundings_.seconds();
@@ -107,9 +111,10 @@ void Progress::update(std::size_t done) {
     return;
   std::ostream &stream = *surroundings_.stream;
   if (surroundings_.terminal)
-    stream << "\r\033[K" << line(done, now) << std::flush; // back to column 0, clear the line
+    stream << "\r\033[K" << line(done, share, now)
+           << std::flush; // back to column 0, clear the line
   else
-    stream << line(done, now) << std::endl;
+    stream << line(done, share, now) << std::endl;
   line_open_ = surroundings_.terminal && done < total_;
   if (surroundings_.terminal && done == total_)
     stream << std::endl;

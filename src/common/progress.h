@@ -9,30 +9,34 @@
 
 namespace vibroimpact {
 
+/// Where and when to print.
+struct Surroundings {
+  std::ostream *stream;
+  bool terminal;
+  std::function<double()> seconds; ///< a clock that never goes back
+};
+
+/// Standard output and the steady clock.
+Surroundings usual_surroundings();
+
 /// Cases done of a known total, with rate and time left. Meant for rank 0; construct it with
 /// `active = false` elsewhere and it stays silent. The destructor ends a live line.
 class Progress {
 public:
-  /// Where and when to print; the default is standard output and the steady clock.
-  struct Surroundings {
-    std::ostream *stream;
-    bool terminal;
-    std::function<double()> seconds; ///< a clock that never goes back
-  };
-
   Progress(std::size_t total, std::string label, bool active = true);
   Progress(std::size_t total, std::string label, Surroundings surroundings);
   Progress(const Progress &) = delete;
   Progress &operator=(const Progress &) = delete;
   ~Progress();
 
-  /// `done` cases are finished. Prints at most 5 times a second on a terminal; otherwise at every
-  /// tenth part, or when 30 s have passed since the last line.
-  void update(std::size_t done);
+  /// `done` cases are finished, and the `share` (0 to 1) of another one. Prints at most 5 times a
+  /// second on a terminal; otherwise when a tenth part more of the cases is finished, or when 30 s
+  /// have passed since the last line.
+  void update(std::size_t done, double share = 0);
 
 private:
   bool due(std::size_t done, double now) const;
-  std::string line(std::size_t done, double now) const;
+  std::string line(std::size_t done, double share, double now) const;
 
   std::size_t total_;
   std::string label_;

@@ -61,7 +61,7 @@ struct ContactTrace {
   std::vector<TouchedNode> nodes; ///< none for points of bodies without a mesh
   std::vector<double> gap;        ///< [m]
   std::vector<double> force;      ///< [N]
-  std::vector<double> peak_force; ///< largest up to the end of the impact that lasts then [N]
+  std::vector<double> peak_force; ///< largest up to then [N]
 };
 
 /// The motion of all bodies at some instants, for the expansion to the mesh.

@@ -18,6 +18,7 @@ namespace {
 
 struct LawEntry {
   const char *name;
+  const char *section; ///< with its constants
   void (*declare)(parameters::Section &contact);
   std::shared_ptr<const ContactLaw> (*create)(const parameters::Values &contact);
   /// Of laws with a key Stiffness: with another stiffness than that of the section.
@@ -26,15 +27,19 @@ struct LawEntry {
 };
 
 constexpr LawEntry laws[] = {
-    {"linear penalty", LinearPenalty::declare, LinearPenalty::create, LinearPenalty::create_with},
-    {"kelvin-voigt", KelvinVoigt::declare, KelvinVoigt::create, KelvinVoigt::create_with},
-    {"relaxing stop", RelaxingStop::declare, RelaxingStop::create},
-    {"piecewise stop", PiecewiseStop::declare, PiecewiseStop::create, PiecewiseStop::create_with},
-    {"hertz", Hertz::declare, Hertz::create},
-    {"hunt-crossley", HuntCrossley::declare, HuntCrossley::create},
-    {"tsuji", Tsuji::declare, Tsuji::create},
-    {"kuwabara-kono", KuwabaraKono::declare, KuwabaraKono::create},
-    {"newton restitution", NewtonRestitution::declare, NewtonRestitution::create},
+    {"linear penalty", "Linear penalty", LinearPenalty::declare, LinearPenalty::create,
+     LinearPenalty::create_with},
+    {"kelvin-voigt", "Kelvin-Voigt", KelvinVoigt::declare, KelvinVoigt::create,
+     KelvinVoigt::create_with},
+    {"relaxing stop", "Relaxing stop", RelaxingStop::declare, RelaxingStop::create},
+    {"piecewise stop", "Piecewise stop", PiecewiseStop::declare, PiecewiseStop::create,
+     PiecewiseStop::create_with},
+    {"hertz", "Hertz", Hertz::declare, Hertz::create},
+    {"hunt-crossley", "Hunt-Crossley", HuntCrossley::declare, HuntCrossley::create},
+    {"tsuji", "Tsuji", Tsuji::declare, Tsuji::create},
+    {"kuwabara-kono", "Kuwabara-Kono", KuwabaraKono::declare, KuwabaraKono::create},
+    {"newton restitution", "Newton restitution", NewtonRestitution::declare,
+     NewtonRestitution::create},
 };
 
 const LawEntry &chosen_law(const parameters::Values &contact) {
@@ -68,6 +73,16 @@ std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &c
     contact.reject("Stiffness fraction", "left out with Law = " + std::string(law.name) +
                                              ", which has no key Stiffness that it could replace.");
   return law.create_with(contact, stiffness);
+}
+
+std::vector<std::string> unused_law_sections(const parameters::Values &contact) {
+  const LawEntry &chosen = chosen_law(contact);
+  std::vector<std::string> warnings;
+  for (const LawEntry &law : laws)
+    if (&law != &chosen && contact.subsection_given(law.section))
+      warnings.push_back(contact.locate("Law") + ": the section " + law.section +
+                         " is not used; it belongs to Law = " + law.name + ".");
+  return warnings;
 }
 
 } // namespace vibroimpact

@@ -5,6 +5,8 @@
 #include "parameters/values.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace vibroimpact {
 
@@ -16,5 +18,8 @@ std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &c
 /// The same with this stiffness [N/m]. Throws InputError for laws without a key Stiffness.
 std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &contact,
                                                      double stiffness);
+
+/// One warning for each section of another law than the chosen one that the contact has.
+std::vector<std::string> unused_law_sections(const parameters::Values &contact);
 
 } // namespace vibroimpact

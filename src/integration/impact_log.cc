@@ -29,20 +29,26 @@ bool may_peak_inside(const std::array<double, samples + 1> &values, int best) {
   return values[best] - values[next] < 0.5 * (values[next] - values[after]);
 }
 
-double sampled_peak(const StepView &view, std::size_t contact) {
+struct Peak {
+  double force = 0; ///< [N]
+  double tau = 0;   ///< in the step
+};
+
+Peak sampled_peak(const StepView &view, std::size_t contact) {
   const ContactCurves curves = view.contact_curves(contact);
   std::array<double, samples + 1> values{};
   for (int i = 0; i <= samples; ++i)
     values[i] = view.force(contact, curves, static_cast<double>(i) / samples);
   const auto best =
       static_cast<int>(std::max_element(values.begin(), values.end()) - values.begin());
-  if (values[best] <= 0 || !may_peak_inside(values, best))
-    return values[best];
+  const Peak sample{.force = values[best], .tau = static_cast<double>(best) / samples};
+  if (sample.force <= 0 || !may_peak_inside(values, best))
+    return sample;
   const double lower = std::max(0, best - 1) / static_cast<double>(samples);
   const double upper = std::min(samples, best + 1) / static_cast<double>(samples);
   const auto minimum = boost::math::tools::brent_find_minima(
       [&](double tau) { return -view.force(contact, curves, tau); }, lower, upper, 26);
-  return std::max(values[best], -minimum.second);
+  return -minimum.second > sample.force ? Peak{-minimum.second, minimum.first} : sample;
 }
 
 } // namespace
@@ -51,11 +57,11 @@ double peak_force(const StepView &view, std::size_t contact) {
   const auto mode = static_cast<std::size_t>(view.equations().modes()[contact]);
   const Mode &present = view.equations().contacts().pairs()[contact].law->modes()[mode];
   return present.affine ? view.indicator(contact, present.affine->force).maximum()
-                        : sampled_peak(view, contact);
+                        : sampled_peak(view, contact).force;
 }
 
-ImpactLog::ImpactLog(const ContactSet &contacts, std::size_t pulses)
-    : contacts_(contacts), pulse_limit_(pulses), tracks_(contacts.size()) {}
+ImpactLog::ImpactLog(const ContactSet &contacts, std::size_t pulses, bool instants)
+    : contacts_(contacts), pulse_limit_(pulses), instants_(instants), tracks_(contacts.size()) {}
 
 bool ImpactLog::in_contact(std::size_t contact, int mode) const {
   return contacts_.pairs()[contact].law->modes()[static_cast<std::size_t>(mode)].in_contact;
@@ -73,12 +79,21 @@ void ImpactLog::record_pulse(Track &track, const StepView &view, std::size_t con
   }
 }
 
+void ImpactLog::note_peak(Impact &impact, const StepView &view, std::size_t contact) const {
+  const double peak = vibroimpact::peak_force(view, contact);
+  if (!(peak > impact.peak_force))
+    return;
+  impact.peak_force = peak;
+  if (instants_)
+    impact.peak_time = view.start() + sampled_peak(view, contact).tau * view.length();
+}
+
 void ImpactLog::step(const StepView &view) {
   for (std::size_t c = 0; c < tracks_.size(); ++c) {
     Track &track = tracks_[c];
     if (!in_contact(c, view.equations().modes()[c]))
       continue;
-    track.current.peak_force = std::max(track.current.peak_force, peak_force(view, c));
+    note_peak(track.current, view, c);
     track.current.maximum_penetration =
         std::max(track.current.maximum_penetration, -view.gap(c).minimum());
     if (track.pulses_begun > 0 && track.pulses_begun <= pulse_limit_)
@@ -111,6 +126,7 @@ void ImpactLog::begin(Track &track, const ContactEvent &event) const {
   const Vector &ledger = event.guard->action == GuardAction::impact ? *event.before : *event.state;
   track.current = {.start_time = event.time,
                    .approach_speed = -event.gap_rate,
+                   .peak_time = instants_ ? event.time : nan,
                    .impulse = -ledger[layout.impulse(contact)],
                    .dissipated_energy = -ledger[layout.contact_work(contact)],
                    .chatter_duration = event.chatter_duration};
@@ -137,6 +153,20 @@ void ImpactLog::finish(Track &track, const ContactEvent &event) const {
   impact.dissipated_energy += (*event.state)[layout.contact_work(contact)];
   track.done.push_back(impact);
   track.complete = false;
+}
+
+void ImpactLog::end_record(double time, const Vector &state, const StateLayout &layout) {
+  for (std::size_t c = 0; c < tracks_.size(); ++c) {
+    if (!tracks_[c].complete)
+      continue;
+    Impact impact = tracks_[c].current;
+    impact.duration = time - impact.start_time;
+    impact.separation_speed = nan;
+    impact.impulse += state[layout.impulse(static_cast<Index>(c))];
+    impact.dissipated_energy += state[layout.contact_work(static_cast<Index>(c))];
+    impact.finished = false;
+    tracks_[c].done.push_back(impact);
+  }
 }
 
 void ImpactLog::event(const ContactEvent &event) {

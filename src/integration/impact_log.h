@@ -14,12 +14,16 @@ struct Impact {
   double approach_speed = 0;      ///< -gap_rate at the start [m/s]
   double separation_speed = 0;    ///< gap_rate at the end [m/s]
   double peak_force = 0;          ///< [N]; a rigid impact itself has an impulse, but no force
+  double peak_time = 0;           ///< of the largest force [s]; NaN when instants are not kept
   double impulse = 0;             ///< integral of the force [N s]
   double maximum_penetration = 0; ///< [m]
   double dissipated_energy = 0;   ///< by the contact law [J]
   double chatter_duration = 0;    ///< of further impacts that were completed at once [s]
+  /// False: the sides were still together where the record ended. Duration, peak, impulse, overlap
+  /// and energy are those up to then, and there is no separation speed (NaN).
+  bool finished = true;
 
-  /// separation_speed / approach_speed
+  /// separation_speed / approach_speed; NaN when there is none
   double restitution_coefficient() const;
 };
 
@@ -32,19 +36,26 @@ struct Pulses {
 
 class ImpactLog : public Observer, private FlightWatcher {
 public:
-  /// Keeps the force samples of the first `pulses` impacts of each contact.
-  ImpactLog(const ContactSet &contacts, std::size_t pulses);
+  /// Keeps the force samples of the first `pulses` impacts of each contact and, where `instants`,
+  /// the instant of the largest force of all.
+  ImpactLog(const ContactSet &contacts, std::size_t pulses, bool instants = false);
 
   void step(const StepView &view) override;
   void event(const ContactEvent &event) override;
-  /// None while force samples are to be kept.
-  FlightWatcher *flight_watcher() override { return pulse_limit_ == 0 ? this : nullptr; }
+  /// None while force samples or instants are to be kept.
+  FlightWatcher *flight_watcher() override {
+    return pulse_limit_ == 0 && !instants_ ? this : nullptr;
+  }
+  /// The record ends here: impacts that last are listed behind the finished ones, as far as they
+  /// have come.
+  void end_record(double time, const Vector &state, const StateLayout &layout);
   /// Forgets finished impacts; one that lasts goes on.
   void clear();
   /// Forgets everything: as if it had just been made.
   void start_afresh();
 
-  /// Finished impacts of a contact in the order of time.
+  /// Impacts of a contact in the order of time: the finished ones and, behind end_record(), the one
+  /// that lasts.
   const std::vector<Impact> &impacts(std::size_t contact) const { return tracks_[contact].done; }
   const Pulses &pulses(std::size_t contact) const { return tracks_[contact].pulses; }
   /// Impacts begun since the start or the last clear(), finished or not.
@@ -65,10 +76,12 @@ private:
   bool in_contact(std::size_t contact, int mode) const;
   void begin(Track &track, const ContactEvent &event) const;
   void finish(Track &track, const ContactEvent &event) const;
+  void note_peak(Impact &impact, const StepView &view, std::size_t contact) const;
   void record_pulse(Track &track, const StepView &view, std::size_t contact) const;
 
   const ContactSet &contacts_;
   std::size_t pulse_limit_;
+  bool instants_;
   std::vector<Track> tracks_;
 };
 

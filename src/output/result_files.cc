@@ -3,11 +3,13 @@
 #include "common/durable_file.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "common/signals.h"
 #include "output/analysis_arrays.h"
 #include "output/collective.h"
 #include "output/derived_results.h"
 #include "output/summary.h"
 #include "output/vtu_writer.h"
+#include "reduction/body_file.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -79,9 +81,18 @@ void FileSink::end() {
   run_on_all_ranks(communicator_, [this] { record_writer_->synchronise(); });
   run_on_first_rank(communicator_, [this] {
     for (const auto &[header, points] : replace_files())
-      if (header.name == header_.name)
+      if (header.name == header_.name && !stop_requested())
         write_motion(points);
+    tell_totals();
   });
+}
+
+void FileSink::tell_totals() const {
+  const std::string prefix = "analysis " + header_.name + ": ";
+  if (const std::string failures = totals_.failures(); !failures.empty())
+    log::warning(prefix + failures);
+  if (const std::string unsettled = totals_.unsettled(); !unsettled.empty())
+    log::info(prefix + unsettled);
 }
 
 std::vector<StoredAnalysis> FileSink::replace_files() {
@@ -127,24 +138,27 @@ void FileSink::note_problems(const std::vector<std::string> &problems) {
     }
 }
 
-void FileSink::check_derived() const {
-  run_on_first_rank(communicator_, [this] {
-    std::string message;
-    for (const std::string &problem : problems_)
-      message += (message.empty() ? "" : "\n") + problem;
-    if (!problems_.empty())
-      throw InputError(message + "\nEverything else was written.");
-  });
+std::string FileSink::missing_derived() const {
+  std::string message;
+  for (const std::string &problem : problems_)
+    message += problem + "\n";
+  return broadcast(message.empty() ? message : message + "Everything else was written.",
+                   communicator_);
 }
 
 std::string FileSink::summary(const std::vector<StoredAnalysis> &analyses,
-                              const std::vector<std::string> &derived_lines) const {
+                              const std::vector<std::string> &derived_lines) {
   std::string text;
   for (const ReducedBody &body : bodies_)
     text += body_summary(body);
   text += contact_summary(contacts_);
-  for (std::size_t a = 0; a < analyses.size(); ++a)
-    text += analysis_summary(analyses[a].header, analyses[a].points.sequence()) + derived_lines[a];
+  for (std::size_t a = 0; a < analyses.size(); ++a) {
+    PointTotals totals;
+    text += analysis_summary(analyses[a].header, analyses[a].points.sequence(), totals) +
+            derived_lines[a];
+    if (analyses[a].header.name == header_.name)
+      totals_ = totals;
+  }
   return text;
 }
 

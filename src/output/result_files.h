@@ -5,6 +5,7 @@
 #include "contact/truncation.h"
 #include "derived/derived_quantities.h"
 #include "output/hdf5_results.h"
+#include "output/point_totals.h"
 #include "output/record.h"
 #include "output/run_folder.h"
 #include "reduction/reduced_body.h"
@@ -33,15 +34,17 @@ public:
   /// Throws std::runtime_error, on this rank alone, when the journal or the files cannot be
   /// written.
   void store(const PointResult &result) override;
-  /// Also writes the fields of points that recorded the motion (see vtu_writer.h).
+  /// Also writes the fields of points that recorded the motion (see vtu_writer.h), and warns of
+  /// points that failed or are doubtful.
   void end() override;
 
   /// Rank 0: replaces results.h5 and summary.txt by what all journals hold now. Warns of derived
   /// quantities that cannot be computed from the fields there are.
   void rebuild() { replace_files(); }
 
-  /// Collective, behind the last end(). Throws InputError when the files lack derived quantities.
-  void check_derived() const;
+  /// Collective, behind the last end(). The derived quantities that the files lack, and why; empty
+  /// when they lack none.
+  std::string missing_derived() const;
 
 private:
   void register_header(const AnalysisHeader &header);
@@ -51,9 +54,10 @@ private:
   std::vector<std::string> write_results(const std::filesystem::path &file,
                                          const std::vector<StoredAnalysis> &analyses);
   std::string summary(const std::vector<StoredAnalysis> &analyses,
-                      const std::vector<std::string> &derived_lines) const;
+                      const std::vector<std::string> &derived_lines);
   void note_problems(const std::vector<std::string> &problems);
   void write_motion(const StoredPoints &points);
+  void tell_totals() const;
 
   MPI_Comm communicator_;
   RunFolder &folder_;
@@ -65,6 +69,7 @@ private:
   std::unique_ptr<RecordWriter> record_writer_;
   std::set<std::string> begun_;
   AnalysisHeader header_;
+  PointTotals totals_;  ///< of that analysis, as summary.txt has them, on rank 0
   StoredPoints stored_; ///< points of the analysis from an earlier run
 
   using Clock = std::chrono::steady_clock;

@@ -1,7 +1,5 @@
 #include "output/summary.h"
 
-#include "analyses/fields.h"
-
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -24,28 +22,6 @@ std::size_t point_count(const AnalysisHeader &header) {
     count *= axis.size();
   return count;
 }
-
-// What the reader must not overlook.
-struct Totals {
-  double failed = 0, unbalanced = 0, undecided = 0;
-
-  void add(const PointResult &point) {
-    failed += point.status == Status::failed ? 1 : 0;
-    unbalanced += vibroimpact::unbalanced(point) ? 1 : 0;
-    undecided += undecided_events(point);
-  }
-
-  std::string lines(const std::string &prefix) const {
-    std::string text;
-    if (failed > 0)
-      text += summary_line(prefix + ".failed_points", failed, "1");
-    if (unbalanced > 0)
-      text += summary_line(prefix + ".unbalanced_points", unbalanced, "1");
-    if (undecided > 0)
-      text += summary_line(prefix + ".total_undecided_events", undecided, "1");
-    return text;
-  }
-};
 
 std::string index_in_brackets(const std::vector<std::size_t> &index) {
   std::string text;
@@ -108,14 +84,14 @@ std::string contact_summary(const std::vector<ContactFigures> &contacts) {
   return text;
 }
 
-std::string analysis_summary(const AnalysisHeader &header, const PointSequence &points) {
+std::string analysis_summary(const AnalysisHeader &header, const PointSequence &points,
+                             PointTotals &totals) {
   const std::string prefix = "analysis." + header.name;
   std::string text;
   const std::size_t count = point_count(header);
   const bool listed = count <= most_listed_points;
   if (!listed)
     text += summary_line(prefix + ".points", static_cast<double>(count), "1");
-  Totals totals;
   points([&](const PointResult &point) {
     totals.add(point);
     if (!listed)
@@ -128,7 +104,7 @@ std::string analysis_summary(const AnalysisHeader &header, const PointSequence &
                            line.value, line.unit());
     }
   });
-  return text + totals.lines(prefix);
+  return text + totals.summary_lines(prefix);
 }
 
 } // namespace vibroimpact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/truncation.h"
+#include "output/point_totals.h"
 #include "output/record.h"
 #include "reduction/reduced_body.h"
 
@@ -21,10 +22,11 @@ std::string contact_summary(const std::vector<ContactFigures> &contacts);
 constexpr std::size_t most_listed_points = 10000;
 
 /// The lines of all points in the order of their index: `analysis.NAME.name = value [unit]`, with
-/// outer axes `analysis.NAME[2,1,17].name`, counted from 1. Failed points are counted in a last
-/// line `analysis.NAME.failed_points` when there are any. With more than most_listed_points the
-/// lines of the points are left out and `analysis.NAME.points` tells their number.
-std::string analysis_summary(const AnalysisHeader &header, const PointSequence &points);
+/// outer axes `analysis.NAME[2,1,17].name`, counted from 1; then the lines of `totals`, to which
+/// all points are added. With more than most_listed_points the lines of the points are left out and
+/// `analysis.NAME.points` tells their number.
+std::string analysis_summary(const AnalysisHeader &header, const PointSequence &points,
+                             PointTotals &totals);
 
 /// One line; numbers with 12 significant digits.
 std::string summary_line(const std::string &name, double value, const std::string &unit);

@@ -1,6 +1,7 @@
 #include "output/vtu_writer.h"
 
 #include "common/durable_file.h"
+#include "common/signals.h"
 #include "output/beam_curve.h"
 
 #include <algorithm>
@@ -318,9 +319,10 @@ void write_mode_files(RunFolder &folder, const std::vector<ReducedBody> &bodies)
 void write_motion_files(RunFolder &folder, const std::string &name,
                         const std::vector<ReducedBody> &bodies, const Motion &motion) {
   std::vector<Frame> frames;
-  for (std::size_t instant = 0; instant < motion.time.size(); ++instant)
+  for (std::size_t instant = 0; instant < motion.time.size() && !stop_requested(); ++instant)
     frames.push_back(write_frame(folder, name, bodies, motion, instant));
-  write_pvd(folder.claim(name + ".pvd"), frames);
+  if (!stop_requested())
+    write_pvd(folder.claim(name + ".pvd"), frames);
 }
 
 std::string index_suffix(const std::vector<std::size_t> &index) {

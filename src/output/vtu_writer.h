@@ -26,7 +26,8 @@ void write_mode_files(RunFolder &folder, const std::vector<ReducedBody> &bodies)
 /// ("body", from 1). Where contacts touch a mesh, also the force on each node ("contact_force",
 /// [N]), the gap there ("contact_gap", [m]; 0 at nodes without a contact), and the largest force up
 /// to then ("peak_contact_force", [N]). Lumped bodies are points in NAME/lumped-00001.vtu ...; each
-/// point of such a body is one.
+/// point of such a body is one. A run that is to stop leaves the rest and NAME.pvd to the one that
+/// goes on.
 void write_motion_files(RunFolder &folder, const std::string &name,
                         const std::vector<ReducedBody> &bodies, const Motion &motion);
 

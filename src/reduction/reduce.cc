@@ -1,6 +1,7 @@
 #include "reduction/reduce.h"
 
 #include "common/log.h"
+#include "common/stages.h"
 #include "reduction/basis.h"
 #include "reduction/body_file.h"
 #include "reduction/lumped_body.h"
@@ -137,12 +138,28 @@ void add_points(const structure::BodyModel &model, const Matrix &shapes,
   }
 }
 
+// A body of so many degrees of freedom takes seconds.
+constexpr int large_body = 20000;
+
+bool first_rank(MPI_Comm communicator) {
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  return rank == 0;
+}
+
 ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator) {
+  // A body that a rank reduces by itself, in the midst of an analysis, is nobody's concern.
+  Stages stages("body " + definition.name,
+                communicator != MPI_COMM_SELF && first_rank(communicator));
+  stages.begin("mesh and matrices", false);
   const AssembledBody assembled = structure::assemble(build(definition), communicator);
+  const bool large = assembled.free.size >= large_body;
+  stages.begin("modes of " + std::to_string(assembled.free.size) + " degrees of freedom", large);
   Basis basis = definition.reduction == BodyDefinition::Reduction::fixed_interface
                     ? fixed_interface_basis(definition, assembled, communicator)
                     : free_interface_basis(definition, assembled);
   warn_of_implausible(definition.name, assembled, basis.first_elastic);
+  stages.begin("static solutions", large);
   const PointResponse response = point_response(assembled, basis.held);
 
   ReducedBody body;

@@ -67,6 +67,27 @@ TEST(ImpactRecorderTest, WithoutImpactsThereAreNoFigures) {
   EXPECT_FALSE(testing::has_field(result, "contact/right/impacts_per_period"));
 }
 
+// The window ends in the first impact: a half sine of which a quarter and three quarters are over.
+TEST(ImpactRecorderTest, AnImpactThatLastsAtTheEndCounts) {
+  const System system = between_stops(std::make_shared<LinearPenalty>(stop));
+  const double omega = std::sqrt(stop / mass);
+  const double peak = speed * std::sqrt(mass * stop);
+  for (const double part : {0.25, 0.75}) {
+    const Window window{.start = 0, .end = clearance / speed + part * pi / omega};
+    const PointResult result = recorded<Impacts>(system, window);
+    const double so_far = part < 0.5 ? peak * std::sin(part * pi) : peak;
+    EXPECT_EQ(value_of(result, "contact/right/impacts"), 1);
+    EXPECT_EQ(value_of(result, "contact/right/unfinished"), 1);
+    EXPECT_EQ(value_of(result, "contact/left/unfinished"), 0);
+    for (const std::string which : {"/mean", "/minimum", "/maximum"}) {
+      EXPECT_NEAR(value_of(result, "contact/right/peak_force" + which), so_far, 1e-7 * peak);
+      EXPECT_NEAR(value_of(result, "contact/right/penetration" + which), so_far / stop,
+                  1e-7 * peak / stop);
+    }
+    EXPECT_TRUE(std::isnan(value_of(result, "contact/right/impulse/mean")));
+  }
+}
+
 TEST(ImpactRecorderTest, TheMeanForceIsTheImpulseOverTime) {
   const System system = between_stops(std::make_shared<LinearPenalty>(stop));
   const PointResult result =

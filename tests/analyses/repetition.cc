@@ -52,6 +52,38 @@ TEST(RepetitionTest, ScalesAndShortWindows) {
   EXPECT_EQ(find_repetition({longer, ones, {}}, 16, 1e-7).multiple, 5);
 }
 
+// r^n cos(n theta) with theta near a third of a turn: differences over three periods are small long
+// before those over one are.
+std::vector<Vector> spiral(int count, double rate, double amplitude, double constant = 0) {
+  const double theta = 2 * std::numbers::pi * 0.334;
+  const auto part = [=](int n, double phase) {
+    return amplitude * std::pow(rate, n) * std::cos(n * theta + phase) +
+           (n % 3 == 0 ? constant : 0);
+  };
+  return sequence(
+      count, [=](int n) { return part(n, 0); }, [=](int n) { return part(n, 1.5); });
+}
+
+TEST(RepetitionTest, ASpiralIsNoRepetition) {
+  for (const double rate : {0.9, 0.99}) {
+    const auto states = spiral(17, rate, 2e-7);
+    const StroboscopicPoints points(states, ones, {});
+    ASSERT_EQ(find_repetition(points, 8, 1e-7).multiple, 3);
+    const Approach approach = find_spiral(points, 3);
+    EXPECT_EQ(approach.multiple, 1);
+    EXPECT_NEAR(approach.rate, rate, 0.02);
+  }
+}
+
+TEST(RepetitionTest, ARepetitionIsNoSpiral) {
+  for (const double amplitude : {0.0, 1e-8}) {
+    const auto states = spiral(17, 0.9, amplitude, 1e-5);
+    const StroboscopicPoints points(states, ones, {});
+    ASSERT_EQ(find_repetition(points, 8, 1e-7).multiple, 3);
+    EXPECT_EQ(find_spiral(points, 3).multiple, 0);
+  }
+}
+
 TEST(RepetitionTest, AnglesRepeatAfterATurn) {
   const auto states = sequence(
       20, [](int n) { return 2 * std::numbers::pi * 3 * n; }, [](int) { return 1.0; });

@@ -9,7 +9,7 @@ namespace {
 
 class ProgressTest : public ::testing::Test {
 protected:
-  Progress::Surroundings surroundings(bool terminal) {
+  Surroundings surroundings(bool terminal) {
     return {&stream, terminal, [this] { return now; }};
   }
   long count(char letter) const {
@@ -33,6 +33,24 @@ TEST_F(ProgressTest, SlowCasesGetTheirTimeInsteadOfARate) {
   now += 7300;
   progress.update(50);
   EXPECT_EQ(stream.str(), "map: 50 of 100 (50 %), 146 s each, 2 h 2 min left\n");
+}
+
+TEST_F(ProgressTest, PartOfACaseCounts) {
+  Progress progress(2, "push", surroundings(true));
+  now += 60;
+  progress.update(1, 0.5);
+  EXPECT_EQ(stream.str(), "\r\033[Kpush: 1 of 2 (75 %), 40 s each, 20 s left");
+}
+
+TEST_F(ProgressTest, PartsOfCasesMakePlainLinesOnlyAfterHalfAMinute) {
+  Progress progress(1, "push", surroundings(false));
+  for (int i = 1; i < 100; ++i) {
+    now += 0.4;
+    progress.update(0, i / 100.0);
+  }
+  EXPECT_EQ(count('\n'), 1);
+  progress.update(1);
+  EXPECT_EQ(count('\n'), 2);
 }
 
 TEST_F(ProgressTest, PlainLinesComeAtTenths) {

@@ -54,6 +54,47 @@ TEST(KelvinVoigtTest, TheForceBeginsWithAJump) {
   EXPECT_NEAR(impact_of_free_mass(z).peak_force, 2 * z * std::sqrt(stiffness * mass) * speed, 1e-6);
 }
 
+// The force k u + c u' of a mass with speed v at touch: u = v / w_d e^(-z w t) sin(w_d t). Its
+// derivative is zero at tan(w_d t) = sqrt(1 - z^2) (1 - 4 z^2) / (z (3 - 4 z^2)) for z < 1/2.
+TEST(KelvinVoigtTest, TheInstantOfThePeak) {
+  const double w = std::sqrt(stiffness / mass);
+  const Model model({testing::single_mass("block", mass, 0, 0)});
+  for (const double z : {0.0, 0.1, 0.3, 0.7}) {
+    const ContactSet contacts({testing::contact_along_x(
+        model, "block.head", "", 1e-3,
+        std::make_shared<KelvinVoigt>(stiffness, 2 * z * std::sqrt(stiffness * mass)))});
+    Trajectory trajectory(model, contacts, IntegrationSettings{});
+    ImpactLog log(contacts, 0, true);
+    trajectory.start(0, Vector::Zero(1), Vector::Constant(1, speed));
+    trajectory.advance(0.5, log);
+    const double s = std::sqrt(1 - z * z);
+    const double after =
+        z < 0.5 ? std::atan2(s * (1 - 4 * z * z), z * (3 - 4 * z * z)) / (w * s) : 0;
+    EXPECT_NEAR(log.impacts(0).at(0).peak_time, 1e-3 / speed + after, 1e-6 / w) << z;
+  }
+}
+
+// Half a half sine: 1 - cos of the whole impulse, and all of the energy lost is none.
+TEST(KelvinVoigtTest, AnImpactThatLastsIsListedAtTheEndOfTheRecord) {
+  const double w = std::sqrt(stiffness / mass);
+  const Model model({testing::single_mass("block", mass, 0, 0)});
+  const ContactSet contacts({testing::contact_along_x(
+      model, "block.head", "", 1e-3, std::make_shared<KelvinVoigt>(stiffness, 0))});
+  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  ImpactLog log(contacts, 0);
+  trajectory.start(0, Vector::Zero(1), Vector::Constant(1, speed));
+  trajectory.advance(1e-3 / speed + 1 / w, log);
+  EXPECT_TRUE(log.impacts(0).empty());
+  log.end_record(trajectory.time(), trajectory.state(), trajectory.layout());
+  ASSERT_EQ(log.impacts(0).size(), 1u);
+  const Impact &impact = log.impacts(0)[0];
+  EXPECT_FALSE(impact.finished);
+  EXPECT_NEAR(impact.duration, 1 / w, 1e-9);
+  EXPECT_NEAR(impact.impulse, mass * speed * (1 - std::cos(1.0)), 1e-8);
+  EXPECT_NEAR(impact.peak_force, std::sqrt(stiffness * mass) * speed * std::sin(1.0), 1e-6);
+  EXPECT_TRUE(std::isnan(impact.restitution_coefficient()));
+}
+
 TEST(KelvinVoigtTest, NeverPulls) {
   const KelvinVoigt law(8e4, 200);
   const LawResponse response = testing::response_of(law, {.mode = 2, .gap = -1e-3, .gap_rate = 3});

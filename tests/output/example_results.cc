@@ -85,7 +85,7 @@ Field scalar(const std::string &name, const std::string &unit, double value) {
 
 struct Impact {
   double start = 0, duration = 0, approach_speed = 0, peak_force = 0, impulse = 0, penetration = 0,
-         separation_speed = 0;
+         separation_speed = 0, peak_time = 0;
 };
 
 struct Collision {
@@ -113,6 +113,8 @@ void follow_impact(double t, double step, double gap, double rate, double force,
     return;
   Impact &impact = impacts.back();
   impact.duration = t - impact.start;
+  if (force > impact.peak_force)
+    impact.peak_time = t;
   impact.peak_force = std::max(impact.peak_force, force);
   impact.impulse += step * force;
   impact.penetration = std::max(impact.penetration, -gap);
@@ -173,6 +175,7 @@ void add_impacts(const std::vector<Impact> &impacts, PointResult &point) {
   add("duration", "s", [](const Impact &impact) { return impact.duration; });
   add("approach_speed", "m/s", [](const Impact &impact) { return impact.approach_speed; });
   add("peak_force", "N", [](const Impact &impact) { return impact.peak_force; });
+  add("peak_time", "s", [](const Impact &impact) { return impact.peak_time; });
   add("impulse", "N s", [](const Impact &impact) { return impact.impulse; });
   add("maximum_penetration", "m", [](const Impact &impact) { return impact.penetration; });
   add("separation_speed", "m/s", [](const Impact &impact) { return impact.separation_speed; });

@@ -11,6 +11,11 @@ PointSequence sequence(const std::vector<PointResult> &points) {
   return [points](const auto &visit) { std::for_each(points.begin(), points.end(), visit); };
 }
 
+std::string summary_of(const AnalysisHeader &header, const std::vector<PointResult> &points) {
+  PointTotals totals;
+  return analysis_summary(header, sequence(points), totals);
+}
+
 TEST(Summary, LineHasTwelveDigitsAndTheUnit) {
   EXPECT_EQ(summary_line("a.b[1]", 2.0 / 3, "m/s"), "a.b[1] = 0.666666666667 [m/s]\n");
   EXPECT_EQ(summary_line("n", 17, "1"), "n = 17 [1]\n");
@@ -46,9 +51,9 @@ TEST(Summary, PointsAreCountedFromOne) {
     point.index = index;
     point.summary = {{Label("force", "N", ""), static_cast<double>(index[1])}};
   }
-  EXPECT_EQ(analysis_summary(header, sequence(points)), "analysis.response[1,10].force = 9 [N]\n"
-                                                        "analysis.response[2,3].force = 2 [N]\n"
-                                                        "analysis.response[2,17].force = 16 [N]\n");
+  EXPECT_EQ(summary_of(header, points), "analysis.response[1,10].force = 9 [N]\n"
+                                        "analysis.response[2,3].force = 2 [N]\n"
+                                        "analysis.response[2,17].force = 16 [N]\n");
 }
 
 TEST(Summary, LongMapsAreNotListed) {
@@ -60,17 +65,17 @@ TEST(Summary, LongMapsAreNotListed) {
                          .description = ""});
   PointResult point{.index = {3}, .status = Status::failed};
   point.summary = {{Label("force", "N", ""), 1}};
-  EXPECT_EQ(analysis_summary(header, sequence({point})),
+  EXPECT_EQ(summary_of(header, {point}),
             "analysis.map.points = 10001 [1]\nanalysis.map.failed_points = 1 [1]\n");
   header.axes[0].values.pop_back();
-  EXPECT_EQ(analysis_summary(header, sequence({point})),
+  EXPECT_EQ(summary_of(header, {point}),
             "analysis.map[4].force = 1 [N]\nanalysis.map.failed_points = 1 [1]\n");
 }
 
 TEST(Summary, WithoutAxesThereIsNoIndex) {
   PointResult point;
   point.summary = {{Label("steps", "1", ""), 3}, {Label("/model.mass", "kg", ""), 2}};
-  EXPECT_EQ(analysis_summary({"release", "transient", {}}, sequence({point})),
+  EXPECT_EQ(summary_of({"release", "transient", {}}, {point}),
             "analysis.release.steps = 3 [1]\nmodel.mass = 2 [kg]\n");
 }
 
@@ -78,8 +83,50 @@ TEST(Summary, FailedPointsAreCounted) {
   PointResult point;
   point.index = {4};
   point.status = Status::failed;
-  EXPECT_EQ(analysis_summary({"a", "transient", {}}, sequence({point})),
-            "analysis.a.failed_points = 1 [1]\n");
+  EXPECT_EQ(summary_of({"a", "transient", {}}, {point}), "analysis.a.failed_points = 1 [1]\n");
+}
+
+std::vector<PointResult> failures(const std::vector<std::string> &reasons) {
+  std::vector<PointResult> points;
+  for (const std::string &reason : reasons)
+    points.push_back({.index = {points.size()},
+                      .status = reason.empty() ? Status::finished : Status::failed,
+                      .reason = reason});
+  return points;
+}
+
+// Those that differ in a number only are one.
+TEST(Summary, ReasonsOfFailuresAreListedOnceWithTheirCounts) {
+  const std::vector<PointResult> points =
+      failures({"", "stuck at t = 1.5e-3 s", "more than 7 steps", "stuck at t = 2 s"});
+  PointTotals totals;
+  EXPECT_EQ(analysis_summary({"a", "transient", {}}, sequence(points), totals),
+            "analysis.a.failed_points = 3 [1]\n"
+            "analysis.a.failed_points[1] = 2 [1]  stuck at t = 1.5e-3 s\n"
+            "analysis.a.failed_points[2] = 1 [1]  more than 7 steps\n");
+  EXPECT_EQ(totals.failures(), "3 of 4 points failed:\n"
+                               "  2: stuck at t = 1.5e-3 s\n"
+                               "  1: more than 7 steps");
+  EXPECT_EQ(totals.unsettled(), "");
+}
+
+TEST(Summary, ReasonsBeyondTheThirdAreOnlyCounted) {
+  const std::vector<PointResult> points = failures({"a", "b", "c", "d", "e", "a"});
+  PointTotals totals;
+  analysis_summary({"a", "transient", {}}, sequence(points), totals);
+  EXPECT_EQ(totals.failures(),
+            "6 of 6 points failed:\n  2: a\n  1: b\n  1: c\n  and 2 other reasons");
+}
+
+TEST(Summary, PointsThatWereNotSteadyAreCounted) {
+  std::vector<PointResult> points(3);
+  for (std::size_t i = 0; i < 2; ++i)
+    points[i].fields.push_back({.label = Label("steady", "1", ""), .values = {i * 1.0}});
+  PointTotals totals;
+  EXPECT_EQ(analysis_summary({"a", "response", {}}, sequence(points), totals),
+            "analysis.a.unsettled_points = 1 [1]\n");
+  EXPECT_NE(totals.unsettled().find("1 of 3 points"), std::string::npos);
+  EXPECT_EQ(totals.failures(), "");
 }
 
 } // namespace

@@ -75,7 +75,10 @@ class Limits(check_runs.Runs):
         np.testing.assert_array_equal(self.read(out, "status"), [0, 1, 0])
         self.assertRegex(self.read(out, "reason")[1].decode(), reason)
         self.assertEqual(self.read(out, "reason")[0].decode(), "")
-        self.assertIn("analysis.cases.failed_points = 1 ", (out / "summary.txt").read_text())
+        summary = (out / "summary.txt").read_text()
+        self.assertIn("analysis.cases.failed_points = 1 ", summary)
+        self.assertRegex(summary, r"analysis.cases.failed_points\[1\] = 1 \[1\]  .*" + f"({reason})")
+        self.assertRegex(text, "warning: analysis cases: 1 of 3 points failed:\n  1: .*" + f"({reason})")
         self.assertIn("1 points failed", text)
         self.assertTrue(np.isnan(self.read(out, "steps")[1]))
 
@@ -108,6 +111,59 @@ class Limits(check_runs.Runs):
         for method in ("flight", "rk"):
             out, text = self.run_to(method, 3, "--set", f"Integration/Method={method}")
             self.expect_middle_failed(out, text, "no longer finite|too large for any step")
+
+    def test_a_failed_case_is_told_beside_a_derived_quantity_that_fails(self):
+        self.write("Excitation/push/Amplitude", "1 N, 1e308 N, 2 N")
+        self.file.write_text(self.file.read_text() + """
+subsection Derived d
+  set From = cases
+  set Operation = maximum
+  set Field = point/mass.head/displacement_x/peakk
+  set Along = Excitation.push.Amplitude
+end
+""")
+        _, text = self.run_to("out", 1)
+        self.assertIn("1 of 3 points failed", text)
+        self.assertIn("peakk", text)
+        self.assertIn("Everything else was written.", text)
+
+    def test_points_that_did_not_settle_are_told(self):
+        self.write()
+        out, text = self.run_to("settled", 0, "--set", "Analysis/one/Response/Settling cycles=900")
+        self.assertNotIn("steady", text)
+        self.assertNotIn("unsettled", (out / "summary.txt").read_text())
+        out, text = self.run_to("short", 0)
+        self.assertIn("analysis cases: 3 of 3 points were recorded before", text)
+        self.assertIn("analysis.cases.unsettled_points = 3 [1]", (out / "summary.txt").read_text())
+
+    def test_pictures_are_announced_where_there_are_some(self):
+        self.write()
+        out, text = self.run_to("lumped", 0)
+        self.assertNotIn("ParaView", text)
+        self.assertFalse((out / "modes.pvd").exists())
+        self.file.write_text(check_runs.BEAM)
+        out, text = self.run_to("beam", 0)
+        self.assertIn("for ParaView: modes.pvd;", text)
+        self.assertTrue((out / "modes.pvd").exists())
+
+    def test_sections_of_other_laws_are_told(self):
+        self.write()
+        _, text = self.run_to("used", 0)
+        self.assertNotIn("not used", text)
+        hertz = "  subsection Hertz\n    set Stiffness = 1e8 N/m^1.5\n  end\n"
+        self.file.write_text(self.file.read_text().replace("  subsection Linear", hertz
+                                                           + "  subsection Linear"))
+        out, text = self.run_to("unused", 0)
+        self.assertEqual(text.count("the section Hertz is not used"), 1)
+        self.assertNotIn("Linear penalty is not", text)
+        # The stored parameters have every section; what stands there by default is no mistake.
+        again = self.run_program(out / "parameters.prm", "--check")
+        self.assertEqual(again.stdout.count("is not used"), 1, again.stdout)
+        # A grid may use them all.
+        text = self.file.read_text().replace("stop/Clearance", "stop/Law")
+        self.file.write_text(text.replace("10 m, 5 mm, 11 m", "linear penalty, hertz"))
+        _, text = self.run_to("grid", 0)
+        self.assertNotIn("not used", text)
 
     def test_a_balance_that_does_not_close(self):
         self.write()

@@ -49,6 +49,23 @@ Repetition find_repetition(const StroboscopicPoints &points, long longest, doubl
   return best;
 }
 
+Approach find_spiral(const StroboscopicPoints &points, long k) {
+  const std::size_t last = points.size() - 1;
+  const auto turn = static_cast<std::size_t>(k);
+  for (std::size_t j = 1; j < turn; ++j) {
+    const double first = points.largest_difference(j, 0, turn - 1 + j);
+    const double end = points.largest_difference(j, last - j - (turn - 1), last);
+    if (!(end < 0.95 * first))
+      continue;
+    const double rate = std::pow(end / first, 1.0 / static_cast<double>(last - j - (turn - 1)));
+    const double factor = std::pow(rate, static_cast<double>(j));
+    return {.multiple = static_cast<long>(j),
+            .rate = rate,
+            .remaining = points.difference(last - j, j) * factor / (1 - factor)};
+  }
+  return {};
+}
+
 Approach find_approach(const StroboscopicPoints &points, long longest) {
   if (points.size() < 4)
     return {};

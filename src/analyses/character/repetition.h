@@ -43,6 +43,12 @@ struct Approach {
   double remaining = 0; ///< distance left at the end, as a geometric series
 };
 
+/// Is what find_repetition() took for a repetition after k > 1 periods a slow spiral towards a
+/// motion that repeats sooner? Of one that does repeat after k and no sooner, the differences at j
+/// < k repeat as well; here those of a j < k shrink, from the first k of the points to the last k,
+/// by more than a twentieth.
+Approach find_spiral(const StroboscopicPoints &points, long k);
+
 /// The smallest k <= longest for which the largest difference shrinks by more than a tenth from
 /// third to third of the points, the second time by at least half (logarithmically) of the first.
 Approach find_approach(const StroboscopicPoints &points, long longest);

@@ -22,10 +22,14 @@ void add_range(PointResult &result, const RangeLabels &labels, const std::vector
   result.fields.push_back(scalar_field(labels.maximum, none ? nan : *highest));
 }
 
-std::vector<double> values_of(const std::vector<Impact> &impacts, double Impact::*member) {
+enum class Lasting : bool { left_out, included };
+
+std::vector<double> values_of(const std::vector<Impact> &impacts, double Impact::*member,
+                              Lasting lasting) {
   std::vector<double> values;
   for (const Impact &impact : impacts)
-    values.push_back(impact.*member);
+    if (impact.finished || lasting == Lasting::included)
+      values.push_back(impact.*member);
   return values;
 }
 
@@ -39,6 +43,8 @@ RangeLabels::RangeLabels(const std::string &path, const std::string &unit,
 
 Impacts::Labels::Labels(const std::string &contact)
     : impacts("contact/" + contact + "/impacts", "1", "impacts begun in the recorded window"),
+      unfinished("contact/" + contact + "/unfinished", "1",
+                 "of these, impacts that last at the end of the window: 0 or 1"),
       impacts_per_period("contact/" + contact + "/impacts_per_period", "1",
                          "impacts begun per forcing period"),
       contact_fraction("contact/" + contact + "/contact_fraction", "1",
@@ -101,12 +107,18 @@ void Impacts::event(const ContactEvent &event) {
     ++chatters_[event.contact];
 }
 
+void Impacts::end(const Trajectory &trajectory) {
+  log_.end_record(trajectory.time(), trajectory.state(), trajectory.layout());
+}
+
 void Impacts::add_fields(PointResult &result) const {
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const Labels &labels = labels_[c];
     const auto begun = static_cast<double>(log_.begun(c));
-    const std::vector<Impact> &whole = log_.impacts(c);
+    const std::vector<Impact> &impacts = log_.impacts(c);
+    const bool lasts = !impacts.empty() && !impacts.back().finished;
     result.fields.push_back(scalar_field(labels.impacts, begun));
+    result.fields.push_back(scalar_field(labels.unfinished, lasts ? 1 : 0));
     if (window_.cycles > 0)
       result.fields.push_back(
           scalar_field(labels.impacts_per_period, begun / static_cast<double>(window_.cycles)));
@@ -114,10 +126,13 @@ void Impacts::add_fields(PointResult &result) const {
         scalar_field(labels.contact_fraction, time_in_contact_[c] / window_.length()));
     result.fields.push_back(scalar_field(labels.chatters, static_cast<double>(chatters_[c])));
     add_range(result, labels.approach_speed, approach_speeds_[c]);
-    add_range(result, labels.impulse, values_of(whole, &Impact::impulse));
-    add_range(result, labels.peak_force, values_of(whole, &Impact::peak_force));
-    add_range(result, labels.contact_duration, values_of(whole, &Impact::duration));
-    add_range(result, labels.penetration, values_of(whole, &Impact::maximum_penetration));
+    add_range(result, labels.impulse, values_of(impacts, &Impact::impulse, Lasting::left_out));
+    add_range(result, labels.peak_force,
+              values_of(impacts, &Impact::peak_force, Lasting::included));
+    add_range(result, labels.contact_duration,
+              values_of(impacts, &Impact::duration, Lasting::left_out));
+    add_range(result, labels.penetration,
+              values_of(impacts, &Impact::maximum_penetration, Lasting::included));
   }
 }
 

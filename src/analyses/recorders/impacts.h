@@ -1,8 +1,8 @@
 // Figures of the impacts in a window: how many, how hard, how long.
 //
-// Counts are of impacts that begin in the window. The figures of whole impacts (impulse, duration,
-// peak force, penetration) are of those that also end in it; the share of the time in contact and
-// the approach speeds lack none.
+// All is of impacts that begin in the window. Those that still last at its end are counted, and by
+// themselves as well; their peak force and penetration are those up to then. Impulse and duration
+// are of impacts that also end in the window, for a part of an impact would falsify the mean.
 #pragma once
 
 #include "analyses/recorder.h"
@@ -28,17 +28,18 @@ public:
   void begin(const Window &window, const Trajectory &trajectory) override;
   void step(const StepView &view) override;
   void event(const ContactEvent &event) override;
+  void end(const Trajectory &trajectory) override;
   FlightWatcher *flight_watcher() override { return this; }
-  /// For every contact C: contact/C/impacts, /impacts_per_period (where the window has periods),
-  /// /contact_fraction, /chatters, and mean, minimum and maximum of /approach_speed, /impulse,
-  /// /peak_force, /contact_duration, /penetration; these are NaN without an impact.
+  /// For every contact C: contact/C/impacts, /unfinished, /impacts_per_period (where the window has
+  /// periods), /contact_fraction, /chatters, and mean, minimum and maximum of /approach_speed,
+  /// /impulse, /peak_force, /contact_duration, /penetration; these are NaN without an impact.
   void add_fields(PointResult &result) const override;
 
 private:
   /// Of the impacts of one contact.
   struct Labels {
     explicit Labels(const std::string &contact);
-    Label impacts, impacts_per_period, contact_fraction, chatters;
+    Label impacts, unfinished, impacts_per_period, contact_fraction, chatters;
     RangeLabels approach_speed, impulse, peak_force, contact_duration, penetration;
   };
   void watch(const Equations &equations, std::vector<WatchedForm> &forms) override;

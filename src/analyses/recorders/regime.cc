@@ -161,9 +161,14 @@ void RegimeRecorder::add_impacts(PointResult &result, long multiple) const {
 
 void RegimeRecorder::add_fields(PointResult &result) const {
   const StroboscopicPoints points = this->points();
-  const Repetition repetition = find_repetition(points, settings_.longest, settings_.tolerance);
-  const Approach approach =
-      repetition.multiple > 0 ? Approach{} : find_approach(points, settings_.longest);
+  Repetition repetition = find_repetition(points, settings_.longest, settings_.tolerance);
+  Approach approach;
+  if (repetition.multiple > 1)
+    approach = find_spiral(points, repetition.multiple);
+  if (approach.multiple > 0)
+    repetition.multiple = 0;
+  else if (repetition.multiple == 0)
+    approach = find_approach(points, settings_.longest);
   put(result, "class", static_cast<double>(classify(repetition, approach)), "1",
       "0 does not repeat, 1 periodic, 2 settling towards a periodic motion, 3 quasi-periodic, "
       "4 chaotic");

@@ -1,0 +1,89 @@
+#include "output/point_totals.h"
+
+#include "analyses/fields.h"
+#include "output/summary.h"
+
+#include <algorithm>
+
+namespace vibroimpact {
+
+namespace {
+
+constexpr std::size_t most_reasons = 3;
+
+// Reasons that differ in an instant or another number are of one kind.
+std::string without_numbers(const std::string &text) {
+  std::string kind;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] < '0' || text[i] > '9') {
+      kind += text[i++];
+      continue;
+    }
+    i = std::min(text.find_first_not_of("0123456789.e+-", i), text.size());
+    kind += '#';
+  }
+  return kind;
+}
+
+} // namespace
+
+void PointTotals::add(const PointResult &point) {
+  ++points_;
+  unsettled_ += recorded_unsettled(point) ? 1 : 0;
+  unbalanced_ += unbalanced(point) ? 1 : 0;
+  undecided_ += undecided_events(point);
+  if (point.status != Status::failed)
+    return;
+  ++failed_;
+  if (point.reason.empty())
+    return;
+  const std::string kind = without_numbers(point.reason);
+  const auto known = std::find_if(reasons_.begin(), reasons_.end(),
+                                  [&](const Reason &reason) { return reason.kind == kind; });
+  if (known != reasons_.end())
+    ++known->points;
+  else
+    reasons_.push_back({.kind = kind, .text = point.reason, .points = 1});
+}
+
+std::size_t PointTotals::listed_reasons() const { return std::min(most_reasons, reasons_.size()); }
+
+std::string PointTotals::summary_lines(const std::string &prefix) const {
+  std::string text;
+  const auto add = [&text](const std::string &name, double value) {
+    if (value > 0)
+      text += summary_line(name, value, "1");
+  };
+  add(prefix + ".failed_points", static_cast<double>(failed_));
+  for (std::size_t i = 0; i < listed_reasons(); ++i) {
+    add(prefix + ".failed_points[" + std::to_string(i + 1) + "]",
+        static_cast<double>(reasons_[i].points));
+    std::string reason = reasons_[i].text;
+    std::replace(reason.begin(), reason.end(), '\n', ' ');
+    text.insert(text.size() - 1, "  " + reason);
+  }
+  add(prefix + ".unsettled_points", static_cast<double>(unsettled_));
+  add(prefix + ".unbalanced_points", static_cast<double>(unbalanced_));
+  add(prefix + ".total_undecided_events", undecided_);
+  return text;
+}
+
+std::string PointTotals::failures() const {
+  if (failed_ == 0)
+    return "";
+  std::string text = std::to_string(failed_) + " of " + std::to_string(points_) + " points failed:";
+  for (std::size_t i = 0; i < listed_reasons(); ++i)
+    text += "\n  " + std::to_string(reasons_[i].points) + ": " + reasons_[i].text;
+  if (reasons_.size() > listed_reasons())
+    text += "\n  and " + std::to_string(reasons_.size() - listed_reasons()) + " other reasons";
+  return text;
+}
+
+std::string PointTotals::unsettled() const {
+  if (unsettled_ == 0)
+    return "";
+  return std::to_string(unsettled_) + " of " + std::to_string(points_) +
+         " points were recorded before their motion was judged steady (steady in results.h5)";
+}
+
+} // namespace vibroimpact

@@ -1,0 +1,37 @@
+// What the reader of an analysis must not overlook: points that failed, and why, or are doubtful.
+#pragma once
+
+#include "common/result_sink.h"
+
+#include <string>
+#include <vector>
+
+namespace vibroimpact {
+
+class PointTotals {
+public:
+  void add(const PointResult &point);
+
+  /// Lines of the summary, `PREFIX.failed_points = 3 [1]`, only for what there is. Below them, for
+  /// the first distinct reasons, `PREFIX.failed_points[1] = 2 [1]  why`.
+  std::string summary_lines(const std::string &prefix) const;
+
+  /// "1 of 3 points failed:" and the reasons, one below the other; empty when none did.
+  std::string failures() const;
+  /// How many points were recorded before they were steady; empty when all were steady.
+  std::string unsettled() const;
+
+private:
+  struct Reason {
+    std::string kind; ///< the text without its numbers
+    std::string text; ///< of the first point
+    std::size_t points = 0;
+  };
+  std::size_t listed_reasons() const;
+
+  std::size_t points_ = 0, failed_ = 0, unsettled_ = 0, unbalanced_ = 0;
+  double undecided_ = 0;
+  std::vector<Reason> reasons_; ///< in the order of the points
+};
+
+} // namespace vibroimpact
