@@ -122,6 +122,26 @@ class Figures(unittest.TestCase):
     def test_no_text_overlaps_or_is_cut(self):
         self.check_all(["modal", "transient", "stepped sweep"])
 
+    def test_peaks_stand_where_the_force_is_largest(self):
+        """Not where the impact begins."""
+        with Results(FOLDER) as results, plt.rc_context(style.SETTINGS):
+            for analysis in (a for a in results.analyses() if a.name == "release"):
+                figure = dict(figures(results, analysis))["release-contact-heads"]()
+                lines = figure.axes[0].get_lines()
+                marks = [line for line in lines if line.get_marker() == "o"]
+                time, force = np.hstack([line.get_xydata().T for line in lines
+                                         if line not in marks])
+                instants, peaks = marks[0].get_xydata().T
+                beginnings = analysis.read("contact/heads/impact/time").values
+                durations = analysis.read("contact/heads/impact/duration").values
+                self.assertGreater(len(instants), 0)
+                unit = instants[0] / analysis.read("contact/heads/impact/peak_time").values[0]
+                for instant, start, duration in zip(instants, unit * beginnings, unit * durations):
+                    inside = (time >= start) & (time <= start + duration)
+                    largest = time[inside][np.argmax(force[inside])]
+                    self.assertLess(abs(instant - largest), 0.2 * duration)
+                plt.close(figure)
+
     def test_large_families_get_a_colour_bar(self):
         for module in (cases, curves):
             self.addCleanup(setattr, module, "LARGEST_LEGEND", module.LARGEST_LEGEND)
