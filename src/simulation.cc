@@ -56,7 +56,8 @@ std::filesystem::path body_file_name(const std::string &fingerprint) {
 
 // Of processor time, in --check [s].
 constexpr double longest_reduction_in_check = 7;
-constexpr double longest_trial = 2.5; // of all analyses together
+constexpr double longest_trial = 2.5;  // of all analyses together
+constexpr double shortest_trial = 0.2; // of those that are left, whatever their set-up took
 
 // Can a key at this path change a body?
 bool reaches_bodies(const std::string &path) {
@@ -312,8 +313,9 @@ void Simulation::check() {
   const double so_far = processor_seconds();
   double seconds = so_far;
   for (std::size_t i = 0; i < all.size(); ++i)
-    seconds += log_cost(all[i], (so_far + longest_trial - processor_seconds()) /
-                                    static_cast<double>(all.size() - i));
+    seconds +=
+        log_cost(all[i], std::max(shortest_trial, so_far + longest_trial - processor_seconds()) /
+                             static_cast<double>(all.size() - i));
   log::info("in all about " + short_number(seconds) + " s on one core, " + short_number(so_far) +
             " s of them for the bodies and before");
 }
