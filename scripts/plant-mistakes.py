@@ -224,6 +224,7 @@ class Entry:
         self.folder = pathlib.Path(properties["WORKING_DIRECTORY"]).name
         self.directory = properties["WORKING_DIRECTORY"]
         self.labels = properties.get("LABELS", [])
+        self.reads_another = bool(properties.get("FIXTURES_REQUIRED"))
         self.usual = 0.0
 
     def run(self, limit):
@@ -266,10 +267,11 @@ def measure(tests, file):
 
 
 def witnesses(tests, folder):
-    """The quick ones first within a folder."""
+    """The quick ones first within a folder, but those that read what another one writes last."""
     first = ORDER.index(folder)
     later = [entry for entry in tests if ORDER.index(entry.folder) >= first]
-    return sorted(later, key=lambda entry: (ORDER.index(entry.folder), entry.usual))
+    return sorted(later, key=lambda entry: (ORDER.index(entry.folder), entry.reads_another,
+                                            entry.usual))
 
 
 def judged(copy, mistake, tests):
