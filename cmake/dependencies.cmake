@@ -6,8 +6,6 @@ find_package(Boost 1.74 REQUIRED COMPONENTS context program_options serializatio
 find_package(deal.II 9.4 REQUIRED)
 pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
 pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET SLEPc)
-# deal.II brings muParser along; its own wrapper of it prints errors to the terminal.
-pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
 # exp, sin and cos that are the same in all vector widths.
 pkg_check_modules(SLEEF REQUIRED IMPORTED_TARGET sleef)

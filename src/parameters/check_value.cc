@@ -99,6 +99,15 @@ void check_integer(Value &value, const VariableTable &variables) {
   value.numbers.push_back(number);
 }
 
+void check_names(std::vector<std::string> names, const Key &key) {
+  if (contains(names, ""))
+    throw Refused("an entry of the list is empty; " + expectation(key));
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if (twice != names.end())
+    throw Refused("'" + *twice + "' is listed twice; " + expectation(key));
+}
+
 void check_word(const Value &value) {
   const Key &key = *value.key;
   if (key.kind == KeyKind::choice && !contains(key.options, value.text))
@@ -107,8 +116,8 @@ void check_word(const Value &value) {
   if (key.kind == KeyKind::boolean && !contains(true_words, value.text) &&
       !contains(false_words, value.text))
     throw Refused("'" + value.text + "' is not possible; " + expectation(key));
-  if (key.kind == KeyKind::names && contains(split_list(value.text), ""))
-    throw Refused("an entry of the list is empty; " + expectation(key));
+  if (key.kind == KeyKind::names)
+    check_names(split_list(value.text), key);
 }
 
 bool may_be_empty(const Key &key) {
@@ -166,7 +175,7 @@ std::string expectation(const Key &key) {
   case KeyKind::choice:
     return "one of these is expected: " + join(key.options, ", ");
   case KeyKind::names:
-    return "names separated by commas are expected";
+    return "different names separated by commas are expected";
   case KeyKind::variables:
     return "NAME = VALUE is expected, separated by commas";
   case KeyKind::text:

@@ -22,10 +22,11 @@ public:
 struct Number {
   double value = 0; ///< in SI
   Dimension dimension{};
-  bool bare = true;       ///< no unit anywhere in it, not even in its variables: taken as SI
-  bool determined = true; ///< false for an expression that is zero: its dimension cannot be seen
-  bool literal = true;    ///< one number with at most one unit
+  bool bare = true;    ///< no unit anywhere in it, not even in its variables: taken as SI
+  bool literal = true; ///< one number with at most one unit
 };
+
+class Program;
 
 using VariableTable = std::map<std::string, Number>;
 
@@ -44,13 +45,11 @@ public:
   Function &operator=(const Function &) = delete;
   ~Function();
 
-  /// The arguments in their order, in SI; so is the value. Throws Refused.
+  /// The arguments in their order, in SI; so is the value, which need not be finite.
   double operator()(const std::vector<double> &arguments);
 
 private:
-  struct Parser;
-  std::string text_;
-  std::unique_ptr<Parser> parser_;
+  std::unique_ptr<Program> program_;
 };
 
 /// The variables that `text` uses. Text that is no expression gives those whose names stand in it.

@@ -7,9 +7,13 @@ namespace vibroimpact::parameters {
 
 namespace {
 
+constexpr std::size_t longest_place = 600;
+constexpr std::size_t longest_value = 300;
+constexpr std::size_t longest_problem = 1200;
+
 std::string message(const std::string &headline, const std::string &problem) {
   const bool ended = problem.ends_with('.') || problem.ends_with('?');
-  return headline + "\n  " + problem + (ended ? "" : ".");
+  return headline + "\n  " + shortened(problem, longest_problem) + (ended ? "" : ".");
 }
 
 } // namespace
@@ -30,12 +34,14 @@ std::string place(const Origin &origin, const std::vector<std::string> &path) {
 void refuse_value(const Origin &origin, const std::vector<std::string> &path,
                   const std::string &value, const std::string &problem) {
   const char *equals = origin.kind == Origin::Kind::override ? "=" : " = ";
-  throw InputError(message(place(origin, path) + equals + value, problem));
+  throw InputError(message(shortened(place(origin, path), longest_place) + equals +
+                               shortened(value, longest_value),
+                           problem));
 }
 
 void refuse_place(const Origin &origin, const std::vector<std::string> &path,
                   const std::string &problem) {
-  throw InputError(message(place(origin, path), problem));
+  throw InputError(message(shortened(place(origin, path), longest_place), problem));
 }
 
 } // namespace vibroimpact::parameters

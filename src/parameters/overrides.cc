@@ -21,8 +21,7 @@ std::vector<std::string> path_parts(const std::string &path) {
 /// Follows a path from the root, noting every section it enters.
 class PathWalker {
 public:
-  PathWalker(Node &root, const Override &replacement)
-      : replacement_(replacement), parts_(path_parts(replacement.path)), entered_{&root} {}
+  PathWalker(Node &root, const std::string &path) : parts_(path_parts(path)), entered_{&root} {}
 
   Value &walk() {
     if (parts_.empty())
@@ -38,9 +37,7 @@ public:
 private:
   Node &here() { return *entered_.back(); }
 
-  [[noreturn]] void refuse(const std::string &problem) const {
-    refuse_value(override_origin(replacement_), {}, replacement_.value, problem);
-  }
+  [[noreturn]] static void refuse(const std::string &problem) { throw Refused(problem); }
 
   /// "Geometry", "Body left" or, over two parts, "Body" and "left".
   void enter_next() {
@@ -89,7 +86,6 @@ private:
     refuse(unknown_key(*here().declared, name));
   }
 
-  const Override &replacement_;
   std::vector<std::string> parts_;
   std::size_t position_ = 0;
   std::vector<Node *> entered_;
@@ -105,38 +101,66 @@ bool is_variable_override(const Override &replacement) {
   return replacement.path.starts_with(variables_prefix);
 }
 
-std::string override_variable(std::vector<VariableDefinition> &definitions,
-                              const Override &replacement) {
-  const std::string name = normalised(replacement.path.substr(variables_prefix.size()));
+namespace {
+
+std::string variable_name(const std::string &path) {
+  return normalised(path.substr(variables_prefix.size()));
+}
+
+/// Throws Refused for a variable that is not among them.
+VariableDefinition &find_definition(std::vector<VariableDefinition> &definitions,
+                                    const std::string &name) {
   std::vector<std::string> known;
   for (VariableDefinition &definition : definitions) {
     known.push_back(definition.name);
-    if (definition.name != name)
-      continue;
-    definition.text = normalised(replacement.value);
-    definition.origin = override_origin(replacement);
-    return name;
+    if (definition.name == name)
+      return definition;
   }
   std::string problem = "there is no variable '" + name + "'";
   if (nearest(name, known).empty())
     problem += known.empty() ? "; the file defines none" : "; defined are: " + join(known, ", ");
-  refuse_value(override_origin(replacement), {}, replacement.value,
-               problem + suggestion(name, known));
+  throw Refused(problem + suggestion(name, known));
 }
 
-Value &override_value(Node &root, const Override &replacement) {
-  const Origin origin = override_origin(replacement);
-  PathWalker walker(root, replacement);
+} // namespace
+
+std::string override_variable(std::vector<VariableDefinition> &definitions,
+                              const Override &replacement) try {
+  const std::string name = variable_name(replacement.path);
+  VariableDefinition &definition = find_definition(definitions, name);
+  definition.text = normalised(replacement.value);
+  definition.origin = override_origin(replacement);
+  return name;
+} catch (const Refused &refused) {
+  refuse_value(override_origin(replacement), {}, replacement.value, refused.what());
+}
+
+Value &override_value(Node &root, const Override &replacement) try {
+  PathWalker walker(root, replacement.path);
   Value &value = walker.walk();
   value.text = normalised(replacement.value);
+  if (!is_plain_text(replacement.value))
+    throw Refused("a value may not hold control characters or text that is no UTF-8");
   if (replacement.value.find_first_of("#\n\r") != std::string::npos || value.text.ends_with('\\'))
-    refuse_value(origin, {}, value.text,
-                 "a value may not hold '#' or a line break, nor end in '\\'");
-  value.origin = origin;
+    throw Refused("a value may not hold '#' or a line break, nor end in '\\'");
+  value.origin = override_origin(replacement);
   value.given = true;
   for (Node *node : walker.entered())
     node->given = true;
   return value;
+} catch (const Refused &refused) {
+  refuse_value(override_origin(replacement), {}, replacement.value, refused.what());
+}
+
+std::string key_path(Node root, std::vector<VariableDefinition> definitions,
+                     const std::string &path) {
+  if (path.starts_with(variables_prefix))
+    return variables_prefix + find_definition(definitions, variable_name(path)).name;
+  PathWalker walker(root, path);
+  const std::string key = walker.walk().key->name;
+  std::vector<std::string> parts = walker.entered().back()->path;
+  parts.push_back(key);
+  return join(parts, "/");
 }
 
 Override split_override(const std::string &text, const std::string &origin) {

@@ -22,4 +22,9 @@ std::string override_variable(std::vector<VariableDefinition> &definitions,
 /// The new text is not checked. Throws InputError for an unknown path.
 Value &override_value(Node &root, const Override &replacement);
 
+/// The one spelling of a path: "Contact heads/Clearance", "Variables/lambda". Works on copies.
+/// Throws Refused for an unknown path.
+std::string key_path(Node root, std::vector<VariableDefinition> definitions,
+                     const std::string &path);
+
 } // namespace vibroimpact::parameters

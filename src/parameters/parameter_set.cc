@@ -188,6 +188,12 @@ std::optional<SiNumber> ParameterSet::number_at(const std::string &path) const {
   return SiNumber{.value = value.numbers.front().value, .unit = si_unit(dimension)};
 }
 
+std::string ParameterSet::key_path(const std::string &path) const try {
+  return parameters::key_path(data_->root, data_->definitions, path);
+} catch (const Refused &refused) {
+  throw InputError(path + ": " + refused.what() + ".");
+}
+
 Values ParameterSet::root() const { return {shared_from_this(), data_->root}; }
 
 std::string ParameterSet::folder() const {

@@ -13,7 +13,25 @@ namespace {
 
 using Tree = boost::property_tree::ptree;
 
+/// The reader of the library calls itself for each level of brackets.
+void check_depth(const std::string &text, const std::string &name) {
+  constexpr int deepest = 50;
+  int depth = 0;
+  int line = 1;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    line += c == '\n' ? 1 : 0;
+    i += quoted && c == '\\' ? 1 : 0; // the next character is part of the string
+    quoted = quoted != (c == '"');
+    depth += quoted ? 0 : c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0;
+    if (depth > deepest)
+      refuse_place({.source = name, .line = line}, {}, "brackets nest more than 50 deep");
+  }
+}
+
 Tree parsed(const std::string &text, const std::string &name) {
+  check_depth(text, name);
   Tree tree;
   std::istringstream stream(text);
   try {
@@ -43,6 +61,10 @@ private:
                        .value = normalised(child.data()),
                        .origin = {.kind = Origin::Kind::json, .source = file_, .order = order_++}};
     entry.kind = kind_of(child);
+    if (!is_plain_text(name) || !is_plain_text(child.data()))
+      refuse_place(entry.origin, {},
+                   "a key or value holds a character that is no text, such as a "
+                   "NUL byte or a letter in another encoding than UTF-8");
     if (child.data().find_first_of("#\n\r") != std::string::npos || entry.value.ends_with('\\'))
       refuse_value(entry.origin, path_, entry.value,
                    "a value may not hold '#' or a line break, nor end in '\\'");

@@ -31,6 +31,10 @@ public:
     const std::size_t hash = raw.find('#');
     line.text = normalised(raw.substr(0, hash));
     line.comment = hash == std::string::npos ? "" : normalised(raw.substr(hash + 1));
+    if (!is_plain_text(line.text))
+      refuse_place({.source = file_, .line = line.number}, {},
+                   "this line holds a character that is no text, such as a NUL byte or a letter in "
+                   "another encoding than UTF-8");
     return true;
   }
 
@@ -108,6 +112,9 @@ private:
   }
 
   void begin_section(const std::string &name, const Line &line) {
+    constexpr std::size_t deepest = 50;
+    if (path_.size() == deepest)
+      refuse_place(origin_of(line), {}, "subsections nest more than 50 deep");
     ScannedEntry section{.name = name, .origin = origin_of(line)};
     section.marked_as_default = line.comment == default_mark;
     open_.back()->entries.push_back(std::move(section));
@@ -145,6 +152,9 @@ private:
       if (std::filesystem::path(open).lexically_normal() ==
           std::filesystem::path(name).lexically_normal())
         refuse_place(here, {}, "'include " + file + "': the file includes itself");
+    constexpr std::size_t longest_chain = 50;
+    if (files_.size() == longest_chain)
+      refuse_place(here, {}, "files include each other more than 50 deep");
     scan_file(file_content(name, here), name);
   }
 

@@ -82,6 +82,40 @@ std::string number_text(double value) {
   return text.str();
 }
 
+std::string shortened(const std::string &text, std::size_t most) {
+  if (text.size() <= most)
+    return text;
+  // Not within a character: its later bytes are 10xxxxxx.
+  const auto boundary = [&text](std::size_t at) {
+    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U)
+      ++at;
+    return at;
+  };
+  return text.substr(0, boundary(most / 2)) + " ... " +
+         text.substr(boundary(text.size() - most / 2));
+}
+
+bool is_plain_text(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto first = static_cast<unsigned char>(text[i]);
+    const bool control = (first < 0x20 && !is_blank(text[i])) || first == 0x7F;
+    // 110xxxxx, 1110xxxx and 11110xxx begin characters of two, three and four bytes; C0, C1 and
+    // those above F4 begin none.
+    const std::size_t length = first < 0x80                    ? 1
+                               : first >= 0xC2 && first < 0xE0 ? 2
+                               : first >= 0xE0 && first < 0xF0 ? 3
+                               : first >= 0xF0 && first < 0xF5 ? 4
+                                                               : 0;
+    if (control || length == 0 || i + length > text.size())
+      return false;
+    for (std::size_t k = 1; k < length; ++k)
+      if ((static_cast<unsigned char>(text[i + k]) & 0xC0U) != 0x80U)
+        return false;
+    i += length;
+  }
+  return true;
+}
+
 bool begins_with_letter(std::string_view name) {
   return !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0;
 }
@@ -91,6 +125,8 @@ std::string nearest(const std::string &word, const std::vector<std::string> &can
   // One wrong letter in three; in words of one or two letters only the case may be wrong.
   const std::size_t allowed = word.size() < 3 ? 0 : word.size() / 3;
   std::size_t smallest = allowed + 1;
+  if (word.size() > 100)
+    return best; // no name, and its distances would take long
   for (const std::string &candidate : candidates) {
     const std::size_t distance = edit_distance(lower_case(word), lower_case(candidate));
     if (distance < smallest) {

@@ -19,6 +19,13 @@ std::string join(const std::vector<std::string> &parts, const std::string &separ
 /// Shortest text that tells the number to six digits, for messages.
 std::string number_text(double value);
 
+/// Text of at most about `most` bytes: of a longer one the beginning and the end, with "..." for
+/// what is left out.
+std::string shortened(const std::string &text, std::size_t most);
+
+/// Is it UTF-8 without control characters other than tabs and line breaks?
+bool is_plain_text(std::string_view text);
+
 bool begins_with_letter(std::string_view name);
 
 /// The candidate with the smallest edit distance to `word`, or "" when none is near enough to be

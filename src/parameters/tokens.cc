@@ -101,11 +101,15 @@ private:
   }
 
   UnitFactor group() {
+    constexpr int most = 20;
+    if (++depth_ > most)
+      throw Refused("a unit nests parentheses more than " + std::to_string(most) + " deep");
     ++position_;
     const UnitFactor unit = read(UnitBegin::directly).value_or(UnitFactor{});
     if (!is_symbol(")"))
       throw Refused("a unit in parentheses is not closed by ')'");
     ++position_;
+    --depth_;
     return unit;
   }
 
@@ -145,6 +149,7 @@ private:
 
   const std::vector<Token> &tokens_;
   std::size_t position_;
+  int depth_ = 0; ///< of parentheses
 };
 
 } // namespace

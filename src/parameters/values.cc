@@ -2,6 +2,7 @@
 
 #include "parameters/check_value.h"
 #include "parameters/fingerprint.h"
+#include "parameters/overrides.h"
 #include "parameters/parameter_data.h"
 #include "parameters/text.h"
 
@@ -94,7 +95,7 @@ std::vector<std::string> Values::names(const std::string &key) const {
 
 std::optional<Dimension> Values::dimension(const std::string &key) const {
   const Value &found = value(key, {KeyKind::quantity, KeyKind::quantities});
-  if (found.numbers.empty() || found.numbers.front().bare || !found.numbers.front().determined)
+  if (found.numbers.empty() || found.numbers.front().bare)
     return std::nullopt;
   return found.numbers.front().dimension;
 }
@@ -178,9 +179,20 @@ void Values::require_known(const std::string &key, const std::string &name,
   reject(key, "there is no '" + name + "'" + (near.empty() ? all : near));
 }
 
+std::string Values::key_path(const std::string &key) const {
+  try {
+    return parameters::key_path(set_->data_->root, set_->data_->definitions, text(key));
+  } catch (const Refused &refused) {
+    reject(key, refused.what());
+  }
+}
+
 std::string Values::locate(const std::string &key) const {
-  const Value &found = value(key);
-  return place(found.origin, path_of(*node_, key)) + " = " + shown_value(found);
+  return place(key) + " = " + shown_value(value(key));
+}
+
+std::string Values::place(const std::string &key) const {
+  return parameters::place(value(key).origin, path_of(*node_, key));
 }
 
 std::string Values::path() const { return join(node_->path, "/"); }

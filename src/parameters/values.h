@@ -32,8 +32,7 @@ public:
   std::string text(const std::string &key) const;
   std::vector<std::string> names(const std::string &key) const;
 
-  /// The dimension found, for keys of dimension::any; none for a bare number, which is SI, and for
-  /// an expression that is zero.
+  /// The dimension found, for keys of dimension::any; none for a bare number, which is SI.
   std::optional<Dimension> dimension(const std::string &key) const;
   /// reject() unless every number of the key may have this dimension.
   void require_dimension(const std::string &key, const Dimension &expected) const;
@@ -64,8 +63,14 @@ public:
   void require_known(const std::string &key, const std::string &name,
                      const std::vector<std::string> &known) const;
 
+  /// The key's text is the path of another key, as for --set; returns it in its one spelling,
+  /// "Contact heads/Clearance" or "Variables/lambda". reject()s a path that leads nowhere.
+  std::string key_path(const std::string &key) const;
+
   /// "file.prm:12: Contact heads / Clearance = 5 mm", for messages of later stages.
   std::string locate(const std::string &key) const;
+  /// "file.prm:12: Contact heads / Clearance"
+  std::string place(const std::string &key) const;
 
   /// "Body left/Material"
   std::string path() const;
@@ -91,7 +96,7 @@ private:
 struct Override {
   std::string path;
   std::string value;
-  std::string origin; ///< for messages: "--set", "Analysis grid"
+  std::string origin; ///< for messages: "--set", or the Values::place() of the key it comes from
 };
 
 /// "PATH=VALUE", split at the first '='. Throws InputError without one.
@@ -121,6 +126,9 @@ public:
   std::shared_ptr<const ParameterSet> with(const std::vector<Override> &more) const;
 
   Values root() const;
+  /// The one spelling of an override path: "Contact heads/Clearance", "Variables/lambda". Throws
+  /// InputError for an unknown path.
+  std::string key_path(const std::string &path) const;
   /// The number an override path names; nothing when the key holds no single number. Throws
   /// InputError for an unknown path.
   std::optional<SiNumber> number_at(const std::string &path) const;

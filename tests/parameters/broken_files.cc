@@ -77,6 +77,15 @@ const std::vector<Case> structure{
      "2\n  the file 'params/nowhere.prm' does not exist."},
     {"key_as_section", "subsection Title\nend\n",
      "1: Title\n  'Title' is a key, not a subsection."},
+    {"another_encoding", "set Title = M\xFCller\n",
+     "1\n  this line holds a character that is no text, such as a NUL byte or a letter in another "
+     "encoding than UTF-8."},
+    {"half_a_character", "set Title = M\xC3\n",
+     "1\n  this line holds a character that is no text, such as a NUL byte or a letter in another "
+     "encoding than UTF-8."},
+    {"name_listed_twice", "set Bodies = a, b, a\n",
+     "1: Bodies = a, b, a\n  'a' is listed twice; different names separated by commas are "
+     "expected."},
     {"section_as_key", "set Excitation = 3\n",
      "1: Excitation = 3\n  'Excitation' is a subsection, not a key with a value."},
 };
@@ -163,7 +172,7 @@ const std::vector<Case> values{
      "2: Body a / Type = shel\n  'shel' is not possible; did you mean 'shell'? one of these is "
      "expected: beam, shell, lumped."},
     {"names", "set Bodies = a,,b\n",
-     "1: Bodies = a,,b\n  an entry of the list is empty; names separated by commas are expected."},
+     "1: Bodies = a,,b\n  an entry of the list is empty; different names separated by commas are expected."},
     {"variable_named_as_unit", "set Variables = g = 3\n",
      "1: Variables = g = 3\n  'g' is a unit and cannot be the name of a variable."},
     {"variable_named_as_function", "set Variables = sqrt = 3\n",
@@ -205,6 +214,44 @@ TEST(BrokenFiles, a_file_that_includes_itself) {
 TEST(BrokenFiles, a_message_carries_no_stack_trace) {
   for (const Case &broken : structure)
     EXPECT_EQ(error_of([&] { parse_prm(broken.text); }).find("Stacktrace"), std::string::npos);
+}
+
+TEST(BrokenFiles, a_nul_byte_is_refused_at_its_line) {
+  const std::string text("set Title = a\nset Bodies = b\0c\n", 30);
+  EXPECT_EQ(error_of([&] { parse_prm(text); }).substr(0, 65),
+            "params/beams.prm:2\n  this line holds a character that is no text,");
+  EXPECT_NO_THROW(parse_prm("# M\xFCller\nset Title = M\xC3\xBCller \xF0\x9F\x94\xA7\n"));
+}
+
+// Each level is a call of the destructor of another.
+TEST(BrokenFiles, endless_nesting_is_refused) {
+  std::string text;
+  for (int i = 0; i < 100000; ++i)
+    text += "subsection Body a\n";
+  EXPECT_EQ(error_of([&] { parse_prm(text); }),
+            "params/beams.prm:51\n  subsections nest more than 50 deep.");
+}
+
+TEST(BrokenFiles, messages_stay_short) {
+  const std::string many(20000, 'x');
+  for (const std::string &text :
+       {"set Title = a\nset " + many + " = 1\n", "subsection " + many + "\nend\n",
+        "subsection Contact heads\n  set Clearance = " + many + "\nend\n",
+        "subsection Body a\n  set Type = " + many + "\nend\n", many + "\n"}) {
+    const std::string message = error_of([&] { parse_prm(text); });
+    EXPECT_GT(message.size(), 100U);
+    EXPECT_LT(message.size(), 2500U) << message;
+    EXPECT_NE(message.find("xxx ... "), std::string::npos) << message;
+  }
+  // Cut between characters, not within one.
+  std::string letters;
+  for (int i = 0; i < 3000; ++i)
+    letters += "\xC3\xBC";
+  for (const std::string before : {"", "a"})
+    EXPECT_NO_THROW(parse_prm("# ok\nset Title = " + before + letters + "\n"));
+  const std::string message =
+      error_of([&] { parse_prm("subsection Body a\n  set Type = a" + letters + "\nend\n"); });
+  EXPECT_NE(message.find("\xC3\xBC ... \xC3\xBC"), std::string::npos) << message;
 }
 
 } // namespace

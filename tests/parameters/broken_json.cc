@@ -76,5 +76,17 @@ TEST(BrokenJson, a_value_that_prm_could_not_hold_is_refused) {
       "'\\'.");
 }
 
+TEST(BrokenJson, endless_nesting_is_refused) {
+  EXPECT_EQ(message("{\n\"a\": " + std::string(100000, '[')),
+            "beams.json:2\n  brackets nest more than 50 deep.");
+  EXPECT_EQ(
+      message("{ \"Title\": \"" + std::string(100, '{') + "\\\"" + std::string(100, '[') + "\" }"),
+      ""); // within a text they are letters
+}
+
+TEST(BrokenJson, control_characters_are_refused) {
+  EXPECT_NE(message(R"({"Title": "a\u0000b"})").find("no text"), std::string::npos);
+}
+
 } // namespace
 } // namespace vibroimpact::parameters

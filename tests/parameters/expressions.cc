@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -28,7 +29,6 @@ class ExpressionsTable : public testing::TestWithParam<Case> {};
 TEST_P(ExpressionsTable, has_value_and_dimension) {
   const Number number = evaluate(GetParam().text, variables());
   EXPECT_NEAR(number.value, GetParam().value, 1e-15 * (1 + std::abs(GetParam().value)));
-  EXPECT_TRUE(number.determined);
   EXPECT_EQ(si_unit(number.dimension), GetParam().unit);
 }
 
@@ -49,6 +49,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"tan((30 deg + 15 deg))", 1, "1"},
         Case{"cos(2 * pi * 1 rad) * 1 Hz", 2 * std::numbers::pi, "rad/s"},
         Case{"(2 Hz)^2 * 3 kg", 48 * std::numbers::pi *std::numbers::pi, "kg rad^2/s^2"},
+        Case{"2^3^2", 512, "1"}, Case{"-2^2", -4, "1"}, Case{"2^-2", 0.25, "1"},
+        Case{"2 - 3 - 4", -5, "1"}, Case{"24 / 3 / 4", 2, "1"}, Case{"--3 m", 3, "m"},
+        Case{"(L^(1/3))^3", 0.3, "m"}, Case{"max(0, L - 1 m)", 0, "m"}, Case{"0 + L", 0.3, "m"},
+        Case{"min(3, 1, 2) * 1 N", 1, "N"}, Case{"1 m - 1 m", 0, "m"}, Case{"0 * 3 kg", 0, "kg"},
         Case{"ln(exp(2))", 2, "1"}, Case{"log10(1000)", 3, "1"}, Case{"abs(-3 m)", 3, "m"},
         Case{"atan(1) * 4", std::numbers::pi, "1"}, Case{"5 mm / 1 mm", 5, "1"}));
 
@@ -86,12 +90,52 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair{"5,3 mm", "decimals follow a point"},
         std::pair{"(5,3) * 1 mm", "decimals follow a point"},
         std::pair{"max((1, 2), 3)", "decimals follow a point"},
-        std::pair{"max()", "cannot be computed"}, std::pair{"2 ; 3", "holds ';'"},
+        std::pair{"max()", "cannot be computed"}, std::pair{"sqrt(1, 2)", "cannot be computed"},
+        std::pair{"* 2", "cannot be computed"}, std::pair{"2 + / 3", "cannot be computed"},
+        std::pair{"((((", "not closed"}, std::pair{"max(1,", "not closed"},
+        std::pair{"(1 m - 1 m) + 2 s", "different dimensions"},
+        std::pair{"zero + lambda + L", "different dimensions"}, std::pair{"2 ; 3", "holds ';'"},
         std::pair{"", "a number is missing"}));
 
-TEST(Expressions, a_zero_without_variables_has_no_visible_dimension) {
-  EXPECT_FALSE(evaluate("1 m - 1 m", {}).determined);
-  EXPECT_TRUE(evaluate("0 kg", {}).determined);
+std::string repeated(const std::string &part, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i)
+    text += part;
+  return text;
+}
+
+std::string refusal(const std::string &text) {
+  try {
+    evaluate(text, {});
+  } catch (const Refused &refused) {
+    return refused.what();
+  }
+  return "accepted";
+}
+
+TEST(Expressions, may_be_of_any_length) {
+  EXPECT_EQ(evaluate(repeated("1 + ", 100000) + "1", {}).value, 100001);
+  EXPECT_EQ(evaluate(repeated("-", 100000) + "1", {}).value, 1);
+  EXPECT_EQ(evaluate(repeated("2 * 0.5 * ", 50000) + "3 m", {}).dimension, dimension::length);
+}
+
+// Each level of nesting takes a piece of the stack.
+TEST(Expressions, nest_a_hundred_deep_and_no_deeper) {
+  EXPECT_EQ(evaluate(repeated("(", 100) + "2 m" + repeated(")", 100), {}).value, 2);
+  EXPECT_EQ(evaluate(repeated("abs(", 100) + "-2" + repeated(")", 100), {}).value, 2);
+  EXPECT_EQ(evaluate(repeated("1^", 100) + "2", {}).value, 1);
+  for (const std::string level : {"(", "sqrt(", "2^"})
+    for (const int times : {101, 100000})
+      EXPECT_NE(refusal(repeated(level, times)).find("more than 100 deep"), std::string::npos);
+  EXPECT_NE(refusal("3 m" + repeated("/(m", 100000)).find("more than 20 deep"), std::string::npos);
+}
+
+TEST(Expressions, a_function_gives_the_values_of_its_expression) {
+  Function function("scale * max(x, y)^2 - sin(30 deg) / z", {{"scale", evaluate("3 m", {})}},
+                    {"x", "y", "z"});
+  for (const double x : {-1.0, 0.5, 2.0})
+    EXPECT_DOUBLE_EQ(function({x, 1, 4}), 3 * std::pow(std::max(x, 1.0), 2) - 0.125);
+  EXPECT_TRUE(std::isinf(function({1, 1, 0})));
 }
 
 TEST(Expressions, names_of_units_functions_and_constants_are_reserved) {
