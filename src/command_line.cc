@@ -71,7 +71,12 @@ CommandLine::Task task_of(const options::variables_map &map) {
 }
 
 std::string text(const options::variables_map &map, const std::string &name) {
-  return map.count(name) > 0 ? map[name].as<std::string>() : "";
+  if (map.count(name) == 0)
+    return "";
+  const std::string value = map[name].as<std::string>();
+  if (value.empty())
+    throw InputError("command line: --" + name + " must not be empty.\n  see vibroimpact --help.");
+  return value;
 }
 
 std::size_t lines_at_once(const std::string &given) {

@@ -3,6 +3,7 @@
 #include "command_line.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "common/petsc_error.h"
 #include "common/signals.h"
 #include "run_information.h"
 #include "simulation.h"
@@ -172,6 +173,7 @@ int run_program(int argc, char **argv) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   log::set_rank(rank);
+  petsc::keep_errors();
   install_signal_handlers(rank == 0); // again: the libraries set their own
   return guarded(argc, argv, rank);
 }

@@ -13,12 +13,14 @@
 #include "model/initial_condition.h"
 #include "output/result_files.h"
 #include "output/vtu_writer.h"
+#include "parameters/text.h"
 #include "reduction/body_file.h"
 #include "reduction/body_parameters.h"
 #include "reduction/reduce_body.h"
 #include "run_information.h"
 
 #include <algorithm>
+#include <numbers>
 #include <set>
 
 namespace vibroimpact {
@@ -59,9 +61,29 @@ constexpr double longest_reduction_in_check = 7;
 constexpr double longest_trial = 2.5;  // of all analyses together
 constexpr double shortest_trial = 0.2; // of those that are left, whatever their set-up took
 
+// Pictures of a motion would take the place of the mode shapes, or lie among the journals.
+void refuse_file_names(const Values &root, const std::string &name, const std::string &repeated) {
+  const Values transient = root.instance("Analysis", repeated).subsection("Transient");
+  if ((name == "modes" || name == "journal" || name == "bodies") && transient.given("Frames"))
+    transient.reject("Frames", "Frames must not be set in an analysis with the name " + name +
+                                   ", which the run uses for other files.");
+}
+
 // Can a key at this path change a body?
 bool reaches_bodies(const std::string &path) {
-  return path.starts_with("Body") || path.starts_with("Variables/");
+  return path.starts_with("Body") || path.starts_with("Variables");
+}
+
+// Has the grid point the same bodies as one before it? Of the keys that change none, only the first
+// values bring new ones.
+bool repeats_bodies(const std::vector<GridKey> &keys, std::size_t point) {
+  const std::vector<std::size_t> index = grid_index(keys, point);
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const std::vector<std::string> paths = grid_paths({keys[k]});
+    if (index[k] > 0 && std::none_of(paths.begin(), paths.end(), reaches_bodies))
+      return true;
+  }
+  return false;
 }
 
 } // namespace
@@ -109,19 +131,20 @@ std::vector<Simulation::Job> Simulation::jobs() const {
         analysis.subsection("Parameter grid")
             .reject("Repeat", "an analysis that is no grid itself; "
                               "one grid takes any number of keys.");
-      job.keys = read_grid(analysis);
+      job.keys = read_grid(analysis, job.repeated);
     }
+    refuse_file_names(root, job.name, job.repeated);
     jobs.push_back(std::move(job));
   }
   if (jobs.empty())
-    throw InputError("The parameter file has no analysis: a subsection Analysis NAME is needed.");
+    root.reject_section("there is no analysis: a subsection Analysis NAME is needed");
   return jobs;
 }
 
 void Simulation::reduce_bodies(const Values &root) {
   const std::vector<std::string> names = listed_instances(root, "Bodies", "Body");
   if (names.empty())
-    throw InputError("The parameter file has no body: a subsection Body NAME is needed.");
+    root.reject_section("there is no body: a subsection Body NAME is needed");
   for (const std::string &name : names) {
     const Values body = root.instance("Body", name);
     const std::string fingerprint = body.fingerprint();
@@ -168,7 +191,8 @@ void Simulation::reduce_all(const std::vector<Job> &jobs) {
     const bool sweep_reaches = !variants.empty() && reaches_bodies(variants.front().front().path);
     for (std::size_t point = 0; (grid_reaches || sweep_reaches) && point < grid_size(job.keys);
          ++point)
-      reduce_point(job, point, sweep_reaches);
+      if (!repeats_bodies(job.keys, point))
+        reduce_point(job, point, sweep_reaches);
   }
 }
 
@@ -231,10 +255,85 @@ derived::DerivedQuantities Simulation::derived_quantities(const std::vector<Job>
   return quantities;
 }
 
+// What a grid's values do to the file, the model and the analysis is known before anything runs;
+// which combinations of them cannot be used, only the points say.
+void Simulation::check_cases(const Job &job) const {
+  check_swept_key(job);
+  std::vector<std::size_t> first_shape;
+  for (const std::size_t point : grid_probes(job.keys)) {
+    try {
+      const Case work = build_case(job, grid_overrides(job.keys, point));
+      check_case(work);
+      check_length(job, work);
+      std::vector<std::size_t> shape;
+      for (const Axis &axis : work.analysis->axes())
+        shape.push_back(axis.size());
+      if (point == 0)
+        first_shape = shape;
+      if (shape != first_shape)
+        throw InputError("The grid changes the number of points of the analysis " + job.repeated +
+                         ".");
+    } catch (const InputError &error) {
+      if (job.keys.empty())
+        throw;
+      throw InputError(std::string(error.what()) + "\n  This is the case " +
+                       grid_case(job.keys, point) + " of the parameter grid " + job.name + ".");
+    }
+  }
+}
+
+// A motion that would take years of computing is a mistake in a unit or an exponent.
+void Simulation::check_length(const Job &job, const Case &work) const {
+  constexpr double most = 1e12; // steps, or periods of the highest natural frequency
+  const Values root = parameters_->root();
+  const Values analysis = root.instance("Analysis", job.repeated);
+  const Values transient = analysis.subsection("Transient");
+  if (analysis.choice("Type") != "transient" || !transient.has("Duration"))
+    return;
+  const double time = transient.quantity("Duration");
+  if (const double step = work.system.integration.maximum_step; step > 0 && time / step > most)
+    root.subsection("Integration")
+        .reject("Maximum step", "Maximum step must be longer: a motion of the analysis " +
+                                    job.repeated + " takes " + parameters::number_text(time) +
+                                    " s, more than 1e12 steps.");
+  double highest = 0;
+  for (const auto &body : work.system.model.bodies())
+    highest = std::max(highest, body->omega().maxCoeff());
+  if (time * highest / (2 * std::numbers::pi) > most)
+    transient.reject("Duration",
+                     "a motion of " + parameters::number_text(time) +
+                         " s is too long: the highest natural frequency of the bodies, " +
+                         parameters::number_text(highest / (2 * std::numbers::pi)) +
+                         " Hz, makes more than 1e12 periods of it");
+}
+
+// A grid and the sweep that it repeats must not change the same key.
+void Simulation::check_swept_key(const Job &job) const {
+  const Values root = parameters_->with(grid_overrides(job.keys, 0))->root();
+  const auto variants = create_analysis(root.instance("Analysis", job.repeated))->variants();
+  if (variants.empty())
+    return;
+  const std::string swept = parameters_->key_path(variants.front().front().path);
+  for (const GridKey &key : job.keys) {
+    refuse_swept(job, key, swept);
+    for (const GridKey &follower : key.followers)
+      refuse_swept(job, follower, swept);
+  }
+}
+
+void Simulation::refuse_swept(const Job &job, const GridKey &key, const std::string &swept) const {
+  if (key.target == swept)
+    parameters_->root()
+        .instance("Analysis", job.name)
+        .subsection("Parameter grid")
+        .instance("Key", key.name)
+        .reject("Path", "Path must not name the key that the analysis '" + job.repeated +
+                            "' sweeps itself.");
+}
+
 // Rank 0 tries for so many seconds at most; the others have nothing to do. Returns the estimate
 // [s].
 double Simulation::log_cost(const Job &job, double seconds) const {
-  check_case(build_case(job, grid_overrides(job.keys, 0)));
   int rank = 0;
   MPI_Comm_rank(communicator_, &rank);
   if (rank != 0)
@@ -308,6 +407,8 @@ void Simulation::check() {
   }
   for (const auto &body : bodies(parameters_->root()))
     log::info("body " + body->name + ": " + body_sentence(*body));
+  for (const Job &job : all)
+    check_cases(job);
   warn_of_unused_laws(all);
   contacts_of(all);
   const double so_far = processor_seconds();
@@ -327,7 +428,7 @@ RunSummary Simulation::run(const RunOptions &options) {
   derived::DerivedQuantities derived = derived_quantities(all);
   reduce_all(all);
   for (const Job &job : all)
-    check_case(build_case(job, grid_overrides(job.keys, 0)));
+    check_cases(job);
   const DeferSignals results_at_stake;
   RunFolder folder(communicator_, options.folder, options.existing, parameters_->echo());
   log::open_file(folder.log_file().string());
@@ -344,8 +445,23 @@ RunSummary Simulation::run(const RunOptions &options) {
   if (rank == 0)
     write_mode_files(folder, reduced);
   warn_of_unused_laws(all);
+  try {
+    const RunSummary total = run_jobs(all, sink, options);
+    sink.check_written();
+    return total;
+  } catch (const InputError &) {
+    throw;
+  } catch (const std::exception &error) {
+    throw std::runtime_error(std::string(error.what()) +
+                             "\n  Every point finished so far is kept; go on with --resume " +
+                             options.folder.string());
+  }
+}
+
+RunSummary Simulation::run_jobs(const std::vector<Job> &jobs, FileSink &sink,
+                                const RunOptions &options) {
   RunSummary total;
-  for (const Job &job : all) {
+  for (const Job &job : jobs) {
     const RunSummary summary = run_analysis(
         job.name, job.keys, grid_axes(job.keys, *parameters_),
         [&](const std::vector<Override> &overrides) { return build_case(job, overrides); }, sink,

@@ -18,6 +18,8 @@
 
 namespace vibroimpact {
 
+class FileSink;
+
 /// Every section a parameter file can hold.
 std::shared_ptr<const parameters::Section> declare_parameters();
 
@@ -61,8 +63,13 @@ private:
   std::optional<ReducedBody> kept_body(const std::string &fingerprint) const;
   void keep_bodies(RunFolder &folder) const;
   derived::DerivedQuantities derived_quantities(const std::vector<Job> &jobs) const;
+  void check_cases(const Job &job) const;
+  void check_length(const Job &job, const Case &work) const;
+  void check_swept_key(const Job &job) const;
+  void refuse_swept(const Job &job, const GridKey &key, const std::string &swept) const;
   void warn_of_unused_laws(const std::vector<Job> &jobs) const;
   double log_cost(const Job &job, double seconds) const;
+  RunSummary run_jobs(const std::vector<Job> &jobs, FileSink &sink, const RunOptions &options);
   std::vector<ContactFigures> contacts_of(const std::vector<Job> &jobs) const;
   std::string file_folder() const;
 

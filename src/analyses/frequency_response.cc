@@ -97,7 +97,7 @@ void FrequencyResponse::declare(parameters::Section &analysis) {
                 "Lowest frequency.")
       .quantity("Last frequency", "", dimension::frequency, range::positive, "f_2",
                 "Highest frequency.")
-      .integer("Points", "200", Range{.lower = 1, .upper = 1e7}, "", "Number of frequencies.")
+      .integer("Points", "200", Range{.lower = 1, .upper = 1e6}, "", "Number of frequencies.")
       .choice("Spacing", "linear", {"linear", "logarithmic"}, "How the frequencies are spaced.")
       .text("Excitation", "",
             "Excitation whose response is computed; empty when only one has a period. The others "

@@ -1,6 +1,8 @@
 #include "analyses/grid.h"
 
-#include <boost/algorithm/string.hpp>
+#include "parameters/text.h"
+
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 
@@ -9,15 +11,6 @@ namespace vibroimpact {
 namespace {
 
 constexpr const char *section_name = "Parameter grid";
-
-std::vector<std::string> split_values(const std::string &text) {
-  std::vector<std::string> values;
-  boost::split(values, text, boost::is_any_of(","));
-  for (std::string &value : values)
-    boost::trim(value);
-  std::erase(values, "");
-  return values;
-}
 
 // Equally spaced values as expressions of the two ends, so that any unit will do.
 std::vector<std::string> between(const std::string &first, const std::string &last, long points) {
@@ -31,7 +24,12 @@ std::vector<std::string> between(const std::string &first, const std::string &la
 
 GridKey read_key(const parameters::Values &key) {
   key.require("Path");
-  GridKey grid_key{.path = key.text("Path"), .values = split_values(key.text("Values"))};
+  GridKey grid_key{.path = key.text("Path"),
+                   .values = parameters::split_list(key.text("Values")),
+                   .target = key.key_path("Path"),
+                   .origin = key.place(key.has("Values") ? "Values" : "First") + ":"};
+  if (std::find(grid_key.values.begin(), grid_key.values.end(), "") != grid_key.values.end())
+    key.reject("Values", "values separated by commas; one of them is empty.");
   const bool range = key.has("First") || key.has("Last");
   if (grid_key.values.empty() != range)
     key.reject("Values", "either Values, or First, Last and Points.");
@@ -43,16 +41,33 @@ GridKey read_key(const parameters::Values &key) {
   return grid_key;
 }
 
-void attach_follower(const parameters::Values &key, const std::vector<std::string> &leaders,
-                     std::vector<GridKey> &keys) {
+void attach_follower(const parameters::Values &key, const std::string &name,
+                     const std::vector<std::string> &leaders, std::vector<GridKey> &keys) {
   key.require_known("Follows", key.text("Follows"), leaders);
   const auto found = std::find(leaders.begin(), leaders.end(), key.text("Follows"));
   GridKey &leader = keys[static_cast<std::size_t>(found - leaders.begin())];
   GridKey follower = read_key(key);
+  follower.name = name;
   if (follower.values.size() != leader.values.size())
     key.reject(key.has("Values") ? "Values" : "Points",
                std::to_string(leader.values.size()) + " values, as many as the key it follows.");
   leader.followers.push_back(std::move(follower));
+}
+
+/// A grid changes what its analysis reads, and every key once.
+void check_target(const parameters::Values &key, const GridKey &read, const std::string &repeated,
+                  std::vector<std::string> &taken) {
+  const std::string own = "Analysis " + repeated + "/";
+  const bool reaches = read.target.starts_with("Analysis ")
+                           ? read.target.starts_with(own) && read.target != own + "Type"
+                           : !read.target.starts_with("Derived ");
+  static const std::vector<std::string> fixed{"Title", "Analyses", "File folder", "File checksums"};
+  if (!reaches || std::find(fixed.begin(), fixed.end(), read.target) != fixed.end())
+    key.reject("Path", "Path must name a key that changes the model or the analysis '" + repeated +
+                           "', which the grid repeats, other than its Type.");
+  if (std::find(taken.begin(), taken.end(), read.target) != taken.end())
+    key.reject("Path", "Path must not name a key that another Key of this grid changes.");
+  taken.push_back(read.target);
 }
 
 } // namespace
@@ -70,11 +85,11 @@ void declare_grid(parameters::Section &analysis) {
       .text("Values", "", "Its values, separated by commas.")
       .text("First", "", "First of equally spaced values, instead of Values.")
       .text("Last", "", "Last of equally spaced values.")
-      .integer("Points", "2", Range{.lower = 2, .upper = 1e6}, "",
+      .integer("Points", "2", Range{.lower = 2, .upper = 1e4}, "",
                "Number of equally spaced values.");
 }
 
-std::vector<GridKey> read_grid(const parameters::Values &analysis) {
+std::vector<GridKey> read_grid(const parameters::Values &analysis, const std::string &repeated) {
   const parameters::Values grid = analysis.subsection(section_name);
   std::vector<GridKey> keys;
   std::vector<std::string> leaders;
@@ -88,7 +103,19 @@ std::vector<GridKey> read_grid(const parameters::Values &analysis) {
     grid.reject_section("a parameter grid needs at least one subsection Key NAME.");
   for (const std::string &name : grid.instances("Key"))
     if (const parameters::Values key = grid.instance("Key", name); key.has("Follows"))
-      attach_follower(key, leaders, keys);
+      attach_follower(key, name, leaders, keys);
+  double cases = 1; // whose product may be larger than any integer
+  for (const GridKey &key : keys)
+    cases *= static_cast<double>(key.values.size());
+  if (cases > 1e6)
+    grid.reject_section("a parameter grid may have at most 1e6 cases; this one has " +
+                        parameters::number_text(cases));
+  std::vector<std::string> taken;
+  for (const GridKey &key : keys) {
+    check_target(grid.instance("Key", key.name), key, repeated, taken);
+    for (const GridKey &follower : key.followers)
+      check_target(grid.instance("Key", follower.name), follower, repeated, taken);
+  }
   return keys;
 }
 
@@ -131,8 +158,7 @@ std::vector<parameters::Override> grid_overrides(const std::vector<GridKey> &key
   const std::vector<std::size_t> index = grid_index(keys, point);
   std::vector<parameters::Override> overrides;
   const auto set = [&](const GridKey &key, std::size_t position) {
-    overrides.push_back(
-        {.path = key.path, .value = key.values[position], .origin = "parameter grid"});
+    overrides.push_back({.path = key.path, .value = key.values[position], .origin = key.origin});
   };
   for (std::size_t k = 0; k < keys.size(); ++k) {
     set(keys[k], index[k]);
@@ -140,6 +166,29 @@ std::vector<parameters::Override> grid_overrides(const std::vector<GridKey> &key
       set(follower, index[k]);
   }
   return overrides;
+}
+
+std::vector<std::size_t> grid_probes(const std::vector<GridKey> &keys) {
+  std::vector<std::size_t> points{0};
+  std::size_t stride = 1;
+  for (std::size_t k = keys.size(); k-- > 0;) {
+    // Of very many values, which lie between two ends, a hundred show whether they can be used.
+    const std::size_t size = keys[k].values.size();
+    const std::size_t step = std::max<std::size_t>(1, size / 100);
+    for (std::size_t value = step; value < size; value += step)
+      points.push_back(value * stride);
+    if ((size - 1) % step != 0)
+      points.push_back((size - 1) * stride);
+    stride *= size;
+  }
+  return points;
+}
+
+std::string grid_case(const std::vector<GridKey> &keys, std::size_t point) {
+  std::vector<std::string> parts;
+  for (const parameters::Override &change : grid_overrides(keys, point))
+    parts.push_back(change.path + " = " + change.value);
+  return parameters::join(parts, ", ");
 }
 
 std::vector<Axis> grid_axes(const std::vector<GridKey> &keys,
@@ -152,8 +201,7 @@ std::vector<Axis> grid_axes(const std::vector<GridKey> &keys,
               .unit = "1",
               .description = "swept key " + key.path};
     for (const std::string &value : key.values) {
-      const auto set =
-          parameters.with({{.path = key.path, .value = value, .origin = "parameter grid"}});
+      const auto set = parameters.with({{.path = key.path, .value = value, .origin = key.origin}});
       if (const auto number = set->number_at(key.path)) {
         axis.values.push_back(number->value);
         axis.unit = number->unit;

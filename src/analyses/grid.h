@@ -19,14 +19,18 @@ struct GridKey {
   std::vector<std::string> values; ///< as written in the file
   /// Keys that change along with this one: as many values each.
   std::vector<GridKey> followers{};
-  std::string name{}; ///< of its section, "Key NAME"
+  std::string name{};   ///< of its section, "Key NAME"
+  std::string target{}; ///< `path` in its one spelling, see Values::key_path()
+  std::string origin{}; ///< file and line of its values, for messages
 };
 
 /// Paths of all keys, followers included.
 std::vector<std::string> grid_paths(const std::vector<GridKey> &keys);
 
-/// Keys of a `parameter grid` section, in the order of the file. InputError when there are none.
-std::vector<GridKey> read_grid(const parameters::Values &analysis);
+/// Keys of a `parameter grid` section that repeats the analysis `repeated`, in the order of the
+/// file. InputError when there are none, when two change the same key, or when one changes nothing
+/// that the repeated analysis reads.
+std::vector<GridKey> read_grid(const parameters::Values &analysis, const std::string &repeated);
 /// Name of the analysis that the grid repeats.
 std::string repeated_analysis(const parameters::Values &analysis,
                               const std::vector<std::string> &known);
@@ -38,6 +42,12 @@ std::vector<std::size_t> grid_index(const std::vector<GridKey> &keys, std::size_
 /// Overrides of grid point `point`, the last key varying fastest.
 std::vector<parameters::Override> grid_overrides(const std::vector<GridKey> &keys,
                                                  std::size_t point);
+
+/// Each value of each key once (of more than a hundred some, both ends among them), the other keys
+/// at their first: the points that show whether the values can be used.
+std::vector<std::size_t> grid_probes(const std::vector<GridKey> &keys);
+/// "Contact/heads/Clearance = 1 mm, ..." of grid point `point`, for messages.
+std::string grid_case(const std::vector<GridKey> &keys, std::size_t point);
 
 /// The outer axes of a grid: numbers in SI where the key is a number, else labels.
 std::vector<Axis> grid_axes(const std::vector<GridKey> &keys,

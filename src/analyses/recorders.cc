@@ -68,11 +68,8 @@ std::vector<RecorderFactory> read_recorders(const parameters::Values &analysis,
   std::vector<std::string> names = analysis.has("Record") ? analysis.names("Record") : fallback;
   if (names == std::vector<std::string>{"none"})
     names.clear();
-  for (const std::string &name : names) {
+  for (const std::string &name : names)
     analysis.require_known("Record", name, kind_names());
-    if (std::count(names.begin(), names.end(), name) > 1)
-      analysis.reject("Record", "every name once.");
-  }
   std::vector<RecorderFactory> factories;
   for (const RecorderKind &kind : kinds)
     if (std::find(names.begin(), names.end(), kind.name) != names.end())

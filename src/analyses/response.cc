@@ -29,7 +29,8 @@ void Response::declare(parameters::Section &analysis) {
   section
       .quantity("Settling time", "", dimension::time, range::non_negative, "",
                 "Settles for this time, steady or not, instead of Settling cycles.")
-      .integer("Recorded cycles", "10", Range{.lower = 1}, "", "Periods of the recorded window.")
+      .integer("Recorded cycles", "10", Range{.lower = 1, .upper = 1e9}, "",
+               "Periods of the recorded window.")
       .quantity("Recorded time", "", dimension::time, range::positive, "",
                 "Length of the recorded window instead of Recorded cycles.")
       .text("Excitation", "",

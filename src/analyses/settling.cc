@@ -122,9 +122,9 @@ SettledMotion Settling::motion() const {
 void declare_settling(parameters::Section &section) {
   using namespace parameters;
   section
-      .integer("Minimum settling cycles", "5", Range{.lower = 0}, "",
-               "Periods before the motion can be judged steady.")
-      .integer("Settling cycles", "200", Range{.lower = 0}, "",
+      .integer("Minimum settling cycles", "5", Range{.lower = 0, .upper = 1e9}, "",
+               "Periods before the motion can be judged steady, at most Settling cycles.")
+      .integer("Settling cycles", "200", Range{.lower = 0, .upper = 1e9}, "",
                "Periods after which it is recorded, steady or not.")
       .quantity("Steadiness tolerance", "1e-6", dimension::none, Range{.lower = 0, .upper = 1}, "",
                 "Relative distance to the periodic motion at which it counts as steady; 0 always "
@@ -139,10 +139,13 @@ void declare_settling(parameters::Section &section) {
 }
 
 SettlingRule read_settling(const parameters::Values &section) {
-  if (section.integer("Minimum settling cycles") > section.integer("Settling cycles"))
-    section.reject("Minimum settling cycles", "at most Settling cycles.");
-  return {.minimum = section.integer("Minimum settling cycles"),
-          .maximum = section.integer("Settling cycles"),
+  const long maximum = section.integer("Settling cycles");
+  const long minimum = section.integer("Minimum settling cycles");
+  if (minimum > maximum && section.given("Minimum settling cycles"))
+    section.reject("Minimum settling cycles",
+                   "Minimum settling cycles must be at most Settling cycles.");
+  return {.minimum = std::min(minimum, maximum),
+          .maximum = maximum,
           .tolerance = section.quantity("Steadiness tolerance"),
           .longest_multiple = section.integer("Longest period"),
           .extrapolates = section.boolean("Extrapolate")};

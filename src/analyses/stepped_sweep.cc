@@ -121,7 +121,9 @@ void SteppedSweep::declare(parameters::Section &analysis) {
             "Excitation whose frequency is swept or whose period is that of the motion; empty when "
             "there is only one with a period.");
   declare_settling(section);
-  section.integer("Recorded cycles", "10", Range{.lower = 1}, "", "Periods of the recorded window.")
+  section
+      .integer("Recorded cycles", "10", Range{.lower = 1, .upper = 1e9}, "",
+               "Periods of the recorded window.")
       .quantity("Jump tolerance", "0", dimension::none, Range{.lower = 0, .upper = 0.1}, "",
                 "Width, relative to the largest swept value, to which the bracket of each jump of "
                 "the response between two points is narrowed; 0: jumps are not looked for.")

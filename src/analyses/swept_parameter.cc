@@ -34,12 +34,17 @@ SweptParameter read_frequency(const parameters::Values &section) {
   return {.path = {}, .unit = "Hz", .values = read_frequencies(section)};
 }
 
+// For messages about values of the swept key that `key` gives.
+std::string origin_of(const parameters::Values &section, const char *key) {
+  return section.place(key) + ":";
+}
+
 // The number behind `path` when the file says `text` there.
 parameters::SiNumber read_end(const parameters::Values &section, const std::string &path,
                               const char *key) {
   section.require(key);
   const auto set = section.parameters().with(
-      {{.path = path, .value = section.text(key), .origin = "stepped sweep, " + std::string(key)}});
+      {{.path = path, .value = section.text(key), .origin = origin_of(section, key)}});
   const auto number = set->number_at(path);
   if (!number)
     section.reject("Parameter", "a key that holds one number.");
@@ -60,7 +65,7 @@ parameters::Override SweptParameter::at(double value) const {
     text += unit.substr(1);
   else if (unit != "1")
     text += " " + unit;
-  return {.path = path, .value = text, .origin = "stepped sweep"};
+  return {.path = path, .value = text, .origin = origin};
 }
 
 Axis SweptParameter::axis() const {
@@ -100,7 +105,7 @@ void declare_swept_parameter(parameters::Section &section) {
                 "Highest frequency of a frequency sweep.")
       .text("First", "", "Lowest value of Parameter, with its unit.")
       .text("Last", "", "Highest value of Parameter, with its unit.")
-      .integer("Points", "50", Range{.lower = 1, .upper = 1e7}, "",
+      .integer("Points", "50", Range{.lower = 1, .upper = 1e6}, "",
                "Number of frequencies or values.")
       .choice("Spacing", "linear", {"linear", "logarithmic"}, "How they are spaced.");
 }
@@ -109,7 +114,8 @@ SweptParameter read_swept_parameter(const parameters::Values &section) {
   const std::string path = section.text("Parameter");
   if (path.empty())
     return read_frequency(section);
-  if (path.starts_with("Analysis"))
+  if (const std::string target = section.key_path("Parameter");
+      target.starts_with("Analysis ") || target.starts_with("Derived "))
     section.reject("Parameter", "a key outside the analyses.");
   for (const char *key : {"First frequency", "Last frequency"})
     if (section.has(key))
@@ -125,7 +131,8 @@ SweptParameter read_swept_parameter(const parameters::Values &section) {
     section.reject("First", "a value above zero for logarithmic spacing.");
   return {.path = path,
           .unit = first.unit,
-          .values = spaced(first.value, last.value, points, logarithmic(section))};
+          .values = spaced(first.value, last.value, points, logarithmic(section)),
+          .origin = origin_of(section, "First")};
 }
 
 } // namespace vibroimpact

@@ -13,6 +13,7 @@ struct SweptParameter {
   std::string path;           ///< of the key, as for --set; empty: the frequency of an excitation
   std::string unit = "Hz";    ///< of the values
   std::vector<double> values; ///< increasing [unit]
+  std::string origin{};       ///< file and line of the ends, for messages
 
   bool is_frequency() const { return path.empty(); }
   /// The number farthest from zero [unit].

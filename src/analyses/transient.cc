@@ -5,6 +5,8 @@
 #include "analyses/motion_recorder.h"
 #include "analyses/window_recording.h"
 #include "common/error.h"
+#include "common/memory.h"
+#include "parameters/text.h"
 
 #include <algorithm>
 
@@ -35,17 +37,19 @@ void Transient::declare(parameters::Section &analysis) {
 std::shared_ptr<const Analysis> Transient::create(const parameters::Values &analysis) {
   const parameters::Values values = analysis.subsection(section_name);
   values.require("Duration");
-  Settings settings{.duration = values.quantity("Duration"),
-                    .recorded_pulses = static_cast<std::size_t>(values.integer("Recorded pulses")),
-                    .listed_impacts = static_cast<std::size_t>(values.integer("Listed impacts")),
-                    .frames = static_cast<std::size_t>(values.integer("Frames")),
-                    .first_frame = values.quantity("First frame"),
-                    .recorders = read_recorders(analysis, {})};
+  Settings settings{
+      .duration = values.quantity("Duration"),
+      .recorded_pulses = static_cast<std::size_t>(values.integer("Recorded pulses")),
+      .listed_impacts = static_cast<std::size_t>(values.integer("Listed impacts")),
+      .frames = static_cast<std::size_t>(values.integer("Frames")),
+      .first_frame = values.quantity("First frame"),
+      .recorders = read_recorders(analysis, {}),
+      .place = values.locate(values.has("Sampling interval") ? "Sampling interval" : "Duration")};
   settings.sampling_interval = values.has("Sampling interval")
                                    ? values.quantity("Sampling interval")
                                    : settings.duration / 1000;
   if (settings.duration / settings.sampling_interval > 1e8)
-    values.reject("Sampling interval", "at most 1e8 samples in the duration.");
+    values.reject("Sampling interval", "Duration / Sampling interval must be at most 1e8 samples.");
   settings.last_frame =
       values.has("Last frame") ? values.quantity("Last frame") : settings.duration;
   if (settings.frames > 1 &&
@@ -55,6 +59,15 @@ std::shared_ptr<const Analysis> Transient::create(const parameters::Values &anal
 }
 
 void Transient::check(const System &system) const {
+  // Three numbers of each point along each axis and two of each contact, kept by the recorder, the
+  // result of the point and the arrays of the file.
+  const double series = 9 * static_cast<double>(system.model.point_names().size()) +
+                        2 * static_cast<double>(system.contacts.size()) + 1;
+  const double samples = settings_.duration / settings_.sampling_interval;
+  if (const std::string lack = lack_of_memory(3 * 8 * series * samples); !lack.empty())
+    throw InputError(settings_.place + "\n  for the histories of " +
+                     parameters::number_text(samples) + " samples " + lack +
+                     "; a longer Sampling interval takes less.");
   Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);

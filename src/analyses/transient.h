@@ -16,6 +16,7 @@ public:
     std::size_t frames = 0;                 ///< pictures of the meshes
     double first_frame = 0, last_frame = 0; ///< [s]
     std::vector<RecorderFactory> recorders; ///< of the whole motion
+    std::string place{};                    ///< file and line of the sampling, for messages
   };
   explicit Transient(Settings settings) : settings_(std::move(settings)) {}
 

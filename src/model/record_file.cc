@@ -127,11 +127,17 @@ bool is_hdf5(const std::string &file) {
 Samples read_text_record(const std::string &content, const RecordLayout &layout) {
   Column time("Time column", layout.time_column);
   Column value("Value column", layout.value_column);
+  if (content.find('\0') != std::string::npos)
+    throw RecordError("File",
+                      "must be plain text; this file holds NUL bytes, as binary files do and "
+                      "texts in UTF-16");
   Samples samples;
   std::istringstream text(content);
   std::string line;
   bool first = true;
   for (long number = 1; std::getline(text, line); ++number) {
+    if (number == 1 && line.starts_with("\xEF\xBB\xBF")) // byte order mark
+      line.erase(0, 3);
     boost::trim(line);
     if (line.empty() || line[0] == '#' || line[0] == '%')
       continue;

@@ -12,7 +12,7 @@ Sides read_sides(const parameters::Values &section, const std::vector<std::strin
   const auto is_fixed = [&](const std::string &end) {
     return std::find(fixed.begin(), fixed.end(), end) != fixed.end();
   };
-  if (ends.size() != 2 || ends[0] == ends[1] || is_fixed(ends[0]))
+  if (ends.size() != 2 || is_fixed(ends[0]))
     section.reject(
         "Between",
         "two different " + form +

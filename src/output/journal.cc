@@ -130,7 +130,7 @@ void JournalRecords::visit(const std::function<void(std::string_view)> &visit) c
 
 JournalWriter::JournalWriter(std::filesystem::path file)
     : file_(std::move(file)),
-      descriptor_(::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
+      descriptor_(::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0)
     fail_with_reason(file_, "open the file for writing");
   cut_off_unfinished_record();
@@ -201,10 +201,32 @@ void JournalWriter::end_synchronisation() {
     fail_with_reason(file_, "synchronise with the disk");
 }
 
+void JournalWriter::restore_if_removed() {
+  if (std::filesystem::exists(file_))
+    return;
+  std::filesystem::create_directories(file_.parent_path());
+  const int fresh = ::open(file_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
+  if (fresh < 0)
+    fail_with_reason(file_, "open the file for writing");
+  const int removed = std::exchange(descriptor_, fresh);
+  std::vector<char> bytes(std::size_t{1} << 20);
+  for (off_t position = 0; position < static_cast<off_t>(size_);) {
+    const ssize_t read = ::pread(removed, bytes.data(), bytes.size(), position);
+    if (read <= 0)
+      fail_with_reason(file_, "restore the removed file");
+    write_completely(fresh, {bytes.data(), static_cast<std::size_t>(read)}, file_);
+    position += read;
+  }
+  ::close(removed);
+  synchronised_ = false;
+  log::warning(file_.string() + ": was removed, and is written again");
+}
+
 void JournalWriter::synchronise() {
+  end_synchronisation();
+  restore_if_removed();
   if (synchronised_)
     return;
-  end_synchronisation();
   if (::fsync(descriptor_) != 0)
     fail_with_reason(file_, "synchronise with the disk");
   synchronised_ = true;

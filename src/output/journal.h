@@ -50,7 +50,8 @@ public:
   ~JournalWriter();
 
   void append(std::string_view payload);
-  /// Everything appended so far has reached the disk when this returns.
+  /// Everything appended so far has reached the disk when this returns. A journal that was removed
+  /// meanwhile is written again: the open file still holds its records.
   void synchronise();
 
 private:
@@ -58,6 +59,7 @@ private:
   static constexpr std::chrono::milliseconds synchronisation_interval{200};
 
   void cut_off_unfinished_record();
+  void restore_if_removed();
   void begin_synchronisation();
   void end_synchronisation();
 

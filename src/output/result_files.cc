@@ -72,7 +72,7 @@ void FileSink::store(const PointResult &result) {
   check_point(header_, result);
   record_writer_->append(header_.name, result);
   if (rank_in(communicator_) == 0 && Clock::now() >= next_rebuild_)
-    replace_files();
+    try_to_write([this] { replace_files(); });
 }
 
 void FileSink::end() {
@@ -80,10 +80,34 @@ void FileSink::end() {
   stored_ = {};
   run_on_all_ranks(communicator_, [this] { record_writer_->synchronise(); });
   run_on_first_rank(communicator_, [this] {
-    for (const auto &[header, points] : replace_files())
-      if (header.name == header_.name && !stop_requested())
-        write_motion(points);
+    try_to_write([this] {
+      for (const auto &[header, points] : replace_files())
+        if (header.name == header_.name && !stop_requested())
+          write_motion(points);
+    });
     tell_totals();
+  });
+}
+
+// Hours of other points must not be lost because a file cannot be written now.
+void FileSink::try_to_write(const std::function<void()> &write) {
+  try {
+    folder_.restore();
+    write();
+    unwritten_.clear();
+  } catch (const std::exception &error) {
+    next_rebuild_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(rebuild_interval_);
+    if (unwritten_ != error.what())
+      log::warning(std::string("the results cannot be written now: ") + error.what() +
+                   "; the journal keeps every point");
+    unwritten_ = error.what();
+  }
+}
+
+void FileSink::check_written() const {
+  run_on_first_rank(communicator_, [this] {
+    if (!unwritten_.empty())
+      throw std::runtime_error("the results could not be written: " + unwritten_);
   });
 }
 

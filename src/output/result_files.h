@@ -11,6 +11,7 @@
 #include "reduction/reduced_body.h"
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mpi.h>
 #include <vector>
@@ -31,11 +32,11 @@ public:
   /// resumed folder holds the analysis with other axes.
   void begin(const AnalysisHeader &header) override;
   const PointResult *find(const std::vector<std::size_t> &index) const override;
-  /// Throws std::runtime_error, on this rank alone, when the journal or the files cannot be
-  /// written.
+  /// Throws std::runtime_error, on this rank alone, when the journal cannot be written.
   void store(const PointResult &result) override;
   /// Also writes the fields of points that recorded the motion (see vtu_writer.h), and warns of
-  /// points that failed or are doubtful.
+  /// points that failed or are doubtful. Files that cannot be written are a warning: the journals
+  /// keep every point.
   void end() override;
 
   /// Rank 0: replaces results.h5 and summary.txt by what all journals hold now. Warns of derived
@@ -45,8 +46,13 @@ public:
   /// Collective, behind the last end(). The derived quantities that the files lack, and why; empty
   /// when they lack none.
   std::string missing_derived() const;
+  /// Collective, behind the last end(). Throws std::runtime_error when a file could not be written
+  /// in the end.
+  void check_written() const;
 
 private:
+  /// Whether `write` failed is for check_written() to say.
+  void try_to_write(const std::function<void()> &write);
   void register_header(const AnalysisHeader &header);
   /// Returns what all journals hold now.
   std::vector<StoredAnalysis> replace_files();
@@ -66,6 +72,7 @@ private:
   derived::DerivedQuantities derived_;
   std::vector<ContactFigures> contacts_;
   std::vector<std::string> problems_; ///< of derived quantities, on rank 0
+  std::string unwritten_;             ///< why the last files could not be written, on rank 0
   std::unique_ptr<RecordWriter> record_writer_;
   std::set<std::string> begun_;
   AnalysisHeader header_;

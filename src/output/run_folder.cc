@@ -73,13 +73,30 @@ std::string parameter_differences(const std::string &stored, const std::string &
 
 RunFolder::RunFolder(MPI_Comm communicator, fs::path folder, ExistingFolder existing,
                      const std::string &parameters)
-    : folder_(std::move(folder)), resumed_(existing == ExistingFolder::resume) {
-  run_on_first_rank(communicator, [&] { prepare(existing, parameters); });
+    : folder_(std::move(folder)), parameters_(parameters),
+      resumed_(existing == ExistingFolder::resume) {
+  run_on_first_rank(communicator, [&] {
+    try {
+      prepare(existing, parameters);
+    } catch (const InputError &) {
+      throw;
+    } catch (const fs::filesystem_error &error) {
+      refuse(error.code().message());
+    } catch (const std::runtime_error &error) {
+      refuse(error.what());
+    }
+  });
 }
 
 RunFolder::~RunFolder() {
   if (lock_descriptor_ >= 0)
     ::close(lock_descriptor_);
+}
+
+// Nothing is computed yet, and another folder may do.
+void RunFolder::refuse(const std::string &reason) const {
+  throw InputError("the result folder " + folder_.string() + " cannot be used: " + reason +
+                   "\n  choose another one with --output.");
 }
 
 void RunFolder::prepare(ExistingFolder existing, const std::string &parameters) {
@@ -124,6 +141,12 @@ void RunFolder::lock() {
   // Some network file systems cannot lock a folder; only a lock held by another run is an error.
   if (::flock(lock_descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     throw InputError("another run is at work in the result folder " + folder_.string());
+}
+
+void RunFolder::restore() const {
+  make_folders();
+  if (!fs::exists(parameters_file(folder_)))
+    replace_file(parameters_file(folder_), parameters_);
 }
 
 fs::path RunFolder::journal_file(int rank) const {

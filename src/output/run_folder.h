@@ -22,8 +22,8 @@ public:
   /// removes or checks what is there, locks it against a second run, and writes `parameters`, the
   /// complete echo, to parameters.prm. InputError when the folder is not empty and `existing` is
   /// refuse, when there is nothing to resume, when the stored parameters differ from `parameters`
-  /// (the message shows the lines), or when another run is at work in it. std::runtime_error when
-  /// it cannot be written.
+  /// (the message shows the lines), when another run is at work in it, or when it cannot be
+  /// written.
   RunFolder(MPI_Comm communicator, std::filesystem::path folder, ExistingFolder existing,
             const std::string &parameters);
   RunFolder(const RunFolder &) = delete;
@@ -48,13 +48,19 @@ public:
   /// file is entered in the list of written ones. Throws std::runtime_error.
   std::filesystem::path claim(const std::filesystem::path &relative);
 
+  /// Rank 0: makes again what a resumed run needs if it was removed meanwhile. Throws
+  /// std::runtime_error.
+  void restore() const;
+
 private:
   void prepare(ExistingFolder existing, const std::string &parameters);
   void check_stored_parameters(const std::string &parameters) const;
   void make_folders() const;
+  [[noreturn]] void refuse(const std::string &reason) const;
   void lock();
 
   std::filesystem::path folder_;
+  std::string parameters_; ///< the complete echo
   bool resumed_;
   int lock_descriptor_ = -1;
   std::set<std::string> claimed_;

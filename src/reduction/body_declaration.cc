@@ -20,7 +20,9 @@ void declare_geometry(Section &body) {
             "it: Line for a beam, Plate or Cylinder for a shell.")
       .quantities("Line", "", dimension::length, range::any, "",
                   "Ends of a straight beam, x, y, z -> x, y, z. Either this or Mesh.", 6, 6)
-      .integer("Elements", "40", Range{.lower = 1}, "", "Number of equal elements along Line.")
+      // The stiffness matrix has a condition of about the fourth power: 1/eps at 10^4 elements.
+      .integer("Elements", "40", Range{.lower = 1, .upper = 1e4}, "",
+               "Number of equal elements along Line.")
       .quantities("Orientation", "", dimension::none, range::any, "",
                   "Direction of the local y axis, the first dimension of the cross-section; only "
                   "its part normal to the beam counts. Without it: global y, or global z for "
@@ -122,7 +124,8 @@ void declare_load(Section &body) {
 
 void declare_modes(Section &body) {
   body.subsection("Modes", "Which normal modes of a beam or shell are kept, and their damping.")
-      .integer("Number", "5", Range{.lower = 1}, "n", "The lowest modes. Either this or Band.")
+      .integer("Number", "5", Range{.lower = 1, .upper = 1e5}, "n",
+               "The lowest modes. Either this or Band.")
       .quantities("Band", "", dimension::frequency, range::non_negative, "",
                   "Lower and upper frequency: all modes between them.", 2, 2)
       .choice("Damping model", "ratio", {"ratio", "rayleigh", "viscous"},

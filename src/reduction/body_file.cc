@@ -222,9 +222,12 @@ void save_body(const std::string &file, const ReducedBody &body, const std::stri
 }
 
 std::optional<std::string> read_file(const std::string &file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) // a device or a pipe may have no end
+    return std::nullopt;
   std::ifstream in(file, std::ios::binary);
   std::ostringstream content;
-  if (!in || std::filesystem::is_directory(file) || !(content << in.rdbuf()))
+  if (!in || !(content << in.rdbuf()))
     return std::nullopt;
   return content.str();
 }

@@ -98,10 +98,7 @@ std::vector<int> read_axes(const Values &section) {
   std::vector<int> axes;
   for (const std::string &name : section.names("Axis")) {
     section.require_known("Axis", name, {"x", "y", "z"});
-    const int axis = name[0] - 'x';
-    if (std::find(axes.begin(), axes.end(), axis) != axes.end())
-      section.reject("Axis", "each of x, y, z at most once");
-    axes.push_back(axis);
+    axes.push_back(name[0] - 'x');
   }
   if (axes.empty())
     section.reject("Axis", "at least one of x, y, z");

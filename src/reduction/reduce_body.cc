@@ -1,5 +1,6 @@
 #include "reduction/reduce_body.h"
 
+#include "common/error.h"
 #include "common/log.h"
 #include "reduction/body_file.h"
 #include "reduction/body_parameters.h"
@@ -122,6 +123,10 @@ ReducedBody reduce_body(const Values &body, const std::string &name, const std::
     return reduce(definition, communicator);
   } catch (const structure::DefinitionError &error) {
     reject(body, error);
+  } catch (const NumericalError &error) {
+    body.reject_section(std::string("its modes cannot be computed: ") + error.what() +
+                        ". Check the magnitudes and units of its lengths, stiffness and density, "
+                        "and look for parts without stiffness or without mass");
   }
 }
 

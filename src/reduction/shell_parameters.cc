@@ -1,5 +1,7 @@
 #include "reduction/shell_parameters.h"
 
+#include "common/memory.h"
+#include "parameters/text.h"
 #include "reduction/body_sections.h"
 
 #include <cmath>
@@ -19,6 +21,12 @@ std::array<int, 2> read_divisions(const Values &geometry) {
       geometry.reject("Divisions", "must be two whole numbers from 1 to 1000000");
     divisions[i] = static_cast<int>(number);
   }
+  // Matrices, their factors and the work space of the eigen-solution: 19 kB for each node of plates
+  // of 10^4 to 4 10^4 nodes, and slowly growing.
+  const double nodes = (divisions[0] + 1.0) * (divisions[1] + 1.0);
+  if (const std::string lack = lack_of_memory(25e3 * nodes); !lack.empty())
+    geometry.reject("Divisions", "must make a smaller mesh: for its " +
+                                     parameters::number_text(nodes) + " nodes " + lack);
   return divisions;
 }
 

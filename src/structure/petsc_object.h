@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/error.h"
+#include "common/petsc_error.h"
 
 #include <petscksp.h>
 
@@ -12,8 +13,11 @@ namespace vibroimpact::petsc {
 
 /// Throws NumericalError when a PETSc call failed; `what` says what was being done.
 inline void check(PetscErrorCode code, const char *what) {
-  if (code != 0)
-    throw NumericalError(std::string(what) + " failed (PETSc error " + std::to_string(code) + ")");
+  if (code == 0)
+    return;
+  const std::string reason = taken_error();
+  throw NumericalError(std::string(what) + " failed" + (reason.empty() ? "" : ": " + reason) +
+                       " (PETSc error " + std::to_string(code) + ")");
 }
 
 /// Owns one object, e.g. Object<Mat, MatDestroy>.

@@ -33,6 +33,13 @@ TEST(RecordFileTest, FirstLineMayNameTheColumns) {
   expect_samples(read_text_record(text, {"1", "3", "semicolon"}), {0, 1}, {2, 4});
 }
 
+TEST(RecordFileTest, AByteOrderMarkIsNoPartOfTheFirstName) {
+  const std::string mark = "\xEF\xBB\xBF";
+  expect_samples(read_text_record(mark + "time,a\n0,1\n1,3\n", {"time", "a", "comma"}), {0, 1},
+                 {1, 3});
+  expect_samples(read_text_record(mark + "0,1\n1,3\n", by_number), {0, 1}, {1, 3});
+}
+
 TEST(RecordFileTest, BlanksAndTabsSeparate) {
   expect_samples(read_text_record("  0  1\t2\n1\t\t3 4\n", {"1", "3", "space"}), {0, 1}, {2, 4});
 }

@@ -208,14 +208,44 @@ TEST_F(ResultFiles, PointsOutsideTheAxesAreAnError) {
   EXPECT_THROW(sink.store(point), std::logic_error);
 }
 
-TEST_F(ResultFiles, ErrorOfTheFirstRankReachesAll) {
+TEST_F(ResultFiles, ThatCannotBeWrittenAreAnErrorInTheEndOnAllRanks) {
   RunFolder run_folder(MPI_COMM_WORLD, folder, ExistingFolder::refuse, "");
   FileSink sink(MPI_COMM_WORLD, run_folder, {}, {});
   sink.begin({"a", "modal", {}});
-  if (Ranks(MPI_COMM_WORLD).rank == 0)
+  const bool first = Ranks(MPI_COMM_WORLD).rank == 0;
+  if (first)
     fs::create_directory(run_folder.results_file()); // a folder in the place of the file
-  const std::string message = message_of<std::runtime_error>([&] { sink.end(); });
+  sink.end();
+  const std::string message = message_of<std::runtime_error>([&] { sink.check_written(); });
   EXPECT_NE(message.find("results.h5: cannot rename"), std::string::npos) << message;
+  if (first)
+    fs::remove(run_folder.results_file());
+  sink.begin({"b", "modal", {}});
+  sink.end();
+  EXPECT_NO_THROW(sink.check_written()); // what is written later holds everything
+  EXPECT_TRUE(fs::is_regular_file(run_folder.results_file()));
+}
+
+TEST_F(ResultFiles, AFolderThatIsRemovedIsMadeAgainWithAllPoints) {
+  const bool first = Ranks(MPI_COMM_WORLD).rank == 0;
+  RunFolder run_folder(MPI_COMM_WORLD, folder, ExistingFolder::refuse, "set Title = kept\n");
+  FileSink sink(MPI_COMM_WORLD, run_folder, {}, {});
+  sink.begin({"a", "modal", {}});
+  sink.store({.index = {}, .status = Status::failed, .reason = "kept"});
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (first)
+    fs::remove_all(folder);
+  MPI_Barrier(MPI_COMM_WORLD);
+  sink.end();
+  EXPECT_NO_THROW(sink.check_written());
+  if (!first)
+    return;
+  EXPECT_EQ(text_of(RunFolder::parameters_file(folder)), "set Title = kept\n");
+  std::size_t found = 0;
+  for (const auto &[header, points] : read_run(run_folder.journal_files()))
+    points.visit([&](const PointResult &point) { found += point.reason == "kept" ? 1 : 0; });
+  EXPECT_EQ(found, 1U);
+  EXPECT_TRUE(fs::is_regular_file(run_folder.results_file()));
 }
 
 TEST_F(ResultFiles, FullDiskReachesAllRanks) {

@@ -132,9 +132,9 @@ TEST_F(RunFolderTest, SecondRunAtTheSameTimeIsRefused) {
 
 TEST_F(RunFolderTest, UnwritablePlaceNamesFolderAndReason) {
   folder = "/proc/beams";
-  const std::string message =
-      message_of<std::runtime_error>([&] { prepare(ExistingFolder::refuse); });
-  EXPECT_EQ(message.rfind("/proc/beams: cannot create the result folder: ", 0), 0U) << message;
+  const std::string message = message_of<InputError>([&] { prepare(ExistingFolder::refuse); });
+  EXPECT_EQ(message.rfind("the result folder /proc/beams cannot be used: ", 0), 0U) << message;
+  EXPECT_NE(message.find("--output"), std::string::npos) << message;
 }
 
 TEST_F(RunFolderTest, JournalsOfAllRanksAreFoundInOrder) {

@@ -62,7 +62,7 @@ TEST(BrokenInputModelTest, TheSoundFileIsAccepted) { EXPECT_EQ(message_of(sound)
 TEST(BrokenInputModelTest, Connections) {
   expect_message("Between = casing.frame", "Between = casing.fram", {"Between", "casing.frame"});
   expect_message("Between = casing.frame", "Between = casing.frame, casing.frame",
-                 {"Between", "two different points"});
+                 {"Between", "casing.frame", "listed twice"});
   expect_message("Between = casing.frame", "Between = base, casing.frame",
                  {"Between", "two different points"});
   expect_message("Direction = y", "Direction = x", {"Direction", "can move"});
@@ -85,7 +85,7 @@ TEST(BrokenInputModelTest, Rotors) {
   expect_message("  subsection Motor",
                  "  subsection Mass disc\n    set Mass = 1 kg\n  end\n  subsection Motor",
                  {"rotor", "no use for a subsection Mass"});
-  expect_message("set Axis = y", "set Axis = y, y", {"Axis", "once"});
+  expect_message("set Axis = y", "set Axis = y, y", {"Axis", "listed twice"});
   expect_message("set Axis = y", "set Axis = w", {"Axis", "'w'"});
 }
 

@@ -51,7 +51,7 @@ TEST(BrokenInputRecordersTest, TheSoundFileIsAccepted) { EXPECT_EQ(message_of(so
 
 TEST(BrokenInputRecordersTest, NamesOfRecorders) {
   expect_message("statistics,", "statistic,", {"Record", "statistic", "statistics"});
-  expect_message("statistics,", "excursions,", {"Record", "once"});
+  expect_message("statistics,", "excursions,", {"Record", "listed twice"});
   expect_message("statistics,", "none,", {"Record", "none"});
   expect_message("Type = response", "Type = modal", {"Record", "no recorders"});
 }
@@ -74,7 +74,8 @@ TEST(BrokenInputRecordersTest, Windows) {
   expect_message("Recorded cycles = 2", "Recorded cycles = 2\n    set Recorded time = 1 s",
                  {"Recorded time", "Recorded cycles"});
   expect_message("Recorded cycles = 2", "Recorded cycles = 0", {"Recorded cycles"});
-  expect_message("Settling cycles = 20", "Settling cycles = 2", {"Minimum settling cycles"});
+  expect_message("Settling cycles = 20", "Settling cycles = 2\n    set Minimum settling cycles = 3",
+                 {"Minimum settling cycles = 3", "at most Settling cycles"});
   expect_message("Settling cycles = 20", "Settling cycles = 20\n    set Extrapolate = soon",
                  {"Extrapolate", "soon", "true"});
   expect_message("Recorded cycles = 2", "Excitation = grund", {"grund", "period"});

@@ -1,5 +1,9 @@
 #include "analyses/character/uniform_samples.h"
 
+#include "common/error.h"
+#include "common/memory.h"
+#include "parameters/text.h"
+
 #include <algorithm>
 
 namespace vibroimpact {
@@ -7,7 +11,13 @@ namespace vibroimpact {
 UniformSamples::UniformSamples(std::vector<ObservedSignal> signals, double start, double interval,
                                std::size_t count)
     : signals_(std::move(signals)), start_(start), interval_(interval), count_(count),
-      values_(signals_.size()) {}
+      values_(signals_.size()) {
+  // The samples themselves, windowed, and their complex transform.
+  const double bytes = 32 * static_cast<double>(signals_.size()) * static_cast<double>(count);
+  if (const std::string lack = lack_of_memory(bytes); !lack.empty())
+    throw NumericalError("for " + parameters::number_text(static_cast<double>(count)) +
+                         " samples of the recorded signals " + lack);
+}
 
 void UniformSamples::step(const StepView &view) {
   std::vector<double> positions;

@@ -9,7 +9,8 @@ namespace vibroimpact {
 
 class UniformSamples {
 public:
-  /// Samples at start + i * interval, i = 0 ... count - 1.
+  /// Samples at start + i * interval, i = 0 ... count - 1. NumericalError when there is no memory
+  /// for them.
   UniformSamples(std::vector<ObservedSignal> signals, double start, double interval,
                  std::size_t count);
 

@@ -4,6 +4,7 @@
 #include "analyses/motion_recorder.h"
 #include "analyses/recorders/force_quantities.h"
 #include "common/error.h"
+#include "common/memory.h"
 
 namespace vibroimpact {
 
@@ -55,6 +56,10 @@ void History::begin(const Window &window, const Trajectory & /*trajectory*/) {
                                  : window.length() / 1000;
   if (window.length() / interval > most_samples)
     throw NumericalError("the recorded history would have more than 1e8 samples");
+  const auto series = static_cast<double>(values_.size() + forces_.size());
+  if (const std::string lack = lack_of_memory(24 * series * window.length() / interval);
+      !lack.empty())
+    throw NumericalError("for the recorded history " + lack);
   instants_ = equal_instants(window.start, window.end, interval);
   next_ = 0;
   for (auto *series : {&values_, &forces_})

@@ -1,0 +1,16 @@
+// How much memory there is, for requests that could never be met.
+#pragma once
+
+#include <string>
+
+namespace vibroimpact {
+
+/// What this process may still take [B]: the least of what the machine has available and of the
+/// limits on the process and on the container it runs in.
+double available_memory();
+
+/// Empty when `bytes` are available; otherwise "about 12 TB of memory are needed, but 20 GB are
+/// available".
+std::string lack_of_memory(double bytes);
+
+} // namespace vibroimpact
