@@ -3,14 +3,16 @@
 //
 //   {"arguments": ["beams.prm", "--check"], "folder": "/tmp/here", "stdout": "out", "stderr":
 //   "err",
-//    "seconds": 20, "megabytes": 4000}
+//    "seconds": 20, "megabytes": 4000, "file_bytes": 0}
 //
 // with the arguments behind the program's name, the folder to run in, the files that take what is
-// printed, and limits of time and of address space (0: none). The answer is a line as well,
+// printed, and limits of time, of address space and of the size of a file (0: none). The answer is
+// a line as well,
 //
 //   {"code": 0, "signal": 0, "timed_out": 0, "seconds": 0.21, "peak_megabytes": 63.5}
 //
-// code -1 with the signal that ended it. support/fork_server.py speaks this.
+// code -1 with the signal that ended it. A run that reaches the limit of time gets SIGTERM, and
+// SIGKILL if it is still there two seconds later. support/fork_server.py speaks this.
 #include "program.h"
 
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS
@@ -37,6 +39,7 @@ struct Request {
   std::string folder, standard_output, standard_error;
   double seconds = 0;
   double megabytes = 0;
+  double file_bytes = 0;
 };
 
 struct Answer {
@@ -54,7 +57,8 @@ Request read_request(const std::string &line) {
                   .standard_output = tree.get<std::string>("stdout"),
                   .standard_error = tree.get<std::string>("stderr"),
                   .seconds = tree.get<double>("seconds"),
-                  .megabytes = tree.get<double>("megabytes")};
+                  .megabytes = tree.get<double>("megabytes"),
+                  .file_bytes = tree.get<double>("file_bytes")};
   for (const auto &argument : tree.get_child("arguments"))
     request.arguments.push_back(argument.second.data());
   return request;
@@ -72,6 +76,12 @@ void redirect(int descriptor, const char *file, int how) {
   expect(opened >= 0 && dup2(opened, descriptor) >= 0 && close(opened) == 0, file);
 }
 
+void limit(decltype(RLIMIT_AS) what, double bytes) {
+  const auto most = static_cast<rlim_t>(bytes);
+  const rlimit limit{.rlim_cur = most, .rlim_max = most};
+  expect(bytes == 0 || setrlimit(what, &limit) == 0, "setrlimit");
+}
+
 /// In the child: never returns.
 [[noreturn]] void run(Request request) {
   sigset_t none;
@@ -82,11 +92,9 @@ void redirect(int descriptor, const char *file, int how) {
   redirect(0, "/dev/null", O_RDONLY);
   redirect(1, request.standard_output.c_str(), O_WRONLY | O_CREAT | O_TRUNC);
   redirect(2, request.standard_error.c_str(), O_WRONLY | O_CREAT | O_TRUNC);
-  if (request.megabytes > 0) {
-    const auto bytes = static_cast<rlim_t>(request.megabytes * 1e6);
-    const rlimit limit{.rlim_cur = bytes, .rlim_max = bytes};
-    expect(setrlimit(RLIMIT_AS, &limit) == 0, "setrlimit");
-  }
+  limit(RLIMIT_AS, request.megabytes * 1e6);
+  limit(RLIMIT_FSIZE, request.file_bytes);
+  signal(SIGXFSZ, SIG_IGN); // a write beyond it fails, as on a full disk
   std::vector<char *> arguments;
   for (std::string &argument : request.arguments)
     arguments.push_back(argument.data());
@@ -94,7 +102,7 @@ void redirect(int descriptor, const char *file, int how) {
   std::exit(vibroimpact::run_program(static_cast<int>(request.arguments.size()), arguments.data()));
 }
 
-/// Waits for the child's end, at most so long; false when it runs on.
+/// Waits for the child's end, at most so long (0: for ever); false when it runs on.
 bool ends_within(double seconds) {
   sigset_t child;
   sigemptyset(&child);
@@ -112,12 +120,15 @@ Answer performed(const Request &request) {
     run(request);
   setpgid(child, child); // whoever comes first, child or parent
   Answer answer{.timed_out = !ends_within(request.seconds)};
-  if (answer.timed_out)
-    kill(-child, SIGKILL);
+  if (answer.timed_out) {
+    kill(-child, SIGTERM);
+    if (!ends_within(2)) {
+      kill(-child, SIGKILL);
+      ends_within(0);
+    }
+  }
   rusage usage{};
   expect(wait4(child, &answer.status, 0, &usage) == child, "wait4");
-  if (answer.timed_out)
-    ends_within(1); // takes the signal of the end away
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
   answer.seconds = passed.count();
   answer.peak_megabytes = static_cast<double>(usage.ru_maxrss) * 1024e-6;
@@ -135,8 +146,13 @@ void print(const Answer &answer) {
 } // namespace
 
 int main() {
-  // A process that mpirun did not start would first start a daemon of Open MPI, 0.4 s.
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
+  // A process that mpirun did not start would first start a daemon of Open MPI, 0.4 s, and look for
+  // networks, 0.2 s.
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  setenv("OMPI_MCA_pml", "ob1", 0);
+  setenv("OMPI_MCA_btl", "self", 0);
+  setenv("OMPI_MCA_mtl", "^ofi", 0);
+  setenv("OMPI_MCA_osc", "^ucx", 0);
   sigset_t child;
   sigemptyset(&child);
   sigaddset(&child, SIGCHLD);

@@ -39,11 +39,11 @@ class ForkServer:
         self.process.stdout.close()
         self.printed.cleanup()
 
-    def run(self, arguments, folder, seconds=0, megabytes=0):
-        """Runs the program in `folder`; 0 means no limit of time or of address space."""
+    def run(self, arguments, folder, seconds=0, megabytes=0, file_bytes=0):
+        """Runs the program in `folder`; 0 means no limit of time, address space or file size."""
         files = {name: str(pathlib.Path(self.printed.name) / name) for name in ("stdout", "stderr")}
         request = {"arguments": [str(argument) for argument in arguments], "folder": str(folder),
-                   "seconds": seconds, "megabytes": megabytes, **files}
+                   "seconds": seconds, "megabytes": megabytes, "file_bytes": file_bytes, **files}
         self.process.stdin.write(json.dumps(request) + "\n")
         self.process.stdin.flush()
         answer = json.loads(self.process.stdout.readline())
