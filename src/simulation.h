@@ -63,6 +63,7 @@ private:
   std::optional<ReducedBody> kept_body(const std::string &fingerprint) const;
   void keep_bodies(RunFolder &folder) const;
   derived::DerivedQuantities derived_quantities(const std::vector<Job> &jobs) const;
+  void refuse_file_names(const Job &job) const;
   void check_cases(const Job &job) const;
   void check_length(const Job &job, const Case &work) const;
   void check_swept_key(const Job &job) const;

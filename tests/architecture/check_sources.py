@@ -20,6 +20,7 @@ ORDER = ["common", "parameters", "structure", "modes", "reduction", "model", "co
 ALLOWED = {"common": {"common"}, "parameters": {"common", "parameters"}}
 # The files above all folders, each with those of its kind that it may include.
 PROGRAM = {"command_line": set(), "run_information": set(), "simulation": {"run_information"},
+           "simulation_checks": {"simulation"},
            "program": {"command_line", "run_information", "simulation"}, "main": {"program"}}
 GENERATED = {"version.h"}
 

@@ -1,0 +1,100 @@
+// What a file asks for that no run could do, or that would end in years: refused before anything
+// runs.
+#include "common/error.h"
+#include "parameters/text.h"
+#include "simulation.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace vibroimpact {
+
+using parameters::Values;
+
+// Pictures of a motion would take the place of the mode shapes, or lie among the journals.
+void Simulation::refuse_file_names(const Job &job) const {
+  const Values transient =
+      parameters_->root().instance("Analysis", job.repeated).subsection("Transient");
+  if ((job.name == "modes" || job.name == "journal" || job.name == "bodies") &&
+      transient.given("Frames"))
+    transient.reject("Frames", "Frames must not be set in an analysis with the name " + job.name +
+                                   ", which the run uses for other files.");
+}
+
+// What a grid's values do to the file, the model and the analysis is known before anything runs;
+// which combinations of them cannot be used, only the points say.
+void Simulation::check_cases(const Job &job) const {
+  check_swept_key(job);
+  std::vector<std::size_t> first_shape;
+  for (const std::size_t point : grid_probes(job.keys)) {
+    try {
+      const Case work = build_case(job, grid_overrides(job.keys, point));
+      check_case(work);
+      check_length(job, work);
+      std::vector<std::size_t> shape;
+      for (const Axis &axis : work.analysis->axes())
+        shape.push_back(axis.size());
+      if (point == 0)
+        first_shape = shape;
+      if (shape != first_shape)
+        throw InputError("The grid changes the number of points of the analysis " + job.repeated +
+                         ".");
+    } catch (const InputError &error) {
+      if (job.keys.empty())
+        throw;
+      throw InputError(std::string(error.what()) + "\n  This is the case " +
+                       grid_case(job.keys, point) + " of the parameter grid " + job.name + ".");
+    }
+  }
+}
+
+// A motion that would take years of computing is a mistake in a unit or an exponent.
+void Simulation::check_length(const Job &job, const Case &work) const {
+  constexpr double most = 1e12; // steps, or periods of the highest natural frequency
+  const Values root = parameters_->root();
+  const Values analysis = root.instance("Analysis", job.repeated);
+  const Values transient = analysis.subsection("Transient");
+  if (analysis.choice("Type") != "transient" || !transient.has("Duration"))
+    return;
+  const double time = transient.quantity("Duration");
+  if (const double step = work.system.integration.maximum_step; step > 0 && time / step > most)
+    root.subsection("Integration")
+        .reject("Maximum step", "Maximum step must be longer: a motion of the analysis " +
+                                    job.repeated + " takes " + parameters::number_text(time) +
+                                    " s, more than 1e12 steps.");
+  double highest = 0;
+  for (const auto &body : work.system.model.bodies())
+    highest = std::max(highest, body->omega().maxCoeff());
+  if (time * highest / (2 * std::numbers::pi) > most)
+    transient.reject("Duration",
+                     "a motion of " + parameters::number_text(time) +
+                         " s is too long: the highest natural frequency of the bodies, " +
+                         parameters::number_text(highest / (2 * std::numbers::pi)) +
+                         " Hz, makes more than 1e12 periods of it");
+}
+
+// A grid and the sweep that it repeats must not change the same key.
+void Simulation::check_swept_key(const Job &job) const {
+  const Values root = parameters_->with(grid_overrides(job.keys, 0))->root();
+  const auto variants = create_analysis(root.instance("Analysis", job.repeated))->variants();
+  if (variants.empty())
+    return;
+  const std::string swept = parameters_->key_path(variants.front().front().path);
+  for (const GridKey &key : job.keys) {
+    refuse_swept(job, key, swept);
+    for (const GridKey &follower : key.followers)
+      refuse_swept(job, follower, swept);
+  }
+}
+
+void Simulation::refuse_swept(const Job &job, const GridKey &key, const std::string &swept) const {
+  if (key.target == swept)
+    parameters_->root()
+        .instance("Analysis", job.name)
+        .subsection("Parameter grid")
+        .instance("Key", key.name)
+        .reject("Path", "Path must not name the key that the analysis '" + job.repeated +
+                            "' sweeps itself.");
+}
+
+} // namespace vibroimpact
