@@ -146,6 +146,31 @@ double Collisions::gap_acceleration(std::size_t contact, double time, const Vect
                                      ConstVectorView(rates.data() + layout.velocity(), layout.n));
 }
 
+// The gap's acceleration, or what takes its place where that is zero to rounding: the acceleration
+// a little later of a motion from here in the present modes, by a step of the classical Runge-Kutta
+// method, whose error of order five leaves the signs of the next three derivatives.
+double Collisions::leaning(std::size_t contact, double time, const Vector &state) const {
+  const double now = gap_acceleration(contact, time, state);
+  if (std::abs(now) > equations_.acceleration_rounding(contact, time, state))
+    return now;
+  constexpr double part_of_time_scale = 1e-3;
+  const double step = part_of_time_scale / std::max(1.0, equations_.model().highest_frequency());
+  const auto rates = [&](double after, const Vector &x) {
+    Vector dxdt(x.size());
+    equations_.rates(time + after, ConstVectorView(x.data(), x.size()),
+                     VectorView(dxdt.data(), dxdt.size()));
+    return dxdt;
+  };
+  const Vector k1 = rates(0, state);
+  const Vector k2 = rates(step / 2, state + step / 2 * k1);
+  const Vector k3 = rates(step / 2, state + step / 2 * k2);
+  const Vector k4 = rates(step, state + step * k3);
+  const Vector later = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  const double then = gap_acceleration(contact, time + step, later);
+  const double rounding = equations_.acceleration_rounding(contact, time + step, later);
+  return std::abs(then) > rounding ? then : 0;
+}
+
 // Zero: no chatter, or one that must be followed further. `after`: the state after the impulses.
 double Collisions::chatter_duration(const Instant &instant, std::size_t k, const Vector &after) {
   const double speed = instant.after[static_cast<Index>(k)];
@@ -214,7 +239,6 @@ void Collisions::apply(const Instant &instant, Vector &state) const {
 // `bouncing` ones stay open whatever their speed.
 void Collisions::choose_modes(const Instant &instant, const Vector &state,
                               const std::vector<char> &bouncing) {
-  const StateLayout &layout = equations_.layout();
   std::vector<Index> resting;
   for (Index k = 0; k < instant.size(); ++k) {
     const auto place = static_cast<std::size_t>(k);
@@ -222,14 +246,10 @@ void Collisions::choose_modes(const Instant &instant, const Vector &state,
     if (!bouncing[place] && instant.rests(k))
       resting.push_back(k);
   }
-  Vector rates(state.size());
-  equations_.rates(instant.time, ConstVectorView(state.data(), state.size()),
-                   VectorView(rates.data(), rates.size()));
   Vector accelerations(static_cast<Index>(resting.size()));
   for (std::size_t i = 0; i < resting.size(); ++i)
-    accelerations[static_cast<Index>(i)] = equations_.gap_acceleration(
-        instant.contacts[static_cast<std::size_t>(resting[i])], instant.time,
-        ConstVectorView(rates.data() + layout.velocity(), layout.n));
+    accelerations[static_cast<Index>(i)] =
+        leaning(instant.contacts[static_cast<std::size_t>(resting[i])], instant.time, state);
   const Vector forces = solve_complementarity(part(instant.effect, resting), accelerations);
   for (std::size_t i = 0; i < resting.size(); ++i)
     if (forces[static_cast<Index>(i)] > 0) {

@@ -4,6 +4,8 @@
 // those that part already. Their impulses follow from Newton's rule (contact/impulses.h). Of those
 // that touch without relative speed afterwards, the ones that are pressed on each other rest: a
 // complementarity problem of the same kind, for forces and gap accelerations. The others are open.
+// Where such an acceleration is zero to rounding, the first higher derivative of the gap that is
+// not decides in its place, by its sign a little later.
 //
 // Chatter. A contact with restitution e < 1 that parts with speed u under a constant gap
 // acceleration -a meets again infinitely often, and rests after T = 2 u / (a (1 - e)). Once the
@@ -67,6 +69,7 @@ private:
   void apply(const Instant &instant, Vector &state) const;
   void choose_modes(const Instant &instant, const Vector &state, const std::vector<char> &bouncing);
   double gap_acceleration(std::size_t contact, double time, const Vector &state) const;
+  double leaning(std::size_t contact, double time, const Vector &state) const;
   Outcome report(const Instant &instant, std::size_t first) const;
 
   Equations &equations_;

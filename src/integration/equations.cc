@@ -139,6 +139,16 @@ double Equations::rounding(std::size_t contact, const AffineForm &form, double t
   return 64 * std::numeric_limits<double>::epsilon() * sum;
 }
 
+double Equations::acceleration_rounding(std::size_t contact, double time, const Vector &x) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  double sum = force_magnitude(contact, time, x) / contacts_.effective_mass(contact, model_);
+  for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
+    if (pair.gap.carrier[k] != 0)
+      sum += std::abs(pair.gap.carrier[k] *
+                      model_.sources()[k].function->acceleration(source_time(time)));
+  return 64 * std::numeric_limits<double>::epsilon() * sum;
+}
+
 void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
   const Index n = layout_.n;
   const ConstVectorView velocity(x.data() + layout_.velocity(), n);

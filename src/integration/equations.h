@@ -76,6 +76,9 @@ public:
   /// Second derivative of a contact's gap from given accelerations.
   double gap_acceleration(std::size_t contact, double time, ConstVectorView acceleration) const;
 
+  /// Bound of the rounding error of that.
+  double acceleration_rounding(std::size_t contact, double time, const Vector &x) const;
+
   /// What a force along each row does: M^-1 rows^T at a position, n x rows.
   Matrix response_to(const Matrix &rows, double time, ConstVectorView x) const;
 

@@ -1,5 +1,7 @@
 #include "integration/flight_batch.h"
 
+#include "common/signals.h"
+
 #include <boost/context/fiber.hpp>
 #include <boost/context/protected_fixedsize_stack.hpp>
 
@@ -44,6 +46,8 @@ public:
     while (!waiting_.empty() || !lanes_.empty())
       if (failure_)
         end_the_waiting();
+      else if (stop_requested())
+        failure_ = std::make_exception_ptr(Interrupted{});
       else
         serve();
     if (failure_)

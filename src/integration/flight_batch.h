@@ -15,7 +15,8 @@ struct BatchBrokenOff {};
 
 /// Runs `work` in `count` fibers at once, until every one of them has returned; just once without
 /// fibers when `count` is 1, inside another batch, or where fibers cannot be used. When one throws,
-/// the others are ended where they fly next, and its exception is thrown on.
+/// the others are ended where they fly next, and its exception is thrown on; Interrupted when the
+/// run is to stop while all of them fly.
 void run_batch(std::size_t count, const std::function<void()> &work);
 
 /// kernel.fly(limit), in the lanes when the caller runs in a batch.

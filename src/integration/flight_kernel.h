@@ -36,7 +36,7 @@ public:
   void watch(WatchedSums *sums);
 
   /// Flies for `limit` [s] at most. The time flown is told by flown(), also when nothing could be
-  /// proven any more.
+  /// proven any more. Throws Interrupted when the run is to stop.
   End fly(double limit);
   double flown() const { return flown_; }
   const Amplitudes &amplitudes() const { return start_; }

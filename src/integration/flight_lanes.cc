@@ -1,5 +1,7 @@
 #include "integration/flight_lanes.h"
 
+#include "common/signals.h"
+
 #include <algorithm>
 #include <new>
 #include <stdexcept>
@@ -299,7 +301,7 @@ void FlightLanes::land(std::size_t lane) {
 
 const std::vector<FlightLanes::Landing> &FlightLanes::fly() {
   landings_.clear();
-  while (landings_.empty()) {
+  while (landings_.empty() && !stop_requested()) {
     fly_(arrays_);
     show_pieces();
     for (std::size_t lane = 0; lane < n_lanes; ++lane)

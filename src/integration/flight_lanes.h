@@ -33,7 +33,8 @@ public:
   /// Lets a kernel fly to `limit`; it must be left alone until it lands. Not when full(). An end
   /// that needs no flight comes back at once. `owner` is for the caller.
   std::optional<FlightKernel::End> add(FlightKernel &kernel, double limit, std::size_t owner);
-  /// Flies until at least one kernel has landed. Not when empty(). Valid until the next call.
+  /// Flies until at least one kernel has landed, or the run is to stop. Not when empty(). Valid
+  /// until the next call.
   const std::vector<Landing> &fly();
   /// Gives all flights up and tells whose they were.
   std::vector<std::size_t> clear();

@@ -63,6 +63,8 @@ public:
   bool fly(double &time, Vector &state, double limit, long most_events,
            std::span<const ZeroGuard> zero = {}, const FlightCompany *company = nullptr);
   const std::optional<Landing> &landing() const { return landing_; }
+  /// False: where the last flight has ended nothing can be proven, and a step must find out.
+  bool clear() const { return aloft_ || landing_; }
   /// Of all flights so far; add up and clear.
   Tally take_tally();
   double last_event() const { return last_event_; }

@@ -1,5 +1,6 @@
 #include "integration/flight_stepper.h"
 
+#include "common/signals.h"
 #include "integration/petsc_check.h"
 #include "integration/tolerances.h"
 
@@ -151,6 +152,7 @@ void FlightStepper::accept(bool keep_ledger) {
   const double h = end_.time - start_.time;
   double part = 0;
   for (double from = 0; keep_ledger && from < h; from += part) {
+    leave_if_stopped();
     part = motion_->quadrature_length(from, h - from);
     if (!(from + part > from))
       throw NumericalError("the energies of the motion can no longer be followed, at t = " +

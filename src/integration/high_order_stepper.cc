@@ -41,6 +41,7 @@ HighOrderStepper::HighOrderStepper(const Equations &equations, const Integration
       maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()),
       relative_(settings.relative_tolerance), event_tolerance_(settings.event_tolerance),
+      source_step_(equations, settings.relative_tolerance, settings.absolute_tolerance),
       absolute_(absolute_tolerances(equations, settings.absolute_tolerance)),
       stages_(equations.layout().size(), method::stages),
       stage_state_(Vector::Zero(equations.layout().size())) {}
@@ -355,13 +356,16 @@ double HighOrderStepper::wanted_step(double left) const {
 
 void HighOrderStepper::step(double limit) {
   std::swap(start_, end_);
-  const bool opens = opening();
-  const double left = opens ? rest_of_contact() : std::numeric_limits<double>::infinity();
-  if (left <= std::min(steps_.last, maximum_step_) && left > 16 * event_tolerance_ &&
-      take_last(left, limit))
+  const double rest_of_opening =
+      opening() ? rest_of_contact() : std::numeric_limits<double>::infinity();
+  // What the event tolerance cannot tell from parted sides has no end to step to.
+  const bool opens = std::isfinite(rest_of_opening) && rest_of_opening > 16 * event_tolerance_;
+  const double left = opens ? rest_of_opening : std::numeric_limits<double>::infinity();
+  if (left <= std::min(steps_.last, maximum_step_) && take_last(left, limit))
     return;
   const bool rooted = only_contact_ && begins_contact_ && !opens;
-  double wanted = wanted_step(left);
+  double wanted =
+      source_step_.limited(start_.time, std::min(wanted_step(left), limit - start_.time));
   for (int i = 0; i < 100; ++i) {
     const double rest = limit - start_.time;
     // Two halves rather than a step and a sliver.

@@ -15,6 +15,7 @@
 
 #include "integration/equations.h"
 #include "integration/settings.h"
+#include "integration/source_step.h"
 #include "integration/step_course.h"
 #include "integration/stepper.h"
 
@@ -69,6 +70,7 @@ private:
 
   const Equations &equations_;
   double maximum_step_, relative_, event_tolerance_;
+  SourceStep source_step_;
   Vector absolute_;
   Vector largest_; ///< |x| of the physical part in the last steps of the phase, fading
   Matrix stages_;  ///< dx/ds, one column each

@@ -41,7 +41,8 @@ struct LaneArrays {
   double *passed;  ///< length of the piece that the lane stopped after; 0: none
 };
 
-/// Lets all lanes fly until one of them has come to its end, or a watched one has passed a piece.
+/// Lets all lanes fly until one of them has come to its end, or a watched one has passed a piece,
+/// or for some thousand pieces.
 /// One function per instruction set.
 using FlyLanes = void (*)(const LaneArrays &);
 

@@ -10,6 +10,9 @@
 
 namespace vibroimpact::flight_arithmetic {
 
+/// After so many pieces the caller may look whether the run is to stop.
+constexpr int rounds_at_once = 4096;
+
 template <class Pack> class LaneMachine {
 public:
   using Mask = typename Pack::Mask;
@@ -306,7 +309,7 @@ private:
 template <class Pack> void fly_lanes(const LaneArrays &arrays) {
   constexpr std::size_t n_packs = n_lanes / Pack::width;
   bool ended = false;
-  while (!ended)
+  for (int round = 0; round < rounds_at_once && !ended; ++round)
     for (std::size_t i = 0; i < n_packs; ++i)
       ended = LaneMachine<Pack>(arrays, i * Pack::width).advance() || ended;
 }

@@ -1,6 +1,7 @@
 #include "integration/trajectory.h"
 
 #include "common/error.h"
+#include "common/signals.h"
 #include "integration/flight_path.h"
 
 #include <algorithm>
@@ -80,6 +81,8 @@ void Trajectory::start(const MotionState &from) {
   rejected_before_ = steppers_.rejected_steps();
   event_residual_ = 0;
   last_event_time_ = -std::numeric_limits<double>::infinity();
+  changed_.clear();
+  progress_.begin(from.time);
   zero_at_start_.clear();
   if (flight_) { // a step, if one is needed at all, finds out the rest
     steppers_.place(from.time, state);
@@ -302,9 +305,9 @@ void Trajectory::change_mode(double instant, std::size_t contact, std::size_t gu
 void Trajectory::change_modes(const Crossing &first, Observer &observer) {
   const bool stuck = time() - last_event_time_ <= time_tolerance();
   events_at_once_ = stuck ? events_at_once_ + 1 : 0;
+  note_change(first.contact, stuck);
   if (events_at_once_ > maximum_events_at_once)
-    throw NumericalError("contact changes follow each other without progress at t = " +
-                         std::to_string(time()) + " s");
+    throw NumericalError(stall_reason("contact changes follow each other without progress"));
   if (settings_.maximum_events > 0 && events_ >= settings_.maximum_events)
     throw NumericalError("more than " + std::to_string(settings_.maximum_events) +
                          " contact changes (Maximum events)");
@@ -320,7 +323,20 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
   begin_phase(time(), state);
   std::erase_if(zero_at_start_,
                 [&](const ZeroGuard &zero) { return zero.contact == first.contact; });
+  renew_zero_guards(state);
   note_zero_guards(first, passed, state);
+}
+
+// Of the guards that were zero at the start of an earlier phase: a jump of velocities or of forces
+// may have taken one off its zero. One that is below zero now has fallen, and its contact changes
+// at once.
+void Trajectory::renew_zero_guards(const Vector &state) {
+  std::erase_if(zero_at_start_, [&](const ZeroGuard &zero) {
+    const AffineForm &form = guard_of(equations_, zero.contact, zero.guard).indicator;
+    const double value = form(
+        equations_.local_state(zero.contact, time(), ConstVectorView(state.data(), state.size())));
+    return std::abs(value) > std::max(2 * zero.remainder, negligible(zero.contact, form));
+  });
 }
 
 // What was left of the guard that was passed is left of the guard back as well, and must not be
@@ -386,6 +402,10 @@ void Trajectory::advance(double end) {
 
 void Trajectory::integrate(double end, Observer &observer) {
   while (steppers_.present().time() < end) {
+    leave_if_stopped();
+    progress_.note(time(), horizon());
+    if (progress_.stalled())
+      throw NumericalError(stall_reason("the motion hardly advances"));
     if (at_source_break()) {
       pass_source_break();
       continue;
@@ -394,7 +414,7 @@ void Trajectory::integrate(double end, Observer &observer) {
       throw NumericalError("more than " + std::to_string(settings_.maximum_steps) +
                            " steps (Maximum steps)");
     const double limit = std::min(end, equations_.source_break());
-    if (fly(limit, observer))
+    if (!progress_.slow() && fly(limit, observer))
       continue;
     if (flown_)
       take_over();

@@ -10,6 +10,7 @@
 #include "integration/collision.h"
 #include "integration/observer.h"
 #include "integration/settings.h"
+#include "integration/stall.h"
 #include "integration/steppers.h"
 #include "integration/zero_guard.h"
 
@@ -58,7 +59,8 @@ public:
   /// Goes on from an earlier state, whatever the contacts do there.
   void start(const MotionState &from);
 
-  /// Integrates up to `end` exactly. NumericalError when that fails.
+  /// Integrates up to `end` exactly. NumericalError when that fails, Interrupted when the run is to
+  /// stop.
   void advance(double end, Observer &observer);
   /// The same without being watched, which some methods do faster. The energy balance is not kept:
   /// it begins anew with the next motion that is watched.
@@ -103,12 +105,16 @@ private:
   double event_uncertainty(const StepView &view, Crossing &crossing) const;
   void change_modes(const Crossing &first, Observer &observer);
   void collide(std::size_t first, Observer &observer);
+  void renew_zero_guards(const Vector &state);
   void note_zero_guards(const Vector &state);
   void note_zero_guards(const Crossing &crossing, const AffineForm &passed, const Vector &state);
   void change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
                    Observer &observer);
   StepView view() const;
   double time_tolerance() const;
+  double horizon() const;
+  void note_change(std::size_t contact, bool at_once);
+  std::string stall_reason(const std::string &what) const;
   double energy_threshold() const;
 
   IntegrationSettings settings_;
@@ -127,6 +133,8 @@ private:
   long chatters_ = 0;
   long events_at_once_ = 0; ///< events without progress in time
   double last_event_time_ = 0;
+  StallBound progress_;
+  std::vector<std::size_t> changed_; ///< contacts, at the instant of the last event
   long undecided_ = 0;
   double event_residual_ = 0;
   /// Guards that were zero at the start of the phase and have not grown beyond that yet.

@@ -40,6 +40,7 @@ void Trajectory::collide(std::size_t first, Observer &observer) {
   }
   ++events_;
   begin_phase(time(), state);
+  renew_zero_guards(state);
   for (std::size_t k = 0; k < outcome.touching.size(); ++k) {
     const std::size_t contact = outcome.touching[k];
     std::erase_if(zero_at_start_, [&](const ZeroGuard &zero) { return zero.contact == contact; });

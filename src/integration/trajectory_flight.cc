@@ -7,7 +7,8 @@
 
 namespace vibroimpact {
 
-// Goes on without steps as far as that is clear, and as all who watch can do without them.
+// Goes on without steps as far as that is clear, and as all who watch can do without them. False: a
+// step is next, from where the flight has led.
 bool Trajectory::fly(double limit, Observer &observer) {
   if (!flight_ || (watched_ && !observer.flight_watcher()))
     return false;
@@ -40,7 +41,7 @@ bool Trajectory::fly(double limit, Observer &observer) {
                   .residual = landing->residual,
                   .rate = landing->rate},
                  observer);
-  return true;
+  return flight_->clear();
 }
 
 // A step begins where the flight has ended.

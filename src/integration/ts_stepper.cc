@@ -67,7 +67,8 @@ TsStepper::TsStepper(Equations &equations, const IntegrationSettings &settings,
                      const std::string &method)
     : equations_(equations),
       maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
-                                              : std::numeric_limits<double>::infinity()) {
+                                              : std::numeric_limits<double>::infinity()),
+      source_step_(equations, settings.relative_tolerance, settings.absolute_tolerance) {
   const PetscInt size = static_cast<PetscInt>(equations.layout().size());
   check_petsc(VecCreateSeq(PETSC_COMM_SELF, size, &solution_), "VecCreateSeq");
   check_petsc(TSCreate(PETSC_COMM_SELF, &ts_), "TSCreate");
@@ -213,7 +214,8 @@ void TsStepper::take(double end) {
 
 void TsStepper::step(double limit) {
   std::swap(start_, end_);
-  const double wanted = std::min(natural_step_, maximum_step_);
+  const double free_step = std::min({natural_step_, maximum_step_, limit - start_.time});
+  const double wanted = source_step_.limited(start_.time, free_step);
   // A last sliver shorter than the rounding of the step before would be no step at all.
   const bool limited = start_.time + wanted * (1 + 1e-9) >= limit;
   take(limited ? limit : start_.time + wanted);

@@ -8,6 +8,7 @@
 
 #include "integration/equations.h"
 #include "integration/settings.h"
+#include "integration/source_step.h"
 #include "integration/stepper.h"
 
 #include <map>
@@ -52,6 +53,7 @@ private:
 
   Equations &equations_;
   double maximum_step_;
+  SourceStep source_step_;
   _p_TS *ts_ = nullptr;
   _p_Vec *solution_ = nullptr;
   _p_Mat *jacobian_ = nullptr;

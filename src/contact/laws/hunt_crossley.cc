@@ -10,15 +10,32 @@ namespace vibroimpact {
 namespace {
 
 constexpr const char *section_name = "Hunt-Crossley";
-enum : int { open = 0, contact = 1 };
+enum : int { open = 0, contact = 1, separating = 2, slow_contact = 3, slow_separating = 4 };
 
-// `push` is positive while 1 + d u' is; it is affine also when d = d_c / z, z being the remembered
-// approach speed: z - d_c gap_rate.
-std::vector<Mode> make_modes(const AffineForm &push, const std::vector<AffineForm> &on_closing) {
+bool acts(int mode) { return mode == contact || mode == slow_contact; }
+
+// With d = d_c / z, z being the remembered approach speed, the force ends where z - d_c gap_rate
+// falls to zero. An impact that began slower than v_min passes on to a contact with z = v_min: were
+// it cut off by its own z and damped by v_min, the force would jump there, and a body pressed on
+// would be pushed and let go for ever.
+std::vector<Mode> make_modes(double damping, double lowest_speed) {
+  const AffineForm push{.gap_rate = -damping, .internal = {1}};
   AffineLaw no_force;
-  no_force.internal_rate.resize(on_closing.size());
+  no_force.internal_rate.resize(1);
   std::vector<Mode> modes = open_contact_separating(push, std::nullopt, no_force);
-  modes[open].guards[0].reset = on_closing;
+  modes[open].guards[0].reset = {{.gap_rate = -1}};
+  Mode slow = modes[contact];
+  slow.name = "slow contact";
+  slow.guards.back().target = slow_separating;
+  Mode slow_apart = modes[separating];
+  slow_apart.name = "slow separating";
+  slow_apart.guards.back().target = slow_contact;
+  const Guard too_slow{.indicator = {.constant = -lowest_speed, .internal = {1}},
+                       .target = slow_contact,
+                       .reset = {{.constant = lowest_speed}}};
+  modes[contact].guards.push_back(too_slow);
+  modes.push_back(slow);
+  modes.push_back(slow_apart);
   return modes;
 }
 
@@ -31,16 +48,23 @@ HuntCrossley::HuntCrossley(std::vector<Mode> modes, std::vector<double> initial_
 
 std::shared_ptr<HuntCrossley> HuntCrossley::with_dissipation(HertzConstants constants,
                                                              double dissipation) {
-  return std::shared_ptr<HuntCrossley>(new HuntCrossley(
-      make_modes({.constant = 1, .gap_rate = -dissipation}, {}), {}, constants, dissipation, 0));
+  return std::shared_ptr<HuntCrossley>(
+      new HuntCrossley(open_contact_separating({.constant = 1, .gap_rate = -dissipation}), {},
+                       constants, dissipation, 0));
 }
 
 std::shared_ptr<HuntCrossley> HuntCrossley::with_dimensionless_damping(HertzConstants constants,
                                                                        double dimensionless_damping,
                                                                        double lowest_speed) {
-  return std::shared_ptr<HuntCrossley>(new HuntCrossley(
-      make_modes({.gap_rate = -dimensionless_damping, .internal = {1}}, {{.gap_rate = -1}}), {1.0},
-      constants, dimensionless_damping, lowest_speed));
+  return std::shared_ptr<HuntCrossley>(
+      new HuntCrossley(make_modes(dimensionless_damping, lowest_speed), {1.0}, constants,
+                       dimensionless_damping, lowest_speed));
+}
+
+int HuntCrossley::initial_mode(const LocalState &state) const {
+  if (state.gap >= 0)
+    return open;
+  return lowest_speed_ > 0 && state.internal[0] <= lowest_speed_ ? slow_contact : contact;
 }
 
 double HuntCrossley::dissipation(const LocalState &state) const {
@@ -49,7 +73,7 @@ double HuntCrossley::dissipation(const LocalState &state) const {
 }
 
 void HuntCrossley::evaluate(int mode, const LocalState &state, LawResponse &response) const {
-  const double penetration = mode == contact ? std::max(0.0, -state.gap) : 0;
+  const double penetration = acts(mode) ? std::max(0.0, -state.gap) : 0;
   const double slope = constants_.secant(penetration);
   const double elastic = slope * penetration;
   const double d = dissipation(state);
@@ -75,7 +99,7 @@ std::vector<InternalState> HuntCrossley::internal_states() const {
     return {};
   return {{.name = "approach_speed",
            .unit = "m/s",
-           .description = "Approach speed of the latest impact"}};
+           .description = "Approach speed of the latest impact, no less than the lowest one"}};
 }
 
 std::optional<PowerLaw> HuntCrossley::power_law() const {

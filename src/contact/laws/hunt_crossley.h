@@ -9,6 +9,7 @@
 // Two free bodies that meet at v_c part at e v_c, (1 + e) d_c = ln[(1 + d_c)/(1 - e d_c)],
 // d_c = d v_c, for every n and every pair of masses. Given e instead of mu, d = d_c / v_c with v_c
 // either fixed or the approach speed of each impact by itself (then e is the same at every speed).
+// Impacts slower than a lowest speed v_min take that one, so that a body pressed on comes to rest.
 //
 // Pulled apart faster than 1/d the formula would turn into tension: the law then gives no force
 // while the points still overlap (mode "separating") until they slow down or part.
@@ -26,7 +27,7 @@ public:
   static std::shared_ptr<HuntCrossley> with_dissipation(HertzConstants constants,
                                                         double dissipation);
   /// d = dimensionless_damping / (approach speed of each impact); below `lowest_speed` > 0 [m/s]
-  /// that speed is used, so that d stays bounded at grazing.
+  /// that speed is used and remembered, so that d stays bounded at grazing.
   static std::shared_ptr<HuntCrossley> with_dimensionless_damping(HertzConstants constants,
                                                                   double dimensionless_damping,
                                                                   double lowest_speed);
@@ -35,7 +36,7 @@ public:
   static std::shared_ptr<const ContactLaw> create(const parameters::Values &contact);
 
   std::string name() const override { return "hunt-crossley"; }
-  int initial_mode(const LocalState &state) const override { return open_or_contact(state); }
+  int initial_mode(const LocalState &state) const override;
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
   std::vector<InternalState> internal_states() const override;
   std::optional<PowerLaw> power_law() const override;
@@ -47,7 +48,7 @@ private:
 
   HertzConstants constants_;
   double coefficient_;  ///< d, or d_c when each impact has its own
-  double lowest_speed_; ///< 0 when d is fixed
+  double lowest_speed_; ///< 0 when d is fixed [m/s]
 };
 
 } // namespace vibroimpact

@@ -1,0 +1,60 @@
+#include "integration/source_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibroimpact {
+
+SourceStep::SourceStep(const Equations &equations, double relative, double absolute)
+    : equations_(equations), relative_(relative), absolute_(absolute) {
+  for (std::size_t k = 0; k < equations.model().sources().size(); ++k) {
+    const auto moved_by = [k](const ContactPair &pair) {
+      return k < pair.gap.carrier.size() && pair.gap.carrier[k] != 0;
+    };
+    const std::vector<ContactPair> &pairs = equations.contacts().pairs();
+    if (std::any_of(pairs.begin(), pairs.end(), moved_by))
+      moving_.push_back(k);
+  }
+}
+
+double SourceStep::error(double time, double length) const {
+  double largest = 0;
+  for (const std::size_t k : moving_) {
+    const TimeFunction &function = *equations_.model().sources()[k].function;
+    const auto at = [&](double t) { return equations_.source_time(t); };
+    const double a = at(time);
+    const double b = at(time + length);
+    const double value[2] = {function.value(a), function.value(b)};
+    const double rate[2] = {length * function.rate(a), length * function.rate(b)};
+    const double bend[2] = {length * length * function.acceleration(a),
+                            length * length * function.acceleration(b)};
+    const double middle =
+        (value[0] + value[1]) / 2 + 5 * (rate[0] - rate[1]) / 32 + (bend[0] + bend[1]) / 64;
+    const double size = std::abs(value[0]) + std::abs(value[1]) + std::abs(rate[0]) +
+                        std::abs(rate[1]) + std::abs(bend[0]) + std::abs(bend[1]);
+    const double missed = std::abs(middle - function.value(at(time + length / 2)));
+    largest = std::max(largest, missed / (absolute_ + relative_ * size));
+  }
+  return largest;
+}
+
+// The error goes with the sixth power of the length where a source is smooth. A body that a contact
+// holds on a moving base shows error control nothing of the forces that the base does work against:
+// forces and work of powers of a penetration need steps as much shorter as `held_part` says.
+double SourceStep::limited(double time, double length) const {
+  constexpr int most_trials = 30;
+  constexpr double held_part = 0.15;
+  if (moving_.empty())
+    return length;
+  const double part = equations_.holding().empty() ? 1 : held_part;
+  double whole = length / part;
+  for (int i = 0; i < most_trials; ++i) {
+    const double too_large = error(time, whole);
+    if (too_large <= 1)
+      break;
+    whole *= std::isfinite(too_large) ? std::max(0.2, 0.9 * std::pow(too_large, -1.0 / 6)) : 0.2;
+  }
+  return part * whole;
+}
+
+} // namespace vibroimpact
