@@ -10,6 +10,8 @@ namespace vibroimpact::benchmarks {
 
 namespace {
 
+using namespace model;
+
 // The impacting beams of the validation: steel, 0.3 m x 30 mm x 0.75 mm, heads that tune the first
 // mode to 2.95 Hz and touch as two steel spheres of radius 15 mm.
 constexpr Cantilever beam{.length = 0.3,
@@ -27,7 +29,7 @@ Beams by_hand(const CantileverModes &modes) {
   Beams pair;
   pair.clearance = 0.005;
   pair.hertz = 1.30696874e10;
-  pair.dissipation = dimensionless_damping("exact", 0.7) / approach_speed;
+  pair.dissipation = contact::dimensionless_damping("exact", 0.7) / approach_speed;
   pair.amplitude = 0.02;
   pair.forcing = 2 * std::numbers::pi * 3;
   for (std::size_t j = 0; j < coordinates; ++j) {
@@ -49,9 +51,9 @@ Problem problem_of(const Beams &pair, const CantileverModes &modes) {
   model.add_force("shaker",
                   std::make_shared<Harmonic>(Given::displacement, pair.amplitude, pair.forcing, 0),
                   {.body = 0, .point = 0}, Vector3::UnitX());
-  ContactSet contacts({contact_of_heads(
+  contact::ContactSet contacts({contact_of_heads(
       model, "left", "right", 1, pair.clearance,
-      HuntCrossley::with_dissipation({.stiffness = pair.hertz}, pair.dissipation))});
+      contact::HuntCrossley::with_dissipation({.stiffness = pair.hertz}, pair.dissipation))});
   const Projection recorded = model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), false);
   return {.model = std::move(model), .contacts = std::move(contacts), .recorded = recorded};
 }

@@ -39,13 +39,14 @@ struct Bumped {
   static Problem problem_of(double gap, double stiffness, double frequency) {
     constexpr double damping = 0.2;
     const Vector one = Vector::Ones(1);
-    Model model({body_along_x("mass", one, one, damping * one, one)});
-    model.add_base_motion("ground",
-                          std::make_shared<Harmonic>(Given::acceleration, 0.199, frequency, 0), {0},
-                          Vector3::UnitX());
-    const auto law = std::make_shared<RelaxingStop>(stiffness, 5 * damping);
-    ContactSet contacts({contact_of_heads(model, "mass", "", 1, gap, law),
-                         contact_of_heads(model, "mass", "", -1, gap, law)});
+    model::Model model({body_along_x("mass", one, one, damping * one, one)});
+    model.add_base_motion(
+        "ground",
+        std::make_shared<model::Harmonic>(model::Given::acceleration, 0.199, frequency, 0), {0},
+        Vector3::UnitX());
+    const auto law = std::make_shared<contact::RelaxingStop>(stiffness, 5 * damping);
+    contact::ContactSet contacts({contact_of_heads(model, "mass", "", 1, gap, law),
+                                  contact_of_heads(model, "mass", "", -1, gap, law)});
     return {.model = std::move(model), .contacts = std::move(contacts), .recorded = {}};
   }
 
@@ -56,7 +57,7 @@ struct Bumped {
 
   Problem problem;
   double period;
-  Trajectory trajectory;
+  integration::Trajectory trajectory;
 };
 
 std::vector<std::unique_ptr<Bumped>> motions() {
@@ -80,7 +81,7 @@ Result measure(int repetitions, std::size_t at_once) {
     auto all = motions();
     std::size_t next = 0;
     const double start = processor_time();
-    run_batch(at_once, [&] {
+    integration::run_batch(at_once, [&] {
       while (next < all.size())
         all[next++]->fly();
     });
@@ -88,7 +89,7 @@ Result measure(int repetitions, std::size_t at_once) {
     result.steps = result.events = result.end = 0;
     const double count = static_cast<double>(all.size()) * periods;
     for (const auto &motion : all) {
-      const Accuracy accuracy = motion->trajectory.accuracy();
+      const integration::Accuracy accuracy = motion->trajectory.accuracy();
       result.steps += static_cast<double>(accuracy.steps) / count;
       result.events += static_cast<double>(accuracy.events) / count;
       result.end += motion->trajectory.state()[0];

@@ -10,10 +10,13 @@ namespace vibroimpact::benchmarks {
 
 namespace {
 
+using namespace contact;
+using namespace model;
+
 Vector one(double value) { return Vector::Constant(1, value); }
 
-std::shared_ptr<const ReducedBody> mass(const std::string &name, double mass, double stiffness,
-                                        double damping) {
+std::shared_ptr<const reduction::ReducedBody> mass(const std::string &name, double mass,
+                                                   double stiffness, double damping) {
   return body_along_x(name, one(mass), one(stiffness), one(damping), one(1));
 }
 

@@ -10,6 +10,9 @@ namespace vibroimpact::benchmarks {
 
 namespace {
 
+using namespace integration;
+using reduction::ReducedBody;
+
 constexpr double event_tolerance = 1e-12; // the program's default
 
 // Counts the contacts and keeps the extreme values of one displacement.
@@ -20,7 +23,7 @@ public:
     extent_.include(view.displacement(problem_.recorded));
   }
   void event(const ContactEvent &event) override {
-    const std::vector<Mode> &modes = problem_.contacts.pairs()[event.contact].law->modes();
+    const std::vector<contact::Mode> &modes = problem_.contacts.pairs()[event.contact].law->modes();
     begun_[event.contact] += !modes[static_cast<std::size_t>(event.from)].in_contact &&
                              modes[static_cast<std::size_t>(event.to)].in_contact;
   }
@@ -44,7 +47,7 @@ public:
   VibroimpactMotion(const std::string &method, const Problem &problem, const Vector &start,
                     const Tolerance &tolerance, bool records)
       : problem_(problem), start_{.time = 0, .physical = start}, records_(records) {
-    IntegrationSettings settings;
+    Settings settings;
     settings.method = method;
     settings.relative_tolerance = tolerance.relative;
     settings.absolute_tolerance = tolerance.absolute;
@@ -87,15 +90,16 @@ std::shared_ptr<const ReducedBody> body_along_x(const std::string &name, const V
   body->base_participation = Matrix::Zero(mass.size(), 3);
   if (mass.size() == 1)
     body->base_participation(0, 0) = mass[0];
-  BodyPoint head{.name = "head", .position = Vector3::Zero(), .rows = Matrix::Zero(6, mass.size())};
+  reduction::BodyPoint head{
+      .name = "head", .position = Vector3::Zero(), .rows = Matrix::Zero(6, mass.size())};
   head.rows.row(0) = row.transpose();
   body->points.push_back(std::move(head));
   return body;
 }
 
-ContactPair contact_of_heads(const Model &model, const std::string &body, const std::string &other,
-                             double sense, double clearance,
-                             std::shared_ptr<const ContactLaw> law) {
+contact::ContactPair contact_of_heads(const model::Model &model, const std::string &body,
+                                      const std::string &other, double sense, double clearance,
+                                      std::shared_ptr<const contact::ContactLaw> law) {
   const auto row = [&](const std::string &name) {
     return model.displacement({.body = model.find_body(name), .point = 0}, Vector3::UnitX(), false)
         .row;
@@ -113,7 +117,7 @@ ContactPair contact_of_heads(const Model &model, const std::string &body, const 
 }
 
 Vector settled(const Problem &problem, double period, long periods) {
-  IntegrationSettings settings;
+  Settings settings;
   settings.relative_tolerance = 1e-11;
   settings.absolute_tolerance = 1e-14;
   Trajectory trajectory(problem.model, problem.contacts, settings);

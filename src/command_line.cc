@@ -81,7 +81,7 @@ std::string text(const options::variables_map &map, const std::string &name) {
 
 std::size_t lines_at_once(const std::string &given) {
   if (given.empty())
-    return default_lines_at_once;
+    return analyses::default_lines_at_once;
   std::size_t number = 0;
   const bool read = boost::conversion::try_lexical_convert(given, number);
   if (!read || given.front() == '-' || number < 1 || number > 1000)

@@ -20,6 +20,8 @@
 
 namespace vibroimpact {
 
+using output::ExistingFolder;
+
 namespace {
 
 enum ExitCode : int {
@@ -42,7 +44,7 @@ void use_one_blas_thread() {
 
 std::shared_ptr<const parameters::ParameterSet> read_parameters(const CommandLine &line) {
   const std::string file = line.parameter_file.empty()
-                               ? RunFolder::parameters_file(line.resume_folder).string()
+                               ? output::RunFolder::parameters_file(line.resume_folder).string()
                                : line.parameter_file;
   return parameters::ParameterSet::read(declare_parameters(), file, line.overrides);
 }
@@ -63,7 +65,7 @@ RunOptions run_options(const CommandLine &line) {
 }
 
 void print_version() {
-  const RunInformation information = run_information("", "", MPI_COMM_WORLD);
+  const output::RunInformation information = run_information("", "", MPI_COMM_WORLD);
   std::string text = "vibroimpact " + information.version + " (" + information.commit + ")";
   for (const std::string &library : information.libraries)
     text += "\n  " + library;
@@ -86,7 +88,7 @@ std::string pictures(const std::filesystem::path &folder) {
 }
 
 // What is told on the way to exit code 3 and 0.
-int tell_end(const RunSummary &summary, const std::string &folder) {
+int tell_end(const analyses::RunSummary &summary, const std::string &folder) {
   if (summary.failed > 0)
     log::warning(std::to_string(summary.failed) +
                  " points failed; status and reason in results.h5 say which and why.");
@@ -105,7 +107,7 @@ int run(const CommandLine &line) {
     return all_done;
   }
   const RunOptions options = run_options(line);
-  const RunSummary summary = simulation.run(options);
+  const analyses::RunSummary summary = simulation.run(options);
   const std::string folder = options.folder.string();
   if (summary.unbalanced > 0)
     log::warning("the energy balance of " + std::to_string(summary.unbalanced) +
@@ -173,7 +175,7 @@ int run_program(int argc, char **argv) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   log::set_rank(rank);
-  petsc::keep_errors();
+  keep_petsc_errors();
   install_signal_handlers(rank == 0); // again: the libraries set their own
   return guarded(argc, argv, rank);
 }

@@ -32,8 +32,8 @@ std::string processor_name() {
 
 std::string program_version() { return std::string(version) + " " + commit; }
 
-RunInformation run_information(const std::string &parameters, const std::string &command_line,
-                               MPI_Comm communicator) {
+output::RunInformation run_information(const std::string &parameters,
+                                       const std::string &command_line, MPI_Comm communicator) {
   int ranks = 1;
   MPI_Comm_size(communicator, &ranks);
   return {.version = version,

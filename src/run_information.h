@@ -9,8 +9,8 @@
 namespace vibroimpact {
 
 /// Version, libraries, ranks and processor of this run.
-RunInformation run_information(const std::string &parameters, const std::string &command_line,
-                               MPI_Comm communicator);
+output::RunInformation run_information(const std::string &parameters,
+                                       const std::string &command_line, MPI_Comm communicator);
 
 /// Version and commit.
 std::string program_version();

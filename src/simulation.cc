@@ -24,9 +24,12 @@
 
 namespace vibroimpact {
 
+using analyses::RunSummary;
+using contact::ContactFigures;
 using parameters::Override;
 using parameters::ParameterSet;
 using parameters::Values;
+using reduction::ReducedBody;
 
 std::shared_ptr<const parameters::Section> declare_parameters() {
   auto root = std::make_shared<parameters::Section>("", "");
@@ -38,13 +41,13 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
       .text("File folder", "",
             "Folder that file names in this file refer to; empty means the folder "
             "of the parameter file.");
-  declare_body(*root);
-  declare_connections(*root);
-  declare_contacts(*root);
-  declare_excitations(*root);
-  declare_initial_conditions(*root);
-  declare_integration(*root);
-  declare_analyses(*root);
+  reduction::declare_body(*root);
+  model::declare_connections(*root);
+  contact::declare_contacts(*root);
+  model::declare_excitations(*root);
+  model::declare_initial_conditions(*root);
+  integration::declare_integration(*root);
+  analyses::declare_analyses(*root);
   derived::declare_derived(*root);
   return root;
 }
@@ -52,7 +55,7 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
 namespace {
 
 std::filesystem::path body_file_name(const std::string &fingerprint) {
-  return std::filesystem::path("bodies") / (content_hash(fingerprint) + ".body");
+  return std::filesystem::path("bodies") / (reduction::content_hash(fingerprint) + ".body");
 }
 
 // Of processor time, in --check [s].
@@ -67,10 +70,10 @@ bool reaches_bodies(const std::string &path) {
 
 // Has the grid point the same bodies as one before it? Of the keys that change none, only the first
 // values bring new ones.
-bool repeats_bodies(const std::vector<GridKey> &keys, std::size_t point) {
-  const std::vector<std::size_t> index = grid_index(keys, point);
+bool repeats_bodies(const std::vector<analyses::GridKey> &keys, std::size_t point) {
+  const std::vector<std::size_t> index = analyses::grid_index(keys, point);
   for (std::size_t k = 0; k < keys.size(); ++k) {
-    const std::vector<std::string> paths = grid_paths({keys[k]});
+    const std::vector<std::string> paths = analyses::grid_paths({keys[k]});
     if (index[k] > 0 && std::none_of(paths.begin(), paths.end(), reaches_bodies))
       return true;
   }
@@ -99,9 +102,9 @@ void Simulation::note_records() {
   MPI_Comm_rank(communicator_, &rank);
   std::string checksums;
   if (rank == 0)
-    for (const std::string &checksum : record_checksums(parameters_->root(), file_folder()))
+    for (const std::string &checksum : model::record_checksums(parameters_->root(), file_folder()))
       checksums += (checksums.empty() ? "" : ", ") + checksum;
-  checksums = broadcast(std::move(checksums), communicator_);
+  checksums = reduction::broadcast(std::move(checksums), communicator_);
   if (!checksums.empty())
     parameters_ = parameters_->with(
         {{.path = "File checksums", .value = checksums, .origin = "content of the records"}});
@@ -113,16 +116,16 @@ std::vector<Simulation::Job> Simulation::jobs() const {
   const Values root = parameters_->root();
   const std::vector<std::string> known = root.instances("Analysis");
   std::vector<Job> jobs;
-  for (const std::string &name : listed_instances(root, "Analyses", "Analysis")) {
+  for (const std::string &name : analyses::listed_instances(root, "Analyses", "Analysis")) {
     Job job{.name = name, .repeated = name, .keys = {}};
     const Values analysis = root.instance("Analysis", name);
-    if (analysis.choice("Type") == grid_type) {
-      job.repeated = repeated_analysis(analysis, known);
-      if (root.instance("Analysis", job.repeated).choice("Type") == grid_type)
+    if (analysis.choice("Type") == analyses::grid_type) {
+      job.repeated = analyses::repeated_analysis(analysis, known);
+      if (root.instance("Analysis", job.repeated).choice("Type") == analyses::grid_type)
         analysis.subsection("Parameter grid")
             .reject("Repeat", "an analysis that is no grid itself; "
                               "one grid takes any number of keys.");
-      job.keys = read_grid(analysis, job.repeated);
+      job.keys = analyses::read_grid(analysis, job.repeated);
     }
     refuse_file_names(job);
     jobs.push_back(std::move(job));
@@ -133,7 +136,7 @@ std::vector<Simulation::Job> Simulation::jobs() const {
 }
 
 void Simulation::reduce_bodies(const Values &root) {
-  const std::vector<std::string> names = listed_instances(root, "Bodies", "Body");
+  const std::vector<std::string> names = analyses::listed_instances(root, "Bodies", "Body");
   if (names.empty())
     root.reject_section("there is no body: a subsection Body NAME is needed");
   for (const std::string &name : names) {
@@ -142,9 +145,9 @@ void Simulation::reduce_bodies(const Values &root) {
     if (reduced_.find(fingerprint) != reduced_.end())
       continue;
     std::optional<ReducedBody> kept = kept_body(fingerprint);
-    reduced_.emplace(fingerprint,
-                     kept ? std::move(*kept)
-                          : reduce_body(body, name, file_folder(), communicator_, body_cache_));
+    reduced_.emplace(fingerprint, kept ? std::move(*kept)
+                                       : reduction::reduce_body(body, name, file_folder(),
+                                                                communicator_, body_cache_));
   }
 }
 
@@ -156,18 +159,18 @@ std::optional<ReducedBody> Simulation::kept_body(const std::string &fingerprint)
   int rank = 0;
   MPI_Comm_rank(communicator_, &rank);
   const std::filesystem::path file = resumed_folder_ / body_file_name(fingerprint);
-  const std::string bytes =
-      broadcast(rank == 0 ? read_file(file.string()).value_or("") : std::string(), communicator_);
+  const std::string bytes = reduction::broadcast(
+      rank == 0 ? reduction::read_file(file.string()).value_or("") : std::string(), communicator_);
   std::string reason;
-  return from_bytes(bytes, fingerprint, reason);
+  return reduction::from_bytes(bytes, fingerprint, reason);
 }
 
-void Simulation::keep_bodies(RunFolder &folder) const {
+void Simulation::keep_bodies(output::RunFolder &folder) const {
   int rank = 0;
   MPI_Comm_rank(communicator_, &rank);
   for (const auto &[fingerprint, body] : reduced_)
     if (rank == 0)
-      save_body(folder.claim(body_file_name(fingerprint)).string(), body, fingerprint);
+      reduction::save_body(folder.claim(body_file_name(fingerprint)).string(), body, fingerprint);
 }
 
 // Every distinct body of the run that is known beforehand, those of grid points and of swept keys
@@ -175,24 +178,26 @@ void Simulation::keep_bodies(RunFolder &folder) const {
 void Simulation::reduce_all(const std::vector<Job> &jobs) {
   reduce_bodies(parameters_->root());
   for (const Job &job : jobs) {
-    const std::vector<std::string> paths = grid_paths(job.keys);
+    const std::vector<std::string> paths = analyses::grid_paths(job.keys);
     const bool grid_reaches = std::any_of(paths.begin(), paths.end(), reaches_bodies);
-    const Values analysis = parameters_->with(grid_overrides(job.keys, 0))->root();
-    const auto variants = create_analysis(analysis.instance("Analysis", job.repeated))->variants();
+    const Values analysis = parameters_->with(analyses::grid_overrides(job.keys, 0))->root();
+    const auto variants =
+        analyses::create_analysis(analysis.instance("Analysis", job.repeated))->variants();
     const bool sweep_reaches = !variants.empty() && reaches_bodies(variants.front().front().path);
-    for (std::size_t point = 0; (grid_reaches || sweep_reaches) && point < grid_size(job.keys);
-         ++point)
+    for (std::size_t point = 0;
+         (grid_reaches || sweep_reaches) && point < analyses::grid_size(job.keys); ++point)
       if (!repeats_bodies(job.keys, point))
         reduce_point(job, point, sweep_reaches);
   }
 }
 
 void Simulation::reduce_point(const Job &job, std::size_t point, bool with_variants) {
-  const auto set = parameters_->with(grid_overrides(job.keys, point));
+  const auto set = parameters_->with(analyses::grid_overrides(job.keys, point));
   const Values root = set->root();
   reduce_bodies(root);
   if (with_variants)
-    for (const auto &variant : create_analysis(root.instance("Analysis", job.repeated))->variants())
+    for (const auto &variant :
+         analyses::create_analysis(root.instance("Analysis", job.repeated))->variants())
       reduce_bodies(set->with(variant)->root());
 }
 
@@ -203,12 +208,13 @@ const ReducedBody &Simulation::body(const Values &section, const std::string &na
   const auto known = reduced_.find(section.fingerprint());
   if (known != reduced_.end())
     return known->second;
-  return own.emplace(reduce_body(section, name, file_folder(), MPI_COMM_SELF, body_cache_));
+  return own.emplace(
+      reduction::reduce_body(section, name, file_folder(), MPI_COMM_SELF, body_cache_));
 }
 
 std::vector<std::shared_ptr<const ReducedBody>> Simulation::bodies(const Values &root) const {
   std::vector<std::shared_ptr<const ReducedBody>> list;
-  for (const std::string &name : listed_instances(root, "Bodies", "Body")) {
+  for (const std::string &name : analyses::listed_instances(root, "Bodies", "Body")) {
     std::optional<ReducedBody> own;
     auto copy = std::make_shared<ReducedBody>(body(root.instance("Body", name), name, own));
     copy->name = name;
@@ -217,17 +223,18 @@ std::vector<std::shared_ptr<const ReducedBody>> Simulation::bodies(const Values 
   return list;
 }
 
-Case Simulation::build_case(const Job &job, const std::vector<Override> &overrides) const {
+analyses::Case Simulation::build_case(const Job &job,
+                                      const std::vector<Override> &overrides) const {
   const auto parameters = overrides.empty() ? parameters_ : parameters_->with(overrides);
   const Values root = parameters->root();
   const Values analysis = root.instance("Analysis", job.repeated);
-  return {.analysis = create_analysis(analysis),
-          .system = build_system(root, analysis, bodies(root)),
+  return {.analysis = analyses::create_analysis(analysis),
+          .system = analyses::build_system(root, analysis, bodies(root)),
           .source = [this, parameters, name = job.repeated](const std::vector<Override> &more) {
             const auto changed = parameters->with(more);
             const Values changed_root = changed->root();
-            return build_system(changed_root, changed_root.instance("Analysis", name),
-                                bodies(changed_root));
+            return analyses::build_system(changed_root, changed_root.instance("Analysis", name),
+                                          bodies(changed_root));
           }};
 }
 
@@ -236,9 +243,9 @@ derived::DerivedQuantities Simulation::derived_quantities(const std::vector<Job>
   derived::check_analyses(root);
   derived::DerivedQuantities quantities;
   for (const Job &job : jobs) {
-    std::vector<Axis> axes = grid_axes(job.keys, *parameters_);
-    const Values first = parameters_->with(grid_overrides(job.keys, 0))->root();
-    const auto analysis = create_analysis(first.instance("Analysis", job.repeated));
+    std::vector<Axis> axes = analyses::grid_axes(job.keys, *parameters_);
+    const Values first = parameters_->with(analyses::grid_overrides(job.keys, 0))->root();
+    const auto analysis = analyses::create_analysis(first.instance("Analysis", job.repeated));
     for (const Axis &axis : analysis->axes())
       axes.push_back(axis);
     quantities.add(root, job.name, axes, job.keys);
@@ -253,7 +260,7 @@ double Simulation::log_cost(const Job &job, double seconds) const {
   MPI_Comm_rank(communicator_, &rank);
   if (rank != 0)
     return 0;
-  const Cost cost = estimate_cost(
+  const analyses::Cost cost = analyses::estimate_cost(
       job.keys, [&](const std::vector<Override> &overrides) { return build_case(job, overrides); },
       seconds);
   log::info("analysis " + job.name + ": " + cost.sentence());
@@ -262,8 +269,8 @@ double Simulation::log_cost(const Job &job, double seconds) const {
 
 namespace {
 
-void log_groups(const ContactSet &contacts, std::set<std::string> &told) {
-  for (const ContactGroup &group : contacts.groups())
+void log_groups(const contact::ContactSet &contacts, std::set<std::string> &told) {
+  for (const contact::ContactGroup &group : contacts.groups())
     if (told.insert(group.name).second)
       log::info("contact " + group.name + ": " + std::to_string(group.count) + " contacts" +
                 (group.unpaired > 0 ? "; nodes without a partner: " + std::to_string(group.unpaired)
@@ -279,12 +286,13 @@ void log_groups(const ContactSet &contacts, std::set<std::string> &told) {
 void Simulation::warn_of_unused_laws(const std::vector<Job> &jobs) const {
   std::vector<std::string> swept;
   for (const Job &job : jobs)
-    for (const std::string &path : grid_paths(job.keys))
+    for (const std::string &path : analyses::grid_paths(job.keys))
       swept.push_back(path);
   const Values root = parameters_->root();
-  for (const std::string &name : listed_instances(root, "Contacts", "Contact"))
+  for (const std::string &name : analyses::listed_instances(root, "Contacts", "Contact"))
     if (std::find(swept.begin(), swept.end(), "Contact/" + name + "/Law") == swept.end())
-      for (const std::string &warning : unused_law_sections(root.instance("Contact", name)))
+      for (const std::string &warning :
+           contact::unused_law_sections(root.instance("Contact", name)))
         log::warning(warning);
 }
 
@@ -295,13 +303,14 @@ std::vector<ContactFigures> Simulation::contacts_of(const std::vector<Job> &jobs
   std::set<std::string> groups;
   std::set<std::string> known;
   for (const Job &job : jobs) {
-    const System system = build_case(job, grid_overrides(job.keys, 0)).system;
+    const analyses::System system = build_case(job, analyses::grid_overrides(job.keys, 0)).system;
     log_groups(system.contacts, groups);
-    for (const ContactFigures &contact : contact_figures(system.contacts, system.model))
+    for (const ContactFigures &contact : contact::contact_figures(system.contacts, system.model))
       if (known.insert(contact.name).second)
         figures.push_back(contact);
   }
-  for (const std::string &warning : {flexibility_warning(figures), impact_warning(figures)})
+  for (const std::string &warning :
+       {contact::flexibility_warning(figures), contact::impact_warning(figures)})
     if (!warning.empty())
       log::warning(warning);
   return figures;
@@ -321,7 +330,7 @@ void Simulation::check() {
     reduce_all(all);
   }
   for (const auto &body : bodies(parameters_->root()))
-    log::info("body " + body->name + ": " + body_sentence(*body));
+    log::info("body " + body->name + ": " + analyses::body_sentence(*body));
   for (const Job &job : all)
     check_cases(job);
   warn_of_unused_laws(all);
@@ -332,12 +341,12 @@ void Simulation::check() {
     seconds +=
         log_cost(all[i], std::max(shortest_trial, so_far + longest_trial - processor_seconds()) /
                              static_cast<double>(all.size() - i));
-  log::info("in all about " + short_number(seconds) + " s on one core, " + short_number(so_far) +
-            " s of them for the bodies and before");
+  log::info("in all about " + analyses::short_number(seconds) + " s on one core, " +
+            analyses::short_number(so_far) + " s of them for the bodies and before");
 }
 
 RunSummary Simulation::run(const RunOptions &options) {
-  if (options.existing == ExistingFolder::resume)
+  if (options.existing == output::ExistingFolder::resume)
     resumed_folder_ = options.folder;
   const std::vector<Job> all = jobs();
   derived::DerivedQuantities derived = derived_quantities(all);
@@ -345,20 +354,20 @@ RunSummary Simulation::run(const RunOptions &options) {
   for (const Job &job : all)
     check_cases(job);
   const DeferSignals results_at_stake;
-  RunFolder folder(communicator_, options.folder, options.existing, parameters_->echo());
+  output::RunFolder folder(communicator_, options.folder, options.existing, parameters_->echo());
   log::open_file(folder.log_file().string());
   keep_bodies(folder);
   const std::vector<ContactFigures> contacts = contacts_of(all);
   std::vector<ReducedBody> reduced;
   for (const auto &body : bodies(parameters_->root()))
     reduced.push_back(*body);
-  FileSink sink(communicator_, folder,
-                run_information(parameters_->echo(), options.command_line, communicator_), reduced,
-                std::chrono::seconds(60), std::move(derived), contacts);
+  output::FileSink sink(communicator_, folder,
+                        run_information(parameters_->echo(), options.command_line, communicator_),
+                        reduced, std::chrono::seconds(60), std::move(derived), contacts);
   int rank = 0;
   MPI_Comm_rank(communicator_, &rank);
   if (rank == 0)
-    write_mode_files(folder, reduced);
+    output::write_mode_files(folder, reduced);
   warn_of_unused_laws(all);
   try {
     const RunSummary total = run_jobs(all, sink, options);
@@ -373,12 +382,12 @@ RunSummary Simulation::run(const RunOptions &options) {
   }
 }
 
-RunSummary Simulation::run_jobs(const std::vector<Job> &jobs, FileSink &sink,
+RunSummary Simulation::run_jobs(const std::vector<Job> &jobs, output::FileSink &sink,
                                 const RunOptions &options) {
   RunSummary total;
   for (const Job &job : jobs) {
-    const RunSummary summary = run_analysis(
-        job.name, job.keys, grid_axes(job.keys, *parameters_),
+    const RunSummary summary = analyses::run_analysis(
+        job.name, job.keys, analyses::grid_axes(job.keys, *parameters_),
         [&](const std::vector<Override> &overrides) { return build_case(job, overrides); }, sink,
         communicator_, options.lines_at_once);
     total.finished += summary.finished;

@@ -16,18 +16,20 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
-
+namespace vibroimpact::output {
 class FileSink;
+}
+
+namespace vibroimpact {
 
 /// Every section a parameter file can hold.
 std::shared_ptr<const parameters::Section> declare_parameters();
 
 struct RunOptions {
   std::filesystem::path folder; ///< of the results
-  ExistingFolder existing = ExistingFolder::refuse;
+  output::ExistingFolder existing = output::ExistingFolder::refuse;
   std::string command_line;
-  std::size_t lines_at_once = default_lines_at_once; ///< see run_analysis()
+  std::size_t lines_at_once = analyses::default_lines_at_once; ///< see run_analysis()
 };
 
 class Simulation {
@@ -42,43 +44,47 @@ public:
 
   /// Collective. Runs all analyses and writes the results. Throws InputError before anything runs,
   /// std::runtime_error when results cannot be written.
-  RunSummary run(const RunOptions &options);
+  analyses::RunSummary run(const RunOptions &options);
 
 private:
   struct Job {
     std::string name;     ///< of the analysis section that is run
     std::string repeated; ///< section that says what is computed: `name`, or what a grid repeats
-    std::vector<GridKey> keys;
+    std::vector<analyses::GridKey> keys;
   };
 
   std::vector<Job> jobs() const;
   void reduce_all(const std::vector<Job> &jobs);
   void note_records();
   void reduce_point(const Job &job, std::size_t point, bool with_variants);
-  const ReducedBody &body(const parameters::Values &section, const std::string &name,
-                          std::optional<ReducedBody> &own) const;
+  const reduction::ReducedBody &body(const parameters::Values &section, const std::string &name,
+                                     std::optional<reduction::ReducedBody> &own) const;
   void reduce_bodies(const parameters::Values &root);
-  std::vector<std::shared_ptr<const ReducedBody>> bodies(const parameters::Values &root) const;
-  Case build_case(const Job &job, const std::vector<parameters::Override> &overrides) const;
-  std::optional<ReducedBody> kept_body(const std::string &fingerprint) const;
-  void keep_bodies(RunFolder &folder) const;
+  std::vector<std::shared_ptr<const reduction::ReducedBody>>
+  bodies(const parameters::Values &root) const;
+  analyses::Case build_case(const Job &job,
+                            const std::vector<parameters::Override> &overrides) const;
+  std::optional<reduction::ReducedBody> kept_body(const std::string &fingerprint) const;
+  void keep_bodies(output::RunFolder &folder) const;
   derived::DerivedQuantities derived_quantities(const std::vector<Job> &jobs) const;
   void refuse_file_names(const Job &job) const;
   void check_cases(const Job &job) const;
-  void check_length(const Job &job, const Case &work) const;
+  void check_length(const Job &job, const analyses::Case &work) const;
   void check_swept_key(const Job &job) const;
-  void refuse_swept(const Job &job, const GridKey &key, const std::string &swept) const;
+  void refuse_swept(const Job &job, const analyses::GridKey &key, const std::string &swept) const;
   void warn_of_unused_laws(const std::vector<Job> &jobs) const;
   double log_cost(const Job &job, double seconds) const;
-  RunSummary run_jobs(const std::vector<Job> &jobs, FileSink &sink, const RunOptions &options);
-  std::vector<ContactFigures> contacts_of(const std::vector<Job> &jobs) const;
+  analyses::RunSummary run_jobs(const std::vector<Job> &jobs, output::FileSink &sink,
+                                const RunOptions &options);
+  std::vector<contact::ContactFigures> contacts_of(const std::vector<Job> &jobs) const;
   std::string file_folder() const;
 
   std::shared_ptr<const parameters::ParameterSet> parameters_;
   MPI_Comm communicator_;
-  BodyCache body_cache_;
-  std::filesystem::path resumed_folder_;       ///< empty when nothing is resumed
-  std::map<std::string, ReducedBody> reduced_; ///< by the fingerprint of the body's section
+  reduction::BodyCache body_cache_;
+  std::filesystem::path resumed_folder_; ///< empty when nothing is resumed
+  std::map<std::string, reduction::ReducedBody>
+      reduced_; ///< by the fingerprint of the body's section
 };
 
 } // namespace vibroimpact

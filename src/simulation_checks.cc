@@ -9,6 +9,7 @@
 
 namespace vibroimpact {
 
+using analyses::GridKey;
 using parameters::Values;
 
 // Pictures of a motion would take the place of the mode shapes, or lie among the journals.
@@ -26,10 +27,10 @@ void Simulation::refuse_file_names(const Job &job) const {
 void Simulation::check_cases(const Job &job) const {
   check_swept_key(job);
   std::vector<std::size_t> first_shape;
-  for (const std::size_t point : grid_probes(job.keys)) {
+  for (const std::size_t point : analyses::grid_probes(job.keys)) {
     try {
-      const Case work = build_case(job, grid_overrides(job.keys, point));
-      check_case(work);
+      const analyses::Case work = build_case(job, analyses::grid_overrides(job.keys, point));
+      analyses::check_case(work);
       check_length(job, work);
       std::vector<std::size_t> shape;
       for (const Axis &axis : work.analysis->axes())
@@ -43,13 +44,14 @@ void Simulation::check_cases(const Job &job) const {
       if (job.keys.empty())
         throw;
       throw InputError(std::string(error.what()) + "\n  This is the case " +
-                       grid_case(job.keys, point) + " of the parameter grid " + job.name + ".");
+                       analyses::grid_case(job.keys, point) + " of the parameter grid " + job.name +
+                       ".");
     }
   }
 }
 
 // A motion that would take years of computing is a mistake in a unit or an exponent.
-void Simulation::check_length(const Job &job, const Case &work) const {
+void Simulation::check_length(const Job &job, const analyses::Case &work) const {
   constexpr double most = 1e12; // steps, or periods of the highest natural frequency
   const Values root = parameters_->root();
   const Values analysis = root.instance("Analysis", job.repeated);
@@ -75,8 +77,9 @@ void Simulation::check_length(const Job &job, const Case &work) const {
 
 // A grid and the sweep that it repeats must not change the same key.
 void Simulation::check_swept_key(const Job &job) const {
-  const Values root = parameters_->with(grid_overrides(job.keys, 0))->root();
-  const auto variants = create_analysis(root.instance("Analysis", job.repeated))->variants();
+  const Values root = parameters_->with(analyses::grid_overrides(job.keys, 0))->root();
+  const auto variants =
+      analyses::create_analysis(root.instance("Analysis", job.repeated))->variants();
   if (variants.empty())
     return;
   const std::string swept = parameters_->key_path(variants.front().front().path);

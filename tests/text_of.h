@@ -20,7 +20,7 @@ inline void write_text(const std::filesystem::path &file, const std::string &tex
 }
 
 /// The message of the Error that `action` throws; "no error" when it throws none.
-template <class Error, class Action> std::string message_of(Action action) {
+template <class Error, class Action> std::string thrown_message(Action action) {
   try {
     action();
   } catch (const Error &error) {

@@ -12,7 +12,7 @@
 
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::shared_ptr<const Analysis> create_analysis(const parameters::Values &analys
   throw std::logic_error("analysis type without an entry: " + type);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// Where a line finds what is already done and leaves what it has computed.
 class LineContext {
@@ -57,4 +57,4 @@ void declare_analyses(parameters::Section &root);
 /// The analysis a section chooses; `parameter grid` is resolved before (grid.h).
 std::shared_ptr<const Analysis> create_analysis(const parameters::Values &analysis);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -1,14 +1,14 @@
 #include "analyses/channels.h"
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
-std::vector<Channel> observed_channels(const Model &model) {
+std::vector<Channel> observed_channels(const model::Model &model) {
   std::vector<Channel> channels;
   for (std::size_t b = 0; b < model.bodies().size(); ++b)
     for (std::size_t p = 0; p < model.bodies()[b]->points.size(); ++p) {
       if (!model.bodies()[b]->points[p].interface.empty())
         continue;
-      const PointReference point{.body = b, .point = p};
+      const model::PointReference point{.body = b, .point = p};
       const Matrix rows = model.bodies()[b]->points[p].rows.topRows(3);
       const double largest = rows.size() > 0 ? rows.cwiseAbs().maxCoeff() : 0;
       for (int axis = 0; axis < 3; ++axis)
@@ -21,4 +21,4 @@ std::vector<Channel> observed_channels(const Model &model) {
   return channels;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 struct Channel {
   std::string point; ///< "body.point"
   char axis = 'x';
-  Projection relative; ///< displacement relative to the base
-  Projection absolute; ///< displacement in space
+  model::Projection relative; ///< displacement relative to the base
+  model::Projection absolute; ///< displacement in space
 
   /// Does a moving base carry the point along this axis?
   bool carried() const {
@@ -28,6 +28,6 @@ struct Channel {
 
 /// All points of the model but those of interfaces, whose contacts are watched, along all axes on
 /// which some coordinate moves them by more than 1e-12 of the point's largest value.
-std::vector<Channel> observed_channels(const Model &model);
+std::vector<Channel> observed_channels(const model::Model &model);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <sstream>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -244,7 +244,7 @@ Cost estimate_cost(const std::vector<GridKey> &keys, const CaseFactory &factory,
   return Estimate(keys, factory).within(seconds);
 }
 
-std::string body_sentence(const ReducedBody &body) {
+std::string body_sentence(const reduction::ReducedBody &body) {
   const Vector frequency = body.omega() / (2 * std::numbers::pi);
   std::ostringstream text;
   text.precision(6);
@@ -254,4 +254,4 @@ std::string body_sentence(const ReducedBody &body) {
   return text.str();
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::Impact;
+using integration::ImpactLog;
 
 namespace {
 
@@ -115,8 +118,8 @@ void add_settled(PointResult &result, bool steady, long multiple, long cycles) {
   result.fields.push_back(scalar_field(labels.cycles, static_cast<double>(cycles)));
 }
 
-void add_accuracy(PointResult &result, const Accuracy &accuracy,
-                  const IntegrationSettings &settings) {
+void add_accuracy(PointResult &result, const integration::Accuracy &accuracy,
+                  const integration::Settings &settings) {
   const auto add = [&result](const Label &label, double value) {
     result.fields.push_back(scalar_field(label, value));
     result.summary.push_back({.label = label, .value = value});
@@ -148,7 +151,7 @@ double undecided_events(const PointResult &result) {
 namespace {
 
 // Of all contacts of a group, in the summary and as scalars.
-void add_group(PointResult &result, const ContactGroup &group, const ImpactLog &log) {
+void add_group(PointResult &result, const contact::ContactGroup &group, const ImpactLog &log) {
   double impacts = 0;
   double touched = 0;
   double peak = 0;
@@ -179,7 +182,7 @@ void add_group(PointResult &result, const ContactGroup &group, const ImpactLog &
 
 } // namespace
 
-void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLog &log,
+void add_impacts(PointResult &result, const contact::ContactSet &contacts, const ImpactLog &log,
                  std::size_t summary_lines) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::string &name = contacts.pairs()[c].name;
@@ -199,15 +202,15 @@ void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLo
             scalar_line("contact." + name + ".impact[" + std::to_string(i + 1) + "]." + column.name,
                         column.value(impacts[i]), column.unit));
   }
-  for (const ContactGroup &group : contacts.groups())
+  for (const contact::ContactGroup &group : contacts.groups())
     add_group(result, group, log);
 }
 
-void add_pulses(PointResult &result, const ContactSet &contacts, const ImpactLog &log) {
+void add_pulses(PointResult &result, const contact::ContactSet &contacts, const ImpactLog &log) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::string base = "contact/" + contacts.pairs()[c].name + "/pulse/";
     const std::string dimension = "pulse_" + contacts.pairs()[c].name;
-    const Pulses &pulses = log.pulses(c);
+    const integration::Pulses &pulses = log.pulses(c);
     result.fields.push_back(
         series_field(base + "time", dimension, pulses.time, "s", "time; NaN separates impacts"));
     result.fields.push_back(
@@ -216,4 +219,4 @@ void add_pulses(PointResult &result, const ContactSet &contacts, const ImpactLog
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

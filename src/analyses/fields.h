@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 Field scalar_field(const Label &label, double value);
 Field scalar_field(const std::string &name, double value, const std::string &unit,
@@ -25,8 +25,8 @@ SummaryLine scalar_line(const std::string &name, double value, const std::string
 void add_settled(PointResult &result, bool steady, long multiple, long cycles);
 
 /// Accuracy of a motion as fields and summary lines.
-void add_accuracy(PointResult &result, const Accuracy &accuracy,
-                  const IntegrationSettings &settings);
+void add_accuracy(PointResult &result, const integration::Accuracy &accuracy,
+                  const integration::Settings &settings);
 
 /// True when the energy balance of the motion did not close.
 bool unbalanced(const PointResult &result);
@@ -37,10 +37,11 @@ double undecided_events(const PointResult &result);
 
 /// Impact tables of all contacts as fields, and as summary lines of the first `summary_lines`; sums
 /// and maxima of the groups of contacts.
-void add_impacts(PointResult &result, const ContactSet &contacts, const ImpactLog &log,
-                 std::size_t summary_lines);
+void add_impacts(PointResult &result, const contact::ContactSet &contacts,
+                 const integration::ImpactLog &log, std::size_t summary_lines);
 
 /// Force samples of the recorded impacts of all contacts, impacts separated by NaN.
-void add_pulses(PointResult &result, const ContactSet &contacts, const ImpactLog &log);
+void add_pulses(PointResult &result, const contact::ContactSet &contacts,
+                const integration::ImpactLog &log);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -14,7 +14,7 @@
 #include <limits>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -25,7 +25,7 @@ struct Quantity {
   std::string name;
   std::string unit;
   std::string meaning;
-  const Projection *projection;
+  const model::Projection *projection;
   int order;
 };
 
@@ -161,4 +161,4 @@ void FrequencyResponse::run_line(std::size_t /*line*/, System &system, LineConte
   context.store(std::move(result));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -13,7 +13,7 @@
 
 #include "analyses/analysis.h"
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class FrequencyResponse : public Analysis {
 public:
@@ -37,4 +37,4 @@ private:
   Settings settings_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

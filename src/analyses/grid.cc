@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -216,4 +216,4 @@ std::vector<Axis> grid_axes(const std::vector<GridKey> &keys,
   return axes;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 inline constexpr const char *grid_type = "parameter grid";
 
@@ -53,4 +53,4 @@ std::string grid_case(const std::vector<GridKey> &keys, std::size_t point);
 std::vector<Axis> grid_axes(const std::vector<GridKey> &keys,
                             const parameters::ParameterSet &parameters);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

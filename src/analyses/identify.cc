@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -96,7 +96,7 @@ std::shared_ptr<const Analysis> Identify::create(const parameters::Values &analy
                .listed_impacts = count(values, "Listed impacts")});
 }
 
-std::size_t Identify::contact_index(const ContactSet &contacts) const {
+std::size_t Identify::contact_index(const contact::ContactSet &contacts) const {
   if (settings_.contact.empty() && contacts.size() == 1)
     return 0;
   for (std::size_t c = 0; c < contacts.size(); ++c)
@@ -110,8 +110,8 @@ std::size_t Identify::contact_index(const ContactSet &contacts) const {
 
 ContactConstants Identify::constants(const System &system) const {
   const std::size_t contact = contact_index(system.contacts);
-  const ContactPair &pair = system.contacts.pairs()[contact];
-  const std::optional<PowerLaw> law = pair.law->power_law();
+  const contact::ContactPair &pair = system.contacts.pairs()[contact];
+  const std::optional<contact::PowerLaw> law = pair.law->power_law();
   if (!law)
     throw InputError("Identify / Contact: contact '" + pair.name + "' follows the law " +
                      pair.law->name() +
@@ -124,12 +124,12 @@ ContactConstants Identify::constants(const System &system) const {
 
 void Identify::check(const System &system) const {
   constants(system);
-  Trajectory trajectory(system.model, system.contacts, system.integration);
+  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
 }
 
 IdentificationInput Identify::input(const System &system) const {
-  const ContactPair &pair = system.contacts.pairs()[contact_index(system.contacts)];
+  const contact::ContactPair &pair = system.contacts.pairs()[contact_index(system.contacts)];
   return {.contact = pair.name,
           .constants = constants(system),
           .dissipation = pair.law->power_law()->dissipation,
@@ -141,14 +141,14 @@ IdentificationInput Identify::input(const System &system) const {
 
 PointResult Identify::compute(const System &system, LineContext &context) const {
   const std::size_t contact = contact_index(system.contacts);
-  Trajectory trajectory(system.model, system.contacts, system.integration);
-  ImpactLog log(system.contacts, settings_.recorded_pulses, true);
+  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
+  integration::ImpactLog log(system.contacts, settings_.recorded_pulses, true);
   MotionProgress progress(context, 0, settings_.duration);
-  std::vector<Observer *> observing = {&log, &progress};
+  std::vector<integration::Observer *> observing = {&log, &progress};
   std::optional<ForceRecord> record;
   if (settings_.sampling_frequency > 0)
     observing.push_back(&record.emplace(contact, 1 / settings_.sampling_frequency));
-  Observers observers(std::move(observing));
+  integration::Observers observers(std::move(observing));
   PointResult result;
   try {
     trajectory.start(0, system.initial.displacement, system.initial.velocity);
@@ -158,7 +158,7 @@ PointResult Identify::compute(const System &system, LineContext &context) const 
     result.reason = error.what();
   }
   IdentificationInput found = input(system);
-  for (const Impact &impact : log.impacts(contact))
+  for (const integration::Impact &impact : log.impacts(contact))
     found.pulses.push_back(
         record ? record->figures(impact)
                : PulseFigures{.impulse = impact.impulse, .peak_force = impact.peak_force});
@@ -180,4 +180,4 @@ void Identify::run_line(std::size_t /*line*/, System &system, LineContext &conte
   context.store(compute(system, context));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

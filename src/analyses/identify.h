@@ -6,7 +6,7 @@
 #include "analyses/analysis.h"
 #include "analyses/identify_results.h"
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class Identify : public Analysis {
 public:
@@ -31,7 +31,7 @@ public:
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:
-  std::size_t contact_index(const ContactSet &contacts) const;
+  std::size_t contact_index(const contact::ContactSet &contacts) const;
   ContactConstants constants(const System &system) const;
   IdentificationInput input(const System &system) const;
   PointResult compute(const System &system, LineContext &context) const;
@@ -39,4 +39,4 @@ private:
   Settings settings_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

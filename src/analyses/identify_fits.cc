@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 double constant_damping_factor(const std::vector<Identified> &impacts) {
   double numerator = 0;
@@ -47,4 +47,4 @@ PowerFit fit_power(const std::vector<Identified> &impacts, double speed_unit) {
   return fit;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

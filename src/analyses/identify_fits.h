@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// The constant mu that fits mu v_c = k d_c(e) best over all impacts with a solution (least
 /// squares): k sum(v_c d_c) / sum(v_c^2). NaN when there is none.
@@ -21,4 +21,4 @@ struct PowerFit {
 /// Least squares in ln e over the impacts with e > 0. NaN unless two of them differ in speed.
 PowerFit fit_power(const std::vector<Identified> &impacts, double speed_unit);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

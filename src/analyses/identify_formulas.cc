@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -60,7 +60,7 @@ double balanced_damping(double e) { return 0.75 * (1 - e * e); }
 double exact_damping(double e) {
   if (e == 0)
     return std::numeric_limits<double>::infinity();
-  return std::isnan(e) ? nan : dimensionless_damping("exact", e);
+  return std::isnan(e) ? nan : contact::dimensionless_damping("exact", e);
 }
 
 // All combinations of the four quantities at the ends of their intervals.
@@ -88,7 +88,7 @@ double pulse_ratio(const PulseFigures &pulse, const ContactConstants &contact) {
 }
 
 double free_collision_ratio(double restitution, double exponent) {
-  const double d = dimensionless_damping("exact", restitution);
+  const double d = contact::dimensionless_damping("exact", restitution);
   const double v = speed_at_peak(d, exponent);
   // f_m = k u^n (1 + d u') with u from spent_energy, J = (1 + e) v_c / lambda
   return 8 * spent_energy(d, v) * std::pow(1 + d * v, (exponent + 1) / exponent) /
@@ -149,4 +149,4 @@ Interval restitution_interval(const FormulaSet &set, const PulseFigures &pulse,
   return interval;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -24,7 +24,7 @@
 
 #include <array>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// What a force transducer shows of one impact.
 struct PulseFigures {
@@ -98,4 +98,4 @@ Interval restitution_interval(const FormulaSet &set, const PulseFigures &pulse,
                               const ContactConstants &contact, const Scales &scales,
                               const Uncertainties &uncertainties);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
-void ForceRecord::step(const StepView &view) {
+void ForceRecord::step(const integration::StepView &view) {
   const auto next = [this] { return interval_ * static_cast<double>(time_.size()); };
   while (next() <= view.end()) {
     time_.push_back(next());
@@ -12,7 +12,7 @@ void ForceRecord::step(const StepView &view) {
   }
 }
 
-PulseFigures ForceRecord::figures(const Impact &impact) const {
+PulseFigures ForceRecord::figures(const integration::Impact &impact) const {
   const auto first = std::lower_bound(time_.begin(), time_.end(), impact.start_time);
   const auto last = std::upper_bound(first, time_.end(), impact.start_time + impact.duration);
   PulseFigures figures;
@@ -24,4 +24,4 @@ PulseFigures ForceRecord::figures(const Impact &impact) const {
   return figures;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -6,22 +6,22 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// Samples the normal force at 0, T, 2 T, ... from the dense output; the steps are not disturbed.
-class ForceRecord : public Observer {
+class ForceRecord : public integration::Observer {
 public:
   /// interval T [s]
   ForceRecord(std::size_t contact, double interval) : contact_(contact), interval_(interval) {}
 
-  void step(const StepView &view) override;
+  void step(const integration::StepView &view) override;
 
   const std::vector<double> &time() const { return time_; }   ///< [s]
   const std::vector<double> &force() const { return force_; } ///< [N]
 
   /// Largest sample and sum of samples times T (the trapezoidal rule, as the force is zero at both
   /// ends) while the impact lasts. Both are zero when no sample falls into it.
-  PulseFigures figures(const Impact &impact) const;
+  PulseFigures figures(const integration::Impact &impact) const;
 
 private:
   std::size_t contact_;
@@ -29,4 +29,4 @@ private:
   std::vector<double> time_, force_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

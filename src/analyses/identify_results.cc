@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -207,4 +207,4 @@ void add_force_record(PointResult &result, const std::string &contact, const For
   sheet.series("record/force", "record/time", record.force(), "N", "sampled normal force");
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// What an identification starts from.
 struct IdentificationInput {
@@ -35,4 +35,4 @@ void add_restitution_maps(PointResult &result, const IdentificationInput &input,
 /// The force over the samples of its record.
 void add_force_record(PointResult &result, const std::string &contact, const ForceRecord &record);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -63,4 +63,4 @@ Jump find_jump(BranchPoint before, BranchPoint after, double width, double thres
   return {};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

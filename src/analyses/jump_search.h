@@ -21,14 +21,14 @@
 #include <limits>
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// Bracket of a jump in the direction of the sweep; NaN when there is none.
 struct Jump {
   double from = std::numeric_limits<double>::quiet_NaN();
   double to = std::numeric_limits<double>::quiet_NaN();
   /// The branch goes on at the far end, which is reached from this state.
-  std::optional<MotionState> start_on_branch{};
+  std::optional<integration::MotionState> start_on_branch{};
 
   bool found() const { return !std::isnan(from); }
 };
@@ -40,7 +40,7 @@ struct BranchPoint {
 };
 
 /// Settles at `value` from a state. NumericalError.
-using SettleAt = std::function<SettledMotion(double value, const MotionState &from)>;
+using SettleAt = std::function<SettledMotion(double value, const integration::MotionState &from)>;
 /// Relative difference of two settled motions, see relative_distance().
 using MotionDistance = std::function<double(const SettledMotion &, const SettledMotion &)>;
 
@@ -49,4 +49,4 @@ using MotionDistance = std::function<double(const SettledMotion &, const Settled
 Jump find_jump(BranchPoint before, BranchPoint after, double width, double threshold,
                const SettleAt &settle_at, const MotionDistance &distance);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

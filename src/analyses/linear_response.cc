@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -14,20 +14,20 @@ constexpr Complex i(0, 1);
 
 } // namespace
 
-LinearResponse::LinearResponse(const Model &model, std::size_t source)
+LinearResponse::LinearResponse(const model::Model &model, std::size_t source)
     : model_(model), source_(source), stiffness_(model.stiffness().dense()),
       damping_(model.damping().dense()) {
   if (!model.linear())
     throw InputError("A frequency response needs a linear model, without cubic springs and "
                      "rotors; use a stepped sweep.");
-  const Source &driving = model.sources().at(source);
-  if (dynamic_cast<const Harmonic *>(driving.function.get()) == nullptr)
+  const model::Source &driving = model.sources().at(source);
+  if (dynamic_cast<const model::Harmonic *>(driving.function.get()) == nullptr)
     throw InputError("A frequency response needs a harmonic excitation, and " + driving.name +
                      " is none.");
 }
 
 ComplexAmplitudes LinearResponse::at(double angular_frequency) const {
-  const Source &driving = model_.sources()[source_];
+  const model::Source &driving = model_.sources()[source_];
   const auto function = driving.function->with_frequency(angular_frequency);
   // s = Im(S exp(i w t)): s(0) = Im S, s'(0) = w Re S.
   const Complex amplitude(function->rate(0) / angular_frequency, function->value(0));
@@ -45,10 +45,10 @@ ComplexAmplitudes LinearResponse::at(double angular_frequency) const {
           .coordinates = factors.solve(load * amplitude)};
 }
 
-Complex LinearResponse::observed(const Projection &projection,
+Complex LinearResponse::observed(const model::Projection &projection,
                                  const ComplexAmplitudes &amplitudes) const {
   Complex sum = projection.row.cast<Complex>() * amplitudes.coordinates;
   return sum + projection.carrier[source_] * amplitudes.source;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <complex>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// Coordinates and excitation at one frequency; time histories are Im(amplitude exp(i w t)).
 struct ComplexAmplitudes {
@@ -18,19 +18,19 @@ struct ComplexAmplitudes {
 class LinearResponse {
 public:
   /// InputError when the model has nonlinear parts or the source is not harmonic.
-  LinearResponse(const Model &model, std::size_t source);
+  LinearResponse(const model::Model &model, std::size_t source);
 
   /// NumericalError at an undamped resonance.
   ComplexAmplitudes at(double angular_frequency) const;
   /// Amplitude of an observed displacement.
-  std::complex<double> observed(const Projection &projection,
+  std::complex<double> observed(const model::Projection &projection,
                                 const ComplexAmplitudes &amplitudes) const;
 
 private:
-  const Model &model_;
+  const model::Model &model_;
   std::size_t source_;
   Matrix stiffness_;
   Matrix damping_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

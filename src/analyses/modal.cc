@@ -4,13 +4,13 @@
 
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
 std::vector<double> entries(const Vector &vector) { return {vector.begin(), vector.end()}; }
 
-void add_body(PointResult &result, const ReducedBody &body) {
+void add_body(PointResult &result, const reduction::ReducedBody &body) {
   const std::string base = "body/" + body.name + "/";
   const std::string dimension = "mode_" + body.name;
   const auto add = [&](const std::string &name, const Vector &values, const std::string &unit,
@@ -35,7 +35,7 @@ void add_body(PointResult &result, const ReducedBody &body) {
 
 // The share of each coordinate in the contact's compliance to impulses, 1 / effective mass.
 void add_contact(PointResult &result, const System &system, std::size_t c) {
-  const ContactPair &pair = system.contacts.pairs()[c];
+  const contact::ContactPair &pair = system.contacts.pairs()[c];
   const Vector compliance = pair.gap.row.transpose().cwiseAbs2().cwiseQuotient(system.model.mass());
   const std::string base = "contact/" + pair.name + "/";
   result.fields.push_back(series_field(base + "impulse_compliance", "coordinate",
@@ -68,4 +68,4 @@ void Modal::run_line(std::size_t /*line*/, System &system, LineContext &context)
   context.store(std::move(result));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

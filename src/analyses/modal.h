@@ -3,7 +3,7 @@
 
 #include "analyses/analysis.h"
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class Modal : public Analysis {
 public:
@@ -16,4 +16,4 @@ public:
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

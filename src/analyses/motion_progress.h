@@ -4,21 +4,24 @@
 #include "analyses/analysis.h"
 #include "integration/observer.h"
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// Watches a window of a motion that is a part of the work at a point, and notes the share that is
 /// done from `first` at the window's start to `last` at its end. Lets the motion fly.
-class MotionProgress : public Observer, private FlightWatcher {
+class MotionProgress : public integration::Observer, private integration::FlightWatcher {
 public:
   MotionProgress(LineContext &context, double start, double end, double first = 0, double last = 1)
       : context_(context), start_(start), end_(end), first_(first), last_(last) {}
 
-  void step(const StepView &view) override { note(view.end()); }
-  FlightWatcher *flight_watcher() override { return this; }
+  void step(const integration::StepView &view) override { note(view.end()); }
+  integration::FlightWatcher *flight_watcher() override { return this; }
 
 private:
-  void watch(const Equations & /*equations*/, std::vector<WatchedForm> & /*forms*/) override {}
-  void flown(const Equations & /*equations*/, double /*start*/, double end) override { note(end); }
+  void watch(const integration::Equations & /*equations*/,
+             std::vector<integration::WatchedForm> & /*forms*/) override {}
+  void flown(const integration::Equations & /*equations*/, double /*start*/, double end) override {
+    note(end);
+  }
   void note(double time) {
     context_.note_progress(first_ + (last_ - first_) * (time - start_) / (end_ - start_));
   }
@@ -28,4 +31,4 @@ private:
   double first_, last_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::Bernstein;
+using integration::StepView;
 
 namespace {
 
@@ -49,7 +52,7 @@ void MotionRecorder::sample(const StepView &view, std::size_t first, std::size_t
     }
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const ContactCurves curves = view.contact_curves(c);
+    const integration::ContactCurves curves = view.contact_curves(c);
     for (std::size_t i = first; i < last; ++i) {
       const double tau = position(view, instants_[i]);
       contact_series_[c].gap.push_back(curves.gap(tau));
@@ -92,10 +95,11 @@ void MotionRecorder::add_fields(PointResult &result) const {
 namespace {
 
 /// The sides of a contact on meshes; the force pushes the first against the normal.
-std::vector<TouchedNode> touched_nodes(const ContactPair &pair, const Model &model) {
+std::vector<TouchedNode> touched_nodes(const contact::ContactPair &pair,
+                                       const model::Model &model) {
   std::vector<TouchedNode> nodes;
   const auto add = [&](const std::string &side, const Vector3 &push) {
-    PointReference reference;
+    model::PointReference reference;
     if (!model.find_point(side, reference))
       return;
     const int node = model.bodies()[reference.body]->points[reference.point].node;
@@ -117,13 +121,13 @@ FrameRecorder::FrameRecorder(const System &system, std::vector<double> instants)
     motion_.base_displacement.emplace_back(Matrix::Zero(frames, 3));
   }
   if (!instants_.empty())
-    for (const ContactPair &pair : system.contacts.pairs())
+    for (const contact::ContactPair &pair : system.contacts.pairs())
       motion_.contacts.emplace_back().nodes = touched_nodes(pair, model_);
 }
 
 void FrameRecorder::sample_contacts(const StepView &view, std::size_t last) {
   for (std::size_t c = 0; c < motion_.contacts.size() && last > next_; ++c) {
-    const ContactCurves curves = view.contact_curves(c);
+    const integration::ContactCurves curves = view.contact_curves(c);
     for (std::size_t i = next_; i < last; ++i) {
       const double tau = position(view, instants_[i]);
       motion_.contacts[c].gap.push_back(curves.gap(tau));
@@ -132,13 +136,13 @@ void FrameRecorder::sample_contacts(const StepView &view, std::size_t last) {
   }
 }
 
-Motion FrameRecorder::motion(const ImpactLog &log) const {
+Motion FrameRecorder::motion(const integration::ImpactLog &log) const {
   Motion motion = motion_;
   for (std::size_t c = 0; c < motion.contacts.size(); ++c) {
     ContactTrace &trace = motion.contacts[c];
     double peak = 0;
     for (std::size_t i = 0; i < motion.time.size(); ++i) {
-      for (const Impact &impact : log.impacts(c))
+      for (const integration::Impact &impact : log.impacts(c))
         if (impact.peak_time <= motion.time[i])
           peak = std::max(peak, impact.peak_force);
       peak = std::max(peak, trace.force[i]);
@@ -166,4 +170,4 @@ void FrameRecorder::step(const StepView &view) {
   next_ = last;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -9,17 +9,17 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// Instants first, first + interval, ... up to last, inclusive (within rounding).
 std::vector<double> equal_instants(double first, double last, double interval);
 
 /// Channels, gaps and forces at given instants (increasing; those at the very start included).
-class MotionRecorder : public Observer {
+class MotionRecorder : public integration::Observer {
 public:
   MotionRecorder(const System &system, std::vector<double> instants);
 
-  void step(const StepView &view) override;
+  void step(const integration::StepView &view) override;
 
   /// Adds `time` and one field per channel and contact along the dimension `time`.
   void add_fields(PointResult &result) const;
@@ -31,9 +31,9 @@ private:
   struct ContactSeries {
     std::vector<double> gap, force;
   };
-  void sample(const StepView &view, std::size_t first, std::size_t last);
+  void sample(const integration::StepView &view, std::size_t first, std::size_t last);
 
-  const ContactSet &contacts_;
+  const contact::ContactSet &contacts_;
   std::vector<Channel> channels_;
   std::vector<double> instants_;
   std::size_t next_ = 0;
@@ -43,21 +43,21 @@ private:
 
 /// Modal coordinates of all bodies, gaps and forces of all contacts at given instants, for the
 /// expansion to the mesh.
-class FrameRecorder : public Observer {
+class FrameRecorder : public integration::Observer {
 public:
   FrameRecorder(const System &system, std::vector<double> instants);
 
-  void step(const StepView &view) override;
+  void step(const integration::StepView &view) override;
   /// With the peak forces of the impacts that the log of the same motion holds.
-  Motion motion(const ImpactLog &log) const;
+  Motion motion(const integration::ImpactLog &log) const;
 
 private:
-  void sample_contacts(const StepView &view, std::size_t last);
+  void sample_contacts(const integration::StepView &view, std::size_t last);
 
-  const Model &model_;
+  const model::Model &model_;
   std::vector<double> instants_;
   std::size_t next_ = 0;
   Motion motion_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::StepView;
 
 namespace {
 
@@ -31,7 +33,7 @@ std::function<StepFunction(const StepView &)> along(const Channel &channel,
     };
   if (quantity == "velocity")
     return [projection = channel.relative](const StepView &view) -> StepFunction {
-      Bernstein rate = view.displacement(projection).derivative();
+      integration::Bernstein rate = view.displacement(projection).derivative();
       rate *= 1 / view.length();
       return rate;
     };
@@ -86,7 +88,7 @@ std::vector<Channel> chosen_channels(const parameters::Values &values, const Sys
 std::vector<std::size_t> chosen_contacts(const parameters::Values &values, const std::string &key,
                                          const System &system) {
   std::vector<std::string> known;
-  for (const ContactPair &pair : system.contacts.pairs())
+  for (const contact::ContactPair &pair : system.contacts.pairs())
     known.push_back(pair.name);
   const std::vector<std::string> names = chosen(values, key, known);
   std::vector<std::size_t> contacts;
@@ -108,4 +110,4 @@ std::vector<ObservedSignal> chosen_signals(const parameters::Values &values, con
   return signals;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

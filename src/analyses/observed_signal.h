@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// A quantity along one step; tau = 0 ... 1.
 using StepFunction = std::function<double(double tau)>;
@@ -19,7 +19,7 @@ struct ObservedSignal {
   std::string name; ///< path of its fields: "point/frame.head/displacement_x"
   std::string unit;
   std::string description;
-  std::function<StepFunction(const StepView &view)> along;
+  std::function<StepFunction(const integration::StepView &view)> along;
 };
 
 /// Declares the keys Points, Quantity and Contacts.
@@ -35,4 +35,4 @@ std::vector<Channel> chosen_channels(const parameters::Values &values, const Sys
 std::vector<std::size_t> chosen_contacts(const parameters::Values &values, const std::string &key,
                                          const System &system);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -15,7 +15,7 @@
 #include <functional>
 #include <memory>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// The part of a motion that is recorded.
 struct Window {
@@ -27,17 +27,17 @@ struct Window {
   double length() const { return end - start; }
 };
 
-class Recorder : public Observer {
+class Recorder : public integration::Observer {
 public:
-  void step(const StepView & /*view*/) override {}
+  void step(const integration::StepView & /*view*/) override {}
 
   /// A window begins: the trajectory stands at its start. A recorder serves many windows one after
   /// the other and forgets the one before here.
-  virtual void begin(const Window & /*window*/, const Trajectory & /*trajectory*/) {}
+  virtual void begin(const Window & /*window*/, const integration::Trajectory & /*trajectory*/) {}
   /// The trajectory stands exactly at the end of forcing period `cycle` (1, 2, ... Window::cycles).
-  virtual void period_end(long /*cycle*/, const Trajectory & /*trajectory*/) {}
+  virtual void period_end(long /*cycle*/, const integration::Trajectory & /*trajectory*/) {}
   /// The window is over: the trajectory stands at its end. Called after all period_end().
-  virtual void end(const Trajectory & /*trajectory*/) {}
+  virtual void end(const integration::Trajectory & /*trajectory*/) {}
 
   /// Fields and summary lines of what was seen between the window's start and its end. Recorders
   /// of cheap points make the labels of their fields when they are made.
@@ -58,4 +58,4 @@ struct RecorderKind {
   RecorderFactory (*create)(const parameters::Values &analysis);
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -16,7 +16,7 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::vector<RecorderFactory> default_recorders() {
       [](const System &system) { return std::make_unique<Impacts>(system); }};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// Declares the key Record and the options of all recorders in the section of an analysis.
 void declare_recorders(parameters::Section &analysis);
@@ -19,4 +19,4 @@ std::vector<RecorderFactory> read_recorders(const parameters::Values &analysis,
 /// Those of a sweep that names none: excursions and impacts, all of them.
 std::vector<RecorderFactory> default_recorders();
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -8,7 +8,9 @@
 
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::Trajectory;
 
 namespace {
 
@@ -58,7 +60,7 @@ double Response::period(const System &system) const {
   if (!settings_.needs_period())
     return 0;
   std::vector<double> periods;
-  for (const Source &source : system.model.sources())
+  for (const model::Source &source : system.model.sources())
     if (source.function->period() > 0 &&
         (settings_.excitation.empty() || source.name == settings_.excitation))
       periods.push_back(source.function->period());
@@ -147,4 +149,4 @@ void Response::run_line(std::size_t /*line*/, System &system, LineContext &conte
   context.store(std::move(result));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

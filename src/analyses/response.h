@@ -6,7 +6,7 @@
 #include "analyses/recorders.h"
 #include "analyses/settling.h"
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class Response : public Analysis {
 public:
@@ -33,8 +33,8 @@ public:
 
 private:
   double period(const System &system) const;
-  SettledMotion settle_motion(const System &system, Trajectory &trajectory, double period,
-                              double share, LineContext &context) const;
+  SettledMotion settle_motion(const System &system, integration::Trajectory &trajectory,
+                              double period, double share, LineContext &context) const;
   double settling_share(double period) const;
   Window window(double start, double period) const;
   PointResult compute(const System &system, LineContext &context) const;
@@ -42,4 +42,4 @@ private:
   Settings settings_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

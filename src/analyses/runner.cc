@@ -12,7 +12,7 @@
 #include <optional>
 #include <thread>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -293,7 +293,7 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
         run_task(*task, keys, lines, inner_axes, factory, context);
     };
     try {
-      run_batch(dealer.useful_at_once(lines_at_once), work_at_lines);
+      integration::run_batch(dealer.useful_at_once(lines_at_once), work_at_lines);
     } catch (const Interrupted &) {
       summary.interrupted = true;
     }
@@ -311,4 +311,4 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
           .interrupted = interrupted != 0};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// An analysis with the system it works on, and how to build it with other values of some keys.
 struct Case {
@@ -51,4 +51,4 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
                         ResultSink &sink, MPI_Comm communicator,
                         std::size_t lines_at_once = default_lines_at_once);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

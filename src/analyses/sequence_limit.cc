@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 constexpr Index most_terms = 6;
@@ -108,4 +108,4 @@ std::optional<Vector> SequenceLimit::limit() const {
   return std::nullopt;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -16,7 +16,7 @@
 #include <deque>
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class SequenceLimit {
 public:
@@ -44,4 +44,4 @@ private:
 /// Are all zeros of z^n + c_{n-1} z^{n-1} + ... + c_0 nearer to the origin than `radius`?
 bool zeros_within(Vector coefficients, double radius);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -8,7 +8,9 @@
 #include <deque>
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::Trajectory;
 
 namespace {
 
@@ -172,4 +174,4 @@ double relative_distance(const SettledMotion &a, const SettledMotion &b, const V
   return size > 0 ? difference / size : 0;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 struct SettlingRule {
   long minimum = 0;          ///< [periods]
@@ -23,7 +23,7 @@ SettlingRule read_settling(const parameters::Values &section);
 /// over one repetition when it is steady, else over as many of the last periods as are looked at.
 /// It does not depend on which of its periods a motion of several periods ends with.
 struct SettledMotion {
-  MotionState state;
+  integration::MotionState state;
   Vector lowest, highest; ///< physical states
   long cycles = 0;        ///< periods it took
   long multiple = 0;      ///< periods after which it repeats; 0 when it is not steady
@@ -35,11 +35,11 @@ struct SettledMotion {
 /// watched, or straight to the limit of the periods, from which it must go on to be steady by
 /// itself. `scale` as for Steadiness. `after_period`, where given, is called with the number of
 /// periods behind each of them. NumericalError.
-SettledMotion settle(Trajectory &trajectory, double period, const Vector &scale,
+SettledMotion settle(integration::Trajectory &trajectory, double period, const Vector &scale,
                      const SettlingRule &rule,
                      const std::function<void(long periods)> &after_period = {});
 
 /// Largest difference of two ranges over the largest state in either, both times `scale`.
 double relative_distance(const SettledMotion &a, const SettledMotion &b, const Vector &scale);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 Steadiness::Steadiness(Vector scale, long longest, double tolerance)
     : scale_(std::move(scale)), longest_(longest), tolerance_(tolerance),
@@ -46,16 +46,16 @@ void Steadiness::add(const Vector &physical) {
   }
 }
 
-Vector state_scale(const Equations &equations, double forcing_frequency) {
-  const StateLayout &layout = equations.layout();
-  const Model &model = equations.model();
+Vector state_scale(const integration::Equations &equations, double forcing_frequency) {
+  const integration::StateLayout &layout = equations.layout();
+  const model::Model &model = equations.model();
   Vector scale = Vector::Ones(layout.physical_size());
   for (std::size_t b = 0; b < model.bodies().size(); ++b) {
-    const ReducedBody &body = *model.bodies()[b];
+    const reduction::ReducedBody &body = *model.bodies()[b];
     const Vector omega = body.omega();
     for (Index j = 0; j < body.size(); ++j) {
       double reach = 0;
-      for (const BodyPoint &point : body.points)
+      for (const reduction::BodyPoint &point : body.points)
         reach = std::max(reach, point.rows.col(j).head(3).cwiseAbs().maxCoeff());
       scale[model.offset(b) + j] = reach;
       scale[layout.velocity() + model.offset(b) + j] =
@@ -65,4 +65,4 @@ Vector state_scale(const Equations &equations, double forcing_frequency) {
   return scale;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -3,7 +3,7 @@
 
 #include "integration/trajectory.h"
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class Steadiness {
 public:
@@ -35,6 +35,6 @@ private:
 /// Scales for the states of a model: displacements by the largest displacement of a point per unit
 /// coordinate, velocities the same divided by the natural (or, for rigid modes, the forcing)
 /// angular frequency.
-Vector state_scale(const Equations &equations, double forcing_frequency);
+Vector state_scale(const integration::Equations &equations, double forcing_frequency);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -7,7 +7,9 @@
 
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::MotionState;
 
 namespace {
 
@@ -190,12 +192,12 @@ std::vector<SteppedSweep::Step> SteppedSweep::steps_of_line(std::size_t line) co
 }
 
 void SteppedSweep::check(const System &system) const {
-  const Source &swept = system.model.sources()[sweep_source(system, settings_.excitation)];
+  const model::Source &swept = system.model.sources()[sweep_source(system, settings_.excitation)];
   if (settings_.parameter.is_frequency() && !swept.function->with_frequency(1))
     throw InputError("The swept excitation " + swept.name +
                      " has no frequency that a stepped sweep could change; its History must be "
                      "harmonic or ramped harmonic.");
-  Trajectory trajectory(system.model, system.contacts, system.integration);
+  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
 }
@@ -217,7 +219,7 @@ void SteppedSweep::note(long periods, LineContext &context) const {
 PointResult SteppedSweep::compute(const Step &step, SweptSystem &swept, const MotionState &from,
                                   SettledMotion &settled, LineContext &context) const {
   const System &system = swept.system();
-  Trajectory &trajectory = swept.trajectory();
+  integration::Trajectory &trajectory = swept.trajectory();
   WindowRecording &recording = swept.recording();
   PointResult result{.index = step.index()};
   trajectory.start(from);
@@ -257,7 +259,7 @@ PointResult SteppedSweep::advance(const Step &step, SweptSystem &swept, MotionSt
   const double value = settings_.parameter.values[step.point];
   swept.move_to(value);
   if (step.from_rest || from.physical.size() == 0) {
-    const InitialState &initial = swept.system().initial;
+    const model::InitialState &initial = swept.system().initial;
     swept.trajectory().start(0, initial.displacement, initial.velocity);
     from = swept.trajectory().motion_state();
   }
@@ -305,4 +307,4 @@ void SteppedSweep::run_line(std::size_t line, System &system, LineContext &conte
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -18,7 +18,7 @@
 
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class SweptSystem;
 
@@ -54,10 +54,10 @@ public:
 private:
   struct Step;
   std::vector<Step> steps_of_line(std::size_t line) const;
-  PointResult compute(const Step &step, SweptSystem &swept, const MotionState &from,
+  PointResult compute(const Step &step, SweptSystem &swept, const integration::MotionState &from,
                       SettledMotion &settled, LineContext &context) const;
   void note(long periods, LineContext &context) const;
-  PointResult advance(const Step &step, SweptSystem &swept, MotionState &from,
+  PointResult advance(const Step &step, SweptSystem &swept, integration::MotionState &from,
                       std::optional<BranchPoint> &before, LineContext &context) const;
   Jump search(const BranchPoint &before, const BranchPoint &after, SweptSystem &swept,
               LineContext &context) const;
@@ -66,4 +66,4 @@ private:
   Settings settings_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

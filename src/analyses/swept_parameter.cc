@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -135,4 +135,4 @@ SweptParameter read_swept_parameter(const parameters::Values &section) {
           .origin = origin_of(section, "First")};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

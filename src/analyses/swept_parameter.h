@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 struct SweptParameter {
   std::string path;           ///< of the key, as for --set; empty: the frequency of an excitation
@@ -34,4 +34,4 @@ SweptParameter read_swept_parameter(const parameters::Values &section);
 /// key Spacing. InputError for ends in the wrong order.
 std::vector<double> read_frequencies(const parameters::Values &section);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

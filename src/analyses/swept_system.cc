@@ -5,15 +5,16 @@
 
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
-std::unique_ptr<Trajectory> trajectory_of(const System &system) {
-  return std::make_unique<Trajectory>(system.model, system.contacts, system.integration);
+std::unique_ptr<integration::Trajectory> trajectory_of(const System &system) {
+  return std::make_unique<integration::Trajectory>(system.model, system.contacts,
+                                                   system.integration);
 }
 
-std::size_t only_periodic(const std::vector<Source> &sources) {
+std::size_t only_periodic(const std::vector<model::Source> &sources) {
   if (sources.size() == 1)
     return 0;
   std::size_t found = sources.size();
@@ -29,7 +30,7 @@ std::size_t only_periodic(const std::vector<Source> &sources) {
 } // namespace
 
 std::size_t sweep_source(const System &system, const std::string &name) {
-  const std::vector<Source> &sources = system.model.sources();
+  const std::vector<model::Source> &sources = system.model.sources();
   const std::size_t found = name.empty() ? only_periodic(sources) : system.model.find_source(name);
   if (found == sources.size())
     throw InputError(name.empty()
@@ -78,4 +79,4 @@ Vector SweptSystem::scale() const {
   return state_scale(trajectory_->equations(), 2 * std::numbers::pi / period_);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// Index of the excitation that gives a sweep its period: `name`, or the only one that repeats when
 /// the name is empty. InputError when there is none, or one without a frequency.
@@ -27,7 +27,7 @@ public:
   void move_to(double value);
 
   const System &system() const { return *present_; }
-  Trajectory &trajectory() { return *trajectory_; }
+  integration::Trajectory &trajectory() { return *trajectory_; }
   /// The recorders of the analysis for the present system.
   WindowRecording &recording();
   double period() const { return period_; } ///< [s]
@@ -44,10 +44,10 @@ private:
   const LineContext &context_;
   std::unique_ptr<System> built_;
   const System *present_;
-  std::unique_ptr<Trajectory> trajectory_;
+  std::unique_ptr<integration::Trajectory> trajectory_;
   std::optional<WindowRecording> recording_; ///< once asked for
   Index size_ = 0;
   double period_ = 0;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

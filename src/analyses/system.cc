@@ -6,7 +6,10 @@
 #include "model/excitation.h"
 #include "model/rotor_parameters.h"
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using contact::ContactSet;
+using model::EquilibriumStart;
 
 namespace {
 
@@ -24,18 +27,19 @@ std::vector<std::string> selected(const parameters::Values &analysis, const std:
 }
 
 // Adds the equilibrium to the initial state. Contacts that are closed in it may start so.
-ContactSet start_in_equilibrium(EquilibriumStart start, const Model &model, ContactSet contacts,
-                                InitialState &initial) {
+ContactSet start_in_equilibrium(EquilibriumStart start, const model::Model &model,
+                                ContactSet contacts, model::InitialState &initial) {
   const bool with_contacts = start == EquilibriumStart::with_contacts;
   const ContactSet none;
-  Equilibrium equilibrium;
+  integration::Equilibrium equilibrium;
   try {
-    equilibrium = static_equilibrium(model, with_contacts ? contacts : none, model.static_load());
+    equilibrium = integration::static_equilibrium(model, with_contacts ? contacts : none,
+                                                  model.static_load());
   } catch (const NumericalError &error) {
     throw InputError(std::string("The motion cannot start from its equilibrium: ") + error.what());
   }
   initial.displacement += equilibrium.displacement;
-  std::vector<ContactPair> pairs = contacts.pairs();
+  std::vector<contact::ContactPair> pairs = contacts.pairs();
   for (std::size_t c = 0; with_contacts && c < pairs.size(); ++c)
     pairs[c].accept_initial_penetration |= equilibrium.closed[c];
   return ContactSet(std::move(pairs), contacts.groups());
@@ -60,24 +64,25 @@ void declare_selection(parameters::Section &analysis, const std::string &initial
 }
 
 System build_system(const parameters::Values &root, const parameters::Values &analysis,
-                    std::vector<std::shared_ptr<const ReducedBody>> bodies) {
-  Model model(std::move(bodies));
-  add_excitations(root, selected(analysis, "Excitations", root.instances("Excitation")), model);
-  add_connections(root, model);
-  add_rotors(root, model);
+                    std::vector<std::shared_ptr<const reduction::ReducedBody>> bodies) {
+  model::Model model(std::move(bodies));
+  model::add_excitations(root, selected(analysis, "Excitations", root.instances("Excitation")),
+                         model);
+  model::add_connections(root, model);
+  model::add_rotors(root, model);
   const std::vector<std::string> contacts = listed_instances(root, "Contacts", "Contact");
   ContactSet contact_set =
-      read_contacts(root, selected(analysis, "Active contacts", contacts), model);
+      contact::read_contacts(root, selected(analysis, "Active contacts", contacts), model);
   const std::vector<std::string> conditions =
       selected(analysis, "Initial conditions", root.instances("Initial condition"));
-  InitialState initial = read_initial_state(root, conditions, model);
-  if (const EquilibriumStart start = equilibrium_start(root, conditions);
+  model::InitialState initial = model::read_initial_state(root, conditions, model);
+  if (const EquilibriumStart start = model::equilibrium_start(root, conditions);
       start != EquilibriumStart::none)
     contact_set = start_in_equilibrium(start, model, std::move(contact_set), initial);
   return {.model = std::move(model),
           .contacts = std::move(contact_set),
-          .integration = read_integration(root),
+          .integration = integration::read_integration(root),
           .initial = std::move(initial)};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

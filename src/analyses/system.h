@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 struct System {
-  Model model;
-  ContactSet contacts;
-  IntegrationSettings integration;
-  InitialState initial;
+  model::Model model;
+  contact::ContactSet contacts;
+  integration::Settings integration;
+  model::InitialState initial;
 };
 
 /// Builds the system of an analysis at other values of some keys. Local; InputError.
@@ -29,11 +29,11 @@ void declare_selection(parameters::Section &analysis, const std::string &initial
 
 /// The system an analysis works on. `bodies` are the reduced bodies of the file.
 System build_system(const parameters::Values &root, const parameters::Values &analysis,
-                    std::vector<std::shared_ptr<const ReducedBody>> bodies);
+                    std::vector<std::shared_ptr<const reduction::ReducedBody>> bodies);
 
 /// Names in a list key at the top of the file, or every instance of `kind` when the key is empty.
 /// InputError for a name that has no section.
 std::vector<std::string> listed_instances(const parameters::Values &root, const std::string &key,
                                           const std::string &kind);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -4,7 +4,7 @@
 #include "analyses/analysis.h"
 #include "analyses/recorders.h"
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class Transient : public Analysis {
 public:
@@ -34,4 +34,4 @@ private:
   Settings settings_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

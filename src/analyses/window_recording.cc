@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::Observer;
+using integration::Trajectory;
 
 namespace {
 
@@ -16,7 +19,7 @@ WindowRecording::WindowRecording(const std::vector<RecorderFactory> &factories,
                                  const System &system) {
   for (const RecorderFactory &factory : factories)
     recorders_.push_back(factory(system));
-  together_ = std::make_unique<Observers>(observers());
+  together_ = std::make_unique<integration::Observers>(observers());
 }
 
 std::vector<Observer *> WindowRecording::observers() const {
@@ -34,7 +37,7 @@ void WindowRecording::run(const Window &window, Trajectory &trajectory,
 void WindowRecording::run(const Window &window, Trajectory &trajectory, Observer &also) {
   std::vector<Observer *> watching = observers();
   watching.insert(watching.begin(), &also);
-  Observers all(watching);
+  integration::Observers all(watching);
   watch(window, trajectory, all, {});
 }
 
@@ -80,4 +83,4 @@ Window periods_window(double start, double period, long cycles) {
           .cycles = cycles};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// Serves any number of windows of motions of one system, one after the other.
 class WindowRecording {
@@ -19,24 +19,25 @@ public:
   /// Integrates from window.start, where the trajectory must stand, to window.end, stopping at the
   /// end of each period; `after_period`, where given, is called there. `also` watches as well.
   /// NumericalError.
-  void run(const Window &window, Trajectory &trajectory,
+  void run(const Window &window, integration::Trajectory &trajectory,
            const std::function<void(long period)> &after_period = {});
-  void run(const Window &window, Trajectory &trajectory, Observer &also);
+  void run(const Window &window, integration::Trajectory &trajectory, integration::Observer &also);
 
   bool empty() const { return recorders_.empty(); }
   /// What all recorders saw, their fields' names behind `prefix`.
   void add_fields(PointResult &result, const std::string &prefix = "") const;
 
 private:
-  std::vector<Observer *> observers() const;
-  void watch(const Window &window, Trajectory &trajectory, Observer &all,
+  std::vector<integration::Observer *> observers() const;
+  void watch(const Window &window, integration::Trajectory &trajectory, integration::Observer &all,
              const std::function<void(long period)> &after_period);
 
   std::vector<std::unique_ptr<Recorder>> recorders_;
-  std::unique_ptr<Observers> together_; ///< the same for all windows, so that it is asked once
+  std::unique_ptr<integration::Observers>
+      together_; ///< the same for all windows, so that it is asked once
 };
 
 /// A window of `cycles` periods that begins at `start`.
 Window periods_window(double start, double period, long cycles);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

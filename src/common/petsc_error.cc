@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace vibroimpact::petsc {
+namespace vibroimpact {
 
 namespace {
 
@@ -21,13 +21,13 @@ PetscErrorCode keep(MPI_Comm /*communicator*/, int /*line*/, const char * /*func
 
 } // namespace
 
-void keep_errors() { PetscPushErrorHandler(keep, nullptr); }
+void keep_petsc_errors() { PetscPushErrorHandler(keep, nullptr); }
 
-std::string taken_error() {
+std::string taken_petsc_error() {
   std::string reason = std::exchange(kept, "");
   while (!reason.empty() && (reason.back() == '\n' || reason.back() == '.'))
     reason.pop_back();
   return reason;
 }
 
-} // namespace vibroimpact::petsc
+} // namespace vibroimpact

@@ -3,13 +3,13 @@
 
 #include <string>
 
-namespace vibroimpact::petsc {
+namespace vibroimpact {
 
 /// From now on the libraries print no trace of a failed call; its reason is kept instead. After
 /// PetscInitialize().
-void keep_errors();
+void keep_petsc_errors();
 
 /// The reason of the newest failed call, "" when none is kept; forgotten by this.
-std::string taken_error();
+std::string taken_petsc_error();
 
-} // namespace vibroimpact::petsc
+} // namespace vibroimpact

@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <sstream>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 
+using model::Model;
 using parameters::Values;
 
 constexpr const char *interface_form = "interfaces as BODY.INTERFACE, BODY.INTERFACE";
@@ -18,14 +19,14 @@ constexpr const char *interface_form = "interfaces as BODY.INTERFACE, BODY.INTER
 /// The points of an interface and where they are.
 struct Side {
   std::string name; ///< "body.interface"
-  std::vector<PointReference> points;
+  std::vector<model::PointReference> points;
   std::vector<Vector3> positions;
 };
 
 std::vector<std::string> interface_names(const Model &model) {
   std::vector<std::string> names;
   for (const auto &body : model.bodies())
-    for (const BodyPoint &point : body->points)
+    for (const reduction::BodyPoint &point : body->points)
       if (const std::string name = body->name + "." + point.interface;
           !point.interface.empty() && std::find(names.begin(), names.end(), name) == names.end())
         names.push_back(name);
@@ -36,7 +37,7 @@ Side side_of(const std::string &name, const Model &model) {
   Side side{.name = name, .points = {}, .positions = {}};
   for (std::size_t b = 0; b < model.bodies().size(); ++b)
     for (std::size_t p = 0; p < model.bodies()[b]->points.size(); ++p)
-      if (const BodyPoint &point = model.bodies()[b]->points[p];
+      if (const reduction::BodyPoint &point = model.bodies()[b]->points[p];
           !point.interface.empty() && name == model.bodies()[b]->name + "." + point.interface) {
         side.points.push_back({.body = b, .point = p});
         side.positions.push_back(point.position);
@@ -68,7 +69,7 @@ PairSearch read_search(const Values &contact) {
   contact.require("Search radius");
   PairSearch search{.radius = contact.quantity("Search radius"), .joining = joining(contact)};
   if (!search.joining)
-    search.direction = read_direction(contact, "Direction");
+    search.direction = model::read_direction(contact, "Direction");
   if (contact.has("Reach") && search.joining)
     contact.reject("Reach", "left out with Normal = joining line, where Search radius bounds the "
                             "whole distance.");
@@ -143,7 +144,7 @@ Meeting meeting_of(const Values &contact, const Side &a, const Side &b, const No
                                   std::string(same ? "" : " with Normal = joining line") +
                                   "; both have a node at " + at(from) + ".");
   meeting.normal =
-      joining(contact) ? (to - from).normalized() : read_direction(contact, "Direction");
+      joining(contact) ? (to - from).normalized() : model::read_direction(contact, "Direction");
   meeting.clearance = clearance_between(contact, from, to, meeting.normal);
   return meeting;
 }
@@ -153,7 +154,7 @@ Meetings between_interfaces(const Values &contact, const Model &model) {
     contact.reject("Offset", "left out where Clearance is given, which then counts for all pairs.");
   if (contact.given("Direction") && joining(contact))
     contact.reject("Direction", "left out with Normal = joining line.");
-  const Sides sides = read_sides(contact, {}, interface_names(model), interface_form);
+  const model::Sides sides = model::read_sides(contact, {}, interface_names(model), interface_form);
   const Side a = side_of(sides.a, model);
   const Side b = side_of(sides.b, model);
   std::vector<NodePair> pairs;
@@ -176,16 +177,16 @@ Meetings between_interfaces(const Values &contact, const Model &model) {
 Meetings with_stops(const Values &contact, const Model &model) {
   refuse(contact, {"Search radius", "Reach", "Normal", "Offset"});
   contact.require("Clearance");
-  const Sides sides =
-      read_sides(contact, {side_stop, side_base}, interface_names(model), interface_form);
-  if (sides.b != side_stop && sides.b != side_base)
+  const model::Sides sides = model::read_sides(contact, {model::side_stop, model::side_base},
+                                               interface_names(model), interface_form);
+  if (sides.b != model::side_stop && sides.b != model::side_base)
     contact.reject("Between", "an interface and stop or base; two interfaces need Pairing = "
                               "proximity or list.");
   Meetings meetings{.fixed = sides.b, .list = {}};
-  for (const PointReference &point : side_of(sides.a, model).points)
+  for (const model::PointReference &point : side_of(sides.a, model).points)
     meetings.list.push_back({.a = point,
                              .b = std::nullopt,
-                             .normal = read_direction(contact, "Direction"),
+                             .normal = model::read_direction(contact, "Direction"),
                              .clearance = contact.quantity("Clearance")});
   return meetings;
 }
@@ -225,4 +226,4 @@ Meetings find_meetings(const parameters::Values &contact, const Model &model) {
                                               : between_interfaces(contact, model);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

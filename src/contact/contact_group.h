@@ -6,12 +6,12 @@
 
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 /// Two points that a section brings together, or one and a fixed place.
 struct Meeting {
-  PointReference a{};
-  std::optional<PointReference> b{};
+  model::PointReference a{};
+  std::optional<model::PointReference> b{};
   Vector3 normal = Vector3::Zero();
   double clearance = 0; ///< [m]
 };
@@ -27,9 +27,9 @@ void declare_pairing(parameters::Section &contact);
 
 /// Of a section with another Pairing than `points`. Throws InputError when nothing is found, when
 /// the interfaces do not fit, and for sides that overlap without being declared as prestressed.
-Meetings find_meetings(const parameters::Values &contact, const Model &model);
+Meetings find_meetings(const parameters::Values &contact, const model::Model &model);
 
 /// Throws InputError for a key of the pairing in a section with Pairing = points.
 void refuse_pairing_keys(const parameters::Values &contact);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

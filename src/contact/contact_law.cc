@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 double AffineForm::operator()(const LocalState &state) const {
   double value = constant + gap * state.gap + gap_rate * state.gap_rate;
@@ -97,4 +97,4 @@ std::vector<Mode> open_contact_separating(const AffineForm &push,
 
 int open_or_contact(const LocalState &state) { return state.gap < 0 ? 1 : 0; }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 struct LocalState {
   double gap = 0;      ///< [m]
@@ -166,4 +166,4 @@ std::vector<Mode> open_contact_separating(const AffineForm &push,
 /// initial_mode for both: open at touch, so that a contact that begins there is an event.
 int open_or_contact(const LocalState &state);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

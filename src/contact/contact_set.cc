@@ -1,6 +1,6 @@
 #include "contact/contact_set.h"
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 ContactSet::ContactSet(std::vector<ContactPair> pairs, std::vector<ContactGroup> groups)
     : pairs_(std::move(pairs)), groups_(std::move(groups)) {
@@ -18,9 +18,9 @@ Vector ContactSet::initial_internal() const {
   return internal;
 }
 
-double ContactSet::effective_mass(std::size_t pair, const Model &model) const {
+double ContactSet::effective_mass(std::size_t pair, const model::Model &model) const {
   const RowVector &row = pairs_.at(pair).gap.row;
   return 1 / (row.cwiseAbs2() * model.mass().cwiseInverse()).value();
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

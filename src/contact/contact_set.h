@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 struct ContactPair {
   std::string name;
   std::string side_a, side_b; ///< "body.point"; side_b is "stop" or "base" for a stop
   double clearance = 0;       ///< gap of the undeformed model [m]; negative is a prestress
-  Projection gap;             ///< gap - clearance as a projection of the motion
+  model::Projection gap;      ///< gap - clearance as a projection of the motion
   std::shared_ptr<const ContactLaw> law;
   bool accept_initial_penetration = false;
   std::string origin;        ///< where the parameter file declares it, for messages
@@ -53,7 +53,7 @@ public:
   Vector initial_internal() const;
 
   /// 1 / (gap_row M^-1 gap_row^T): the mass that meets at the contact [kg].
-  double effective_mass(std::size_t pair, const Model &model) const;
+  double effective_mass(std::size_t pair, const model::Model &model) const;
 
 private:
   std::vector<ContactPair> pairs_;
@@ -67,6 +67,6 @@ void declare_contacts(parameters::Section &root);
 /// unknown points and interfaces, pairings that find nothing, a negative clearance that is not
 /// declared as prestress, and wrong laws.
 ContactSet read_contacts(const parameters::Values &root, const std::vector<std::string> &names,
-                         const Model &model);
+                         const model::Model &model);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 
@@ -111,4 +111,4 @@ Vector solve_complementarity(const Matrix &matrix, const Vector &q) {
   return q.size() == 0 ? q : ActiveSet(matrix, q).solve();
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -15,7 +15,7 @@
 
 #include "common/linear_algebra.h"
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 /// The x >= 0 with G x + q >= 0 and x . (G x + q) = 0. G symmetric and positive semi-definite. It
 /// minimises x . G x / 2 + q . x; G x is unique even where G is singular (one contact listed
@@ -28,4 +28,4 @@ inline Vector newton_impulses(const Matrix &matrix, const Vector &gap_rates, con
   return solve_complementarity(matrix, gap_rates - wanted);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

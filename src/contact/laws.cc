@@ -12,7 +12,7 @@
 
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::vector<std::string> unused_law_sections(const parameters::Values &contact) 
   return warnings;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

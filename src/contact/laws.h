@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 /// Declares the choice `Law` and the section of every law in a contact section.
 void declare_contact_laws(parameters::Section &contact);
@@ -22,4 +22,4 @@ std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &c
 /// One warning for each section of another law than the chosen one that the contact has.
 std::vector<std::string> unused_law_sections(const parameters::Values &contact);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -2,7 +2,11 @@
 
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
+
+using model::Model;
+using model::PointReference;
+using reduction::ReducedBody;
 
 namespace {
 
@@ -23,7 +27,7 @@ bool known(const PointReference &reference, const Model &model) {
 LocalFlexibility of_point(const PointReference &reference, const Vector3 &normal,
                           const Model &model) {
   const ReducedBody &body = *model.bodies().at(reference.body);
-  const BodyPoint &point = body.points.at(reference.point);
+  const reduction::BodyPoint &point = body.points.at(reference.point);
   const RowVector row = normal.transpose() * point.rows.topRows(3);
   const double kept = flexibility_of_coordinates(body, row);
   return {.whole = body.modal() ? normal.dot(point.flexibility * normal) : kept, .kept = kept};
@@ -54,4 +58,4 @@ std::optional<LocalFlexibility> local_flexibility(const ContactPair &pair, const
   return local_flexibility(a, two_points ? std::optional(b) : std::nullopt, pair.normal, model);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

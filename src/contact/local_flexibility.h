@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 /// Static displacement along the normal per unit force between the sides, of both sides together
 /// [m/N]. Rigid motions of free lumped masses do not count.
@@ -19,9 +19,10 @@ struct LocalFlexibility {
 
 /// Of two points, or of one and a fixed place. None where no side gives way, or where a side is a
 /// meshed body that no support holds.
-std::optional<LocalFlexibility> local_flexibility(const PointReference &a,
-                                                  const std::optional<PointReference> &b,
-                                                  const Vector3 &normal, const Model &model);
-std::optional<LocalFlexibility> local_flexibility(const ContactPair &pair, const Model &model);
+std::optional<LocalFlexibility> local_flexibility(const model::PointReference &a,
+                                                  const std::optional<model::PointReference> &b,
+                                                  const Vector3 &normal, const model::Model &model);
+std::optional<LocalFlexibility> local_flexibility(const ContactPair &pair,
+                                                  const model::Model &model);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

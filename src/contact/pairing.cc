@@ -9,7 +9,7 @@
 #include <iterator>
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 
@@ -97,4 +97,4 @@ std::vector<NodePair> facing_pairs(const std::vector<Vector3> &first,
   return pairs;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

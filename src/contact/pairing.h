@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 struct PairSearch {
   Vector3 direction = Vector3::UnitX(); ///< from the first side to the second, unit vector
@@ -25,4 +25,4 @@ using NodePair = std::array<std::size_t, 2>;
 std::vector<NodePair> facing_pairs(const std::vector<Vector3> &first,
                                    const std::vector<Vector3> &second, const PairSearch &search);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

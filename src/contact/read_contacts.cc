@@ -6,10 +6,12 @@
 #include "model/direction.h"
 #include "model/side.h"
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 
+using model::Model;
+using model::side_base;
 using parameters::Values;
 
 double read_clearance(const Values &contact) {
@@ -47,8 +49,8 @@ public:
             .side_a = model_.point_name(meeting.a),
             .side_b = meeting.b ? model_.point_name(*meeting.b) : fixed,
             .clearance = meeting.clearance,
-            .gap = relative_displacement(meeting.a, meeting.b, fixed != side_base, meeting.normal,
-                                         model_),
+            .gap = model::relative_displacement(meeting.a, meeting.b, fixed != side_base,
+                                                meeting.normal, model_),
             .law = law_ ? law_ : law_by_fraction(contact_, name, meeting, model_),
             .accept_initial_penetration = contact_.choice("Initial penetration") == "accept" ||
                                           contact_.boolean("Prestressed"),
@@ -64,18 +66,18 @@ private:
   std::shared_ptr<const ContactLaw> law_;
 };
 
-Meeting single_meeting(const Values &contact, const Sides &sides, const Model &model) {
-  Meeting meeting{.normal = read_direction(contact, "Direction"),
+Meeting single_meeting(const Values &contact, const model::Sides &sides, const Model &model) {
+  Meeting meeting{.normal = model::read_direction(contact, "Direction"),
                   .clearance = read_clearance(contact)};
   model.find_point(sides.a, meeting.a);
-  if (PointReference b; model.find_point(sides.b, b))
+  if (model::PointReference b; model.find_point(sides.b, b))
     meeting.b = b;
   return meeting;
 }
 
 ContactPair read_contact(const Values &contact, const std::string &name, const Model &model) {
   refuse_pairing_keys(contact);
-  const Sides sides = read_sides(contact, {side_stop, side_base}, model);
+  const model::Sides sides = model::read_sides(contact, {model::side_stop, side_base}, model);
   const Meeting meeting = single_meeting(contact, sides, model);
   ContactPair pair =
       ContactMaker(contact, model).pair(name, meeting, meeting.b ? std::string() : sides.b);
@@ -92,8 +94,8 @@ ContactGroup read_group(const Values &contact, const std::string &name, const Mo
   ContactGroup group{.name = name, .first = pairs.size(), .unpaired = meetings.unpaired};
   const ContactMaker maker(contact, model);
   for (const Meeting &meeting : meetings.list) {
-    const Projection gap = relative_displacement(meeting.a, meeting.b, meetings.fixed != side_base,
-                                                 meeting.normal, model);
+    const model::Projection gap = model::relative_displacement(
+        meeting.a, meeting.b, meetings.fixed != side_base, meeting.normal, model);
     if (gap.row.isZero(0)) {
       ++group.held;
       continue;
@@ -161,4 +163,4 @@ ContactSet read_contacts(const parameters::Values &root, const std::vector<std::
   return ContactSet(std::move(pairs), std::move(groups));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

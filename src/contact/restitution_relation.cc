@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::vector<std::string> restitution_relations() {
   return names;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 /// d_c >= 0 for e in (0, 1]. Throws std::invalid_argument for another e or an unknown relation.
 double dimensionless_damping(const std::string &relation, double restitution_coefficient);
@@ -32,4 +32,4 @@ double exact_restitution(double dimensionless_damping);
 /// Names for the parameter file.
 std::vector<std::string> restitution_relations();
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -9,7 +9,11 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
+
+using model::Model;
+using model::PointReference;
+using reduction::ReducedBody;
 
 namespace {
 
@@ -230,4 +234,4 @@ std::string impact_warning(const std::vector<ContactFigures> &contacts) {
                    "the shortest period kept";
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

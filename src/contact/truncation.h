@@ -28,7 +28,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 /// Of one side of a contact, or of both when they belong to the same body: what the kept
 /// coordinates lack along the normal.
@@ -57,7 +57,7 @@ struct ContactFigures {
   double shortest_period = 0;
 };
 
-std::vector<ContactFigures> contact_figures(const ContactSet &contacts, const Model &model);
+std::vector<ContactFigures> contact_figures(const ContactSet &contacts, const model::Model &model);
 
 /// One sentence that names the contacts whose kept coordinates carry too little of the static
 /// flexibility, with their shares; empty when there are none.
@@ -65,4 +65,4 @@ std::string flexibility_warning(const std::vector<ContactFigures> &contacts);
 /// The same for those whose impacts have too large an error.
 std::string impact_warning(const std::vector<ContactFigures> &contacts);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -125,7 +125,8 @@ void check_analyses(const Values &root) {
 }
 
 void DerivedQuantities::add(const Values &root, const std::string &analysis,
-                            const std::vector<Axis> &axes, const std::vector<GridKey> &keys) {
+                            const std::vector<Axis> &axes,
+                            const std::vector<analyses::GridKey> &keys) {
   Wanted wanted{AxisNames(axes, keys), {}, {}};
   for (const std::string &name : root.instances("Derived")) {
     const Values section = root.instance("Derived", name);

@@ -25,7 +25,7 @@ public:
   /// Reads those of one analysis from its outer axes. InputError for whatever can be known before
   /// there are fields.
   void add(const parameters::Values &root, const std::string &analysis,
-           const std::vector<Axis> &axes, const std::vector<GridKey> &keys);
+           const std::vector<Axis> &axes, const std::vector<analyses::GridKey> &keys);
 
   struct Result {
     std::vector<DerivedArray> arrays;

@@ -12,8 +12,8 @@ bool holds(const std::vector<std::string> &list, const std::string &word) {
 
 } // namespace
 
-AxisNames::AxisNames(const std::vector<Axis> &axes, const std::vector<GridKey> &keys)
-    : axes_(axes), swept_(grid_paths(keys)) {
+AxisNames::AxisNames(const std::vector<Axis> &axes, const std::vector<analyses::GridKey> &keys)
+    : axes_(axes), swept_(analyses::grid_paths(keys)) {
   std::vector<std::vector<std::string>> wanted(axes.size());
   for (std::size_t a = 0; a < axes.size(); ++a) {
     names_.push_back({axes[a].name});

@@ -15,7 +15,7 @@ public:
   AxisNames() = default;
   /// The axes of `keys` come first. A swept key also goes by the last part of its path and by the
   /// name of its section, as long as only one axis goes by that name.
-  AxisNames(const std::vector<Axis> &axes, const std::vector<GridKey> &keys);
+  AxisNames(const std::vector<Axis> &axes, const std::vector<analyses::GridKey> &keys);
 
   /// The axis' own name; `name` itself when no outer axis is called so.
   std::string own_name(const std::string &name) const;

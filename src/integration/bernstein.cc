@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 // Beyond this depth an interval is shorter than the spacing of doubles next to 1.
@@ -312,4 +312,4 @@ double Bernstein::minimum() const {
   return -negative.maximum();
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

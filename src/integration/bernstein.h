@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class Bernstein {
 public:
@@ -85,4 +85,4 @@ private:
   std::array<double, maximum_degree + 1> coefficients_{};
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -8,15 +8,17 @@
 #include <cmath>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
+
+using contact::Guard;
 
 namespace {
 
 constexpr double small_flights = 8; // in tolerances
 
-const Guard *impact_guard(const Mode &mode) {
+const Guard *impact_guard(const contact::Mode &mode) {
   const auto found = std::find_if(mode.guards.begin(), mode.guards.end(), [](const Guard &guard) {
-    return guard.action == GuardAction::impact;
+    return guard.action == contact::GuardAction::impact;
   });
   return found == mode.guards.end() ? nullptr : &*found;
 }
@@ -65,7 +67,7 @@ double Collisions::slow() const {
   return settings_.absolute_tolerance * std::max(1.0, equations_.model().highest_frequency());
 }
 
-bool Collisions::touches(std::size_t contact, const LocalState &local, double time,
+bool Collisions::touches(std::size_t contact, const contact::LocalState &local, double time,
                          double time_tolerance, const Vector &state) const {
   return std::abs(local.gap) <=
          std::max({settings_.absolute_tolerance, 2 * time_tolerance * std::abs(local.gap_rate),
@@ -82,11 +84,11 @@ Collisions::Instant Collisions::look(double time, double time_tolerance, std::si
   std::vector<double> gap;
   std::vector<double> gap_rate;
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    const Mode &mode = equations_.mode(c);
+    const contact::Mode &mode = equations_.mode(c);
     const Guard *impact = impact_guard(mode);
     if (!impact && !mode.holds_gap)
       continue;
-    const LocalState local =
+    const contact::LocalState local =
         equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
     if (c != first && !mode.holds_gap && !touches(c, local, time, time_tolerance, state))
       continue;
@@ -124,9 +126,9 @@ Collisions::Instant Collisions::look(double time, double time_tolerance, std::si
 
 void Collisions::find_impulses(Instant &instant) const {
   const Vector wanted = instant.restitution.cwiseProduct((-instant.gap_rate).cwiseMax(0));
-  const Vector found = newton_impulses(part(instant.effect, instant.taking_part),
-                                       part(instant.gap_rate, instant.taking_part),
-                                       part(wanted, instant.taking_part));
+  const Vector found = contact::newton_impulses(part(instant.effect, instant.taking_part),
+                                                part(instant.gap_rate, instant.taking_part),
+                                                part(wanted, instant.taking_part));
   instant.impulse.setZero();
   for (std::size_t i = 0; i < instant.taking_part.size(); ++i)
     instant.impulse[instant.taking_part[i]] = found[static_cast<Index>(i)];
@@ -250,7 +252,8 @@ void Collisions::choose_modes(const Instant &instant, const Vector &state,
   for (std::size_t i = 0; i < resting.size(); ++i)
     accelerations[static_cast<Index>(i)] =
         leaning(instant.contacts[static_cast<std::size_t>(resting[i])], instant.time, state);
-  const Vector forces = solve_complementarity(part(instant.effect, resting), accelerations);
+  const Vector forces =
+      contact::solve_complementarity(part(instant.effect, resting), accelerations);
   for (std::size_t i = 0; i < resting.size(); ++i)
     if (forces[static_cast<Index>(i)] > 0) {
       const auto place = static_cast<std::size_t>(resting[i]);
@@ -318,4 +321,4 @@ void Collisions::settle(double time, double time_tolerance, const Vector &state)
   choose_modes(instant, state, std::vector<char>(instant.contacts.size(), 0));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -23,7 +23,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class Collisions {
 public:
@@ -45,7 +45,7 @@ public:
     Collision record;
   };
 
-  Collisions(Equations &equations, const IntegrationSettings &settings)
+  Collisions(Equations &equations, const Settings &settings)
       : equations_(equations), settings_(settings) {}
 
   /// The guard of contact `first` has ended its mode by an impact. Changes velocities and ledger in
@@ -60,8 +60,8 @@ private:
   struct Instant; // what is known of the contacts that touch
 
   Instant look(double time, double time_tolerance, std::size_t first, const Vector &state) const;
-  bool touches(std::size_t contact, const LocalState &local, double time, double time_tolerance,
-               const Vector &state) const;
+  bool touches(std::size_t contact, const contact::LocalState &local, double time,
+               double time_tolerance, const Vector &state) const;
   double slow() const;
   void find_impulses(Instant &instant) const;
   void complete_chatter(Instant &instant, const Vector &state);
@@ -73,7 +73,7 @@ private:
   Outcome report(const Instant &instant, std::size_t first) const;
 
   Equations &equations_;
-  const IntegrationSettings &settings_;
+  const Settings &settings_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

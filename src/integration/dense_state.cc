@@ -1,6 +1,6 @@
 #include "integration/dense_state.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 DenseState::DenseState(const StepView &view) : layout_(view.equations().layout()) {
   for (Index j = 0; j < layout_.n; ++j) {
@@ -23,4 +23,4 @@ void DenseState::at(double tau, Vector &state) const {
     state[layout_.internal() + static_cast<Index>(i)] = others_[i](tau);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class DenseState {
 public:
@@ -19,4 +19,4 @@ private:
   std::vector<Bernstein> coordinates_, velocities_, others_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace vibroimpact::dormand_prince_8 {
+namespace vibroimpact::integration::dormand_prince_8 {
 
 constexpr int stages = 12;
 using Row = std::array<double, stages>;
@@ -45,4 +45,4 @@ constexpr Row third = {{-0.18980075407240762, 0, 0, 0, 0, 4.450312892752409, 1.8
     0.02265179219836082}};
 // clang-format on
 
-} // namespace vibroimpact::dormand_prince_8
+} // namespace vibroimpact::integration::dormand_prince_8

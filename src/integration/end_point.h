@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// s, s', s'', s''', s'''' of a source; the last two where `EndPoint::higher` has columns.
 using SourceValues = std::array<double, 5>;
@@ -21,4 +21,4 @@ struct EndPoint {
   std::vector<SourceValues> sources;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -4,11 +4,16 @@
 #include <cmath>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
+
+using contact::ContactPair;
+using contact::LocalState;
+using model::RotorSet;
+using model::TimeFunction;
 
 namespace {
 
-bool is_zero(const AffineForm &form) {
+bool is_zero(const contact::AffineForm &form) {
   bool zero = form.constant == 0 && form.gap == 0 && form.gap_rate == 0 && form.normal_force == 0;
   for (const double c : form.internal)
     zero = zero && c == 0;
@@ -17,7 +22,7 @@ bool is_zero(const AffineForm &form) {
 
 } // namespace
 
-Equations::Equations(const Model &model, const ContactSet &contacts)
+Equations::Equations(const model::Model &model, const contact::ContactSet &contacts)
     : model_(model),
       contacts_(contacts), layout_{.n = model.size(),
                                    .n_internal = contacts.n_internal(),
@@ -26,7 +31,7 @@ Equations::Equations(const Model &model, const ContactSet &contacts)
       modes_(contacts.size(), 0) {
   for (const ContactPair &pair : contacts.pairs()) {
     std::vector<char> silent;
-    for (const Mode &mode : pair.law->modes())
+    for (const contact::Mode &mode : pair.law->modes())
       silent.push_back(pair.n_internal() == 0 && !mode.in_contact && mode.affine &&
                        is_zero(mode.affine->force));
     silent_.push_back(std::move(silent));
@@ -47,7 +52,7 @@ void Equations::list_acting() {
       acting_.push_back({.contact = c, .pair = &contacts_.pairs()[c]});
 }
 
-const Mode &Equations::mode(std::size_t contact) const {
+const contact::Mode &Equations::mode(std::size_t contact) const {
   return contacts_.pairs()[contact].law->modes()[static_cast<std::size_t>(modes_[contact])];
 }
 
@@ -116,7 +121,7 @@ double Equations::gap_acceleration(std::size_t contact, double time,
   return value;
 }
 
-double Equations::rounding(std::size_t contact, const AffineForm &form, double time,
+double Equations::rounding(std::size_t contact, const contact::AffineForm &form, double time,
                            const Vector &x) const {
   const ContactPair &pair = contacts_.pairs()[contact];
   const auto magnitude = [&](Index first) {
@@ -340,7 +345,7 @@ void Equations::add_cubic_stiffness(double time, ConstVectorView x, Matrix &jaco
 void Equations::couple_rotors(double time, ConstVectorView x, Matrix &jacobian) const {
   const Index n = layout_.n;
   const RotorSet &rotors = model_.rotors();
-  for (const Rotor &rotor : rotors.list())
+  for (const model::Rotor &rotor : rotors.list())
     if (rotor.motor) {
       const Index torque = layout_.drive() + rotor.motor->drive;
       jacobian(n + rotor.angle, torque) += 1 / model_.mass()[rotor.angle];
@@ -402,4 +407,4 @@ double Equations::contact_energy(std::size_t contact, int mode, const LocalState
   return response_.stored_energy;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -14,7 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// Where things stand in the state vector.
 struct StateLayout {
@@ -39,16 +39,16 @@ struct StateLayout {
 class Equations {
 public:
   /// Keeps references: both must outlive it. The model's excitation may change between uses.
-  Equations(const Model &model, const ContactSet &contacts);
+  Equations(const model::Model &model, const contact::ContactSet &contacts);
 
-  const Model &model() const { return model_; }
-  const ContactSet &contacts() const { return contacts_; }
+  const model::Model &model() const { return model_; }
+  const contact::ContactSet &contacts() const { return contacts_; }
   const StateLayout &layout() const { return layout_; }
 
   /// Mode of each contact, used by all evaluations below.
   const std::vector<int> &modes() const { return modes_; }
   void set_mode(std::size_t contact, int mode);
-  const Mode &mode(std::size_t contact) const;
+  const contact::Mode &mode(std::size_t contact) const;
   /// The contacts whose gap is held in the present modes.
   const Holding &holding() const { return holding_; }
 
@@ -66,7 +66,7 @@ public:
   bool silent(std::size_t contact) const;
 
   /// Gap, its rate, and the force that holds it; the internal states refer into `x`.
-  LocalState local_state(std::size_t contact, double time, ConstVectorView x) const;
+  contact::LocalState local_state(std::size_t contact, double time, ConstVectorView x) const;
 
   /// dx/dt
   void rates(double time, ConstVectorView x, VectorView dxdt) const;
@@ -84,21 +84,22 @@ public:
 
   /// Bound of the rounding error with which an affine form of the local state is evaluated:
   /// 64 eps times the sum of the absolute values of its terms.
-  double rounding(std::size_t contact, const AffineForm &form, double time, const Vector &x) const;
+  double rounding(std::size_t contact, const contact::AffineForm &form, double time,
+                  const Vector &x) const;
 
   /// Kinetic + elastic energy of the bodies + stored energy of the contacts [J].
   double stored_energy(double time, ConstVectorView x) const;
 
   /// Normal force of a contact at a local state in a mode.
-  double force(std::size_t contact, int mode, const LocalState &state) const;
+  double force(std::size_t contact, int mode, const contact::LocalState &state) const;
   /// Energy a contact has stored [J].
-  double contact_energy(std::size_t contact, int mode, const LocalState &state) const;
+  double contact_energy(std::size_t contact, int mode, const contact::LocalState &state) const;
 
 private:
   /// A contact that adds to the rates in the present modes.
   struct Acting {
     std::size_t contact = 0;
-    const ContactPair *pair = nullptr;
+    const contact::ContactPair *pair = nullptr;
   };
   struct Carrier {
     std::size_t source = 0;
@@ -114,8 +115,8 @@ private:
   void couple_rotors(double time, ConstVectorView x, Matrix &jacobian) const;
   Vector uncoupled_acceleration(double time, ConstVectorView x) const;
 
-  const Model &model_;
-  const ContactSet &contacts_;
+  const model::Model &model_;
+  const contact::ContactSet &contacts_;
   StateLayout layout_;
   std::vector<int> modes_;
   double source_break_ = std::numeric_limits<double>::infinity();
@@ -124,8 +125,8 @@ private:
   std::vector<Acting> acting_;
   std::vector<std::vector<Carrier>> carriers_; ///< of each contact's gap
   mutable Holding holding_; ///< its response follows the position where there are rotors
-  mutable LawResponse response_;
+  mutable contact::LawResponse response_;
   mutable Vector load_, elastic_, damping_, held_rates_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

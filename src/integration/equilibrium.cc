@@ -9,16 +9,19 @@
 #include <limits>
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
+
+using contact::LocalState;
+using model::Model;
 
 namespace {
 
 class StaticProblem {
 public:
-  StaticProblem(const Model &model, const ContactSet &contacts, const Vector &load)
+  StaticProblem(const Model &model, const contact::ContactSet &contacts, const Vector &load)
       : model_(model), equations_(model, contacts), load_(load),
         stiffness_(model.stiffness().dense()) {
-    for (const Rotor &rotor : model.rotors().list())
+    for (const model::Rotor &rotor : model.rotors().list())
       fixed_.push_back(rotor.angle);
   }
 
@@ -93,11 +96,11 @@ private:
   }
 
   void add_contact(std::size_t c, const Vector &q, Vector &force, Matrix &derivative) {
-    const ContactPair &pair = equations_.contacts().pairs()[c];
+    const contact::ContactPair &pair = equations_.contacts().pairs()[c];
     LocalState state = local(c, q);
     if (state.gap >= 0)
       return;
-    const SettledMode settled = settle(*pair.law, state);
+    const contact::SettledMode settled = contact::settle(*pair.law, state);
     state.internal = settled.internal;
     pair.law->evaluate(settled.mode, state, response_);
     force += response_.force * pair.gap.row.transpose();
@@ -111,7 +114,7 @@ private:
   std::vector<Index> fixed_;
   std::vector<std::size_t> pressed_;
   double weak_ = 0; // [N/m]
-  LawResponse response_;
+  contact::LawResponse response_;
 };
 
 // One Newton step, halved until the residual falls; false when it no longer does.
@@ -184,7 +187,8 @@ std::optional<Balance> balance_from(StaticProblem &problem, std::vector<std::siz
 
 } // namespace
 
-Equilibrium static_equilibrium(const Model &model, const ContactSet &contacts, const Vector &load) {
+Equilibrium static_equilibrium(const Model &model, const contact::ContactSet &contacts,
+                               const Vector &load) {
   StaticProblem problem(model, contacts, load);
   std::vector<std::size_t> rigid;
   for (std::size_t c = 0; c < contacts.size(); ++c)
@@ -212,4 +216,4 @@ Equilibrium static_equilibrium(const Model &model, const ContactSet &contacts, c
   return equilibrium;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 struct Equilibrium {
   Vector displacement;      ///< n; angles of rotors stay at zero
@@ -19,6 +19,7 @@ struct Equilibrium {
 /// stay at zero. Rigid contacts are held closed by the forces that this takes where they are >= 0;
 /// which ones is found by pressing and letting go one after the other. NumericalError when nothing
 /// balances the load or no equilibrium is found. load: n [N]
-Equilibrium static_equilibrium(const Model &model, const ContactSet &contacts, const Vector &load);
+Equilibrium static_equilibrium(const model::Model &model, const contact::ContactSet &contacts,
+                               const Vector &load);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -1,6 +1,6 @@
 #include "integration/exponential_basis.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 void ExponentialBasis::take_inputs(const ExponentialBasis &other) {
   for (std::size_t j = n_modes(); j < groups.size(); ++j)
@@ -24,4 +24,4 @@ Complex seen_of_group(const Matrix &rows, Index row, const ExponentialBasis &bas
   return {of_real, group.is_pair ? -of_imaginary : 0.0};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

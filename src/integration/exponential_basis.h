@@ -11,7 +11,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 struct ExponentialBasis {
   /// A part of the excitation: an exponential or the constant of a source, or the constant of the
@@ -42,4 +42,4 @@ struct ExponentialBasis {
 Complex seen_of_group(const Matrix &rows, Index row, const ExponentialBasis &basis,
                       const ExponentialBasis::Group &group);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

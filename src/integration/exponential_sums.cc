@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 // Half of what is promised: the other half is for the error of the value it is compared with.
@@ -91,4 +91,4 @@ double ExponentialSums::rounding(Index guard) const {
   return value_rounding * end_growth_ * totals_[guard];
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

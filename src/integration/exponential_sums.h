@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class ExponentialSums : public GuardCurves {
 public:
@@ -48,4 +48,4 @@ private:
   std::span<const Complex> end_factors_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -30,4 +30,4 @@ double Extent::peak() const {
   return maximum >= minimum ? std::max(std::abs(minimum), std::abs(maximum)) : nan;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

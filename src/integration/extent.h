@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 struct Extent {
   double minimum = std::numeric_limits<double>::infinity();
@@ -19,4 +19,4 @@ struct Extent {
   double peak() const;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -4,7 +4,7 @@
 
 #include <petsc/private/tsimpl.h>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 
@@ -93,4 +93,4 @@ void set_flight_propagator(TS ts, FlightPropagator *propagator) {
   data_of(ts).propagator = propagator;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -9,7 +9,7 @@
 // PETSc's object under its own name; its headers stay in flight.cc.
 struct _p_TS; // NOLINT(bugprone-reserved-identifier)
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 constexpr const char *flight_type = "flight";
 
@@ -28,4 +28,4 @@ void register_flight();
 /// The propagator of a TS of this type; must outlive its use.
 void set_flight_propagator(_p_TS *ts, FlightPropagator *propagator);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

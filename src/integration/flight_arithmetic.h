@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace vibroimpact::flight_arithmetic {
+namespace vibroimpact::integration::flight_arithmetic {
 
 constexpr double value_error = 1.0 / 384;
 constexpr double slope_error = 1.7320508075688772 / 216;
@@ -163,4 +163,4 @@ template <class V> struct Bracket {
   }
 };
 
-} // namespace vibroimpact::flight_arithmetic
+} // namespace vibroimpact::integration::flight_arithmetic

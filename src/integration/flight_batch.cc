@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 
@@ -150,4 +150,4 @@ FlightKernel::End fly_in_batch(FlightKernel &kernel, double limit) {
   return present_batch->fly(kernel, limit);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -8,7 +8,7 @@
 
 #include <functional>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// Thrown into the works that still wait when one of them has ended with an exception.
 struct BatchBrokenOff {};
@@ -22,4 +22,4 @@ void run_batch(std::size_t count, const std::function<void()> &work);
 /// kernel.fly(limit), in the lanes when the caller runs in a batch.
 FlightKernel::End fly_in_batch(FlightKernel &kernel, double limit);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

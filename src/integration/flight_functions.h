@@ -5,7 +5,7 @@
 
 #include <sleef.h>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 struct Two {
   double first, second;
@@ -41,4 +41,4 @@ inline TwoAngles sine_cosine(Two x) {
 
 #endif
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

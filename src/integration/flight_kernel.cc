@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 using namespace flight_arithmetic;
 
@@ -242,4 +242,4 @@ FlightKernel::End FlightKernel::fly(double limit) {
   return End::limit;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

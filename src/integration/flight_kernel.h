@@ -12,7 +12,7 @@
 #include "integration/flight_arithmetic.h"
 #include "integration/watched_sums.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class FlightKernel {
 public:
@@ -87,4 +87,4 @@ private:
   long pieces_ = 0;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

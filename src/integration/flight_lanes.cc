@@ -6,7 +6,7 @@
 #include <new>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 
@@ -311,4 +311,4 @@ const std::vector<FlightLanes::Landing> &FlightLanes::fly() {
   return landings_;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// In the order of their speed.
 enum class VectorUnit { none, sse2, avx2, avx512 };
@@ -63,4 +63,4 @@ private:
   std::vector<Landing> landings_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 // Without the checks for infinities that the operators have.
@@ -175,4 +175,4 @@ void FlightLedger::add(const Amplitudes &start, const Amplitudes &end, double h,
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -17,7 +17,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class FlightLedger {
 public:
@@ -67,4 +67,4 @@ private:
   std::vector<Complex> start_, end_, integrals_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -9,7 +9,9 @@
 #include <string>
 #include <utility>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
+
+using model::ExponentialForm;
 
 namespace {
 
@@ -25,8 +27,8 @@ double proportion(const LinearRow &form, const LinearRow &passed) {
   return parallel && square > 0 ? std::abs(product) / square : 0;
 }
 
-const AffineForm &indicator(const Equations &equations, const FlightGuard &guard) {
-  const ContactLaw &law = *equations.contacts().pairs()[guard.contact].law;
+const contact::AffineForm &indicator(const Equations &equations, const FlightGuard &guard) {
+  const contact::ContactLaw &law = *equations.contacts().pairs()[guard.contact].law;
   const auto mode = static_cast<std::size_t>(equations.modes()[guard.contact]);
   return law.modes()[mode].guards[guard.guard].indicator;
 }
@@ -386,4 +388,4 @@ bool FlightPath::fly(double &time, Vector &state, double limit, long most_events
 
 FlightPath::Tally FlightPath::take_tally() { return std::exchange(tally_, {}); }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

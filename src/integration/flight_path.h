@@ -22,7 +22,7 @@
 #include <span>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// Who watches a flight, and does what a contact change takes: `state` is that just before, with
 /// its ledger, in the modes before; the change is that of `contact` through `guard`.
@@ -122,9 +122,9 @@ private:
   FlightStepper &stepper_;
   double event_tolerance_;
   std::map<std::vector<int>, KnownPhase> phases_;
-  std::vector<ExponentialForm> sources_; ///< of the present excitation, with their origin
-  long excitation_ = 0;                  ///< counts the excitations
-  ExponentialBasis described_;           ///< as it comes from the stepper
+  std::vector<model::ExponentialForm> sources_; ///< of the present excitation, with their origin
+  long excitation_ = 0;                         ///< counts the excitations
+  ExponentialBasis described_;                  ///< as it comes from the stepper
   Matrix inverse_;
   KnownPhase *known_ = nullptr;
   std::array<FlightKernel, 2> kernels_;
@@ -143,4 +143,4 @@ private:
   double stretch_start_ = 0;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

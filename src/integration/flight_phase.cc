@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 FlightPhase::FlightPhase(const PhaseForms &forms, ExponentialBasis basis, Matrix inverse)
     : forms_(forms), basis_(std::move(basis)), inverse_(std::move(inverse)) {
@@ -91,4 +91,4 @@ void FlightPhase::find_modes(const Vector &y, Amplitudes &amplitudes) {
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class FlightPhase {
 public:
@@ -44,4 +44,4 @@ private:
   std::vector<Complex> exponents_; ///< of the inputs, while they are renewed
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -11,9 +11,9 @@
 #include <limits>
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
-FlightStepper::FlightStepper(const Equations &equations, const IntegrationSettings &settings)
+FlightStepper::FlightStepper(const Equations &equations, const Settings &settings)
     : equations_(equations),
       maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()),
@@ -54,8 +54,8 @@ bool FlightStepper::handles(double time) {
   if (!cached_phase().phase)
     return false;
   sources_.clear();
-  for (const Source &source : equations_.model().sources()) {
-    std::optional<ExponentialForm> form = source.function->exponential_form(time);
+  for (const model::Source &source : equations_.model().sources()) {
+    std::optional<model::ExponentialForm> form = source.function->exponential_form(time);
     if (!form)
       return false;
     sources_.push_back(*std::move(form));
@@ -177,4 +177,4 @@ void FlightStepper::place(double time, const Vector &x) {
   pending_ = false;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

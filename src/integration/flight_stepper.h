@@ -14,11 +14,11 @@
 struct _p_Vec;
 // NOLINTEND(bugprone-reserved-identifier)
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class FlightStepper : public Stepper, private FlightPropagator {
 public:
-  FlightStepper(const Equations &equations, const IntegrationSettings &settings);
+  FlightStepper(const Equations &equations, const Settings &settings);
   ~FlightStepper() override;
   FlightStepper(const FlightStepper &) = delete;
   FlightStepper &operator=(const FlightStepper &) = delete;
@@ -37,7 +37,7 @@ public:
   bool exact() const override { return true; }
 
   /// After handles(time): closed forms with that origin.
-  const std::vector<ExponentialForm> &sources() const { return sources_; }
+  const std::vector<model::ExponentialForm> &sources() const { return sources_; }
   /// What the present phase is made of with these sources, and the way from y less the response to
   /// the inputs to the columns of the modes. False: not of exponentials.
   bool describe(ExponentialBasis &basis, Matrix &inverse);
@@ -62,7 +62,7 @@ private:
   std::vector<CachedPhase> phases_;
   LinearPhase *phase_ = nullptr;
   LinearMotion *motion_ = nullptr; ///< none: not begun
-  std::vector<ExponentialForm> sources_;
+  std::vector<model::ExponentialForm> sources_;
   Ledger ledger_;
   Matrix rows_, nodes_;
   Vector physical_;
@@ -71,4 +71,4 @@ private:
   bool pending_ = false; ///< the last step is not accepted yet
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -3,7 +3,9 @@
 #include <atomic>
 #include <utility>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
+
+using model::Projection;
 
 namespace {
 
@@ -40,8 +42,8 @@ WatchedForm watched_acceleration(const Equations &equations, const Projection &p
   return {.row = row_of(equations, projection, 1), .differentiated = true, .extent = &extent};
 }
 
-WatchedForm watched_contact(const Equations &equations, std::size_t contact, const AffineForm &form,
-                            Extent &extent) {
+WatchedForm watched_contact(const Equations &equations, std::size_t contact,
+                            const contact::AffineForm &form, Extent &extent) {
   return {.row = linear_row(equations, contact, form), .extent = &extent};
 }
 
@@ -68,4 +70,4 @@ FlightWatcher::FlightWatcher() {
   identity_ = watchers++;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

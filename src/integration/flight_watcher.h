@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// A linear form of the motion, or its time derivative, whose extreme values are wanted.
 struct WatchedForm {
@@ -17,15 +17,15 @@ struct WatchedForm {
 };
 
 /// Displacement and velocity seen by a projection, and the time derivative of the latter.
-WatchedForm watched_displacement(const Equations &equations, const Projection &projection,
+WatchedForm watched_displacement(const Equations &equations, const model::Projection &projection,
                                  Extent &extent);
-WatchedForm watched_velocity(const Equations &equations, const Projection &projection,
+WatchedForm watched_velocity(const Equations &equations, const model::Projection &projection,
                              Extent &extent);
-WatchedForm watched_acceleration(const Equations &equations, const Projection &projection,
+WatchedForm watched_acceleration(const Equations &equations, const model::Projection &projection,
                                  Extent &extent);
 /// An affine form of the local state of a contact.
-WatchedForm watched_contact(const Equations &equations, std::size_t contact, const AffineForm &form,
-                            Extent &extent);
+WatchedForm watched_contact(const Equations &equations, std::size_t contact,
+                            const contact::AffineForm &form, Extent &extent);
 /// An entry of the physical state plus a constant.
 WatchedForm watched_state(const Equations &equations, Index entry, double constant, Extent &extent);
 
@@ -58,4 +58,4 @@ private:
   long identity_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 
@@ -224,4 +224,4 @@ FirstFall first_fall(const GuardCurves &curves, Index guard, double end, const G
   return FallSearch(curves, guard, end, start).run();
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -14,7 +14,7 @@
 
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// Value and derivatives of a function at an instant.
 struct Jet {
@@ -56,4 +56,4 @@ struct FirstFall {
 FirstFall first_fall(const GuardCurves &curves, Index guard, double end,
                      const GuardStart &start = {});
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

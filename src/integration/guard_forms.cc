@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
-LinearRow linear_row(const Equations &equations, std::size_t contact, const AffineForm &form) {
-  const ContactPair &pair = equations.contacts().pairs()[contact];
+LinearRow linear_row(const Equations &equations, std::size_t contact,
+                     const contact::AffineForm &form) {
+  const contact::ContactPair &pair = equations.contacts().pairs()[contact];
   const StateLayout &layout = equations.layout();
   const auto n_sources = static_cast<Index>(equations.model().sources().size());
   LinearRow result{.row = RowVector::Zero(layout.physical_size() + 3 * n_sources),
@@ -35,8 +36,9 @@ GuardForms guard_forms(const Equations &equations) {
   GuardForms forms{.rows = Matrix(0, equations.layout().physical_size() + 3 * n_sources),
                    .constants = Vector(0)};
   for (std::size_t c = 0; c < equations.contacts().size(); ++c) {
-    const ContactLaw &law = *equations.contacts().pairs()[c].law;
-    for (const Guard &guard : law.modes()[static_cast<std::size_t>(equations.modes()[c])].guards) {
+    const contact::ContactLaw &law = *equations.contacts().pairs()[c].law;
+    for (const contact::Guard &guard :
+         law.modes()[static_cast<std::size_t>(equations.modes()[c])].guards) {
       const LinearRow form = linear_row(equations, c, guard.indicator);
       const Index last = forms.rows.rows();
       forms.rows.conservativeResize(last + 1, Eigen::NoChange);
@@ -48,4 +50,4 @@ GuardForms guard_forms(const Equations &equations) {
   return forms;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -3,7 +3,7 @@
 
 #include "integration/linear_system.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// constant + row * [y, then s, s', s'' of each source]
 struct LinearRow {
@@ -12,7 +12,8 @@ struct LinearRow {
 };
 
 /// A form of the local state of a contact.
-LinearRow linear_row(const Equations &equations, std::size_t contact, const AffineForm &form);
+LinearRow linear_row(const Equations &equations, std::size_t contact,
+                     const contact::AffineForm &form);
 
 /// The guards of the contacts' present modes: constants + rows * [y, sources].
 struct GuardForms {
@@ -22,4 +23,4 @@ struct GuardForms {
 
 GuardForms guard_forms(const Equations &equations);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 void GuardSums::note_exponent(std::size_t place) {
   if (rate[place] != 0)
@@ -52,4 +52,4 @@ void GuardSums::set_coefficient(std::size_t guard, std::size_t exponent,
   fourth[place] = std::sqrt(std::norm(coefficient)) * square * square;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// Amplitudes of the groups of a phase, and their absolute values.
 struct Amplitudes {
@@ -48,4 +48,4 @@ private:
   void note_exponent(std::size_t place);
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

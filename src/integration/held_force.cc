@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 
@@ -59,4 +59,4 @@ Bernstein held_force(const StepView &view, std::size_t contact) {
   return Bernstein::of_coefficients({coefficients.data(), static_cast<std::size_t>(degree + 1)});
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

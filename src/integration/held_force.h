@@ -3,10 +3,10 @@
 
 #include "integration/observer.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// Polynomial of degree 9 through the forces that the equations give for the dense states of the
 /// step at its ends, exactly, and at eight instants between. Zero of a contact that is not held.
 Bernstein held_force(const StepView &view, std::size_t contact);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

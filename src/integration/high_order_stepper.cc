@@ -9,7 +9,10 @@
 #include <limits>
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
+
+using contact::LocalState;
+using model::ExponentialForm;
 
 namespace {
 
@@ -36,7 +39,7 @@ double third_derivative(const ExponentialForm &form, double time) {
 
 } // namespace
 
-HighOrderStepper::HighOrderStepper(const Equations &equations, const IntegrationSettings &settings)
+HighOrderStepper::HighOrderStepper(const Equations &equations, const Settings &settings)
     : equations_(equations),
       maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()),
@@ -66,7 +69,7 @@ void HighOrderStepper::recall_steps() {
 void HighOrderStepper::read_sources(double time) {
   sources_.clear();
   has_higher_ = equations_.model().linear() && equations_.holding().empty();
-  for (const Source &source : equations_.model().sources()) {
+  for (const model::Source &source : equations_.model().sources()) {
     std::optional<ExponentialForm> form = source.function->exponential_form(time);
     if (!form)
       has_higher_ = false;
@@ -79,7 +82,7 @@ void HighOrderStepper::find_only_contact() {
   only_contact_.reset();
   std::size_t count = 0;
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    const ContactLaw &law = *equations_.contacts().pairs()[c].law;
+    const contact::ContactLaw &law = *equations_.contacts().pairs()[c].law;
     if (!law.modes()[static_cast<std::size_t>(equations_.modes()[c])].affine) {
       ++count;
       only_contact_ = c;
@@ -229,7 +232,7 @@ void HighOrderStepper::complete(EndPoint &point) {
 // states.
 void HighOrderStepper::add_higher(EndPoint &point) {
   const StateLayout &layout = equations_.layout();
-  const Model &model = equations_.model();
+  const model::Model &model = equations_.model();
   const Index n = layout.n;
   const ConstVectorView velocity(point.rates.data(), n);
   const ConstVectorView acceleration(point.rates.data() + n, n);
@@ -240,7 +243,7 @@ void HighOrderStepper::add_higher(EndPoint &point) {
   auto third = point.higher.col(0).segment(n, n);
   third = -elastic_ - damping_;
   for (std::size_t k = 0; k < sources_.size(); ++k) {
-    const Source &source = model.sources()[k];
+    const model::Source &source = model.sources()[k];
     SourceValues &s = point.sources[k];
     s[3] = third_derivative(sources_[k], point.time);
     third += s[1] * source.load + s[2] * source.rate_load + s[3] * source.inertial_load;
@@ -248,7 +251,7 @@ void HighOrderStepper::add_higher(EndPoint &point) {
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
     if (equations_.silent(c))
       continue;
-    const ContactPair &pair = equations_.contacts().pairs()[c];
+    const contact::ContactPair &pair = equations_.contacts().pairs()[c];
     const LocalState local = equations_.local_state(c, point.time, view_of(point.state));
     const double gap_acceleration = equations_.gap_acceleration(c, point.time, acceleration);
     pair.law->evaluate(equations_.modes()[c], local, response_);
@@ -424,4 +427,4 @@ void HighOrderStepper::shorten(double time) {
 
 void HighOrderStepper::undo() { end_ = start_; }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

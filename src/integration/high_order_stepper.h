@@ -24,11 +24,11 @@
 #include <utility>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class HighOrderStepper : public Stepper {
 public:
-  HighOrderStepper(const Equations &equations, const IntegrationSettings &settings);
+  HighOrderStepper(const Equations &equations, const Settings &settings);
 
   void forget() override;
   void restart(double time, const Vector &x) override;
@@ -57,7 +57,7 @@ private:
   void add_higher(EndPoint &point);
   void read_sources(double time);
   void find_only_contact();
-  LocalState contact_at(const EndPoint &point) const;
+  contact::LocalState contact_at(const EndPoint &point) const;
   bool opening() const;
   double rest_of_contact() const;
   bool take_last(double left, double limit);
@@ -75,9 +75,9 @@ private:
   Vector largest_; ///< |x| of the physical part in the last steps of the phase, fading
   Matrix stages_;  ///< dx/ds, one column each
   Vector stage_state_;
-  LawResponse response_;
+  contact::LawResponse response_;
   Vector elastic_, damping_;
-  std::vector<ExponentialForm> sources_; ///< empty: without closed form
+  std::vector<model::ExponentialForm> sources_; ///< empty: without closed form
   bool has_higher_ = false;
   std::optional<std::size_t> only_contact_; ///< that is not linear; with its root at the start
   bool begins_contact_ = false;             ///< its penetration was zero at the start of the phase
@@ -89,4 +89,4 @@ private:
   long rejected_ = 0;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

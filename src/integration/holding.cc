@@ -4,13 +4,14 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 struct Holding::Factor {
   Eigen::CompleteOrthogonalDecomposition<Matrix> of;
 };
 
-Matrix gap_rows(const ContactSet &contacts, const std::vector<std::size_t> &list, Index n) {
+Matrix gap_rows(const contact::ContactSet &contacts, const std::vector<std::size_t> &list,
+                Index n) {
   Matrix rows(static_cast<Index>(list.size()), n);
   for (std::size_t k = 0; k < list.size(); ++k)
     rows.row(static_cast<Index>(k)) = contacts.pairs()[list[k]].gap.row;
@@ -19,7 +20,8 @@ Matrix gap_rows(const ContactSet &contacts, const std::vector<std::size_t> &list
 
 // The two rates are of the size of the model's own, which any step resolves, and differ between the
 // contacts, so that none is repeated.
-Holding::Holding(const Model &model, const ContactSet &contacts, const std::vector<int> &modes) {
+Holding::Holding(const model::Model &model, const contact::ContactSet &contacts,
+                 const std::vector<int> &modes) {
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (contacts.pairs()[c].law->modes()[static_cast<std::size_t>(modes[c])].holds_gap)
       contacts_.push_back(c);
@@ -47,4 +49,4 @@ void Holding::set_response(const Matrix &response) {
 
 Matrix Holding::forces(const Matrix &missing) const { return factor_->of.solve(missing); }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

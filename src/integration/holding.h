@@ -16,13 +16,14 @@
 #include <memory>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class Holding {
 public:
   Holding() = default;
   /// For these modes of the contacts, and the model's constant mass matrix.
-  Holding(const Model &model, const ContactSet &contacts, const std::vector<int> &modes);
+  Holding(const model::Model &model, const contact::ContactSet &contacts,
+          const std::vector<int> &modes);
 
   bool empty() const { return contacts_.empty(); }
   Index size() const { return static_cast<Index>(contacts_.size()); }
@@ -52,6 +53,6 @@ private:
 };
 
 /// The gap rows of some contacts, one below the other.
-Matrix gap_rows(const ContactSet &contacts, const std::vector<std::size_t> &list, Index n);
+Matrix gap_rows(const contact::ContactSet &contacts, const std::vector<std::size_t> &list, Index n);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -55,12 +55,12 @@ Peak sampled_peak(const StepView &view, std::size_t contact) {
 
 double peak_force(const StepView &view, std::size_t contact) {
   const auto mode = static_cast<std::size_t>(view.equations().modes()[contact]);
-  const Mode &present = view.equations().contacts().pairs()[contact].law->modes()[mode];
+  const contact::Mode &present = view.equations().contacts().pairs()[contact].law->modes()[mode];
   return present.affine ? view.indicator(contact, present.affine->force).maximum()
                         : sampled_peak(view, contact).force;
 }
 
-ImpactLog::ImpactLog(const ContactSet &contacts, std::size_t pulses, bool instants)
+ImpactLog::ImpactLog(const contact::ContactSet &contacts, std::size_t pulses, bool instants)
     : contacts_(contacts), pulse_limit_(pulses), instants_(instants), tracks_(contacts.size()) {}
 
 bool ImpactLog::in_contact(std::size_t contact, int mode) const {
@@ -80,7 +80,7 @@ void ImpactLog::record_pulse(Track &track, const StepView &view, std::size_t con
 }
 
 void ImpactLog::note_peak(Impact &impact, const StepView &view, std::size_t contact) const {
-  const double peak = vibroimpact::peak_force(view, contact);
+  const double peak = integration::peak_force(view, contact);
   if (!(peak > impact.peak_force))
     return;
   impact.peak_force = peak;
@@ -103,7 +103,7 @@ void ImpactLog::step(const StepView &view) {
 
 void ImpactLog::watch(const Equations &equations, std::vector<WatchedForm> &forms) {
   for (std::size_t c = 0; c < tracks_.size(); ++c)
-    if (const Mode &mode = equations.mode(c); mode.in_contact) {
+    if (const contact::Mode &mode = equations.mode(c); mode.in_contact) {
       forms.push_back(watched_contact(equations, c, mode.affine->force, tracks_[c].force));
       forms.push_back(watched_contact(equations, c, {.gap = 1}, tracks_[c].gap));
     }
@@ -123,7 +123,8 @@ void ImpactLog::begin(Track &track, const ContactEvent &event) const {
   const auto contact = static_cast<Index>(event.contact);
   // A rigid impact has an impulse and takes energy at this very instant. What a change of mode
   // takes from a law of finite force belongs to the time before.
-  const Vector &ledger = event.guard->action == GuardAction::impact ? *event.before : *event.state;
+  const Vector &ledger =
+      event.guard->action == contact::GuardAction::impact ? *event.before : *event.state;
   track.current = {.start_time = event.time,
                    .approach_speed = -event.gap_rate,
                    .peak_time = instants_ ? event.time : nan,
@@ -190,4 +191,4 @@ void ImpactLog::start_afresh() {
     track = {};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// From the instant the two sides meet to the one at which they part.
 struct Impact {
@@ -38,7 +38,7 @@ class ImpactLog : public Observer, private FlightWatcher {
 public:
   /// Keeps the force samples of the first `pulses` impacts of each contact and, where `instants`,
   /// the instant of the largest force of all.
-  ImpactLog(const ContactSet &contacts, std::size_t pulses, bool instants = false);
+  ImpactLog(const contact::ContactSet &contacts, std::size_t pulses, bool instants = false);
 
   void step(const StepView &view) override;
   void event(const ContactEvent &event) override;
@@ -79,7 +79,7 @@ private:
   void note_peak(Impact &impact, const StepView &view, std::size_t contact) const;
   void record_pulse(Track &track, const StepView &view, std::size_t contact) const;
 
-  const ContactSet &contacts_;
+  const contact::ContactSet &contacts_;
   std::size_t pulse_limit_;
   bool instants_;
   std::vector<Track> tracks_;
@@ -88,4 +88,4 @@ private:
 /// Largest normal force of a contact within a step.
 double peak_force(const StepView &view, std::size_t contact);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 constexpr std::size_t n_lanes = 8;
 
@@ -53,4 +53,4 @@ void fly_lanes_avx2(const LaneArrays &arrays);
 void fly_lanes_avx512(const LaneArrays &arrays);
 #endif
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -5,7 +5,7 @@
 
 #include <sleef.h>
 
-namespace vibroimpact::flight_arithmetic {
+namespace vibroimpact::integration::flight_arithmetic {
 
 namespace {
 
@@ -55,16 +55,16 @@ inline void sine_cosine(Pack4 a, Pack4 &sine, Pack4 &cosine) {
 
 } // namespace
 
-} // namespace vibroimpact::flight_arithmetic
+} // namespace vibroimpact::integration::flight_arithmetic
 
 #include "integration/lane_machine.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 void fly_lanes_avx2(const LaneArrays &arrays) {
   flight_arithmetic::fly_lanes<flight_arithmetic::Pack4>(arrays);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration
 
 #endif

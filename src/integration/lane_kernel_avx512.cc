@@ -5,7 +5,7 @@
 
 #include <sleef.h>
 
-namespace vibroimpact::flight_arithmetic {
+namespace vibroimpact::integration::flight_arithmetic {
 
 namespace {
 
@@ -53,16 +53,16 @@ inline void sine_cosine(Pack8 a, Pack8 &sine, Pack8 &cosine) {
 
 } // namespace
 
-} // namespace vibroimpact::flight_arithmetic
+} // namespace vibroimpact::integration::flight_arithmetic
 
 #include "integration/lane_machine.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 void fly_lanes_avx512(const LaneArrays &arrays) {
   flight_arithmetic::fly_lanes<flight_arithmetic::Pack8>(arrays);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration
 
 #endif

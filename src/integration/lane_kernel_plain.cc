@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sleef.h>
 
-namespace vibroimpact::flight_arithmetic {
+namespace vibroimpact::integration::flight_arithmetic {
 
 namespace {
 
@@ -49,14 +49,14 @@ inline void sine_cosine(Pack1 a, Pack1 &sine, Pack1 &cosine) {
 
 } // namespace
 
-} // namespace vibroimpact::flight_arithmetic
+} // namespace vibroimpact::integration::flight_arithmetic
 
 #include "integration/lane_machine.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 void fly_lanes_plain(const LaneArrays &arrays) {
   flight_arithmetic::fly_lanes<flight_arithmetic::Pack1>(arrays);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

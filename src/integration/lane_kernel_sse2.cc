@@ -5,7 +5,7 @@
 
 #include <sleef.h>
 
-namespace vibroimpact::flight_arithmetic {
+namespace vibroimpact::integration::flight_arithmetic {
 
 namespace {
 
@@ -53,16 +53,16 @@ inline void sine_cosine(Pack2 a, Pack2 &sine, Pack2 &cosine) {
 
 } // namespace
 
-} // namespace vibroimpact::flight_arithmetic
+} // namespace vibroimpact::integration::flight_arithmetic
 
 #include "integration/lane_machine.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 void fly_lanes_sse2(const LaneArrays &arrays) {
   flight_arithmetic::fly_lanes<flight_arithmetic::Pack2>(arrays);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration
 
 #endif

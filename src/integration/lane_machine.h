@@ -8,7 +8,7 @@
 #include "integration/flight_arithmetic.h"
 #include "integration/lane_arrays.h"
 
-namespace vibroimpact::flight_arithmetic {
+namespace vibroimpact::integration::flight_arithmetic {
 
 /// After so many pieces the caller may look whether the run is to stop.
 constexpr int rounds_at_once = 4096;
@@ -314,4 +314,4 @@ template <class Pack> void fly_lanes(const LaneArrays &arrays) {
       ended = LaneMachine<Pack>(arrays, i * Pack::width).advance() || ended;
 }
 
-} // namespace vibroimpact::flight_arithmetic
+} // namespace vibroimpact::integration::flight_arithmetic

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 
@@ -50,12 +50,12 @@ void Ledger::add(double h, const Matrix &rows, const LinearSystem::HeldForces &h
 
 void Ledger::add_point(double weight, const Matrix &rows, Index point, Vector &state) {
   const StateLayout &layout = equations_.layout();
-  const Model &model = equations_.model();
+  const model::Model &model = equations_.model();
   const double *y = &rows(0, point);
   const double *velocity = y + layout.velocity();
   double power = 0;
   for (std::size_t k = 0; k < model.sources().size(); ++k) {
-    const Source &source = model.sources()[k];
+    const model::Source &source = model.sources()[k];
     const double *s = y + layout.physical_size() + 3 * static_cast<Index>(k);
     for (Index j = 0; j < layout.n; ++j)
       power += velocity[j] * (s[0] * source.load[j] + s[1] * source.rate_load[j] +
@@ -68,7 +68,7 @@ void Ledger::add_point(double weight, const Matrix &rows, Index point, Vector &s
 }
 
 double Ledger::damping_power(ConstVectorView velocity) {
-  const LinearForm &damping = equations_.model().damping();
+  const model::LinearForm &damping = equations_.model().damping();
   double power = 0;
   for (Index j = 0; j < velocity.size(); ++j)
     power += damping.diagonal[j] * velocity[j] * velocity[j];
@@ -93,16 +93,17 @@ double Ledger::held_force(std::size_t contact, const double *y) const {
 // Returns the power that moving bases put into the contacts.
 double Ledger::add_contacts(double weight, const double *y, Vector &state) {
   const StateLayout &layout = equations_.layout();
-  const ContactSet &contacts = equations_.contacts();
+  const contact::ContactSet &contacts = equations_.contacts();
   double power = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (equations_.silent(c))
       continue;
-    const ContactPair &pair = contacts.pairs()[c];
-    LocalState local{.gap = pair.clearance + pair.gap.row.dot(ConstVectorView(y, layout.n)),
-                     .gap_rate = pair.gap.row.dot(ConstVectorView(y + layout.velocity(), layout.n)),
-                     .internal = {y + layout.internal() + pair.internal_offset,
-                                  static_cast<std::size_t>(pair.n_internal())}};
+    const contact::ContactPair &pair = contacts.pairs()[c];
+    contact::LocalState local{
+        .gap = pair.clearance + pair.gap.row.dot(ConstVectorView(y, layout.n)),
+        .gap_rate = pair.gap.row.dot(ConstVectorView(y + layout.velocity(), layout.n)),
+        .internal = {y + layout.internal() + pair.internal_offset,
+                     static_cast<std::size_t>(pair.n_internal())}};
     double carried = 0;
     for (std::size_t k = 0; k < pair.gap.carrier.size(); ++k)
       if (pair.gap.carrier[k] != 0) {
@@ -120,4 +121,4 @@ double Ledger::add_contacts(double weight, const double *y, Vector &state) {
   return power;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class Ledger {
 public:
@@ -31,8 +31,8 @@ private:
 
   const Equations &equations_;
   const LinearSystem::HeldForces *held_ = nullptr; ///< during add()
-  LawResponse response_;
+  contact::LawResponse response_;
   Vector damping_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

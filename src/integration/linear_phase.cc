@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 // Error of the Hermite polynomial of degree 2 p - 1: |f^(2p)| h^(2p) / ((2p)! 4^p).
 double dense_step(double tenth_derivative, double eighth_derivative) {
@@ -31,15 +31,16 @@ LinearPhase::LinearPhase(const Equations &equations, const DenseTolerance &toler
   taylor_->watch(guards);
 }
 
-bool LinearPhase::describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis) {
+bool LinearPhase::describe(std::span<const model::ExponentialForm> sources,
+                           ExponentialBasis &basis) {
   return modal_ && modal_->describe(sources, basis);
 }
 
-LinearMotion &LinearPhase::begin(const Vector &y, std::span<const ExponentialForm> sources) {
+LinearMotion &LinearPhase::begin(const Vector &y, std::span<const model::ExponentialForm> sources) {
   if (modal_ && modal_->begin(y, sources))
     return *modal_;
   taylor_->begin(y, sources);
   return *taylor_;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// Derivatives of y at the ends of a step: the dense output of internal states has degree 7, that
 /// of the coordinates, whose rates are among y, degree 9.
@@ -36,7 +36,7 @@ public:
 
   /// A new phase from y at the common origin of the sources' closed forms. False: impossible this
   /// way.
-  virtual bool begin(const Vector &y, std::span<const ExponentialForm> sources) = 0;
+  virtual bool begin(const Vector &y, std::span<const model::ExponentialForm> sources) = 0;
   /// Longest step from here whose dense output is good enough [s].
   virtual double natural_step() = 0;
   /// Rows at `tau` [s] after the start of the step; column m holds the m-th derivative, m = 0 ...
@@ -60,7 +60,7 @@ public:
 
   /// What the phase is made of with these sources; it must begin anew afterwards. False: not of
   /// exponentials.
-  virtual bool describe(std::span<const ExponentialForm> /*sources*/,
+  virtual bool describe(std::span<const model::ExponentialForm> /*sources*/,
                         ExponentialBasis & /*basis*/) {
     return false;
   }
@@ -82,9 +82,9 @@ public:
   LinearPhase(const Equations &equations, const DenseTolerance &tolerance);
 
   /// The motion from y on. `sources`: closed forms with the start of the phase as origin.
-  LinearMotion &begin(const Vector &y, std::span<const ExponentialForm> sources);
+  LinearMotion &begin(const Vector &y, std::span<const model::ExponentialForm> sources);
   /// See LinearMotion::describe.
-  bool describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis);
+  bool describe(std::span<const model::ExponentialForm> sources, ExponentialBasis &basis);
   const LinearSystem &system() const { return system_; }
 
 private:
@@ -92,4 +92,4 @@ private:
   std::unique_ptr<LinearMotion> modal_, taylor_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

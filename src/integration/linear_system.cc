@@ -9,7 +9,9 @@
 #include <limits>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
+
+using contact::ContactPair;
 
 namespace {
 
@@ -58,7 +60,8 @@ double residual(const Matrix &matrix, const ComplexVector &eigenvalues,
   return (matrix * normalised - normalised * eigenvalues.asDiagonal()).colwise().norm().maxCoeff();
 }
 
-const std::optional<AffineLaw> &affine_law(const Equations &equations, std::size_t contact) {
+const std::optional<contact::AffineLaw> &affine_law(const Equations &equations,
+                                                    std::size_t contact) {
   const ContactPair &pair = equations.contacts().pairs()[contact];
   return pair.law->modes()[static_cast<std::size_t>(equations.modes()[contact])].affine;
 }
@@ -88,7 +91,7 @@ LinearSystem::HeldForces LinearSystem::held_forces(const Equations &equations) {
 }
 
 void LinearSystem::assemble(const Equations &equations) {
-  const Model &model = equations.model();
+  const model::Model &model = equations.model();
   const Index n = model.size();
   const Index size = equations.layout().physical_size();
   mass_ = model.mass();
@@ -98,7 +101,7 @@ void LinearSystem::assemble(const Equations &equations) {
   matrix_.block(n, 0, n, n) = -(inverse_mass.asDiagonal() * model.stiffness().dense());
   matrix_.block(n, n, n, n) = -(inverse_mass.asDiagonal() * model.damping().dense());
   constant_ = Vector::Zero(size);
-  for (const Source &source : model.sources()) {
+  for (const model::Source &source : model.sources()) {
     const auto acceleration = [&](const Vector &load) {
       Vector y = Vector::Zero(size);
       y.segment(n, n) = inverse_mass.cwiseProduct(load);
@@ -156,7 +159,7 @@ void LinearSystem::hold(const Equations &equations) {
 void LinearSystem::add_contact(const Equations &equations, std::size_t contact) {
   const ContactPair &pair = equations.contacts().pairs()[contact];
   const StateLayout &layout = equations.layout();
-  const AffineLaw &law = *affine_law(equations, contact);
+  const contact::AffineLaw &law = *affine_law(equations, contact);
   Vector into = Vector::Zero(size());
   into.segment(layout.n, layout.n) =
       equations.model().mass().cwiseInverse().cwiseProduct(pair.gap.row.transpose());
@@ -168,8 +171,8 @@ void LinearSystem::add_contact(const Equations &equations, std::size_t contact) 
 }
 
 // y' += into * form(gap, gap rate, internal states)
-void LinearSystem::add_form(const Equations &equations, std::size_t contact, const AffineForm &form,
-                            const Vector &into) {
+void LinearSystem::add_form(const Equations &equations, std::size_t contact,
+                            const contact::AffineForm &form, const Vector &into) {
   const ContactPair &pair = equations.contacts().pairs()[contact];
   const StateLayout &layout = equations.layout();
   matrix_.leftCols(layout.n) += form.gap * into * pair.gap.row;
@@ -252,4 +255,4 @@ bool LinearSystem::response(Complex exponent, const ComplexVector &input,
   return true;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -12,7 +12,7 @@
 #include <complex>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 using Complex = std::complex<double>;
 using ComplexVector = Eigen::VectorXcd;
@@ -72,7 +72,7 @@ private:
   LinearSystem() = default;
   void assemble(const Equations &equations);
   void add_contact(const Equations &equations, std::size_t contact);
-  void add_form(const Equations &equations, std::size_t contact, const AffineForm &form,
+  void add_form(const Equations &equations, std::size_t contact, const contact::AffineForm &form,
                 const Vector &into);
   void hold(const Equations &equations);
   void decompose();
@@ -92,4 +92,4 @@ private:
   Eigen::MatrixXcd eigenvectors_, left_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
+
+using model::ExponentialForm;
 
 namespace {
 
@@ -425,4 +427,4 @@ std::unique_ptr<LinearMotion> make_modal_motion(const LinearSystem &system, Inde
   return std::make_unique<ModalMotion>(system, n_coordinates, tolerance);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -7,7 +7,9 @@
 #include <limits>
 #include <utility>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
+
+using model::Projection;
 
 namespace {
 
@@ -99,7 +101,7 @@ Bernstein StepView::coordinate(Index j) const {
 }
 
 Bernstein StepView::gap(std::size_t contact) const {
-  const ContactPair &pair = equations_->contacts().pairs()[contact];
+  const contact::ContactPair &pair = equations_->contacts().pairs()[contact];
   Bernstein gap = displacement(pair.gap);
   gap += pair.clearance;
   return gap;
@@ -127,7 +129,7 @@ Bernstein StepView::drive(Index i) const {
 
 Bernstein StepView::holding_force(std::size_t contact) const { return held_force(*this, contact); }
 
-Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const {
+Bernstein StepView::indicator(std::size_t contact, const contact::AffineForm &form) const {
   Bernstein sum;
   if (form.gap != 0) {
     sum = gap(contact);
@@ -155,7 +157,7 @@ Bernstein StepView::indicator(std::size_t contact, const AffineForm &form) const
 }
 
 ContactCurves StepView::contact_curves(std::size_t contact) const {
-  const ContactPair &pair = equations_->contacts().pairs()[contact];
+  const contact::ContactPair &pair = equations_->contacts().pairs()[contact];
   ContactCurves curves{.gap = gap(contact),
                        .gap_rate = gap_rate(contact),
                        .internal = {},
@@ -197,4 +199,4 @@ void Observers::flown(const Equations &equations, double start, double end) {
     watcher->flown(equations, start, end);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

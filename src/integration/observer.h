@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// What a contact's law sees during a step.
 struct ContactCurves {
@@ -32,11 +32,11 @@ public:
 
   /// Displacement seen by a projection, as a polynomial in tau = (t - start)/length: a quintic, or
   /// of degree 9 where the method knows higher derivatives at the ends.
-  Bernstein displacement(const Projection &projection) const;
+  Bernstein displacement(const model::Projection &projection) const;
   /// Its time derivative, exact at both ends.
-  Bernstein velocity(const Projection &projection) const;
+  Bernstein velocity(const model::Projection &projection) const;
   /// Its second time derivative, from the equations at both ends and the displacement between.
-  Bernstein acceleration(const Projection &projection) const;
+  Bernstein acceleration(const model::Projection &projection) const;
   /// One coordinate.
   Bernstein coordinate(Index j) const;
 
@@ -48,7 +48,7 @@ public:
   Bernstein drive(Index i) const;
   /// The force that holds a contact's gap in its present mode; zero in other modes.
   Bernstein holding_force(std::size_t contact) const;
-  Bernstein indicator(std::size_t contact, const AffineForm &form) const;
+  Bernstein indicator(std::size_t contact, const contact::AffineForm &form) const;
 
   ContactCurves contact_curves(std::size_t contact) const;
   /// Normal force at tau in the mode that holds during the step.
@@ -89,10 +89,10 @@ struct ContactEvent {
   double chatter_duration = 0; ///< time in which further impacts, infinitely many, would come to
                                ///< rest; they are replaced by rest at once [s]
   const Vector *state = nullptr;
-  const Vector *before = nullptr;       ///< the state before resets and jumps
-  const Guard *guard = nullptr;         ///< that was passed
-  const StateLayout *layout = nullptr;  ///< of the state
-  const Collision *collision = nullptr; ///< of the first event of each collision
+  const Vector *before = nullptr;        ///< the state before resets and jumps
+  const contact::Guard *guard = nullptr; ///< that was passed
+  const StateLayout *layout = nullptr;   ///< of the state
+  const Collision *collision = nullptr;  ///< of the first event of each collision
 };
 
 class Observer {
@@ -128,4 +128,4 @@ private:
   bool all_fly_ = true;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

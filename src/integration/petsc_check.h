@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 inline std::string petsc_error_text(PetscErrorCode code) {
   const char *text = nullptr;
@@ -21,4 +21,4 @@ inline void check_petsc(PetscErrorCode code, const char *call) {
     throw NumericalError(std::string(call) + " failed: " + petsc_error_text(code));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

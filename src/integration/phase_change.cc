@@ -1,6 +1,6 @@
 #include "integration/phase_change.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 
@@ -93,4 +93,4 @@ void PhaseChange::apply(const Amplitudes &from, Amplitudes &to) const {
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

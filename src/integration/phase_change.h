@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class PhaseChange {
 public:
@@ -32,4 +32,4 @@ private:
   bool has_constant_ = false;   ///< `to` has an input of its own
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

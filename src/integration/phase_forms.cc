@@ -2,17 +2,17 @@
 
 #include <utility>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 PhaseForms::PhaseForms(const Equations &equations)
-    : contact_modes_(equations.modes()), guard_forms_(vibroimpact::guard_forms(equations)) {
+    : contact_modes_(equations.modes()), guard_forms_(integration::guard_forms(equations)) {
   for (std::size_t c = 0; c < contact_modes_.size(); ++c)
     add_guards(equations, c);
 }
 
 void PhaseForms::add_guards(const Equations &equations, std::size_t contact) {
-  const ContactPair &pair = equations.contacts().pairs()[contact];
-  const Mode &mode = equations.mode(contact);
+  const contact::ContactPair &pair = equations.contacts().pairs()[contact];
+  const contact::Mode &mode = equations.mode(contact);
   for (std::size_t g = 0; g < mode.guards.size(); ++g) {
     guards_.push_back({.contact = contact, .guard = g, .target = mode.guards[g].target});
     std::vector<Reset> &resets = resets_.emplace_back();
@@ -23,4 +23,4 @@ void PhaseForms::add_guards(const Equations &equations, std::size_t contact) {
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

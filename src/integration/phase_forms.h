@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// What happens at a guard.
 struct FlightGuard {
@@ -71,4 +71,4 @@ private:
   Vector constants_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

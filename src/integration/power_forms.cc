@@ -4,12 +4,12 @@
 
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 
 // Local state of a contact as a vector: gap, its rate, internal states, the force that holds it.
-LocalState local_state(const Vector &x, std::size_t n_internal) {
+contact::LocalState local_state(const Vector &x, std::size_t n_internal) {
   return {.gap = x[0],
           .gap_rate = x[1],
           .internal = {x.data() + 2, n_internal},
@@ -21,7 +21,7 @@ std::vector<LinearRow> local_rows(const Equations &equations, std::size_t contac
   std::vector<LinearRow> rows = {linear_row(equations, contact, {.gap = 1}),
                                  linear_row(equations, contact, {.gap_rate = 1})};
   for (std::size_t i = 0; i < n_internal; ++i) {
-    AffineForm form{.internal = std::vector<double>(n_internal, 0.0)};
+    contact::AffineForm form{.internal = std::vector<double>(n_internal, 0.0)};
     form.internal[i] = 1;
     rows.push_back(linear_row(equations, contact, form));
   }
@@ -68,7 +68,7 @@ void PowerForms::add(Index entry, const LinearRow &a, const LinearRow &b) {
 void PowerForms::add_loads(const Equations &equations) {
   const StateLayout &layout = equations.layout();
   for (std::size_t k = 0; k < equations.model().sources().size(); ++k) {
-    const Source &source = equations.model().sources()[k];
+    const model::Source &source = equations.model().sources()[k];
     Index row = layout.physical_size() + 3 * static_cast<Index>(k);
     for (const Vector *load : {&source.load, &source.rate_load, &source.inertial_load}) {
       LinearRow speed = constant_row(equations, 0);
@@ -80,7 +80,7 @@ void PowerForms::add_loads(const Equations &equations) {
 
 void PowerForms::add_damping(const Equations &equations) {
   const StateLayout &layout = equations.layout();
-  const LinearForm &damping = equations.model().damping();
+  const model::LinearForm &damping = equations.model().damping();
   for (Index j = 0; j < layout.n; ++j) {
     LinearRow force = constant_row(equations, 0);
     force.row[layout.velocity() + j] = damping.diagonal[j];
@@ -93,7 +93,7 @@ void PowerForms::add_damping(const Equations &equations) {
 void PowerForms::add_contact(const Equations &equations, std::size_t contact) {
   add_dissipation(equations, contact);
   const StateLayout &layout = equations.layout();
-  const ContactPair &pair = equations.contacts().pairs()[contact];
+  const contact::ContactPair &pair = equations.contacts().pairs()[contact];
   const LinearRow force = linear_row(equations, contact, equations.mode(contact).affine->force);
   add(layout.impulse(static_cast<Index>(contact)), force, constant_row(equations, 1));
   LinearRow carried = constant_row(equations, 0);
@@ -103,11 +103,11 @@ void PowerForms::add_contact(const Equations &equations, std::size_t contact) {
 }
 
 void PowerForms::add_dissipation(const Equations &equations, std::size_t contact) {
-  const ContactPair &pair = equations.contacts().pairs()[contact];
+  const contact::ContactPair &pair = equations.contacts().pairs()[contact];
   const int mode = equations.modes()[contact];
   const auto n_internal = static_cast<std::size_t>(pair.n_internal());
   std::vector<LinearRow> rows = local_rows(equations, contact, n_internal);
-  LawResponse response;
+  contact::LawResponse response;
   const std::optional<Matrix> dissipated = quadratic_form(
       [&](const Vector &x) {
         pair.law->evaluate(mode, local_state(x, n_internal), response);
@@ -130,4 +130,4 @@ void PowerForms::add_dissipation(const Equations &equations, std::size_t contact
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

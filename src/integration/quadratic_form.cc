@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::optional<Matrix> quadratic_form(const Function &f, Index n) {
   return form;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -1,6 +1,6 @@
 #include "integration/settings.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 void declare_integration(parameters::Section &root) {
   using namespace parameters;
@@ -25,7 +25,7 @@ void declare_integration(parameters::Section &root) {
                "Contact changes after which a case is given up as failed; 0 means no limit.");
 }
 
-IntegrationSettings read_integration(const parameters::Values &root) {
+Settings read_integration(const parameters::Values &root) {
   const parameters::Values values = root.subsection("Integration");
   return {.method = values.choice("Method"),
           .relative_tolerance = values.quantity("Relative tolerance"),
@@ -36,4 +36,4 @@ IntegrationSettings read_integration(const parameters::Values &root) {
           .maximum_events = values.integer("Maximum events")};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

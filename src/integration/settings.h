@@ -5,9 +5,9 @@
 
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
-struct IntegrationSettings {
+struct Settings {
   std::string method = "flight"; ///< "flight", "rk", "bdf", "theta" or "arkimex"
   double relative_tolerance = 1e-9;
   double absolute_tolerance = 1e-12; ///< of displacements at the points [m]
@@ -18,6 +18,6 @@ struct IntegrationSettings {
 };
 
 void declare_integration(parameters::Section &root);
-IntegrationSettings read_integration(const parameters::Values &root);
+Settings read_integration(const parameters::Values &root);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 SourceStep::SourceStep(const Equations &equations, double relative, double absolute)
     : equations_(equations), relative_(relative), absolute_(absolute) {
   for (std::size_t k = 0; k < equations.model().sources().size(); ++k) {
-    const auto moved_by = [k](const ContactPair &pair) {
+    const auto moved_by = [k](const contact::ContactPair &pair) {
       return k < pair.gap.carrier.size() && pair.gap.carrier[k] != 0;
     };
-    const std::vector<ContactPair> &pairs = equations.contacts().pairs();
+    const std::vector<contact::ContactPair> &pairs = equations.contacts().pairs();
     if (std::any_of(pairs.begin(), pairs.end(), moved_by))
       moving_.push_back(k);
   }
@@ -20,7 +20,7 @@ SourceStep::SourceStep(const Equations &equations, double relative, double absol
 double SourceStep::error(double time, double length) const {
   double largest = 0;
   for (const std::size_t k : moving_) {
-    const TimeFunction &function = *equations_.model().sources()[k].function;
+    const model::TimeFunction &function = *equations_.model().sources()[k].function;
     const auto at = [&](double t) { return equations_.source_time(t); };
     const double a = at(time);
     const double b = at(time + length);
@@ -57,4 +57,4 @@ double SourceStep::limited(double time, double length) const {
   return part * whole;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

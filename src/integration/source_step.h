@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class SourceStep {
 public:
@@ -30,4 +30,4 @@ private:
   std::vector<std::size_t> moving_; ///< the sources that move a gap
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -5,7 +5,7 @@
 // that is less. No motion needs thousands of them there.
 #pragma once
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class StallBound {
 public:
@@ -31,4 +31,4 @@ private:
   long count_ = 0;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

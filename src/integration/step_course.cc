@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 StepCourse StepCourse::even(double start, double end) {
   return {.start = start, .length = end - start};
@@ -25,4 +25,4 @@ StepCourse StepCourse::until(double instant, double start, double end) {
   return course;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

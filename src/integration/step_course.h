@@ -2,7 +2,7 @@
 // the root of the time since or until an instant does.
 #pragma once
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// Times in s. Where span is not zero, time = origin + sign (root + s span)^2.
 struct StepCourse {
@@ -23,4 +23,4 @@ struct StepCourse {
   double rate(double s) const { return span == 0 ? length : 2 * sign * span * (root + s * span); }
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

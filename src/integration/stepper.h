@@ -4,7 +4,7 @@
 #include "integration/end_point.h"
 #include "integration/guard_curves.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class Stepper {
 public:
@@ -51,4 +51,4 @@ protected:
   EndPoint end_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

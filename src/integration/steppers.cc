@@ -3,9 +3,9 @@
 #include "integration/high_order_stepper.h"
 #include "integration/ts_stepper.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
-Steppers::Steppers(Equations &equations, const IntegrationSettings &settings) {
+Steppers::Steppers(Equations &equations, const Settings &settings) {
   if (settings.method == flight_type) {
     flight_ = std::make_unique<FlightStepper>(equations, settings);
     general_ = std::make_unique<HighOrderStepper>(equations, settings);
@@ -29,4 +29,4 @@ void Steppers::place(double time, const Vector &x) {
 
 void Steppers::forget() { general_->forget(); }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

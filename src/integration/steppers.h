@@ -6,13 +6,13 @@
 
 #include <memory>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class Steppers {
 public:
   /// Method "flight": exact steps where the phase is linear, Runge-Kutta of order 8 elsewhere. Any
   /// other: that TS throughout.
-  Steppers(Equations &equations, const IntegrationSettings &settings);
+  Steppers(Equations &equations, const Settings &settings);
 
   /// Begins a phase with the stepper that suits the present modes of the equations.
   void restart(double time, const Vector &x);
@@ -33,4 +33,4 @@ private:
   Stepper *present_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

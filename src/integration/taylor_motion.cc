@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
+
+using model::ExponentialForm;
 
 namespace {
 
@@ -196,4 +198,4 @@ std::unique_ptr<LinearMotion> make_taylor_motion(const LinearSystem &system, Ind
   return std::make_unique<TaylorMotion>(system, n_coordinates, tolerance);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

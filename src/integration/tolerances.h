@@ -3,10 +3,10 @@
 
 #include "integration/equations.h"
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// One entry per state: coordinates so that no point moves by more than `tolerance` [m] with one of
 /// them, velocities by the natural frequencies; the ledger, which does not count, has a huge one.
 Vector absolute_tolerances(const Equations &equations, double tolerance);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -9,7 +9,10 @@
 #include <limits>
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
+
+using contact::AffineForm;
+using contact::LocalState;
 
 namespace {
 
@@ -17,7 +20,7 @@ namespace {
 // could need means that none of them holds.
 constexpr long maximum_events_at_once = 100;
 
-const Guard &guard_of(const Equations &equations, std::size_t contact, std::size_t guard) {
+const contact::Guard &guard_of(const Equations &equations, std::size_t contact, std::size_t guard) {
   return equations.mode(contact).guards[guard];
 }
 
@@ -44,8 +47,8 @@ double proportion(const AffineForm &form, const AffineForm &other) {
 
 } // namespace
 
-Trajectory::Trajectory(const Model &model, const ContactSet &contacts,
-                       const IntegrationSettings &settings)
+Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &contacts,
+                       const Settings &settings)
     : settings_(settings), equations_(model, contacts), collisions_(equations_, settings_),
       steppers_(equations_, settings) {
   if (steppers_.flight())
@@ -267,8 +270,8 @@ bool Trajectory::locate(Crossing &crossing) {
 
 void Trajectory::change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
                              Observer &observer) {
-  const Guard &passed = guard_of(equations_, contact, guard);
-  const ContactPair &pair = equations_.contacts().pairs()[contact];
+  const contact::Guard &passed = guard_of(equations_, contact, guard);
+  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
   const LocalState local =
       equations_.local_state(contact, instant, ConstVectorView(state.data(), state.size()));
   const Vector before = state;
@@ -312,7 +315,7 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
     throw NumericalError("more than " + std::to_string(settings_.maximum_events) +
                          " contact changes (Maximum events)");
   last_event_time_ = time();
-  if (guard_of(equations_, first.contact, first.guard).action == GuardAction::impact) {
+  if (guard_of(equations_, first.contact, first.guard).action == contact::GuardAction::impact) {
     collide(first.contact, observer);
     return;
   }
@@ -367,7 +370,8 @@ void Trajectory::note_zero_guards(const Crossing &crossing, const AffineForm &pa
                              proportion(form, passed) * crossing.residual,
                              equations_.rounding(contact, form, time(), state)});
     // Gaps are held, and forces hold them, with the error of the integration.
-    if (form.normal_force != 0 || guard_of(equations_, contact, g).action == GuardAction::impact)
+    if (form.normal_force != 0 ||
+        guard_of(equations_, contact, g).action == contact::GuardAction::impact)
       noise = std::max(noise, negligible(contact, form));
     if (std::abs(form(local)) <= noise)
       zero_at_start_.push_back(
@@ -435,4 +439,4 @@ void Trajectory::integrate(double end, Observer &observer) {
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -17,7 +17,7 @@
 #include <memory>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class FlightPath;
 
@@ -50,7 +50,8 @@ class Trajectory {
 public:
   /// Keeps references to the model and the contacts. Of these only the frequencies of the
   /// excitation may change, between two motions.
-  Trajectory(const Model &model, const ContactSet &contacts, const IntegrationSettings &settings);
+  Trajectory(const model::Model &model, const contact::ContactSet &contacts,
+             const Settings &settings);
   ~Trajectory();
 
   /// q, v given, contacts' internal states at rest, motors at their initial torque. InputError when
@@ -82,7 +83,7 @@ private:
     double rate = 0;     ///< its rate there [1/s]
   };
 
-  double negligible(std::size_t contact, const AffineForm &form) const;
+  double negligible(std::size_t contact, const contact::AffineForm &form) const;
   void forget_grown_guards();
   Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
   void begin_phase(double time, const Vector &state);
@@ -107,7 +108,8 @@ private:
   void collide(std::size_t first, Observer &observer);
   void renew_zero_guards(const Vector &state);
   void note_zero_guards(const Vector &state);
-  void note_zero_guards(const Crossing &crossing, const AffineForm &passed, const Vector &state);
+  void note_zero_guards(const Crossing &crossing, const contact::AffineForm &passed,
+                        const Vector &state);
   void change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
                    Observer &observer);
   StepView view() const;
@@ -117,7 +119,7 @@ private:
   std::string stall_reason(const std::string &what) const;
   double energy_threshold() const;
 
-  IntegrationSettings settings_;
+  Settings settings_;
   Equations equations_;
   Collisions collisions_;
   Steppers steppers_;
@@ -142,4 +144,4 @@ private:
   std::vector<double> touches_; ///< instants after the start of the step
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 void Trajectory::begin_balance() {
   watched_ = true;
@@ -42,4 +42,4 @@ Accuracy Trajectory::accuracy() const {
           .chatters = chatters_};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 // More impacts than that at one instant end all relative speeds of the contacts that touch.
@@ -14,9 +14,9 @@ constexpr long maximum_impacts_at_once = 50;
 void Trajectory::collide(std::size_t first, Observer &observer) {
   const Vector before = steppers_.present().state();
   Vector state = before;
-  const Guard &passed =
-      *std::find_if(equations_.mode(first).guards.begin(), equations_.mode(first).guards.end(),
-                    [](const Guard &guard) { return guard.action == GuardAction::impact; });
+  const contact::Guard &passed = *std::find_if(
+      equations_.mode(first).guards.begin(), equations_.mode(first).guards.end(),
+      [](const contact::Guard &guard) { return guard.action == contact::GuardAction::impact; });
   const Collisions::Outcome outcome = collisions_.resolve(
       time(), time_tolerance(), first, events_at_once_ >= maximum_impacts_at_once, state);
   const Collision *record = &outcome.record;
@@ -49,4 +49,4 @@ void Trajectory::collide(std::size_t first, Observer &observer) {
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

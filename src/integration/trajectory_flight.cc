@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 // Goes on without steps as far as that is clear, and as all who watch can do without them. False: a
 // step is next, from where the flight has led.
@@ -56,4 +56,4 @@ void Trajectory::note_zero_guards(const Vector &state) {
     note_zero_guards({.contact = c}, {}, state);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 double Trajectory::horizon() const {
   const double highest = equations_.model().highest_frequency();
@@ -27,8 +27,8 @@ std::string Trajectory::stall_reason(const std::string &what) const {
   const char *separator = ": contact ";
   bool rigid = false;
   for (const std::size_t c : changed_) {
-    const ContactPair &pair = equations_.contacts().pairs()[c];
-    const LocalState local =
+    const contact::ContactPair &pair = equations_.contacts().pairs()[c];
+    const contact::LocalState local =
         equations_.local_state(c, time(), ConstVectorView(state().data(), state().size()));
     text.precision(3);
     text << separator << pair.name << " (" << pair.law->name() << ", " << equations_.mode(c).name
@@ -43,4 +43,4 @@ std::string Trajectory::stall_reason(const std::string &what) const {
   return text.str();
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

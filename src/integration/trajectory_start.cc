@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 void Trajectory::refuse_penetration(double time, const Vector &state) const {
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    const ContactPair &pair = equations_.contacts().pairs()[c];
-    const LocalState local =
+    const contact::ContactPair &pair = equations_.contacts().pairs()[c];
+    const contact::LocalState local =
         equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
     if (local.gap >= -settings_.absolute_tolerance)
       continue;
@@ -39,10 +39,10 @@ void Trajectory::choose_initial_modes(double time, const Vector &state) {
 // entered.
 void Trajectory::enter_contacts(double time, Vector &state) const {
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    const ContactPair &pair = equations_.contacts().pairs()[c];
-    const LocalState local =
+    const contact::ContactPair &pair = equations_.contacts().pairs()[c];
+    const contact::LocalState local =
         equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    const std::vector<double> entered = settle(*pair.law, local).internal;
+    const std::vector<double> entered = contact::settle(*pair.law, local).internal;
     std::copy(entered.begin(), entered.end(),
               state.data() + layout().internal() + pair.internal_offset);
   }
@@ -64,4 +64,4 @@ void Trajectory::start(double time, const Vector &displacement, const Vector &ve
   start(from);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -10,7 +10,7 @@
 #include <limits>
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 
@@ -63,8 +63,7 @@ void default_to_maximum_norm() {
 
 } // namespace
 
-TsStepper::TsStepper(Equations &equations, const IntegrationSettings &settings,
-                     const std::string &method)
+TsStepper::TsStepper(Equations &equations, const Settings &settings, const std::string &method)
     : equations_(equations),
       maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()),
@@ -119,7 +118,7 @@ void TsStepper::set_method(const std::string &method) {
   check_petsc(PCSetType(pc, PCLU), "PCSetType");
 }
 
-void TsStepper::set_tolerances(const IntegrationSettings &settings) {
+void TsStepper::set_tolerances(const Settings &settings) {
   const Vector absolute = absolute_tolerances(equations_, settings.absolute_tolerance);
   Vec tolerances = nullptr;
   check_petsc(VecDuplicate(solution_, &tolerances), "VecDuplicate");
@@ -253,4 +252,4 @@ long TsStepper::rejected_steps() const {
   return rejected;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

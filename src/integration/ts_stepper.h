@@ -23,12 +23,12 @@ struct _p_Vec;
 struct _p_Mat;
 // NOLINTEND(bugprone-reserved-identifier)
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class TsStepper : public Stepper {
 public:
   /// `method`: one of the types of a stock TS.
-  TsStepper(Equations &equations, const IntegrationSettings &settings, const std::string &method);
+  TsStepper(Equations &equations, const Settings &settings, const std::string &method);
   ~TsStepper() override;
   TsStepper(const TsStepper &) = delete;
   TsStepper &operator=(const TsStepper &) = delete;
@@ -41,7 +41,7 @@ public:
   long rejected_steps() const override;
 
 private:
-  void set_tolerances(const IntegrationSettings &settings);
+  void set_tolerances(const Settings &settings);
   void set_method(const std::string &method);
   double first_step() const;
   void attempt(double end);
@@ -62,4 +62,4 @@ private:
   std::map<std::vector<int>, double> step_of_modes_; ///< natural step at the end of the last phase
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

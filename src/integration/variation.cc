@@ -11,7 +11,9 @@
 #include <functional>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
+
+using contact::AffineForm;
 
 namespace {
 
@@ -83,7 +85,7 @@ void Variation::step(const StepView &view) {
 
 RowVector Variation::gradient(std::size_t contact, const AffineForm &form) const {
   const StateLayout &layout = equations_.layout();
-  const ContactPair &pair = equations_.contacts().pairs()[contact];
+  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
   RowVector gradient = RowVector::Zero(layout.physical_size());
   gradient.head(layout.n) = form.gap * pair.gap.row;
   gradient.segment(layout.velocity(), layout.n) = form.gap_rate * pair.gap.row;
@@ -95,7 +97,7 @@ RowVector Variation::gradient(std::size_t contact, const AffineForm &form) const
 double Variation::rate_along(std::size_t contact, const AffineForm &form, const ContactEvent &event,
                              const Vector &rates) const {
   const StateLayout &layout = equations_.layout();
-  const ContactPair &pair = equations_.contacts().pairs()[contact];
+  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
   double rate = form.gap * event.gap_rate;
   if (form.gap_rate != 0)
     rate += form.gap_rate *
@@ -171,7 +173,7 @@ void Variation::jump(const Vector &change, Matrix &deviations, const RowVector &
 
 // A collision of several contacts comes as several events, of which the first tells all.
 void Variation::event(const ContactEvent &event) {
-  if (event.guard->action == GuardAction::impact) {
+  if (event.guard->action == contact::GuardAction::impact) {
     if (event.collision)
       collide(event);
     return;
@@ -191,4 +193,4 @@ void Variation::event(const ContactEvent &event) {
   jump(after - reset_rates, deviations, guard, guard_rate);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -18,7 +18,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 /// Carries deviations of the physical state (coordinates, velocities, internal states, torques)
 /// along, column by column.
@@ -45,8 +45,8 @@ public:
   long tangential_events() const { return tangential_events_; }
 
 private:
-  RowVector gradient(std::size_t contact, const AffineForm &form) const;
-  double rate_along(std::size_t contact, const AffineForm &form, const ContactEvent &event,
+  RowVector gradient(std::size_t contact, const contact::AffineForm &form) const;
+  double rate_along(std::size_t contact, const contact::AffineForm &form, const ContactEvent &event,
                     const Vector &rates) const;
   Vector rates(double time, const Vector &state) const;
   void collide(const ContactEvent &event);
@@ -61,4 +61,4 @@ private:
   long tangential_events_ = 0;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 namespace {
 constexpr double value_error = 1.0 / 384;
@@ -180,4 +180,4 @@ void WatchedSums::include_turn(std::size_t form, const Piece &piece) {
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

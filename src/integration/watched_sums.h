@@ -13,7 +13,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 class WatchedSums {
 public:
@@ -63,4 +63,4 @@ private:
   bool goes_on_ = false;                                 // the next piece begins there
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 
 struct ZeroGuard {
   std::size_t contact = 0;
@@ -11,4 +11,4 @@ struct ZeroGuard {
   double remainder = 0; ///< by which it is below zero
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -3,7 +3,7 @@
 #include "model/direction.h"
 #include "model/side.h"
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 namespace {
 
@@ -49,4 +49,4 @@ void add_connections(const parameters::Values &root, Model &model) {
     model.add_connection(read_connection(root.instance("Connection", name), name, model));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

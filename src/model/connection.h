@@ -11,7 +11,7 @@
 #include "model/model.h"
 #include "parameters/values.h"
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 /// Declares the kind "Connection".
 void declare_connections(parameters::Section &root);
@@ -20,4 +20,4 @@ void declare_connections(parameters::Section &root);
 /// unknown points, a direction along which nothing moves, and a connection without any constant.
 void add_connections(const parameters::Values &root, Model &model);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 std::optional<Vector3> parse_direction(const std::string &text) {
   std::string name = boost::trim_copy(text);
@@ -41,4 +41,4 @@ Vector3 read_direction(const parameters::Values &values, const std::string &key)
   return *direction;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 /// Unit vector; nothing when the text is no direction or has length zero.
 std::optional<Vector3> parse_direction(const std::string &text);
@@ -15,4 +15,4 @@ std::optional<Vector3> parse_direction(const std::string &text);
 /// Unit vector of a text key; InputError otherwise.
 Vector3 read_direction(const parameters::Values &values, const std::string &key);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

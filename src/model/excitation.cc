@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::vector<std::string> record_checksums(const parameters::Values &root,
   return checksums;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

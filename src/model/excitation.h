@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 void declare_excitations(parameters::Section &root);
 
@@ -20,4 +20,4 @@ void add_excitations(const parameters::Values &root, const std::vector<std::stri
 std::vector<std::string> record_checksums(const parameters::Values &root,
                                           const std::string &file_folder);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

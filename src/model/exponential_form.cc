@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 namespace {
 
@@ -68,4 +68,4 @@ ExponentialForm ExponentialForm::integral(double constant) const {
   return form;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

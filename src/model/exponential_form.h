@@ -4,7 +4,7 @@
 #include <complex>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 /// A function as exponentials and a polynomial, in closed form:
 ///   s(t) = Re sum_k amplitude_k exp(exponent_k (t - origin)) + sum_j polynomial_j (t - origin)^j
@@ -27,4 +27,4 @@ struct ExponentialForm {
   ExponentialForm integral(double constant) const;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

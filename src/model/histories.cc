@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 namespace {
 
@@ -82,4 +82,4 @@ TimeFunctionPointer create_history(const Values &excitation, const HistoryContex
   throw std::logic_error("history without an entry: " + chosen);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

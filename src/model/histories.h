@@ -3,7 +3,7 @@
 
 #include "model/history.h"
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 /// Declares the choice `History` and the section of every history in an excitation section.
 void declare_histories(parameters::Section &excitation);
@@ -12,4 +12,4 @@ void declare_histories(parameters::Section &excitation);
 TimeFunctionPointer create_history(const parameters::Values &excitation,
                                    const HistoryContext &context);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 using TimeFunctionPointer = std::shared_ptr<const TimeFunction>;
 
@@ -22,4 +22,4 @@ struct HistoryContext {
   std::vector<std::string> file_checksums;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

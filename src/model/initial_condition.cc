@@ -3,7 +3,10 @@
 #include "common/error.h"
 #include "model/direction.h"
 
-namespace vibroimpact {
+namespace vibroimpact::model {
+
+using reduction::BodyPoint;
+using reduction::ReducedBody;
 
 namespace {
 
@@ -125,4 +128,4 @@ InitialState read_initial_state(const parameters::Values &root,
   return state;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

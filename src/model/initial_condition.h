@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 struct InitialState {
   Vector displacement; ///< n
@@ -28,7 +28,7 @@ EquilibriumStart equilibrium_start(const parameters::Values &root,
 /// Coordinates of a body in the static shape of a point force that moves the point by
 /// `displacement` along `direction`: q_j proportional to phi_j / k_j. NumericalError when the body
 /// is free to move as a rigid body or the force does not move the point.
-Vector static_deflection(const ReducedBody &body, const BodyPoint &point, const Vector3 &direction,
-                         double displacement);
+Vector static_deflection(const reduction::ReducedBody &body, const reduction::BodyPoint &point,
+                         const Vector3 &direction, double displacement);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

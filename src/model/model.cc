@@ -4,7 +4,9 @@
 #include <limits>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
+
+using reduction::ReducedBody;
 
 void LinearForm::apply_to_many(ConstVectorView x, Vector &y) const {
   y.noalias() = diagonal.cwiseProduct(x);
@@ -327,4 +329,4 @@ double Model::next_break(double time) const {
   return next;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

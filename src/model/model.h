@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 /// A symmetric matrix, diagonal where the bodies are modal and uncoupled.
 struct LinearForm {
@@ -83,7 +83,7 @@ struct PointReference {
 class Model {
 public:
   /// Sources are added afterwards.
-  explicit Model(std::vector<std::shared_ptr<const ReducedBody>> bodies);
+  explicit Model(std::vector<std::shared_ptr<const reduction::ReducedBody>> bodies);
 
   /// The base of `bodies` (indices) moves by s(t) along `direction` (unit vector).
   void add_base_motion(const std::string &name, std::shared_ptr<const TimeFunction> function,
@@ -105,7 +105,9 @@ public:
   void set_frequency(std::size_t source, double angular_frequency);
 
   Index size() const { return mass_.size(); }
-  const std::vector<std::shared_ptr<const ReducedBody>> &bodies() const { return bodies_; }
+  const std::vector<std::shared_ptr<const reduction::ReducedBody>> &bodies() const {
+    return bodies_;
+  }
   /// First coordinate of a body.
   Index offset(std::size_t body) const { return offsets_[body]; }
   const Vector &mass() const { return mass_; }
@@ -174,7 +176,7 @@ private:
   };
   void list_drives();
 
-  std::vector<std::shared_ptr<const ReducedBody>> bodies_;
+  std::vector<std::shared_ptr<const reduction::ReducedBody>> bodies_;
   std::vector<Index> offsets_;
   Vector mass_;
   LinearForm stiffness_;
@@ -188,4 +190,4 @@ private:
   std::vector<std::vector<Vector3>> field_;   ///< per source, per body: gravity direction or zero
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

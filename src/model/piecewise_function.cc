@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::shared_ptr<const TimeFunction> make_constant(Given quantity, double value) 
       0);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 /// A function and the instants at which one closed form gives way to the next.
 struct Pieces {
@@ -46,4 +46,4 @@ private:
 /// The given quantity has the same value [m, m/s, m/s^2, N] at all times.
 std::shared_ptr<const TimeFunction> make_constant(Given quantity, double value);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 /// A linear observation of the motion: row . q + sum over sources carrier_k s_k(t). With carrier it
 /// is absolute, without it relative to the base.
@@ -14,4 +14,4 @@ struct Projection {
   std::vector<double> carrier; ///< one entry per source
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 using std::numbers::pi;
 
@@ -114,4 +114,4 @@ TimeFunctionPointer create_pulse(const parameters::Values &excitation,
   return make_pulse(context.given, shape, peak, pulse.quantity("Start"), duration);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -11,7 +11,7 @@
 
 #include "model/history.h"
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 enum class PulseShape { rectangular, half_sine, triangular, versed_sine };
 
@@ -30,4 +30,4 @@ void declare_pulse(parameters::Section &excitation);
 TimeFunctionPointer create_pulse(const parameters::Values &excitation,
                                  const HistoryContext &context);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

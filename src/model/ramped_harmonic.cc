@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 namespace {
 
@@ -57,4 +57,4 @@ std::shared_ptr<const TimeFunction> RampedHarmonic::with_frequency(double angula
                                           ramp_rate_);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -12,7 +12,7 @@
 #include "model/history.h"
 #include "model/piecewise_function.h"
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 class RampedHarmonic : public PiecewiseFunction {
 public:
@@ -36,4 +36,4 @@ private:
   double ramp_rate_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

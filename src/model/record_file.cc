@@ -11,7 +11,7 @@
 #include <optional>
 #include <sstream>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 namespace {
 
@@ -180,4 +180,4 @@ Samples read_hdf5_record(const std::string &file, const RecordLayout &layout) {
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

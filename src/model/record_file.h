@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 /// Where the samples stand in a file.
 struct RecordLayout {
@@ -38,4 +38,4 @@ Samples read_text_record(const std::string &content, const RecordLayout &layout)
 /// The samples of two one-dimensional datasets of equal length. Throws RecordError likewise.
 Samples read_hdf5_record(const std::string &file, const RecordLayout &layout);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

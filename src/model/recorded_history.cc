@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 namespace {
 
@@ -131,7 +131,7 @@ std::string file_name(const Values &recorded, const std::string &file_folder) {
 
 // The whole file, of either kind.
 std::string file_content(const Values &recorded, const std::string &file) {
-  std::string content = read_file(file).value_or("");
+  std::string content = reduction::read_file(file).value_or("");
   if (content.empty())
     recorded.reject("File",
                     "must name a file that can be read and is not empty; there is none at " + file);
@@ -142,10 +142,10 @@ void check_content(const Values &recorded, const std::string &content,
                    const std::vector<std::string> &checksums) {
   const std::string start = recorded.text("File") + " ";
   for (const std::string &checksum : checksums)
-    if (checksum.starts_with(start) && checksum != start + content_hash(content))
+    if (checksum.starts_with(start) && checksum != start + reduction::content_hash(content))
       recorded.reject("File", "its content is not what it was when the checksum '" + checksum +
-                                  "' was noted in File checksums; it has " + content_hash(content) +
-                                  " now");
+                                  "' was noted in File checksums; it has " +
+                                  reduction::content_hash(content) + " now");
 }
 
 RecordLayout read_layout(const Values &recorded) {
@@ -200,8 +200,8 @@ std::string record_checksum(const Values &excitation, const std::string &file_fo
   const Values recorded = excitation.subsection("Recorded");
   if (excitation.choice("History") != "recorded" || !recorded.has("File"))
     return "";
-  const std::string content = read_file(file_name(recorded, file_folder)).value_or("");
-  return content.empty() ? "" : recorded.text("File") + " " + content_hash(content);
+  const std::string content = reduction::read_file(file_name(recorded, file_folder)).value_or("");
+  return content.empty() ? "" : recorded.text("File") + " " + reduction::content_hash(content);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

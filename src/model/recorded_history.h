@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 struct Samples {
   std::vector<double> time;  ///< [s], increasing, at least two
@@ -37,4 +37,4 @@ TimeFunctionPointer create_recorded(const parameters::Values &excitation,
 /// that cannot be read, which is an error only where it is used. Local.
 std::string record_checksum(const parameters::Values &excitation, const std::string &file_folder);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

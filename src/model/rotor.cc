@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 void RotorSet::add(Rotor rotor) {
   if (rotor.motor)
@@ -174,4 +174,4 @@ double RotorSet::input_power(ConstVectorView q, ConstVectorView velocity, ConstV
   return power;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 struct Motor {
   double starting_torque = 0; ///< M_Z [N m]
@@ -104,4 +104,4 @@ private:
   mutable Scratch scratch_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 namespace {
 
@@ -67,4 +67,4 @@ void add_rotors(const parameters::Values &root, Model &model) {
       add_rotor(root.instance("Body", model.bodies()[b]->name), b, model);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

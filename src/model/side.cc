@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 Sides read_sides(const parameters::Values &section, const std::vector<std::string> &fixed,
                  std::vector<std::string> known, const std::string &form) {
@@ -52,4 +52,4 @@ Projection relative_displacement(const Sides &sides, const Vector3 &direction, c
                                sides.b != side_base, direction, model);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 /// What the second end may be instead of a point.
 inline constexpr const char *side_stop = "stop";     ///< fixed in space
@@ -39,4 +39,4 @@ Projection relative_displacement(const PointReference &a, const std::optional<Po
 /// the base where the second end is the base.
 Projection relative_displacement(const Sides &sides, const Vector3 &direction, const Model &model);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

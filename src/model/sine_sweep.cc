@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 namespace {
 
@@ -258,4 +258,4 @@ TimeFunctionPointer SineSweep::create(const parameters::Values &excitation,
   return std::make_shared<SineSweep>(definition);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -21,7 +21,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 struct SweepDefinition {
   Given given = Given::displacement;
@@ -83,4 +83,4 @@ private:
   ExponentialForm after_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

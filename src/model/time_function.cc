@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::optional<ExponentialForm> Harmonic::exponential_form(double time) const {
                          .polynomial = {}};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 
 /// Smooth between its breaks. At a break every function returns the value from the right, the one
 /// that holds in the piece that begins there.
@@ -60,4 +60,4 @@ private:
   double shift_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::model

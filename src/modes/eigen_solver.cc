@@ -7,11 +7,11 @@
 
 namespace vibroimpact::modes {
 
-using petsc::check;
+using structure::petsc::check;
 
 namespace {
 
-using Eigensolver = petsc::Object<EPS, EPSDestroy>;
+using Eigensolver = structure::petsc::Object<EPS, EPSDestroy>;
 
 constexpr double tolerance = 1e-12;
 constexpr int most_restarts = 1000;
@@ -27,8 +27,8 @@ void default_option(const char *name, const char *value) {
 
 // Fractional parts of multiples of the golden ratio: no structure that a mode could be orthogonal
 // to, and the same in every run.
-petsc::Vector start_vector(Mat matrix) {
-  petsc::Vector owner;
+structure::petsc::Vector start_vector(Mat matrix) {
+  structure::petsc::Vector owner;
   check(MatCreateVecs(matrix, owner.address(), nullptr), "Making a start vector");
   Vec start = owner.get();
   PetscInt begin = 0;
@@ -67,7 +67,7 @@ Block solve(EPS solver, const Layout &layout) {
   check(EPSGetConverged(solver, &converged), "The eigen-solution with SLEPc");
   Block vectors = Block::Zero(layout.own, converged);
   for (PetscInt j = 0; j < converged; ++j) {
-    petsc::Vector column;
+    structure::petsc::Vector column;
     check(VecCreateMPIWithArray(layout.communicator, 1, layout.own, layout.size,
                                 vectors.col(j).data(), column.address()),
           "Wrapping a vector");
@@ -86,7 +86,7 @@ FoundVectors lowest_eigenvectors(Mat stiffness, Mat mass, double shift, int coun
   check(EPSSetTarget(solver.get(), shift), "Setting up SLEPc");
   check(EPSSetWhichEigenpairs(solver.get(), EPS_TARGET_MAGNITUDE), "Setting up SLEPc");
   check(EPSSetDimensions(solver.get(), count, subspace, PETSC_DEFAULT), "Setting up SLEPc");
-  const petsc::Vector start = start_vector(stiffness);
+  const structure::petsc::Vector start = start_vector(stiffness);
   Vec space = start.get();
   check(EPSSetInitialSpace(solver.get(), 1, &space), "Setting up SLEPc");
   Block vectors = solve(solver.get(), layout);

@@ -2,15 +2,15 @@
 
 namespace vibroimpact::modes {
 
-using petsc::check;
+using structure::petsc::check;
 
 namespace {
 
 constexpr PetscInt workspace_control = 14;     // per cent of extra workspace for pivoting
 constexpr PetscInt parallel_root_control = 13; // 1: the root front too reports its signs
 
-petsc::Matrix shifted(Mat stiffness, Mat mass, double shift) {
-  petsc::Matrix matrix;
+structure::petsc::Matrix shifted(Mat stiffness, Mat mass, double shift) {
+  structure::petsc::Matrix matrix;
   check(MatDuplicate(stiffness, MAT_COPY_VALUES, matrix.address()), "Copying a matrix");
   check(MatAXPY(matrix.get(), -shift, mass, SAME_NONZERO_PATTERN), "Shifting a matrix");
   check(MatSetOption(matrix.get(), MAT_SYMMETRIC, PETSC_TRUE), "Marking a matrix symmetric");
@@ -40,11 +40,11 @@ Factorisation factorisation_of(KSP solver) {
   check(KSPGetPC(solver, &preconditioner), "Taking over a factorisation");
   check(PCFactorGetMatrix(preconditioner, &factor), "Taking over a factorisation");
   check(PetscObjectReference(reinterpret_cast<PetscObject>(factor)), "Taking over a factorisation");
-  return Factorisation(petsc::Matrix(factor));
+  return Factorisation(structure::petsc::Matrix(factor));
 }
 
 Factorisation::Factorisation(Mat stiffness, Mat mass, double shift) {
-  const petsc::Matrix matrix = shifted(stiffness, mass, shift);
+  const structure::petsc::Matrix matrix = shifted(stiffness, mass, shift);
   MatFactorInfo information;
   check(MatFactorInfoInitialize(&information), "Setting up MUMPS");
   check(MatGetFactor(matrix.get(), MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor_.address()),
@@ -62,8 +62,8 @@ Factorisation::Factorisation(Mat stiffness, Mat mass, double shift) {
 Block Factorisation::solve(Block x) const {
   const Layout layout(factor_.get());
   Block y = Block::Zero(x.rows(), x.cols());
-  const petsc::Matrix in = wrap(layout, x);
-  const petsc::Matrix out = wrap(layout, y);
+  const structure::petsc::Matrix in = wrap(layout, x);
+  const structure::petsc::Matrix out = wrap(layout, y);
   check(MatMatSolve(factor_.get(), in.get(), out.get()), "Solving with MUMPS");
   return y;
 }

@@ -14,7 +14,7 @@ public:
   /// NumericalError when MUMPS fails.
   Factorisation(Mat stiffness, Mat mass, double shift);
   /// Takes over what MUMPS has made for somebody else.
-  explicit Factorisation(petsc::Matrix factor) : factor_(std::move(factor)) {}
+  explicit Factorisation(structure::petsc::Matrix factor) : factor_(std::move(factor)) {}
 
   /// (K - shift M)^-1 x for all columns of x. Collective.
   Block solve(Block x) const;
@@ -22,7 +22,7 @@ public:
   int eigenvalues_below() const;
 
 private:
-  petsc::Matrix factor_;
+  structure::petsc::Matrix factor_;
 };
 
 /// Makes `solver` a direct one: MUMPS, symmetric indefinite.

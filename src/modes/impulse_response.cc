@@ -4,12 +4,12 @@
 
 namespace vibroimpact::modes {
 
-using petsc::check;
+using structure::petsc::check;
 
 namespace {
 
-petsc::Vector diagonal_vector(Mat matrix) {
-  petsc::Vector diagonal;
+structure::petsc::Vector diagonal_vector(Mat matrix) {
+  structure::petsc::Vector diagonal;
   check(MatCreateVecs(matrix, nullptr, diagonal.address()), "Making a vector");
   check(MatGetDiagonal(matrix, diagonal.get()), "Reading a matrix");
   return diagonal;
@@ -26,8 +26,8 @@ Block own_entries(Vec vector) {
 }
 
 /// The matrix with 1 on the diagonal where there is 0, which leaves the others alone.
-petsc::Matrix regular(Mat mass) {
-  const petsc::Vector diagonal = diagonal_vector(mass);
+structure::petsc::Matrix regular(Mat mass) {
+  const structure::petsc::Vector diagonal = diagonal_vector(mass);
   double *entries = nullptr;
   PetscInt size = 0;
   check(VecGetLocalSize(diagonal.get(), &size), "Reading a vector");
@@ -35,7 +35,7 @@ petsc::Matrix regular(Mat mass) {
   for (PetscInt i = 0; i < size; ++i)
     entries[i] = entries[i] == 0 ? 1 : 0;
   check(VecRestoreArray(diagonal.get(), &entries), "Writing a vector");
-  petsc::Matrix matrix;
+  structure::petsc::Matrix matrix;
   check(MatDuplicate(mass, MAT_COPY_VALUES, matrix.address()), "Copying a matrix");
   check(MatDiagonalSet(matrix.get(), diagonal.get(), ADD_VALUES), "Changing a matrix");
   return matrix;
@@ -49,7 +49,7 @@ Vector diagonal(Mat matrix) {
 
 Matrix impulse_response(Mat mass, const Matrix &impulses) {
   const Layout layout(mass);
-  const petsc::Matrix matrix = regular(mass);
+  const structure::petsc::Matrix matrix = regular(mass);
   const Factorisation factorised(matrix.get(), mass, 0);
   return gather(layout, factorised.solve(own_rows(layout, impulses)));
 }

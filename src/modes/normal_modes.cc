@@ -28,22 +28,23 @@ constexpr int guard_modes = 4;
 
 /// Estimate of the largest eigenvalue: max K_ii / M_ii.
 double largest_eigenvalue(const EigenProblem &problem) {
-  petsc::Vector stiffness;
-  petsc::Vector mass;
-  petsc::check(MatCreateVecs(problem.stiffness, stiffness.address(), mass.address()), "Scaling");
-  petsc::check(MatGetDiagonal(problem.stiffness, stiffness.get()), "Scaling");
-  petsc::check(MatGetDiagonal(problem.mass, mass.get()), "Scaling");
+  structure::petsc::Vector stiffness;
+  structure::petsc::Vector mass;
+  structure::petsc::check(MatCreateVecs(problem.stiffness, stiffness.address(), mass.address()),
+                          "Scaling");
+  structure::petsc::check(MatGetDiagonal(problem.stiffness, stiffness.get()), "Scaling");
+  structure::petsc::check(MatGetDiagonal(problem.mass, mass.get()), "Scaling");
   const Layout layout(problem.stiffness);
   const double *k = nullptr;
   const double *m = nullptr;
-  petsc::check(VecGetArrayRead(stiffness.get(), &k), "Scaling");
-  petsc::check(VecGetArrayRead(mass.get(), &m), "Scaling");
+  structure::petsc::check(VecGetArrayRead(stiffness.get(), &k), "Scaling");
+  structure::petsc::check(VecGetArrayRead(mass.get(), &m), "Scaling");
   double largest = 0;
   for (int i = 0; i < layout.own; ++i)
     if (m[i] > 0)
       largest = std::max(largest, k[i] / m[i]);
-  petsc::check(VecRestoreArrayRead(stiffness.get(), &k), "Scaling");
-  petsc::check(VecRestoreArrayRead(mass.get(), &m), "Scaling");
+  structure::petsc::check(VecRestoreArrayRead(stiffness.get(), &k), "Scaling");
+  structure::petsc::check(VecRestoreArrayRead(mass.get(), &m), "Scaling");
   MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, layout.communicator);
   return largest;
 }

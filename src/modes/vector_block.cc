@@ -4,7 +4,7 @@
 
 namespace vibroimpact::modes {
 
-using petsc::check;
+using structure::petsc::check;
 
 Layout::Layout(Mat matrix)
     : communicator(PetscObjectComm(reinterpret_cast<PetscObject>(matrix))), size(0), own_begin(0),
@@ -19,8 +19,8 @@ Layout::Layout(Mat matrix)
   own = static_cast<int>(end - begin);
 }
 
-petsc::Matrix wrap(const Layout &layout, Block &x) {
-  petsc::Matrix dense;
+structure::petsc::Matrix wrap(const Layout &layout, Block &x) {
+  structure::petsc::Matrix dense;
   check(MatCreateDense(layout.communicator, layout.own, PETSC_DECIDE, layout.size,
                        static_cast<PetscInt>(x.cols()), x.data(), dense.address()),
         "Wrapping vectors");
@@ -32,8 +32,8 @@ Block multiply(Mat matrix, Block x) {
   const Layout layout(matrix);
   if (x.cols() == 0)
     return x;
-  const petsc::Matrix in = wrap(layout, x);
-  petsc::Matrix out;
+  const structure::petsc::Matrix in = wrap(layout, x);
+  structure::petsc::Matrix out;
   check(MatMatMult(matrix, in.get(), MAT_INITIAL_MATRIX, PETSC_DEFAULT, out.address()),
         "Multiplying with a matrix");
   const double *products = nullptr;

@@ -19,7 +19,7 @@ struct Layout {
 };
 
 /// The columns of a block as a PETSc matrix, which works on its memory. Collective.
-petsc::Matrix wrap(const Layout &layout, Block &x);
+structure::petsc::Matrix wrap(const Layout &layout, Block &x);
 /// A x. Collective.
 Block multiply(Mat matrix, Block x);
 /// x^T y over all ranks, the same on every rank. Collective.

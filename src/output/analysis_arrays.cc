@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 namespace {
 
@@ -191,4 +191,4 @@ AnalysisArrays assemble(const AnalysisHeader &header, const PointSequence &point
   return arrays;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

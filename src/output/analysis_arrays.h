@@ -6,7 +6,7 @@
 #include "common/result_sink.h"
 #include "output/record.h"
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 /// One field over all points: outer axes first, then its own dimensions.
 struct AssembledField {
@@ -46,4 +46,4 @@ void check_point(const AnalysisHeader &header, const PointResult &result);
 /// Goes through the points up to three times.
 AnalysisArrays assemble(const AnalysisHeader &header, const PointSequence &points);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

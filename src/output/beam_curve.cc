@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 Vector6 beam_curve(const Vector3 &first, const Vector3 &second, const Vector6 &motion_first,
                    const Vector6 &motion_second, double position) {
@@ -29,4 +29,4 @@ Vector6 beam_curve(const Vector3 &first, const Vector3 &second, const Vector6 &m
   return motion;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

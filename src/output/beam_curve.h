@@ -3,7 +3,7 @@
 
 #include "common/linear_algebra.h"
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
@@ -14,4 +14,4 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 Vector6 beam_curve(const Vector3 &first, const Vector3 &second, const Vector6 &motion_first,
                    const Vector6 &motion_second, double position);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

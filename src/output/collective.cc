@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 namespace {
 
@@ -65,4 +65,4 @@ void run_on_first_rank(MPI_Comm communicator, const std::function<void()> &work)
   });
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -4,7 +4,7 @@
 #include <functional>
 #include <mpi.h>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 /// Collective. Runs `work` on every rank and waits for all. If it threw on some, every rank throws
 /// the error of the lowest of these: an InputError stays one, anything else becomes a
@@ -16,4 +16,4 @@ void run_on_first_rank(MPI_Comm communicator, const std::function<void()> &work)
 
 int rank_in(MPI_Comm communicator);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

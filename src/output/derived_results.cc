@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::string derived_summary(const AnalysisHeader &header,
   return text;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 /// Looks at the values in `arrays`, which must outlive it.
 derived::Source derivation_source(const AnalysisHeader &header, const AnalysisArrays &arrays);
@@ -17,4 +17,4 @@ derived::Source derivation_source(const AnalysisHeader &header, const AnalysisAr
 std::string derived_summary(const AnalysisHeader &header,
                             const std::vector<derived::DerivedArray> &quantities);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

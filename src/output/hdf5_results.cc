@@ -4,7 +4,10 @@
 #include <map>
 #include <numeric>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
+
+using reduction::Recovery;
+using reduction::ReducedBody;
 
 namespace {
 
@@ -205,7 +208,7 @@ void write_points(BodyGroup &group, const ReducedBody &body) {
   std::vector<std::string> names;
   std::vector<double> positions;
   std::vector<double> rows;
-  for (const BodyPoint &point : body.points) {
+  for (const reduction::BodyPoint &point : body.points) {
     names.push_back(point.name);
     positions.insert(positions.end(), point.position.begin(), point.position.end());
     const std::vector<double> values = row_major(point.rows);
@@ -276,7 +279,7 @@ void write_body(Hdf5File &file, const ReducedBody &body) {
   write_recovery(group, body.recovery);
 }
 
-void write_contacts(Hdf5File &file, const std::vector<ContactFigures> &contacts) {
+void write_contacts(Hdf5File &file, const std::vector<contact::ContactFigures> &contacts) {
   if (contacts.empty())
     return;
   std::vector<std::string> names;
@@ -284,7 +287,7 @@ void write_contacts(Hdf5File &file, const std::vector<ContactFigures> &contacts)
   std::vector<double> shares;
   std::vector<double> errors;
   std::vector<double> periods;
-  for (const ContactFigures &contact : contacts) {
+  for (const contact::ContactFigures &contact : contacts) {
     names.push_back(contact.name);
     clearances.push_back(contact.clearance);
     shares.push_back(contact.flexibility_share);
@@ -339,4 +342,4 @@ void write_analysis(Hdf5File &file, const AnalysisHeader &header, const Analysis
     write_derived(file, group + "/derived", quantity, all_scales);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 /// How the results came about; goes into the attributes of the file and nowhere else.
 struct RunInformation {
@@ -37,10 +37,10 @@ struct RunInformation {
 };
 
 void write_information(Hdf5File &file, const RunInformation &information);
-void write_body(Hdf5File &file, const ReducedBody &body);
+void write_body(Hdf5File &file, const reduction::ReducedBody &body);
 /// Nothing without contacts.
-void write_contacts(Hdf5File &file, const std::vector<ContactFigures> &contacts);
+void write_contacts(Hdf5File &file, const std::vector<contact::ContactFigures> &contacts);
 void write_analysis(Hdf5File &file, const AnalysisHeader &header, const AnalysisArrays &arrays,
                     const std::vector<derived::DerivedArray> &quantities = {});
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -17,7 +17,7 @@
 #include <vector>
 #include <zlib.h>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 namespace {
 
@@ -233,4 +233,4 @@ void JournalWriter::synchronise() {
   next_synchronisation_ = Clock::now() + synchronisation_interval;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

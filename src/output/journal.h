@@ -18,7 +18,7 @@
 #include <string>
 #include <string_view>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 /// The complete records of a journal as they are when it is opened. They are mapped, not copied:
 /// the operating system takes their memory back when it is short.
@@ -73,4 +73,4 @@ private:
   Clock::time_point next_synchronisation_; ///< the epoch: at once
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

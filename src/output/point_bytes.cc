@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 namespace {
 
@@ -169,4 +169,4 @@ const PointResult &PointReader::read(std::string_view bytes, const PointLayout &
   return point_;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

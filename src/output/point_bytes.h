@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 /// What a point holds besides its numbers.
 struct PointLayout {
@@ -41,4 +41,4 @@ private:
   const PointLayout *layout_ = nullptr;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 namespace {
 
@@ -29,9 +29,9 @@ std::string without_numbers(const std::string &text) {
 
 void PointTotals::add(const PointResult &point) {
   ++points_;
-  unsettled_ += recorded_unsettled(point) ? 1 : 0;
-  unbalanced_ += unbalanced(point) ? 1 : 0;
-  undecided_ += undecided_events(point);
+  unsettled_ += analyses::recorded_unsettled(point) ? 1 : 0;
+  unbalanced_ += analyses::unbalanced(point) ? 1 : 0;
+  undecided_ += analyses::undecided_events(point);
   if (point.status != Status::failed)
     return;
   ++failed_;
@@ -86,4 +86,4 @@ std::string PointTotals::unsettled() const {
          " points were recorded before their motion was judged steady (steady in results.h5)";
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 class PointTotals {
 public:
@@ -34,4 +34,4 @@ private:
   std::vector<Reason> reasons_; ///< in the order of the points
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

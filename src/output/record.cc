@@ -14,13 +14,13 @@
 namespace boost::serialization {
 
 template <class Archive>
-void serialize(Archive &archive, vibroimpact::PointLayout &layout, unsigned) {
+void serialize(Archive &archive, vibroimpact::output::PointLayout &layout, unsigned) {
   archive &layout.fields &layout.summary;
 }
 
 } // namespace boost::serialization
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 namespace {
 
@@ -199,4 +199,4 @@ std::vector<StoredAnalysis> read_run(const std::vector<std::filesystem::path> &j
   return analyses;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 /// Writes headers and points to a journal.
 class RecordWriter {
@@ -85,4 +85,4 @@ StoredPoints read_points(const std::vector<std::filesystem::path> &journals,
 /// All analyses in the order they were begun.
 std::vector<StoredAnalysis> read_run(const std::vector<std::filesystem::path> &journals);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

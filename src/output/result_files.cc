@@ -15,7 +15,9 @@
 #include <stdexcept>
 #include <utility>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
+
+using reduction::ReducedBody;
 
 namespace {
 
@@ -31,7 +33,8 @@ bool same_axes(const AnalysisHeader &one, const AnalysisHeader &other) {
 
 FileSink::FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation information,
                    std::vector<ReducedBody> bodies, std::chrono::duration<double> rebuild_interval,
-                   derived::DerivedQuantities derived, std::vector<ContactFigures> contacts)
+                   derived::DerivedQuantities derived,
+                   std::vector<contact::ContactFigures> contacts)
     : communicator_(communicator), folder_(folder), information_(std::move(information)),
       bodies_(std::move(bodies)), derived_(std::move(derived)), contacts_(std::move(contacts)),
       rebuild_interval_(rebuild_interval),
@@ -166,8 +169,8 @@ std::string FileSink::missing_derived() const {
   std::string message;
   for (const std::string &problem : problems_)
     message += problem + "\n";
-  return broadcast(message.empty() ? message : message + "Everything else was written.",
-                   communicator_);
+  return reduction::broadcast(message.empty() ? message : message + "Everything else was written.",
+                              communicator_);
 }
 
 std::string FileSink::summary(const std::vector<StoredAnalysis> &analyses,
@@ -193,4 +196,4 @@ void FileSink::write_motion(const StoredPoints &points) {
   });
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

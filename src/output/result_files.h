@@ -16,7 +16,7 @@
 #include <mpi.h>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 class FileSink : public ResultSink {
 public:
@@ -24,9 +24,10 @@ public:
   /// the files when this much time has passed since the last time. Throws std::runtime_error when
   /// a journal cannot be opened.
   FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation information,
-           std::vector<ReducedBody> bodies,
+           std::vector<reduction::ReducedBody> bodies,
            std::chrono::duration<double> rebuild_interval = std::chrono::seconds(60),
-           derived::DerivedQuantities derived = {}, std::vector<ContactFigures> contacts = {});
+           derived::DerivedQuantities derived = {},
+           std::vector<contact::ContactFigures> contacts = {});
 
   /// Throws std::logic_error when the analysis was begun before in this run, and InputError when a
   /// resumed folder holds the analysis with other axes.
@@ -68,9 +69,9 @@ private:
   MPI_Comm communicator_;
   RunFolder &folder_;
   RunInformation information_;
-  std::vector<ReducedBody> bodies_;
+  std::vector<reduction::ReducedBody> bodies_;
   derived::DerivedQuantities derived_;
-  std::vector<ContactFigures> contacts_;
+  std::vector<contact::ContactFigures> contacts_;
   std::vector<std::string> problems_; ///< of derived quantities, on rank 0
   std::string unwritten_;             ///< why the last files could not be written, on rank 0
   std::unique_ptr<RecordWriter> record_writer_;
@@ -84,4 +85,4 @@ private:
   Clock::time_point next_rebuild_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -14,7 +14,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 namespace fs = std::filesystem;
 
@@ -174,4 +174,4 @@ fs::path RunFolder::claim(const fs::path &relative) {
   return file;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 enum class ExistingFolder {
   refuse,    ///< an error
@@ -70,4 +70,4 @@ private:
 /// 5 mm" and "given: ...". Empty when they agree.
 std::string parameter_differences(const std::string &stored, const std::string &given);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 namespace {
 
@@ -39,7 +39,7 @@ std::string summary_line(const std::string &name, double value, const std::strin
   return name + " = " + number.data() + " [" + unit + "]\n";
 }
 
-std::string body_summary(const ReducedBody &body) {
+std::string body_summary(const reduction::ReducedBody &body) {
   constexpr double two_pi = 6.283185307179586476925;
   const std::string prefix = "body." + body.name + ".";
   const auto numbered = [&](const std::string &name, Index j) {
@@ -53,13 +53,13 @@ std::string body_summary(const ReducedBody &body) {
   for (Index j = 0; j < body.size(); ++j)
     text += along_axes(numbered("effective_mass", j), body.effective_mass().row(j), "kg");
   text += along_axes(prefix + "total_mass", body.total_mass.transpose(), "kg");
-  for (const BodyPoint &point : body.points)
+  for (const reduction::BodyPoint &point : body.points)
     if (point.interface.empty() && point.static_displacement.size() > 0) {
       const std::string name = prefix + "static." + point.name + ".";
       text += along_axes(name + "displacement", point.static_displacement.head(3).transpose(), "m");
       text += along_axes(name + "rotation", point.static_displacement.tail(3).transpose(), "rad");
     }
-  for (const BodyPoint &point : body.points)
+  for (const reduction::BodyPoint &point : body.points)
     if (point.interface.empty() && point.flexibility.size() > 0) {
       RowVector share(3);
       for (int axis = 0; axis < 3; ++axis)
@@ -71,9 +71,9 @@ std::string body_summary(const ReducedBody &body) {
   return text;
 }
 
-std::string contact_summary(const std::vector<ContactFigures> &contacts) {
+std::string contact_summary(const std::vector<contact::ContactFigures> &contacts) {
   std::string text;
-  for (const ContactFigures &contact : contacts) {
+  for (const contact::ContactFigures &contact : contacts) {
     const auto add = [&](const std::string &name, double value) {
       if (!std::isnan(value))
         text += summary_line("contact." + contact.name + "." + name, value, "1");
@@ -107,4 +107,4 @@ std::string analysis_summary(const AnalysisHeader &header, const PointSequence &
   return text + totals.summary_lines(prefix);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -8,15 +8,15 @@
 
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 /// `body.NAME.frequency[1] = 2.95 [Hz]`, counted from 1; then damping ratio, effective and total
 /// mass along x, y, z, and for modal bodies the orthogonality residual.
-std::string body_summary(const ReducedBody &body);
+std::string body_summary(const reduction::ReducedBody &body);
 
 /// `contact.NAME.flexibility_share = 0.97 [1]` and `contact.NAME.impact_error = 0.008 [1]` of each
 /// contact for which they are known.
-std::string contact_summary(const std::vector<ContactFigures> &contacts);
+std::string contact_summary(const std::vector<contact::ContactFigures> &contacts);
 
 /// Nobody reads the lines of more points than this.
 constexpr std::size_t most_listed_points = 10000;
@@ -31,4 +31,4 @@ std::string analysis_summary(const AnalysisHeader &header, const PointSequence &
 /// One line; numbers with 12 significant digits.
 std::string summary_line(const std::string &name, double value, const std::string &unit);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

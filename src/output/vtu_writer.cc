@@ -13,11 +13,13 @@
 #include <tuple>
 #include <utility>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 namespace {
 
 using dealii::DataOutBase::Patch;
+using reduction::Recovery;
+using reduction::ReducedBody;
 
 constexpr unsigned line_subdivisions = 4;
 constexpr double mode_amplitude = 0.1; // of the body's size, or in rad
@@ -103,7 +105,7 @@ void add_surfaces(const Recovery &recovery, const Vector &motion, std::size_t bo
 
 void add_points(const ReducedBody &body, const Vector &coordinates, const Vector3 &base,
                 std::size_t body_number, std::vector<Patch<0, 3>> &patches) {
-  for (const BodyPoint &point : body.points) {
+  for (const reduction::BodyPoint &point : body.points) {
     Patch<0, 3> patch;
     patch.vertices[0] = to_point(point.position);
     patch.patch_index = static_cast<unsigned>(patches.size());
@@ -332,4 +334,4 @@ std::string index_suffix(const std::vector<std::size_t> &index) {
   return suffix;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 /// Rank 0. modes/BODY-mode-001.vtu ... of all modal bodies, and modes.pvd, in which the time of a
 /// mode is its frequency [Hz]. Point data "displacement" and "rotation"; each mode is scaled so
@@ -18,7 +18,7 @@ namespace vibroimpact {
 /// rad. The stiffeners of a shell are in BODY-mode-001-lines.vtu. static/BODY.vtu holds the static
 /// displacement [m] of bodies with loads, not scaled. Nothing is written when there is no modal
 /// body. Throws std::runtime_error.
-void write_mode_files(RunFolder &folder, const std::vector<ReducedBody> &bodies);
+void write_mode_files(RunFolder &folder, const std::vector<reduction::ReducedBody> &bodies);
 
 /// Rank 0. NAME/frame-00001.vtu (and frame-00001-lines.vtu beside shells) ... and NAME.pvd with the
 /// instants of `motion`: displacement [m] and rotation [rad] of all bodies with a mesh, base motion
@@ -29,9 +29,9 @@ void write_mode_files(RunFolder &folder, const std::vector<ReducedBody> &bodies)
 /// point of such a body is one. A run that is to stop leaves the rest and NAME.pvd to the one that
 /// goes on.
 void write_motion_files(RunFolder &folder, const std::string &name,
-                        const std::vector<ReducedBody> &bodies, const Motion &motion);
+                        const std::vector<reduction::ReducedBody> &bodies, const Motion &motion);
 
 /// "-2-1-17" for the position of a point along the outer axes, counted from 1.
 std::string index_suffix(const std::vector<std::size_t> &index);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 namespace fs = std::filesystem;
 
@@ -96,4 +96,4 @@ void remove_written_files(const fs::path &folder) {
       fs::remove(emptied);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

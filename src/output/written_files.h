@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 
 /// Folder of the journals, and of the list of written files, below the result folder.
 inline constexpr const char *journal_folder = "journal";
@@ -23,4 +23,4 @@ void add_written_file(const std::filesystem::path &folder, const std::filesystem
 /// leave empty. Nothing else is touched. Throws std::runtime_error when one cannot be removed.
 void remove_written_files(const std::filesystem::path &folder);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::output

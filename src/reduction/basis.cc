@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 using structure::AssembledBody;
 using structure::DefinitionError;
@@ -118,4 +118,4 @@ Basis free_interface_basis(const BodyDefinition &definition, const AssembledBody
   return basis;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

@@ -6,7 +6,7 @@
 #include "reduction/body_definition.h"
 #include "structure/assembly.h"
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 struct Basis {
   Vector stiffness{};       ///< n, omega^2 [rad^2/s^2]; exactly 0 for rigid motions
@@ -55,4 +55,4 @@ Matrix free_rows(const structure::FreeDofs &free, const Matrix &shapes);
 Matrix ruled(const structure::AssembledBody &body, const Vector &eigenvalues,
              const Matrix &free_shapes);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 namespace {
 
@@ -92,4 +92,4 @@ Vector merge_multiple(const Vector &eigenvalues) {
   return merged;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

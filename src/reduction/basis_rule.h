@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 /// Rows 6 i + component of `shapes` belong to node i; columns are modes with ascending eigenvalues.
 /// Rows of the nodes `points`, in order, and then those of all nodes are gone through. A row that
@@ -19,4 +19,4 @@ void fix_basis(const Vector &eigenvalues, const std::vector<int> &points, Matrix
 /// Eigenvalues that count as equal are replaced by their mean, as the basis mixes their modes.
 Vector merge_multiple(const Vector &eigenvalues);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

@@ -2,7 +2,7 @@
 #include "reduction/body_parameters.h"
 #include "reduction/shell_parameters.h"
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 namespace {
 
@@ -221,4 +221,4 @@ void declare_body(Section &root) {
   declare_rotor(body);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

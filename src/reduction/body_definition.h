@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 struct Damping {
   enum class Model {
@@ -63,4 +63,4 @@ struct BodyDefinition {
   RotorDefinition rotor;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

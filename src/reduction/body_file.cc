@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <unistd.h>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 static_assert(std::endian::native == std::endian::little, "the format is little-endian");
 
@@ -251,4 +251,4 @@ ReducedBody broadcast(const ReducedBody &body, MPI_Comm communicator) {
   return std::move(*copy);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 /// FNV-1a hash as 16 hexadecimal digits.
 std::string content_hash(const std::string &content);
@@ -37,4 +37,4 @@ std::string broadcast(std::string text, MPI_Comm communicator);
 /// Rank 0's body on every rank, byte for byte. Collective.
 ReducedBody broadcast(const ReducedBody &body, MPI_Comm communicator);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

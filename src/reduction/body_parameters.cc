@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 namespace {
 
@@ -189,4 +189,4 @@ BodyDefinition read_body(const Values &body, const std::string &name, const std:
   return definition;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

@@ -6,7 +6,7 @@
 
 #include <mpi.h>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 /// Declares `subsection Body NAME`.
 void declare_body(parameters::Section &root);
@@ -16,4 +16,4 @@ void declare_body(parameters::Section &root);
 BodyDefinition read_body(const parameters::Values &body, const std::string &name,
                          const std::string &folder, MPI_Comm communicator);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <map>
 
-namespace vibroimpact::sections {
+namespace vibroimpact::reduction::sections {
 
 namespace {
 
@@ -241,4 +241,4 @@ std::vector<structure::Load> read_loads(const Values &body) {
   return loads;
 }
 
-} // namespace vibroimpact::sections
+} // namespace vibroimpact::reduction::sections

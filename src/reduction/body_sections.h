@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact::sections {
+namespace vibroimpact::reduction::sections {
 
 using parameters::Values;
 
@@ -39,4 +39,4 @@ std::vector<structure::Point> read_points(const Values &body);
 std::vector<structure::Interface> read_interfaces(const Values &body);
 std::vector<structure::Load> read_loads(const Values &body);
 
-} // namespace vibroimpact::sections
+} // namespace vibroimpact::reduction::sections

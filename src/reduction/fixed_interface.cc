@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 using structure::AssembledBody;
 using structure::DefinitionError;
@@ -100,4 +100,4 @@ Basis fixed_interface_basis(const BodyDefinition &definition, const AssembledBod
   return basis;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

@@ -1,6 +1,6 @@
 #include "reduction/lumped_body.h"
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 namespace {
 
@@ -45,4 +45,4 @@ ReducedBody lumped_body(const BodyDefinition &definition) {
   return body;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

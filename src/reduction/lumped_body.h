@@ -4,9 +4,9 @@
 #include "reduction/body_definition.h"
 #include "reduction/reduced_body.h"
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 /// Throws structure::DefinitionError for a body without masses or a mass that is not positive.
 ReducedBody lumped_body(const BodyDefinition &definition);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

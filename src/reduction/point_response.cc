@@ -4,7 +4,7 @@
 #include "modes/static_solution.h"
 #include "reduction/basis.h"
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 namespace {
 
@@ -81,4 +81,4 @@ PointResponse point_response(const AssembledBody &body, bool held) {
   return response;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

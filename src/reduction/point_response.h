@@ -3,7 +3,7 @@
 
 #include "structure/assembly.h"
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 struct PointResponse {
   Vector deflection;               ///< of the mesh under the loads of the body; empty without loads
@@ -14,4 +14,4 @@ struct PointResponse {
 /// `held`: supports hold the body against every rigid motion. Collective. Throws NumericalError.
 PointResponse point_response(const structure::AssembledBody &body, bool held);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

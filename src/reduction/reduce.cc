@@ -12,7 +12,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 namespace {
 
@@ -190,4 +190,4 @@ ReducedBody reduce(const BodyDefinition &definition, MPI_Comm communicator) {
   return broadcast(meshed_body(definition, communicator), communicator);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

@@ -6,10 +6,10 @@
 
 #include <mpi.h>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 /// Collective; every rank gets the same bytes. Throws structure::DefinitionError when the
 /// definition cannot be built, NumericalError when the eigen-solution fails.
 ReducedBody reduce(const BodyDefinition &definition, MPI_Comm communicator);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

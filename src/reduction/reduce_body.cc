@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 namespace {
 
@@ -130,4 +130,4 @@ ReducedBody reduce_body(const Values &body, const std::string &name, const std::
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

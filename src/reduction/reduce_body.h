@@ -6,7 +6,7 @@
 
 #include <mpi.h>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 /// A folder that keeps reduced bodies, each in a file named after a hash of what it was made from:
 /// the section of the body, its mesh file, the program and the number of ranks (on which the last
@@ -24,4 +24,4 @@ ReducedBody reduce_body(const parameters::Values &body, const std::string &name,
                         const std::string &folder, MPI_Comm communicator,
                         const BodyCache &cache = {});
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 Vector ReducedBody::damping_ratio() const {
   const Vector frequency = omega();
@@ -32,4 +32,4 @@ const BodyPoint &ReducedBody::point(const std::string &point_name) const {
   throw std::logic_error("body " + name + " has no point " + point_name);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

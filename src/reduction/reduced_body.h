@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 /// A named place of a body where something can connect, touch, push or be looked at.
 struct BodyPoint {
@@ -88,4 +88,4 @@ struct ReducedBody {
   const BodyPoint &point(const std::string &point_name) const;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

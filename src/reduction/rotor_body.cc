@@ -1,6 +1,6 @@
 #include "reduction/rotor_body.h"
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 ReducedBody rotor_body(const BodyDefinition &definition) {
   constexpr int rotation_z = 5;
@@ -17,4 +17,4 @@ ReducedBody rotor_body(const BodyDefinition &definition) {
   return body;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

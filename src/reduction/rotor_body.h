@@ -4,11 +4,11 @@
 #include "reduction/body_definition.h"
 #include "reduction/reduced_body.h"
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 /// One coordinate, the angle [rad]; its mass is the moment of inertia about the centre of mass, its
 /// damping the friction. The point "shaft" shows the angle as a rotation. What couples it to the
 /// point that carries it is added with the model.
 ReducedBody rotor_body(const BodyDefinition &definition);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

@@ -1,7 +1,7 @@
 // What the subsections of a shell body may hold.
 #include "reduction/shell_parameters.h"
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 using parameters::Range;
 using parameters::Section;
@@ -86,4 +86,4 @@ void declare_shells(Section &body) {
   declare_own_material(stiffener);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 namespace {
 
@@ -151,4 +151,4 @@ ShellDefinition read_shell_definition(const Values &body, const std::string &fol
   return shell;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

@@ -6,7 +6,7 @@
 
 #include <mpi.h>
 
-namespace vibroimpact {
+namespace vibroimpact::reduction {
 
 /// Shape and dimensions of a cross-section, of beams and stiffeners alike.
 void declare_section_keys(parameters::Section &section);
@@ -22,4 +22,4 @@ void refuse_shell_geometry(const parameters::Values &body);
 structure::ShellDefinition read_shell_definition(const parameters::Values &body,
                                                  const std::string &folder, MPI_Comm communicator);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::reduction

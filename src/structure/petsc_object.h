@@ -9,13 +9,13 @@
 #include <string>
 #include <utility>
 
-namespace vibroimpact::petsc {
+namespace vibroimpact::structure::petsc {
 
 /// Throws NumericalError when a PETSc call failed; `what` says what was being done.
 inline void check(PetscErrorCode code, const char *what) {
   if (code == 0)
     return;
-  const std::string reason = taken_error();
+  const std::string reason = taken_petsc_error();
   throw NumericalError(std::string(what) + " failed" + (reason.empty() ? "" : ": " + reason) +
                        " (PETSc error " + std::to_string(code) + ")");
 }
@@ -51,4 +51,4 @@ using Solver = Object<KSP, KSPDestroy>;
 using Scatter = Object<VecScatter, VecScatterDestroy>;
 using IndexSet = Object<IS, ISDestroy>;
 
-} // namespace vibroimpact::petsc
+} // namespace vibroimpact::structure::petsc

@@ -9,7 +9,7 @@
 
 #include <set>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
 void compute_for(double seconds) {
@@ -81,7 +81,8 @@ private:
 CaseFactory factory(std::shared_ptr<const Analysis> analysis) {
   return [analysis](const std::vector<parameters::Override> & /*overrides*/) {
     return Case{.analysis = analysis,
-                .system = testing::system_of(Model({testing::single_mass("block", 1, 1, 0)})),
+                .system =
+                    testing::system_of(model::Model({testing::single_mass("block", 1, 1, 0)})),
                 .source = {}};
   };
 }
@@ -149,4 +150,4 @@ TEST(CostTest, CasesThatCannotBeBuiltAreTold) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

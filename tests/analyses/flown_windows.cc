@@ -17,8 +17,11 @@
 #include <numbers>
 #include <string>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
+
+using namespace contact;
+using namespace integration;
 
 struct Recorded {
   PointResult result;
@@ -28,9 +31,10 @@ struct Recorded {
 
 // A mass between two stops on a shaken base.
 System between_stops(const std::shared_ptr<const ContactLaw> &law, double frequency) {
-  Model model({testing::single_mass("mass", 2, 3, 0.4)});
-  model.add_base_motion("base", std::make_shared<Harmonic>(Given::acceleration, 0.3, frequency, 0),
-                        {0}, Vector3::UnitX());
+  model::Model model({testing::single_mass("mass", 2, 3, 0.4)});
+  model.add_base_motion(
+      "base", std::make_shared<model::Harmonic>(model::Given::acceleration, 0.3, frequency, 0), {0},
+      Vector3::UnitX());
   ContactPair right = testing::contact_along_x(model, "mass.head", "", 0.2, law);
   ContactPair left = testing::contact_along_x(model, "mass.head", "", 0.3, law);
   right.name = "right";
@@ -159,4 +163,4 @@ TEST(FlownWindowsTest, AreTakenByThoseWhoCan) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

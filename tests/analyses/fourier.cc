@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -91,4 +91,4 @@ TEST(FourierTest, OrdersOfATriangleWave) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

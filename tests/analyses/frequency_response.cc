@@ -10,8 +10,10 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
+
+using namespace model;
 
 constexpr double mass = 2, stiffness = 800, ratio = 0.1, omega_0 = 20; // sqrt(800 / 2)
 constexpr double pi = std::numbers::pi;
@@ -111,4 +113,4 @@ TEST(FrequencyResponseTest, NoExcitationIsRefused) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
 Growth growth_of(const std::vector<double> &logarithms, double discarded = 0) {
@@ -35,4 +35,4 @@ TEST(GrowthTest, StandardErrorOfTheMeanOfBlocks) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -13,8 +13,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
+
+using namespace contact;
 
 constexpr double sphere_stiffness = 1.3e10; // [N/m^1.5]
 constexpr double clearance = 1e-4;          // [m]
@@ -23,7 +25,8 @@ constexpr HertzConstants spheres{.stiffness = sphere_stiffness, .exponent = 1.5}
 // The first of two free masses flies at `speed` towards the second one, which rests.
 System free_spheres(double mass_a, double mass_b, double speed,
                     const std::shared_ptr<const ContactLaw> &law, double gap = clearance) {
-  Model model({testing::single_mass("a", mass_a, 0, 0), testing::single_mass("b", mass_b, 0, 0)});
+  model::Model model(
+      {testing::single_mass("a", mass_a, 0, 0), testing::single_mass("b", mass_b, 0, 0)});
   ContactSet contacts({testing::contact_along_x(model, "a.head", "b.head", gap, law)});
   Vector velocity(2);
   velocity << speed, 0;
@@ -297,16 +300,16 @@ TEST(Identify, MapAgreesWithTheSingleImpact) {
 TEST(Identify, LawWithoutAPowerOfThePenetrationIsRefused) {
   const System system = free_spheres(1, 1, 1, std::make_shared<LinearPenalty>(1e6));
   const std::string message =
-      testing::message_of<InputError>([&] { Identify({.duration = 1}).check(system); });
+      testing::thrown_message<InputError>([&] { Identify({.duration = 1}).check(system); });
   EXPECT_NE(message.find("linear penalty"), std::string::npos) << message;
 }
 
 TEST(Identify, UnknownContactIsRefused) {
   const System system = free_spheres(1, 1, 1, damped(0.5, 1));
-  const std::string message = testing::message_of<InputError>(
+  const std::string message = testing::thrown_message<InputError>(
       [&] { Identify({.duration = 1, .contact = "tails"}).check(system); });
   EXPECT_NE(message.find("tails"), std::string::npos) << message;
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -13,9 +13,10 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
+using namespace contact;
 using testing::recorded;
 using testing::value_of;
 
@@ -24,7 +25,7 @@ constexpr double mass = 3, speed = 0.4, clearance = 0.01, stop = 3e5;
 
 // A free mass between two equal stops, starting in the middle.
 System between_stops(std::shared_ptr<const ContactLaw> law) {
-  Model model({testing::single_mass("ball", mass, 0, 0)});
+  model::Model model({testing::single_mass("ball", mass, 0, 0)});
   ContactPair right = testing::contact_along_x(model, "ball.head", "", clearance, std::move(law));
   right.name = "right";
   ContactPair left = right;
@@ -141,4 +142,4 @@ TEST(ImpactRecorderTest, TheStopsEndMovesWithTheMass) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

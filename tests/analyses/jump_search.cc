@@ -5,8 +5,10 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
+
+using integration::MotionState;
 
 SettledMotion motion(double lowest, double highest, long multiple = 1) {
   return {.state = {.time = 0, .physical = Vector::Constant(1, highest)},
@@ -118,4 +120,4 @@ TEST(JumpSearchTest, TwoMotionsThatDoNotRepeatAreNotCompared) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
 constexpr double tolerance = 1e-6;
@@ -63,4 +63,4 @@ TEST(PeriodMultipleTest, AMotionThatDoesNotRepeatIsNotSteady) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -10,13 +10,15 @@
 #include <numbers>
 #include <set>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
+
+using namespace contact;
 
 // A block on a shaken base between a relaxing stop and one that remembers its approach speed, with
 // a connection to the base.
 System busy_system() {
-  Model model = testing::linked_block();
+  model::Model model = testing::linked_block();
   ContactPair right = testing::contact_along_x(model, "block.head", "", 0.005,
                                                std::make_shared<RelaxingStop>(50, 3));
   right.name = "right";
@@ -36,7 +38,7 @@ PointResult all_recorded() {
   const auto set =
       parameters::ParameterSet::parse(root, "set Record = " + names + "\n", "test.prm", false);
   const System system = busy_system();
-  Trajectory trajectory(system.model, system.contacts, system.integration);
+  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   WindowRecording recording(read_recorders(set->root(), {}), system);
   recording.run(periods_window(0, 2 * std::numbers::pi / 8, 40), trajectory);
@@ -60,4 +62,4 @@ TEST(RecorderNamesTest, EveryResultHasANameOfItsOwn) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

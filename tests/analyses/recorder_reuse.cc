@@ -8,14 +8,16 @@
 #include <cstring>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
+
+using namespace contact;
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
 // A block on a shaken base between two stops, with a connection to the base.
 System between_stops() {
-  Model model = testing::linked_block();
+  model::Model model = testing::linked_block();
   ContactPair right = testing::contact_along_x(model, "block.head", "", 0.005,
                                                std::make_shared<LinearPenalty>(500));
   right.name = "right";
@@ -57,7 +59,7 @@ end
 // Four periods after some that nobody watches.
 PointResult recorded(WindowRecording &recording, const System &system, double start_position,
                      double period, long cycles) {
-  Trajectory trajectory(system.model, system.contacts, system.integration);
+  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start({.time = 0, .physical = Vector::Unit(2, 0) * start_position});
   trajectory.advance(3 * period);
   recording.run(cycles > 0 ? periods_window(3 * period, period, cycles)
@@ -97,4 +99,4 @@ TEST(RecorderReuseTest, TheNextWindowKnowsNothingOfTheOneBefore) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

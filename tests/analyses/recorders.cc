@@ -18,9 +18,10 @@
 #include <complex>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
+using namespace model;
 using testing::field_of;
 using testing::has_field;
 using testing::recorded;
@@ -188,7 +189,8 @@ TEST(RecordersTest, TransmissibilityOfAMovingBase) {
 
 // Mass that no coordinate takes up moves with the base.
 TEST(RecordersTest, MassOnTheBaseIsPartOfTheForceOnIt) {
-  auto body = std::make_shared<ReducedBody>(*testing::single_mass("block", mass, stiffness, 0));
+  auto body =
+      std::make_shared<reduction::ReducedBody>(*testing::single_mass("block", mass, stiffness, 0));
   body->total_mass[0] += 3;
   Model model({body});
   model.add_base_motion("floor", harmonic(base), {0}, Vector3::UnitX());
@@ -243,9 +245,9 @@ TEST(RecordersTest, TensionOfACubicConnection) {
 
 TEST(RecordersTest, StaticDisplacementUnderTheFrozenPeak) {
   System system = pushed();
-  ContactPair stop = testing::contact_along_x(system.model, "block.head", "", 0.018,
-                                              std::make_shared<LinearPenalty>(5000));
-  system.contacts = ContactSet({stop});
+  contact::ContactPair stop = testing::contact_along_x(
+      system.model, "block.head", "", 0.018, std::make_shared<contact::LinearPenalty>(5000));
+  system.contacts = contact::ContactSet({stop});
   const PointResult result = recorded<QuasiStatic>(system, three_periods());
   const std::string name = "point/block.head/quasi_static_displacement_x";
   EXPECT_NEAR(value_of(result, name + "/minimum"), (offset - force) / stiffness, 1e-10);
@@ -277,4 +279,4 @@ TEST(RecordersTest, HistoriesAreSampledInTheWindow) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -7,9 +7,10 @@
 
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
+using contact::ContactPair;
 using testing::field_of;
 using testing::recorded;
 using testing::value_of;
@@ -19,14 +20,14 @@ constexpr double mass = 2, clearance = 0.1;
 // At 1 m/s towards the right stop. With e = 1/2 it hits the right one at 0.1 s with 1 m/s, the left
 // one at 0.5 s with 1/2 m/s, and the right one again at 1.3 s with 1/4 m/s.
 System between_stops() {
-  Model model({testing::single_mass("block", mass, 0, 0)});
+  model::Model model({testing::single_mass("block", mass, 0, 0)});
   ContactPair right =
       testing::contact_along_x(model, "block.head", "", clearance, testing::newton(0.5));
   ContactPair left = right;
   right.name = "right";
   left.name = "left";
   left.gap.row *= -1;
-  System system = testing::system_of(std::move(model), ContactSet({right, left}));
+  System system = testing::system_of(std::move(model), contact::ContactSet({right, left}));
   system.initial.velocity[0] = 1;
   return system;
 }
@@ -44,7 +45,7 @@ PointResult sections() {
                                    .gap_extrema = {0},
                                    .extrema = true,
                                    .maximum_samples = 100});
-  Trajectory trajectory(system.model, system.contacts, system.integration);
+  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   section.begin({.start = 0, .end = 2}, trajectory);
   trajectory.advance(2, section);
@@ -97,4 +98,4 @@ TEST(RecordersAtImpactsTest, ExcursionsOfVelocitiesThatJump) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -12,9 +12,10 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
+using namespace model;
 using testing::recorded;
 using testing::value_of;
 
@@ -33,9 +34,9 @@ System shaken_block() {
                         .elongation = model.displacement({}, -Vector3::UnitX(), true),
                         .stiffness = 50,
                         .damping = 3});
-  const ContactPair stop = testing::contact_along_x(model, "block.head", "", 0.03,
-                                                    std::make_shared<KelvinVoigt>(5e3, 20));
-  return testing::system_of(std::move(model), ContactSet({stop}));
+  const contact::ContactPair stop = testing::contact_along_x(
+      model, "block.head", "", 0.03, std::make_shared<contact::KelvinVoigt>(5e3, 20));
+  return testing::system_of(std::move(model), contact::ContactSet({stop}));
 }
 
 const Window window{.start = 0, .end = end};
@@ -47,7 +48,7 @@ struct Ends {
 };
 
 Ends at_the_end(const System &system) {
-  Trajectory trajectory(system.model, system.contacts, system.integration);
+  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   trajectory.advance(end);
   return {trajectory.state()[0], trajectory.state()[1],
@@ -116,4 +117,4 @@ TEST(RecordersInBalanceTest, SquaresAreThoseOfMeanAndScatter) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

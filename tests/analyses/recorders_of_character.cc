@@ -17,9 +17,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
+using namespace contact;
+using namespace integration;
+using namespace model;
 using testing::contact_along_x;
 using testing::field;
 using testing::record;
@@ -273,4 +276,4 @@ TEST(RecordersOfCharacterTest, SectionAtTheOnsetOfContact) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

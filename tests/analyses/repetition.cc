@@ -9,7 +9,7 @@
 #include <functional>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
 std::vector<Vector> sequence(int count, const std::function<double(int)> &first,
@@ -135,4 +135,4 @@ TEST(RepetitionTest, GrowthOfTheLogisticMap) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -11,9 +11,10 @@
 #include <complex>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
+using namespace model;
 using testing::value_of;
 
 constexpr double pi = std::numbers::pi;
@@ -85,8 +86,9 @@ TEST(ResponseTest, TakesALeapBackThatDoesNotHelp) {
     const double resonance = std::sqrt(stiffness / mass); // no beats: the amplitude only grows
     System system = oscillator(0.1, resonance);
     const double free = force / (0.1 * damping * resonance);
-    system.contacts = ContactSet({testing::contact_along_x(
-        system.model, "block.head", "", 0.997 * free, std::make_shared<LinearPenalty>(2e4))});
+    system.contacts = contact::ContactSet(
+        {testing::contact_along_x(system.model, "block.head", "", 0.997 * free,
+                                  std::make_shared<contact::LinearPenalty>(2e4))});
     return system;
   };
   Response::Settings settings = by_cycles(500);
@@ -141,4 +143,4 @@ TEST(ResponseTest, AKnownPointIsNotComputedAgain) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
 // x_n = limit + amplitude_1 first^n (cos n a, sin n a) + amplitude_2 second^n, mixed.
@@ -92,4 +92,4 @@ TEST(SequenceLimitTest, ZerosOfPolynomialsInsideACircle) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

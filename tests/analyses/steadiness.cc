@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
 constexpr double tolerance = 1e-4;
@@ -49,4 +49,4 @@ TEST(SteadinessTest, WhatGrowsIsNotSteady) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -14,8 +14,11 @@
 #include <numbers>
 #include <utility>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
+
+using namespace contact;
+using namespace model;
 
 constexpr double pi = std::numbers::pi;
 constexpr double lower_fold = 1.231279272, upper_fold = 1.362748253;
@@ -213,4 +216,4 @@ TEST(SteppedSweepTest, AResumedSweepWithRefinementIsTheSame) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

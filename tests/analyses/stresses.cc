@@ -8,9 +8,11 @@
 
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
+using reduction::BodyPoint;
+using reduction::ReducedBody;
 using testing::has_field;
 using testing::recorded;
 using testing::value_of;
@@ -37,7 +39,7 @@ double von_mises(const Matrix &rows, const Vector &q) {
 }
 
 System moving(const std::shared_ptr<const ReducedBody> &body, const Vector &displacement) {
-  System system = testing::system_of(Model({body}));
+  System system = testing::system_of(model::Model({body}));
   system.initial.displacement = displacement;
   return system;
 }
@@ -112,4 +114,4 @@ TEST(StressesTest, LumpedBodiesHaveNone) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -10,7 +10,7 @@
 #include <complex>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -20,8 +20,9 @@ constexpr long settling = 40, cycles = 120;
 
 // Well damped, so that the free vibration is gone when the window begins.
 System forced() {
-  Model model({testing::single_mass("block", 1, 400, 20)});
-  model.add_force("push", std::make_shared<Harmonic>(Given::displacement, 300, omega, 0), {},
+  model::Model model({testing::single_mass("block", 1, 400, 20)});
+  model.add_force("push",
+                  std::make_shared<model::Harmonic>(model::Given::displacement, 300, omega, 0), {},
                   Vector3::UnitX());
   return testing::system_of(std::move(model));
 }
@@ -33,7 +34,7 @@ std::vector<ObservedSignal> displacement_of(const System &system) {
   return {{.name = "x",
            .unit = "m",
            .description = "displacement",
-           .along = [channel](const StepView &view) -> StepFunction {
+           .along = [channel](const integration::StepView &view) -> StepFunction {
              return view.displacement(channel.relative);
            }}};
 }
@@ -95,4 +96,4 @@ TEST(TimeFrequencyTest, ASineShowsItsAmplitude) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -94,4 +94,4 @@ TEST(WaveletTest, ShortTimeAmplitudes) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -50,9 +50,6 @@ FENCES = [
 ROOT = "vibroimpact"
 # These folders stand in the namespace ROOT itself, as do the program's own files.
 WITHOUT_NAMESPACE = {"common"}
-# What is compared between files: the definitions of types, or those of anything.
-COMPARED = {"type"}
-FOLDERS_HAVE_NAMESPACES = False
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 # Spelled so that this file does not find itself.
@@ -157,9 +154,9 @@ def name_problems(tree):
         name = path.relative_to(tree).as_posix()
         for what, namespace, defined, line in defined_names.read(path.read_text(encoding="utf-8")):
             problem = None
-            if what in COMPARED:
+            if what == "definition":
                 problem = definition_problem(defined, namespace, name.rsplit(".", 1)[0], first)
-            elif FOLDERS_HAVE_NAMESPACES and name.startswith("src/") and not defined:
+            elif name.startswith("src/"):
                 problem = namespace_problem(name.removeprefix("src/"), namespace, what == "forwards")
             if problem:
                 yield f"{name}:{line}: {problem}"
@@ -281,9 +278,6 @@ VIOLATIONS = [
     ("tests/model/three.cc", "TEST(FourTest, Holds) {}", "FourTest does not begin with the words"),
     ("tests/model/two_words.cc", "TEST(TwoWordsMoreTest, Holds) {}", "does not begin with the"),
     ("tests/model/four.cc", "TEST(FourTest, Holds) {}", "no test program has this source"),
-]
-
-NAMESPACE_VIOLATIONS = [
     ("src/model/a.h", "namespace vibroimpact {\nclass A;\n}", "is opened, not vibroimpact::model"),
     ("src/model/a.h", "namespace vibroimpact::contact {\nclass A;\n}", "not vibroimpact::model"),
     ("src/contact/laws/a.h", "namespace vibroimpact::laws {\nint a();\n}", "not vibroimpact::contact"),
@@ -299,7 +293,6 @@ NAMESPACE_VIOLATIONS = [
     ("src/model/z.cc", "namespace vibroimpact::model {\nconst double total = 1;\n}",
      "vibroimpact::model::total is defined in src/model/mass already"),
 ]
-VIOLATIONS += NAMESPACE_VIOLATIONS * FOLDERS_HAVE_NAMESPACES
 
 
 def problems_of(files):

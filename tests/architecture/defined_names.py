@@ -118,8 +118,7 @@ def read_scope(tokens, begin, namespace):
         elif token == ";" or token == "{" and "=" not in words:
             name = defined_name(head, token == "{")
             if name:
-                is_type = set(words) & (TYPES | {"using", "typedef"}) and "()" not in words
-                yield "type" if is_type else "other", namespace, *name
+                yield "definition", namespace, *name
             i = i + 1 if token == ";" else end_of_group(tokens, i)
             head = []
         elif token in CLOSING:
@@ -135,6 +134,5 @@ def read_scope(tokens, begin, namespace):
 
 def read(text):
     """Of a whole source, in order: (kind, namespace, name, line). The kinds are "namespace" where one is
-    opened and "forwards" where it only declares classes, both without a name, and "type" and "other"
-    for definitions. The namespace is a tuple of its names, "" for an unnamed one."""
+    opened and "forwards" where it only declares classes, both without a name, and "definition". The namespace is a tuple of its names, "" for an unnamed one."""
     return list(read_scope(list(tokens_of(text)), 0, ()))

@@ -9,8 +9,8 @@
 namespace vibroimpact {
 namespace {
 
-using testing::message_of;
 using testing::TemporaryFolder;
+using testing::thrown_message;
 
 class Hdf5FileTest : public ::testing::Test {
 protected:
@@ -99,18 +99,19 @@ TEST_F(Hdf5FileTest, IsTheSameWhenWrittenAgain) {
 
 TEST_F(Hdf5FileTest, ErrorsNameFileObjectAndReason) {
   const std::string nowhere = folder.path() / "missing" / "a.h5";
-  std::string message = message_of<std::runtime_error>([&] { Hdf5File::create(nowhere).close(); });
+  std::string message =
+      thrown_message<std::runtime_error>([&] { Hdf5File::create(nowhere).close(); });
   EXPECT_EQ(message, nowhere + ": cannot create the file: No such file or directory");
 
-  message = message_of<std::runtime_error>([&] { Hdf5File::create("/dev/full").close(); });
+  message = thrown_message<std::runtime_error>([&] { Hdf5File::create("/dev/full").close(); });
   EXPECT_EQ(message, "/dev/full: cannot write: No space left on device");
 
   testing::write_text(name, "no hdf5");
-  message = message_of<std::runtime_error>([&] { Hdf5File::open(name); });
+  message = thrown_message<std::runtime_error>([&] { Hdf5File::open(name); });
   EXPECT_NE(message.find("a.h5: cannot open the file"), std::string::npos) << message;
 
   Hdf5File file = Hdf5File::create(name);
-  message = message_of<std::runtime_error>([&] { file.read_numbers("/g/none"); });
+  message = thrown_message<std::runtime_error>([&] { file.read_numbers("/g/none"); });
   EXPECT_NE(message.find("/g/none"), std::string::npos) << message;
   file.write("/twice", {}, std::vector<double>{0});
   EXPECT_THROW(file.write("/twice", {}, std::vector<double>{0}), std::runtime_error);
@@ -144,7 +145,7 @@ TEST_F(Hdf5FileTest, GoesOnWithAFullDiskUpToTheEnd) {
     EXPECT_EQ(file.members("/group").size(), 20U);
     EXPECT_EQ(file.read_attribute("/group/7/y", "description"), "a value over x");
     if (completed) {
-      EXPECT_EQ(message_of<std::runtime_error>([&] { file.close(); }),
+      EXPECT_EQ(thrown_message<std::runtime_error>([&] { file.close(); }),
                 name.string() + ": cannot write: No space left on device");
     }
   }

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
+
+using model::Model;
+using reduction::ReducedBody;
 
 /// A body with one coordinate that moves its points along x; they stand in an interface.
 std::shared_ptr<const ReducedBody> wall(const std::string &name,
@@ -143,4 +146,4 @@ TEST(ContactGroupTest, NoWarningAboveTheThreshold) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

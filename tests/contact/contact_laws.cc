@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
 
 constexpr HertzConstants constants{.stiffness = 2e9, .exponent = 1.5};
@@ -139,4 +139,4 @@ TEST(ContactLawsTest, AffineModesSayWhatEvaluateDoes) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
 
 Vector vector_of(std::initializer_list<double> values) {
@@ -112,4 +112,4 @@ TEST(ImpulsesTest, RandomSystemsAreComplementaryAndLoseEnergy) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -9,8 +9,11 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
+
+using namespace integration;
+using model::Model;
 
 constexpr double mass = 2;
 constexpr double stiffness = 8e4;
@@ -21,7 +24,7 @@ Impact impact_of_free_mass(double damping_ratio) {
   const Model model({testing::single_mass("block", mass, 0, 0)});
   const ContactSet contacts({testing::contact_along_x(
       model, "block.head", "", 1e-3, std::make_shared<KelvinVoigt>(stiffness, damping))});
-  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  Trajectory trajectory(model, contacts, Settings{});
   ImpactLog log(contacts, 0);
   testing::GuardWatch guards;
   Observers observers({&log, &guards});
@@ -63,7 +66,7 @@ TEST(KelvinVoigtTest, TheInstantOfThePeak) {
     const ContactSet contacts({testing::contact_along_x(
         model, "block.head", "", 1e-3,
         std::make_shared<KelvinVoigt>(stiffness, 2 * z * std::sqrt(stiffness * mass)))});
-    Trajectory trajectory(model, contacts, IntegrationSettings{});
+    Trajectory trajectory(model, contacts, Settings{});
     ImpactLog log(contacts, 0, true);
     trajectory.start(0, Vector::Zero(1), Vector::Constant(1, speed));
     trajectory.advance(0.5, log);
@@ -80,7 +83,7 @@ TEST(KelvinVoigtTest, AnImpactThatLastsIsListedAtTheEndOfTheRecord) {
   const Model model({testing::single_mass("block", mass, 0, 0)});
   const ContactSet contacts({testing::contact_along_x(
       model, "block.head", "", 1e-3, std::make_shared<KelvinVoigt>(stiffness, 0))});
-  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  Trajectory trajectory(model, contacts, Settings{});
   ImpactLog log(contacts, 0);
   trajectory.start(0, Vector::Zero(1), Vector::Constant(1, speed));
   trajectory.advance(1e-3 / speed + 1 / w, log);
@@ -120,7 +123,7 @@ TEST(KelvinVoigtTest, ComesOnAgainInsideTheOverlap) {
   ContactPair blow = testing::contact_along_x(model, "hammer.head", "block.head", 3.3e-3,
                                               std::make_shared<KelvinVoigt>(1e8, 0));
   const ContactSet contacts({stop, blow});
-  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  Trajectory trajectory(model, contacts, Settings{});
   struct Sequence : Observer {
     std::vector<int> entered;
     std::vector<double> force; ///< that the formula gives at each change
@@ -149,4 +152,4 @@ TEST(KelvinVoigtTest, ComesOnAgainInsideTheOverlap) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

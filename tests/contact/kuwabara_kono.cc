@@ -11,8 +11,10 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
+
+using namespace integration;
 
 constexpr double stiffness = 1.3e10;
 constexpr double mass = 0.04;
@@ -23,7 +25,7 @@ struct Outcome {
 };
 
 Outcome collide(double dissipation_time, double speed, double tolerance = 1e-9) {
-  const Model model({testing::single_mass("ball", mass, 0, 0)});
+  const model::Model model({testing::single_mass("ball", mass, 0, 0)});
   const ContactSet contacts({testing::contact_along_x(
       model, "ball.head", "", 1e-5, std::make_shared<KuwabaraKono>(stiffness, dissipation_time))});
   Trajectory trajectory(model, contacts, {.relative_tolerance = tolerance});
@@ -94,4 +96,4 @@ TEST(KuwabaraKonoTest, DerivativesPowerAndAffineForm) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
 
 std::shared_ptr<const ContactLaw> law_of(const std::string &name, const std::string &section,
@@ -113,4 +113,4 @@ TEST(LawsFromFilesTest, NewtonRestitution) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
 
 using testing::LawPoint;
@@ -47,15 +47,15 @@ TEST(NewtonRestitutionTest, ForceIsWhatHoldsTheGap) {
 
 // Impacts, chatter, rest and release on a shaken base.
 TEST(NewtonRestitutionTest, GuardsArePositiveInTheirModes) {
-  Model model({testing::single_mass("block", 1, 20, 0.3)});
-  model.add_force("push", std::make_shared<Harmonic>(Given::displacement, 9, 3, 0),
+  model::Model model({testing::single_mass("block", 1, 20, 0.3)});
+  model.add_force("push", std::make_shared<model::Harmonic>(model::Given::displacement, 9, 3, 0),
                   {.body = 0, .point = 0}, Vector3::UnitX());
   const ContactSet contacts(
       {testing::contact_along_x(model, "block.head", "", 0.02, testing::newton(0.4))});
-  Trajectory trajectory(model, contacts, {});
+  integration::Trajectory trajectory(model, contacts, {});
   testing::GuardWatch guards;
   testing::Events events;
-  Observers observers({&guards, &events});
+  integration::Observers observers({&guards, &events});
   trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
   trajectory.advance(20, observers);
   EXPECT_GT(trajectory.accuracy().chatters, 5);
@@ -63,4 +63,4 @@ TEST(NewtonRestitutionTest, GuardsArePositiveInTheirModes) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

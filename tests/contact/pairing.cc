@@ -6,7 +6,7 @@
 #include <optional>
 #include <random>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
 
 using Cloud = std::vector<Vector3>;
@@ -125,4 +125,4 @@ TEST(PairingTest, TheFirstOfEquallyNearNodesCounts) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -10,8 +10,10 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
+
+using namespace integration;
 
 constexpr double mass = 2;
 constexpr double stiffness = 8e4;
@@ -23,10 +25,10 @@ struct Outcome {
 };
 
 Outcome run(double contact_stiffness, double damping, double duration) {
-  const Model model({testing::single_mass("block", mass, 0, 0)});
+  const model::Model model({testing::single_mass("block", mass, 0, 0)});
   const ContactSet contacts({testing::contact_along_x(
       model, "block.head", "", 0, std::make_shared<PiecewiseStop>(contact_stiffness, damping))});
-  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  Trajectory trajectory(model, contacts, Settings{});
   ImpactLog log(contacts, 0);
   testing::GuardWatch guards;
   Observers observers({&log, &guards});
@@ -80,4 +82,4 @@ TEST(PiecewiseStopTest, DerivativesPowerAndAffineForm) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

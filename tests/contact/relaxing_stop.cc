@@ -11,8 +11,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
+
+using namespace integration;
+using namespace model;
 
 constexpr double mass = 2;
 constexpr double stiffness = 8e4;
@@ -24,7 +27,7 @@ TEST(RelaxingStopTest, AFreeMassLeavesLikeFromKelvinVoigtAndTheStopRecovers) {
     const Model model({testing::single_mass("block", mass, 0, 0)});
     const ContactSet contacts({testing::contact_along_x(
         model, "block.head", "", 1e-3, std::make_shared<RelaxingStop>(stiffness, damping))});
-    Trajectory trajectory(model, contacts, IntegrationSettings{});
+    Trajectory trajectory(model, contacts, Settings{});
     ImpactLog log(contacts, 0);
     testing::GuardWatch guards;
     Observers observers({&log, &guards});
@@ -52,7 +55,7 @@ TEST(RelaxingStopTest, IsHitAgainBeforeItHasRecovered) {
   const Model model({testing::single_mass("block", mass, 400, 0)});
   const ContactSet contacts({testing::contact_along_x(
       model, "block.head", "", 0, std::make_shared<RelaxingStop>(stiffness, damping))});
-  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  Trajectory trajectory(model, contacts, Settings{});
   struct Touches : Observer {
     std::vector<double> distance, compression;
     void step(const StepView & /*view*/) override {}
@@ -91,7 +94,7 @@ TEST(RelaxingStopTest, CatchesUpAMassThatStillMovesAway) {
   model.add_force("push", make_constant(Given::displacement, push), {}, Vector3::UnitX());
   const ContactSet contacts(
       {testing::contact_along_x(model, "block.head", "", 0, std::make_shared<RelaxingStop>(k, c))});
-  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  Trajectory trajectory(model, contacts, Settings{});
   testing::Events events;
   trajectory.start({.time = 0, .physical = Vector3(compression, -v, compression)});
   trajectory.advance(0.9 * tau, events);
@@ -135,7 +138,7 @@ TEST(RelaxingStopTest, PressedFromTheStart) {
                                               std::make_shared<RelaxingStop>(stiffness, 200));
   pair.accept_initial_penetration = true;
   const ContactSet contacts({pair});
-  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  Trajectory trajectory(model, contacts, Settings{});
   ImpactLog log(contacts, 0);
   trajectory.start(0, Vector::Constant(1, -0.8e-3), Vector::Zero(1));
   trajectory.advance(0.1, log);
@@ -162,4 +165,4 @@ TEST(RelaxingStopTest, NamesItsState) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <map>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
 
 TEST(RestitutionRelationTest, ExactAtKnownValues) {
@@ -58,7 +58,8 @@ TEST(RestitutionRelationTest, SlopesForSmallLosses) {
 
 // Two free bodies that meet show the exact restitution for whatever damping a relation asks for.
 TEST(RestitutionRelationTest, TwoFreeBodiesShowTheExactRestitution) {
-  const Model model({testing::single_mass("a", 0.05, 0, 0), testing::single_mass("b", 0.12, 0, 0)});
+  const model::Model model(
+      {testing::single_mass("a", 0.05, 0, 0), testing::single_mass("b", 0.12, 0, 0)});
   for (const std::string &relation : restitution_relations())
     for (const double e : {0.15, 0.5, 0.85}) {
       const double damping = dimensionless_damping(relation, e);
@@ -66,8 +67,8 @@ TEST(RestitutionRelationTest, TwoFreeBodiesShowTheExactRestitution) {
           {testing::contact_along_x(model, "a.head", "b.head", 1e-4,
                                     HuntCrossley::with_dimensionless_damping(
                                         {.stiffness = 1.3e10, .exponent = 1.5}, damping, 1e-6))});
-      Trajectory trajectory(model, contacts, IntegrationSettings{});
-      ImpactLog log(contacts, 0);
+      integration::Trajectory trajectory(model, contacts, integration::Settings{});
+      integration::ImpactLog log(contacts, 0);
       Vector velocity(2);
       velocity << 0.2, -0.1;
       trajectory.start(0, Vector::Zero(2), velocity);
@@ -89,4 +90,4 @@ TEST(RestitutionRelationTest, RefusesWhatIsNoRestitution) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -14,12 +14,14 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
 
+using namespace reduction;
 using examples::BeamDefinition;
 using examples::cantilever;
 using examples::tuned_cantilever;
+using model::Model;
 
 std::shared_ptr<const ReducedBody> kept(const BeamDefinition &beam, int number,
                                         const std::string &name, bool attached = false) {
@@ -254,4 +256,4 @@ TEST(Truncation, WarningsNameTheContactsAndTheirErrors) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -9,8 +9,10 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
+
+using namespace integration;
 
 constexpr double stiffness = 1.3e10;
 constexpr double mass_a = 0.05;
@@ -19,12 +21,12 @@ constexpr double effective_mass = mass_a * mass_b / (mass_a + mass_b);
 
 Impact collide(double restitution, double speed) {
   const double damping = tsuji_damping(restitution) * std::sqrt(effective_mass * stiffness);
-  const Model model(
+  const model::Model model(
       {testing::single_mass("a", mass_a, 0, 0), testing::single_mass("b", mass_b, 0, 0)});
   const ContactSet contacts({testing::contact_along_x(
       model, "a.head", "b.head", 1e-5, std::make_shared<Tsuji>(stiffness, damping))});
   EXPECT_NEAR(contacts.effective_mass(0, model), effective_mass, 1e-15);
-  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  Trajectory trajectory(model, contacts, Settings{});
   ImpactLog log(contacts, 0);
   testing::GuardWatch guards;
   Observers observers({&log, &guards});
@@ -82,4 +84,4 @@ TEST(TsujiTest, EverythingIsFiniteAtTheFirstTouch) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -13,8 +13,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 namespace {
+
+using namespace integration;
+using namespace model;
 
 constexpr double damping_ratio = 0.1;
 constexpr double stop_damping = 5; // times that of the oscillator
@@ -80,7 +83,7 @@ void check(const Point &point) {
   ContactPair left = right;
   left.gap.row *= -1;
   const ContactSet contacts({right, left});
-  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  Trajectory trajectory(model, contacts, Settings{});
   const double period = 2 * std::numbers::pi / point.frequency;
   ImpactLog log(contacts, 0);
   trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
@@ -123,4 +126,4 @@ TEST(TwoRelaxingStopsTest, WithoutClearance) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

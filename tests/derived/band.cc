@@ -2,10 +2,9 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::derived {
 namespace {
 
-using derived::DerivedArray;
 using testing::expect_parts;
 using testing::expect_values;
 using testing::SmallAnalysis;
@@ -73,4 +72,4 @@ TEST(Band, WhatIsRefused) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::derived

@@ -5,13 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::derived {
 namespace {
 
-using derived::Grid;
-using derived::level_lines;
-using derived::Polyline;
-using derived::Vertex;
 using testing::expect_parts;
 using testing::expect_values;
 using testing::SmallAnalysis;
@@ -127,4 +123,4 @@ TEST(Contour, AsAQuantity) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::derived

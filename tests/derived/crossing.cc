@@ -3,10 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::derived {
 namespace {
 
-using derived::DerivedArray;
 using testing::expect_parts;
 using testing::expect_values;
 using testing::SmallAnalysis;
@@ -79,4 +78,4 @@ TEST(Crossing, WhatIsRefused) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::derived

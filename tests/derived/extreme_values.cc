@@ -2,10 +2,9 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::derived {
 namespace {
 
-using derived::DerivedArray;
 using testing::expect_parts;
 using testing::expect_values;
 using testing::SmallAnalysis;
@@ -158,4 +157,4 @@ TEST(ExtremeValues, WhatIsRefused) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::derived

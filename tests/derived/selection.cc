@@ -1,6 +1,6 @@
 #include "derived/small_analysis.h"
 
-namespace vibroimpact {
+namespace vibroimpact::derived {
 namespace {
 
 using testing::expect_parts;
@@ -62,4 +62,4 @@ TEST(Selection, CoordinatesThatAreNotThere) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::derived

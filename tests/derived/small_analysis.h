@@ -47,7 +47,8 @@ public:
       text += "subsection Derived " + name + "\nset From = map\n" + lines + "\nend\n";
     const auto set = parameters::ParameterSet::parse(declare_parameters(), text, "test.prm", false);
     derived::DerivedQuantities quantities;
-    const GridKey key{.path = "Variables/gap", .values = {}, .followers = {}, .name = "clearance"};
+    const analyses::GridKey key{
+        .path = "Variables/gap", .values = {}, .followers = {}, .name = "clearance"};
     quantities.add(set->root(), "map", axes_, {key});
     return quantities.evaluate("map", source());
   }

@@ -3,10 +3,9 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::derived {
 namespace {
 
-using derived::DerivedArray;
 using testing::expect_parts;
 using testing::expect_values;
 using testing::SmallAnalysis;
@@ -71,4 +70,4 @@ TEST(SweepMeasures, WhatIsRefused) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::derived

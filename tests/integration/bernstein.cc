@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
 // Quintic with the given roots, through its values and derivatives at 0 and 1.
@@ -134,4 +134,4 @@ TEST(BernsteinTest, FallsAgainAfterAnExactZeroAtTheStart) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -10,9 +10,11 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace contact;
+using model::Model;
 using testing::contact_along_x;
 using testing::single_mass;
 
@@ -82,7 +84,8 @@ TEST(EquilibriumTest, RigidContacts) {
 TEST(EquilibriumTest, ARigidStopThatWouldPullIsLetGoAndTheOtherOneHolds) {
   const auto rigid = std::make_shared<NewtonRestitution>(0.5);
   Model model({single_mass("first", 1, 1, 0), single_mass("second", 1, 1, 0)});
-  Projection elongation = model.displacement({.body = 1, .point = 0}, Vector3::UnitX(), false);
+  model::Projection elongation =
+      model.displacement({.body = 1, .point = 0}, Vector3::UnitX(), false);
   elongation.row[0] = -1;
   model.add_connection({.name = "link",
                         .side_a = "first.head",
@@ -99,4 +102,4 @@ TEST(EquilibriumTest, ARigidStopThatWouldPullIsLetGoAndTheOtherOneHolds) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -11,9 +11,11 @@
 #include <limits>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace contact;
+using namespace model;
 using testing::contact_along_x;
 using testing::single_mass;
 
@@ -76,7 +78,7 @@ public:
     equations_.set_source_break(infinity);
   }
   HighOrderStepper stepper(double tolerance) const {
-    IntegrationSettings settings;
+    Settings settings;
     settings.relative_tolerance = tolerance;
     settings.absolute_tolerance = 1e-3 * tolerance;
     HighOrderStepper stepper(equations_, settings);
@@ -125,7 +127,7 @@ TEST(ErrorBoundsTest, UncertaintyOfSlowContacts) {
   const Model model({single_mass("block", 1, 0, 0)});
   const ContactSet contacts(
       {contact_along_x(model, "block.head", "", 1e-3, std::make_shared<LinearPenalty>(1e3))});
-  Trajectory trajectory(model, contacts, IntegrationSettings{});
+  Trajectory trajectory(model, contacts, Settings{});
   for (double speed = 1e-2; speed > 1e-9; speed /= 3) {
     trajectory.start(0, Vector::Constant(1, 1e-3 - 0.37 * speed), Vector::Constant(1, speed));
     trajectory.advance(1); // half a period of the contact is 0.1 s
@@ -135,4 +137,4 @@ TEST(ErrorBoundsTest, UncertaintyOfSlowContacts) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

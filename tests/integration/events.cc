@@ -10,9 +10,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace contact;
+using model::Model;
 using testing::contact_along_x;
 using testing::single_mass;
 
@@ -123,4 +125,4 @@ TEST(EventsTest, ChangesAtTheSameInstant) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -13,8 +13,11 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
+
+using namespace contact;
+using namespace model;
 
 // A mass between two stops on a shaken base.
 struct Bumped {
@@ -26,7 +29,7 @@ struct Bumped {
   Bumped(const Bumped &) = delete;
 
   static Model model_of(int number, double frequency) {
-    std::vector<std::shared_ptr<const ReducedBody>> bodies = {
+    std::vector<std::shared_ptr<const reduction::ReducedBody>> bodies = {
         testing::single_mass("mass", 1, 1, 0.2)};
     if (number % 3 == 0)
       bodies.push_back(testing::single_mass("other", 0.5, 2, 0.1));
@@ -173,4 +176,4 @@ TEST(FlightBatchTest, AnExceptionEndsAll) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
 using Complex = std::complex<double>;
@@ -173,4 +173,4 @@ TEST(FlightKernelTest, RandomSums) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
 using Complex = std::complex<double>;
@@ -204,4 +204,4 @@ INSTANTIATE_TEST_SUITE_P(Units, FlightLanesTest,
                                          VectorUnit::avx512));
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

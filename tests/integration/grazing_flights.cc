@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
 using testing::count_system;
@@ -34,4 +34,4 @@ TEST(GrazingFlightsTest, ByEigenvectors) { expect_sound(count(60, 60, false)); }
 TEST(GrazingFlightsTest, BySeries) { expect_sound(count(40, 30, true)); }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

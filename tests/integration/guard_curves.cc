@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
 constexpr double epsilon = 2.3e-16;
@@ -178,4 +178,4 @@ TEST(GuardCurvesTest, TouchBetweenTwoIntervals) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -16,8 +16,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
+
+using namespace contact;
+using namespace model;
 
 struct Motion {
   Vector state;
@@ -32,7 +35,7 @@ Motion two_masses(const std::string &method, double tolerance,
   model.add_force("force", std::make_shared<Harmonic>(Given::displacement, 3, 9, 0.3),
                   {.body = 0, .point = 0}, Vector3::UnitX());
   const ContactSet contacts({testing::contact_along_x(model, "a.head", "b.head", 0.01, law)});
-  IntegrationSettings settings;
+  Settings settings;
   settings.method = method;
   settings.relative_tolerance = tolerance;
   settings.absolute_tolerance = 1e-2 * tolerance;
@@ -96,7 +99,7 @@ TEST(HighOrderStepperTest, FreeMassOnHertzStop) {
   Model model({testing::single_mass("mass", 2, 0, 0)});
   const ContactSet contacts(
       {testing::contact_along_x(model, "mass.head", "", 1e-3, std::make_shared<Hertz>(constants))});
-  IntegrationSettings settings;
+  Settings settings;
   settings.relative_tolerance = 1e-11;
   settings.absolute_tolerance = 1e-15;
   Trajectory trajectory(model, contacts, settings);
@@ -153,12 +156,12 @@ private:
   Model model_;
   ContactSet contacts_;
   Equations equations_;
-  IntegrationSettings settings_;
+  Settings settings_;
 };
 
 // Fifty short steps, each of which errs below rounding.
 Vector exact(double time) {
-  IntegrationSettings settings;
+  Settings settings;
   Model model = Duffing::make();
   const ContactSet none(std::vector<ContactPair>{});
   settings.absolute_tolerance = 1e-16;
@@ -193,7 +196,7 @@ TEST(HighOrderStepperTest, DenseOutputOfLinearModels) {
   const ContactSet none(std::vector<ContactPair>{});
   Equations equations(model, none);
   equations.set_source_break(std::numeric_limits<double>::infinity());
-  IntegrationSettings settings;
+  Settings settings;
   const auto middle_error = [&](double h) {
     HighOrderStepper stepper(equations, settings);
     Vector x = Vector::Zero(equations.layout().size());
@@ -216,7 +219,7 @@ TEST(HighOrderStepperTest, ForgetsTheAmplitudeOfLongAgo) {
   const Model model = Duffing::make(0.4);
   const ContactSet none(std::vector<ContactPair>{});
   const auto at_the_end = [&](double tolerance) {
-    IntegrationSettings settings;
+    Settings settings;
     settings.relative_tolerance = tolerance;
     settings.absolute_tolerance = 1e-16;
     Trajectory trajectory(model, none, settings);
@@ -238,4 +241,4 @@ TEST(HighOrderStepperTest, MotionsDoNotDependOnEarlierOnes) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -9,9 +9,11 @@
 
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace contact;
+using namespace model;
 using testing::contact_along_x;
 using testing::single_mass;
 
@@ -64,7 +66,7 @@ TEST(LedgerTest, ADashpotBetweenTwoBodies) {
                         .elongation = elongation,
                         .damping = 0.7});
   const ContactSet none;
-  Trajectory trajectory(model, none, IntegrationSettings{});
+  Trajectory trajectory(model, none, Settings{});
   Nobody nobody;
   trajectory.start(0, Vector::Zero(2), Eigen::Vector2d(1, -0.5));
   trajectory.advance(1.5, nobody);
@@ -78,7 +80,7 @@ TEST(LedgerTest, ADashpotBetweenTwoBodies) {
 TEST(LedgerTest, ThresholdFollowsTheToleranceWhereStepsAreNotExact) {
   const Model model({single_mass("block", 1, 100, 0.5)});
   const ContactSet none;
-  const auto threshold = [&](const IntegrationSettings &settings) {
+  const auto threshold = [&](const Settings &settings) {
     Trajectory trajectory(model, none, settings);
     Nobody nobody;
     trajectory.start(0, Vector::Constant(1, 0.1), Vector::Zero(1));
@@ -98,4 +100,4 @@ TEST(LedgerTest, ABalanceThatDoesNotCloseIsTold) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -11,9 +11,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace contact;
+using namespace model;
 using testing::contact_along_x;
 using testing::single_mass;
 
@@ -37,7 +39,7 @@ struct Motion {
 
 Motion motion_of(const Model &model, double q, double v, double duration, double maximum_step = 0) {
   const ContactSet contacts(std::vector<ContactPair>{});
-  IntegrationSettings settings;
+  Settings settings;
   settings.maximum_step = maximum_step;
   Trajectory trajectory(model, contacts, settings);
   NoObserver nobody;
@@ -179,7 +181,7 @@ TEST(LinearPhaseTest, DenseOutputKeepsTheTolerance) {
   const ContactSet contacts(
       {contact_along_x(model, "block.head", "", 10.0, std::make_shared<RelaxingStop>(1500, 5))});
   for (const double tolerance : {1e-5, 1e-7, 1e-9}) {
-    IntegrationSettings settings;
+    Settings settings;
     settings.relative_tolerance = tolerance;
     Trajectory trajectory(model, contacts, settings);
     MotionState from{.time = 0, .physical = Vector::Zero(3)};
@@ -195,4 +197,4 @@ TEST(LinearPhaseTest, DenseOutputKeepsTheTolerance) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -13,8 +13,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
+
+using namespace contact;
+using namespace model;
 
 constexpr double damping_ratio = 0.1;
 
@@ -33,7 +36,7 @@ Result integrate(const std::string &method, const std::shared_ptr<const ContactL
   ContactPair left = right;
   left.gap.row *= -1;
   const ContactSet contacts({right, left});
-  IntegrationSettings settings;
+  Settings settings;
   settings.method = method;
   settings.relative_tolerance = method == "rk" ? 1e-12 : 1e-9;
   Trajectory trajectory(model, contacts, settings);
@@ -105,4 +108,4 @@ TEST(MethodsAgreeTest, NearGrazing) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
 TEST(QuadraticFormTest, TermsOfVeryDifferentSize) {
@@ -47,4 +47,4 @@ TEST(QuadraticFormTest, OtherFunctionsAreRefused) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace model;
+using contact::ContactPair;
+using contact::ContactSet;
 using testing::add_weight;
 using testing::contact_along_x;
 using testing::Events;
@@ -31,7 +34,7 @@ TEST_P(RestingContactsTest, BouncingBallComesToRest) {
     Model model({single_mass("ball", mass, 0, 0)});
     add_weight(model, gravity, {0});
     const ContactSet contacts({contact_along_x(model, "ball.head", "", height, newton(e))});
-    const IntegrationSettings settings = settings_of(GetParam());
+    const Settings settings = settings_of(GetParam());
     Trajectory trajectory(model, contacts, settings);
     ImpactLog log(contacts, 0);
     Events events;
@@ -110,7 +113,7 @@ TEST_P(RestingContactsTest, LiftsOffWhereTheBaseFallsAway) {
                         Vector3::UnitX());
   add_weight(model, gravity, {0});
   const ContactSet contacts({stop_on_base(model, "ball.head", 0, newton(0.5))});
-  const IntegrationSettings settings = settings_of(GetParam());
+  const Settings settings = settings_of(GetParam());
   Trajectory trajectory(model, contacts, settings);
   Events events;
   ForceWatch forces(
@@ -143,7 +146,7 @@ TEST_P(RestingContactsTest, ForceFromAMovingBaseOnAStopInSpace) {
   const auto force = [&](double t) {
     return load - stiffness * (clearance - shake->value(t)) + damping * shake->rate(t);
   };
-  const IntegrationSettings settings = settings_of(GetParam());
+  const Settings settings = settings_of(GetParam());
   Trajectory trajectory(model, contacts, settings);
   Events events;
   ForceWatch forces(force, 1e-7);
@@ -164,7 +167,7 @@ TEST_P(RestingContactsTest, StackCarriesItsWeight) {
   add_weight(model, gravity, {0, 1});
   const ContactSet contacts({contact_along_x(model, "upper.head", "lower.head", 0.1, newton(0.4)),
                              contact_along_x(model, "lower.head", "", 0.2, newton(0.6))});
-  const IntegrationSettings settings = settings_of(GetParam());
+  const Settings settings = settings_of(GetParam());
   Trajectory trajectory(model, contacts, settings);
   Events events;
   trajectory.start(0, vector_of({0, 0}), vector_of({0, 0}));
@@ -186,7 +189,7 @@ TEST_P(RestingContactsTest, ImpulsePassesThroughARestingBlock) {
   add_weight(model, gravity, {1});
   const ContactSet contacts({contact_along_x(model, "ball.head", "block.head", 0.3, newton(e)),
                              contact_along_x(model, "block.head", "", 0, newton(0.2))});
-  const IntegrationSettings settings = settings_of(GetParam());
+  const Settings settings = settings_of(GetParam());
   Trajectory trajectory(model, contacts, settings);
   ImpactLog log(contacts, 0);
   trajectory.start(0, vector_of({0, 0}), vector_of({speed, 0}));
@@ -210,7 +213,7 @@ TEST_P(RestingContactsTest, StaysWhereTheForceOnlyGrazesZero) {
     model.add_force("load", make_constant(Given::displacement, 1 + margin), {.body = 0, .point = 0},
                     Vector3::UnitX());
     const ContactSet contacts({contact_along_x(model, "block.head", "", 0, newton(0.5))});
-    const IntegrationSettings settings = settings_of(GetParam());
+    const Settings settings = settings_of(GetParam());
     Trajectory trajectory(model, contacts, settings);
     Events events;
     trajectory.start(0, vector_of({0}), vector_of({0}));
@@ -229,7 +232,7 @@ TEST_P(RestingContactsTest, ChatterOnAShakenTable) {
                         Vector3::UnitX());
   add_weight(model, gravity, {0});
   const ContactSet contacts({stop_on_base(model, "ball.head", 0.05, newton(0.6))});
-  const IntegrationSettings settings = settings_of(GetParam());
+  const Settings settings = settings_of(GetParam());
   Trajectory trajectory(model, contacts, settings);
   Events events;
   trajectory.start(0, vector_of({0}), vector_of({0}));
@@ -248,7 +251,7 @@ TEST(RestingContactsTest, CompletionConvergesWithItsTolerance) {
     add_weight(model, gravity, {0});
     const ContactSet contacts(
         {contact_along_x(model, "ball.head", "table.head", 0.05, newton(0.5))});
-    IntegrationSettings settings;
+    Settings settings;
     settings.absolute_tolerance = tolerance;
     Trajectory trajectory(model, contacts, settings);
     Events events;
@@ -288,4 +291,4 @@ TEST(RestingContactsTest, JammedContactsFailWithAMessage) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -9,9 +9,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace model;
+using contact::ContactSet;
 using testing::add_weight;
 using testing::contact_along_x;
 using testing::Events;
@@ -42,7 +44,7 @@ TEST_P(RestingSystemsTest, NeighbourSwingsOnAHeldMass) {
                   Vector3::UnitX());
   join(model, joint);
   const ContactSet contacts({contact_along_x(model, "held.head", "", 0, newton(0.5))});
-  const IntegrationSettings settings = settings_of(GetParam());
+  const Settings settings = settings_of(GetParam());
   Trajectory trajectory(model, contacts, settings);
   Events events;
   trajectory.start(0, vector_of({0, amplitude}), vector_of({0, 0}));
@@ -81,7 +83,7 @@ TEST(RestingSystemsTest, HeldSystemIsDiagonalizable) {
 // Three modes of a body with one point; a constant force presses the point on a stop. It comes to
 // rest bent: phi . q = clearance with q = K^-1 phi (f - F).
 TEST_P(RestingSystemsTest, ModalBodySettlesOnAStop) {
-  auto body = std::make_shared<ReducedBody>();
+  auto body = std::make_shared<reduction::ReducedBody>();
   const Vector phi = vector_of({1.1, -1.3, 1.2});
   const Vector omega = vector_of({12, 75, 210});
   body->name = "beam";
@@ -99,7 +101,7 @@ TEST_P(RestingSystemsTest, ModalBodySettlesOnAStop) {
   model.add_force("load", make_constant(Given::displacement, load), {.body = 0, .point = 0},
                   Vector3::UnitX());
   const ContactSet contacts({contact_along_x(model, "beam.head", "", clearance, newton(0.7))});
-  const IntegrationSettings settings = settings_of(GetParam());
+  const Settings settings = settings_of(GetParam());
   Trajectory trajectory(model, contacts, settings);
   Events events;
   trajectory.start(0, Vector::Zero(3), Vector::Zero(3));
@@ -172,4 +174,4 @@ TEST(RestingSystemsTest, RotorJumpsOnTheGround) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

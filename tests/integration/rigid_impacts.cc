@@ -12,9 +12,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace contact;
+using namespace model;
 using testing::contact_along_x;
 using testing::newton;
 using testing::settings_of;
@@ -35,7 +37,7 @@ TEST_P(RigidImpactsTest, FreeMassLosesOneMinusESquared) {
     const double mass = 3, speed = 2, clearance = 0.5;
     const Model model({single_mass("ball", mass, 0, 0)});
     const ContactSet contacts({contact_along_x(model, "ball.head", "", clearance, newton(e))});
-    const IntegrationSettings settings = settings_of(GetParam());
+    const Settings settings = settings_of(GetParam());
     Trajectory trajectory(model, contacts, settings);
     ImpactLog log(contacts, 0);
     trajectory.start(0, vector_of({0}), vector_of({speed}));
@@ -64,7 +66,7 @@ TEST_P(RigidImpactsTest, ElasticImpactsConserveEnergy) {
   ContactPair left = right;
   left.gap.row *= -1;
   const ContactSet contacts({right, left});
-  const IntegrationSettings settings = settings_of(GetParam());
+  const Settings settings = settings_of(GetParam());
   Trajectory trajectory(model, contacts, settings);
   ImpactLog log(contacts, 0);
   trajectory.start(0, vector_of({0.03}), vector_of({4}));
@@ -80,7 +82,7 @@ TEST_P(RigidImpactsTest, StopAtTheRestPosition) {
   const double omega = 5, e = 0.8, speed = 3;
   const Model model({single_mass("block", 2, 2 * omega * omega, 0)});
   const ContactSet contacts({contact_along_x(model, "block.head", "", 0, newton(e))});
-  const IntegrationSettings settings = settings_of(GetParam());
+  const Settings settings = settings_of(GetParam());
   Trajectory trajectory(model, contacts, settings);
   ImpactLog log(contacts, 0);
   trajectory.start(0, vector_of({0}), vector_of({-speed}));
@@ -100,7 +102,7 @@ struct Balls {
 
 // Balls of the given masses along x with gaps between neighbours.
 Balls row_of_balls(const std::vector<double> &masses, double gap, double e) {
-  std::vector<std::shared_ptr<const ReducedBody>> bodies;
+  std::vector<std::shared_ptr<const reduction::ReducedBody>> bodies;
   for (std::size_t i = 0; i < masses.size(); ++i)
     bodies.push_back(single_mass("ball" + std::to_string(i), masses[i], 0, 0));
   Balls balls{.model = Model(std::move(bodies)), .contacts = {}};
@@ -114,7 +116,7 @@ Balls row_of_balls(const std::vector<double> &masses, double gap, double e) {
 }
 
 Vector velocities_after(const Balls &balls, double time, const std::string &method = "flight") {
-  const IntegrationSettings settings = settings_of(method);
+  const Settings settings = settings_of(method);
   Trajectory trajectory(balls.model, balls.contacts, settings);
   ImpactLog log(balls.contacts, 0);
   const Index n = balls.model.size();
@@ -153,7 +155,7 @@ TEST_P(RigidImpactsTest, OneMassHitsTwoAtOnce) {
                      single_mass("heavy", 5, 0, 0)});
   const ContactSet contacts({contact_along_x(model, "hammer.head", "light.head", 0.01, newton(e)),
                              contact_along_x(model, "hammer.head", "heavy.head", 0.01, newton(e))});
-  const IntegrationSettings settings = settings_of(GetParam());
+  const Settings settings = settings_of(GetParam());
   Trajectory trajectory(model, contacts, settings);
   ImpactLog log(contacts, 0);
   trajectory.start(0, Vector::Zero(3), vector_of({1, 0, 0}));
@@ -175,7 +177,7 @@ TEST_P(RigidImpactsTest, MassThatFillsTheGapBetweenTwoStops) {
   ContactPair left = right;
   left.gap.row *= -1;
   const ContactSet contacts({right, left});
-  const IntegrationSettings settings = settings_of(GetParam());
+  const Settings settings = settings_of(GetParam());
   Trajectory trajectory(model, contacts, settings);
   ImpactLog log(contacts, 0);
   trajectory.start(0, vector_of({0}), vector_of({3}));
@@ -193,7 +195,7 @@ TEST_P(RigidImpactsTest, SqueezedBetweenTwoMassesThatClose) {
                      single_mass("right", 1, 0, 0)});
   const ContactSet contacts({contact_along_x(model, "left.head", "middle.head", 0.01, newton(1)),
                              contact_along_x(model, "middle.head", "right.head", 0.01, newton(1))});
-  const IntegrationSettings settings = settings_of(GetParam());
+  const Settings settings = settings_of(GetParam());
   Trajectory trajectory(model, contacts, settings);
   ImpactLog log(contacts, 0);
   trajectory.start(0, Vector::Zero(3), vector_of({1, 0, -1}));
@@ -250,4 +252,4 @@ TEST(RigidImpactsTest, LimitOfKelvinVoigt) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

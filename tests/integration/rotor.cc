@@ -8,9 +8,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace model;
+using contact::ContactSet;
 using testing::plane_mass;
 using testing::put_rotor;
 using testing::rotation;
@@ -135,4 +137,4 @@ TEST(RotorTest, JacobianIsTheDerivativeOfTheRates) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -10,9 +10,11 @@
 #include <cmath>
 #include <complex>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace model;
+using contact::ContactSet;
 using testing::single_mass;
 using testing::TrueForce;
 using testing::TrueMode;
@@ -175,4 +177,4 @@ TEST(SafePathTest, DecayingForceAtAnEigenvalue) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

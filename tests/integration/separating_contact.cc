@@ -10,8 +10,11 @@
 
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
+
+using namespace contact;
+using namespace model;
 
 TEST(SeparatingContact, EndsOnceForEverySpeed) {
   // A spring pulls the mass off the stop at 20 m/s^2 when it touches.
@@ -68,4 +71,4 @@ TEST(SeparatingContact, DyingBouncesGoOn) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -13,9 +13,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace contact;
+using namespace model;
 using std::numbers::pi;
 using testing::contact_along_x;
 using testing::single_mass;
@@ -36,7 +38,7 @@ Model pushed_mass(TimeFunctionPointer force, double stiffness) {
   return model;
 }
 
-Vector state_at(const Model &model, double time, const IntegrationSettings &settings = {}) {
+Vector state_at(const Model &model, double time, const Settings &settings = {}) {
   const ContactSet contacts(std::vector<ContactPair>{});
   Trajectory trajectory(model, contacts, settings);
   LastStep last;
@@ -114,7 +116,7 @@ private:
 
 // Steps of fixed length: the tolerance is out of reach.
 double error_with_step(const TimeFunctionPointer &force, double exact, double step) {
-  IntegrationSettings settings;
+  Settings settings;
   settings.method = "rk"; // exact phases have no order
   settings.relative_tolerance = 1e3;
   settings.absolute_tolerance = 1e3;
@@ -203,4 +205,4 @@ TEST(SourceBreaksTest, AContactThatBeginsAtABreak) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -11,9 +11,10 @@
 #include <csignal>
 #include <thread>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace contact;
 using testing::contact_along_x;
 using testing::Events;
 using testing::settings_of;
@@ -50,11 +51,12 @@ struct Shaken {
     trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
   }
   ContactSet make_contacts(double clearance, const std::shared_ptr<const ContactLaw> &law) {
-    model.add_base_motion("ground", std::make_shared<Harmonic>(Given::acceleration, 0.3, 0.9, 0),
-                          {0}, Vector3::UnitX());
+    model.add_base_motion(
+        "ground", std::make_shared<model::Harmonic>(model::Given::acceleration, 0.3, 0.9, 0), {0},
+        Vector3::UnitX());
     return ContactSet({contact_along_x(model, "mass.head", "", clearance, law)});
   }
-  Model model;
+  model::Model model;
   ContactSet contacts;
   Trajectory trajectory;
 };
@@ -105,4 +107,4 @@ TEST(StoppedMotionsTest, SideBySide) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

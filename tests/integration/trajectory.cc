@@ -16,9 +16,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace contact;
+using namespace model;
 using testing::contact_along_x;
 using testing::single_mass;
 
@@ -29,7 +31,7 @@ struct Outcome {
 };
 
 Outcome integrate(const Model &model, const ContactSet &contacts, const Vector &q, const Vector &v,
-                  double duration, const IntegrationSettings &settings = {}) {
+                  double duration, const Settings &settings = {}) {
   Trajectory trajectory(model, contacts, settings);
   ImpactLog log(contacts, 0);
   trajectory.start(0, q, v);
@@ -62,7 +64,7 @@ struct TwoSpheres {
   double speed = 0.3;
 
   Impact collide(const std::shared_ptr<const ContactLaw> &law,
-                 const IntegrationSettings &settings = {}) const {
+                 const Settings &settings = {}) const {
     const Model model({single_mass("a", mass_a, 0, 0), single_mass("b", mass_b, 0, 0)});
     const ContactSet contacts({contact_along_x(model, "a.head", "b.head", 1e-4, law)});
     Vector velocity(2);
@@ -169,7 +171,7 @@ TEST(TrajectoryTest, StopsAtTheMostContactChanges) {
   const ContactSet contacts(
       {contact_along_x(model, "block.head", "", 0.5, std::make_shared<LinearPenalty>(10))});
   const auto run = [&](const std::string &method, bool recorded, long most) {
-    IntegrationSettings settings;
+    Settings settings;
     settings.method = method;
     settings.maximum_events = most;
     Trajectory trajectory(model, contacts, settings);
@@ -243,4 +245,4 @@ TEST(TrajectoryTest, RestsInStaticEquilibrium) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

@@ -15,9 +15,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace contact;
+using namespace model;
 using testing::contact_along_x;
 using testing::single_mass;
 
@@ -66,7 +68,7 @@ struct Case {
   int events = 0; ///< seen on the reference motion
   double relative_tolerance = tolerance;
 
-  IntegrationSettings settings() const {
+  Settings settings() const {
     return {.relative_tolerance = relative_tolerance,
             .absolute_tolerance = 1e-13,
             .event_tolerance = 1e-13};
@@ -194,4 +196,4 @@ TEST(VariationTest, DeterminantOfHertzContact) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

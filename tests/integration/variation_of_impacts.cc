@@ -10,9 +10,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
+using namespace model;
+using contact::ContactSet;
 using testing::add_weight;
 using testing::contact_along_x;
 using testing::Events;
@@ -102,7 +104,7 @@ TEST(VariationOfImpactsTest, StabilityLimitOfTheBall) {
 }
 
 Vector flow(const Model &model, const ContactSet &contacts, const MotionState &start, double end,
-            const IntegrationSettings &settings) {
+            const Settings &settings) {
   Trajectory trajectory(model, contacts, settings);
   trajectory.start(start);
   Events events;
@@ -112,7 +114,7 @@ Vector flow(const Model &model, const ContactSet &contacts, const MotionState &s
 
 void compare_with_differences(const Model &model, const ContactSet &contacts,
                               const MotionState &start, double end, std::size_t least_events) {
-  const IntegrationSettings settings{.relative_tolerance = 1e-12, .event_tolerance = 1e-14};
+  const Settings settings{.relative_tolerance = 1e-12, .event_tolerance = 1e-14};
   Trajectory trajectory(model, contacts, settings);
   trajectory.start(start);
   const Index size = start.physical.size();
@@ -184,4 +186,4 @@ TEST(VariationOfImpactsTest, ImpactsAtTheSameInstantHaveNoDerivative) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

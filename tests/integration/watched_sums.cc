@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace vibroimpact {
+namespace vibroimpact::integration {
 namespace {
 
 struct Sum {
@@ -145,4 +145,4 @@ TEST(WatchedSumsTest, RandomSumsAndSamples) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::integration

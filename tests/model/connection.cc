@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 namespace {
 
 using testing::single_mass;
@@ -90,4 +90,4 @@ TEST(ConnectionTest, CubicSpringIsTheGradientOfItsEnergy) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -10,9 +10,10 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 namespace {
 
+using reduction::ReducedBody;
 using testing::single_mass;
 
 TEST(ModelTest, HarmonicIsItsOwnDerivatives) {
@@ -161,4 +162,4 @@ TEST(ModelTest, Directions) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 namespace {
 
 const RecordLayout by_number{.time_column = "1", .value_column = "2", .separator = "comma"};
@@ -157,4 +157,4 @@ TEST(RecordFileTest, Hdf5) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::model

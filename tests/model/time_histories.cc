@@ -12,7 +12,7 @@
 #include <limits>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::model {
 namespace {
 
 using std::numbers::pi;
@@ -281,4 +281,4 @@ TEST(TimeHistoriesTest, SplineIsSmoothAndOfFourthOrder) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::model

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 namespace {
 
 Field field(const std::string &name, const std::vector<std::string> &dimensions, const Shape &shape,
@@ -112,4 +112,4 @@ TEST(AnalysisArrays, ValuesMustFillTheShape) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::output

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 namespace {
 
 const Vector3 first(0.1, -0.2, 0.3);
@@ -49,4 +49,4 @@ TEST(BeamCurve, StretchAndTwistAreLinear) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::output

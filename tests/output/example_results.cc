@@ -7,6 +7,9 @@ namespace vibroimpact::testing {
 
 namespace {
 
+using reduction::Recovery;
+using reduction::ReducedBody;
+
 constexpr double pi = 3.14159265358979323846;
 
 /// Bending shape of a clamped-free beam, 1 at the end, at s in 0..1, and its slope.
@@ -319,7 +322,7 @@ std::vector<Example> all_examples() {
   return {modal_example(), transient_example(), sweep_example(), grid_example()};
 }
 
-RunInformation example_information() {
+output::RunInformation example_information() {
   return {"0.1.0",
           "abc1234",
           "set Title = example\n",

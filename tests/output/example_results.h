@@ -12,7 +12,7 @@ namespace vibroimpact::testing {
 
 /// "left" and "right": slender cantilevers along z with their first three bending modes in x, each
 /// with a point "head" at the free end; "damper": one mass, a point "mass".
-std::vector<ReducedBody> example_bodies();
+std::vector<reduction::ReducedBody> example_bodies();
 
 /// An analysis with all its points in order.
 struct Example {
@@ -30,6 +30,6 @@ Example grid_example();
 
 std::vector<Example> all_examples();
 
-RunInformation example_information();
+output::RunInformation example_information();
 
 } // namespace vibroimpact::testing

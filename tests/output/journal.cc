@@ -8,12 +8,12 @@
 #include <thread>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 namespace {
 
-using testing::message_of;
 using testing::TemporaryFolder;
 using testing::text_of;
+using testing::thrown_message;
 using testing::write_text;
 
 std::vector<std::string> records_of(const std::filesystem::path &file) {
@@ -114,17 +114,17 @@ TEST_F(JournalTest, ZerosAreNoRecord) {
 TEST_F(JournalTest, FullDiskNamesPathAndReason) {
   std::filesystem::create_symlink("/dev/full", file);
   JournalWriter journal(file);
-  const std::string message = message_of<std::runtime_error>([&] { journal.append("x"); });
+  const std::string message = thrown_message<std::runtime_error>([&] { journal.append("x"); });
   EXPECT_EQ(message, file.string() + ": cannot write: No space left on device");
 }
 
 TEST_F(JournalTest, UnwritableFolderNamesPathAndReason) {
   const std::filesystem::path nowhere = "/proc/rank-00000.journal"; // not even root may write
   const std::string message =
-      message_of<std::runtime_error>([&] { JournalWriter writer(nowhere); });
+      thrown_message<std::runtime_error>([&] { JournalWriter writer(nowhere); });
   EXPECT_EQ(message.rfind(nowhere.string() + ": cannot open the file for writing: ", 0), 0U)
       << message;
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::output

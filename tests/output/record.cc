@@ -6,12 +6,12 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::message_of;
 using testing::TemporaryFolder;
+using testing::thrown_message;
 
 PointResult point(std::size_t row, std::size_t column, double value) {
   PointResult result;
@@ -122,10 +122,10 @@ TEST_F(RecordTest, JournalsOfSeveralRanksMakeOneAnalysis) {
 
 TEST_F(RecordTest, AJournalInAnotherFormatIsNamed) {
   JournalWriter(file).append("\x16 serialization::archive");
-  EXPECT_EQ(message_of<std::runtime_error>([&] { points("map"); }),
+  EXPECT_EQ(thrown_message<std::runtime_error>([&] { points("map"); }),
             file.string() + ": cannot read the journal, another version of the program may have "
                             "written it (a record of unknown kind)");
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::output

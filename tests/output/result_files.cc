@@ -11,14 +11,14 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::Example;
-using testing::message_of;
 using testing::TemporaryFolder;
 using testing::text_of;
+using testing::thrown_message;
 
 struct Ranks {
   int rank = 0;
@@ -193,7 +193,7 @@ TEST_F(ResultFiles, OtherAxesInAResumedFolderAreRefused) {
   RunFolder run_folder(MPI_COMM_WORLD, folder, ExistingFolder::resume, "");
   FileSink sink(MPI_COMM_WORLD, run_folder, {}, {});
   example.header.axes[0].values[3] += 1e-9;
-  EXPECT_NE(message_of<InputError>([&] { sink.begin(example.header); }).find("other axes"),
+  EXPECT_NE(thrown_message<InputError>([&] { sink.begin(example.header); }).find("other axes"),
             std::string::npos);
 }
 
@@ -216,7 +216,7 @@ TEST_F(ResultFiles, ThatCannotBeWrittenAreAnErrorInTheEndOnAllRanks) {
   if (first)
     fs::create_directory(run_folder.results_file()); // a folder in the place of the file
   sink.end();
-  const std::string message = message_of<std::runtime_error>([&] { sink.check_written(); });
+  const std::string message = thrown_message<std::runtime_error>([&] { sink.check_written(); });
   EXPECT_NE(message.find("results.h5: cannot rename"), std::string::npos) << message;
   if (first)
     fs::remove(run_folder.results_file());
@@ -255,7 +255,7 @@ TEST_F(ResultFiles, FullDiskReachesAllRanks) {
     fs::create_symlink("/dev/full", run_folder.journal_file(0));
   MPI_Barrier(MPI_COMM_WORLD);
   FileSink sink(MPI_COMM_WORLD, run_folder, {}, {});
-  const std::string message = message_of<std::runtime_error>([&] {
+  const std::string message = thrown_message<std::runtime_error>([&] {
     sink.begin({"a", "modal", {}});
   });
   EXPECT_EQ(message,
@@ -263,4 +263,4 @@ TEST_F(ResultFiles, FullDiskReachesAllRanks) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::output

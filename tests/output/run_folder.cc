@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::message_of;
 using testing::TemporaryFolder;
 using testing::text_of;
+using testing::thrown_message;
 using testing::write_text;
 
 const std::string parameters = "set Title = beams\n"
@@ -29,7 +29,7 @@ const std::string parameters = "set Title = beams\n"
 class RunFolderTest : public ::testing::Test {
 protected:
   std::string error(ExistingFolder existing, const std::string &echo = parameters) {
-    return message_of<InputError>([&] { prepare(existing, echo); });
+    return thrown_message<InputError>([&] { prepare(existing, echo); });
   }
   void prepare(ExistingFolder existing, const std::string &echo = parameters) {
     RunFolder run(MPI_COMM_WORLD, folder, existing, echo);
@@ -132,7 +132,7 @@ TEST_F(RunFolderTest, SecondRunAtTheSameTimeIsRefused) {
 
 TEST_F(RunFolderTest, UnwritablePlaceNamesFolderAndReason) {
   folder = "/proc/beams";
-  const std::string message = message_of<InputError>([&] { prepare(ExistingFolder::refuse); });
+  const std::string message = thrown_message<InputError>([&] { prepare(ExistingFolder::refuse); });
   EXPECT_EQ(message.rfind("the result folder /proc/beams cannot be used: ", 0), 0U) << message;
   EXPECT_NE(message.find("--output"), std::string::npos) << message;
 }
@@ -148,4 +148,4 @@ TEST_F(RunFolderTest, JournalsOfAllRanksAreFoundInOrder) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::output

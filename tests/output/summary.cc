@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 namespace {
 
 PointSequence sequence(const std::vector<PointResult> &points) {
@@ -24,7 +24,7 @@ TEST(Summary, LineHasTwelveDigitsAndTheUnit) {
 
 TEST(Summary, LumpedBody) {
   constexpr double two_pi = 6.283185307179586476925;
-  ReducedBody body;
+  reduction::ReducedBody body;
   body.name = "damper";
   body.type = "lumped";
   body.mass = Vector::Constant(1, 0.5);
@@ -130,4 +130,4 @@ TEST(Summary, PointsThatWereNotSteadyAreCounted) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::output

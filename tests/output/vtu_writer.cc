@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 #include <map>
 
-namespace vibroimpact {
+namespace vibroimpact::output {
 namespace {
+
+using reduction::ReducedBody;
 
 namespace fs = std::filesystem;
 using boost::property_tree::ptree;
@@ -153,4 +155,4 @@ TEST_F(VtuWriter, IndexIsCountedFromOne) {
 }
 
 } // namespace
-} // namespace vibroimpact
+} // namespace vibroimpact::output

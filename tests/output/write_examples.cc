@@ -7,6 +7,7 @@
 
 int main(int argc, char **argv) {
   using namespace vibroimpact;
+  using namespace vibroimpact::output;
   if (argc != 2)
     return 2;
   MPI_Init(&argc, &argv);

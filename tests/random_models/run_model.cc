@@ -12,6 +12,9 @@ namespace vibroimpact::testing {
 
 namespace {
 
+using namespace analyses;
+using reduction::ReducedBody;
+
 // Keeps the only point.
 class OnePoint : public LineContext {
 public:
@@ -28,7 +31,7 @@ System system_of(const parameters::Values &root, const std::string &folder) {
   std::vector<std::shared_ptr<const ReducedBody>> bodies;
   for (const std::string &name : root.instances("Body")) {
     auto body = std::make_shared<ReducedBody>(
-        reduce_body(root.instance("Body", name), name, folder, MPI_COMM_SELF));
+        reduction::reduce_body(root.instance("Body", name), name, folder, MPI_COMM_SELF));
     body->name = name;
     bodies.push_back(std::move(body));
   }

@@ -5,6 +5,8 @@
 #include <Eigen/QR>
 
 using namespace vibroimpact;
+using vibroimpact::reduction::fix_basis;
+using vibroimpact::reduction::merge_multiple;
 
 namespace {
 

@@ -6,16 +6,16 @@
 
 namespace vibroimpact::examples {
 
-inline BodyDefinition body_of(const BeamDefinition &beam, int number) {
-  BodyDefinition definition;
+inline reduction::BodyDefinition body_of(const BeamDefinition &beam, int number) {
+  reduction::BodyDefinition definition;
   definition.name = "left";
   definition.beam = beam;
   definition.selection.number = number;
   return definition;
 }
 
-inline ReducedBody reduced(const BeamDefinition &beam, int number) {
-  return reduce(body_of(beam, number), MPI_COMM_WORLD);
+inline reduction::ReducedBody reduced(const BeamDefinition &beam, int number) {
+  return reduction::reduce(body_of(beam, number), MPI_COMM_WORLD);
 }
 
 /// Square, so that each bending frequency is double, skew in space and with an odd head.

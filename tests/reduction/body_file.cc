@@ -9,6 +9,7 @@
 #include <filesystem>
 
 using namespace vibroimpact;
+using namespace vibroimpact::reduction;
 using vibroimpact::testing::TemporaryFolder;
 
 namespace {

@@ -8,6 +8,7 @@
 #include <fstream>
 
 using namespace vibroimpact;
+using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 using vibroimpact::testing::TemporaryFolder;
 

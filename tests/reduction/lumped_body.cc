@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 using namespace vibroimpact;
+using namespace vibroimpact::reduction;
 
 namespace {
 

@@ -45,14 +45,14 @@ inline std::string section(const std::string &name, const std::string &lines) {
 
 inline parameters::Values body_values(const std::string &text) {
   const auto root = std::make_shared<parameters::Section>("", "");
-  declare_body(*root);
+  reduction::declare_body(*root);
   const auto set = parameters::ParameterSet::parse(root, text, "test.prm", false);
   return set->root().instance("Body", "left");
 }
 
-inline ReducedBody reduced_text(const std::string &text, const std::string &folder = ".",
-                                MPI_Comm communicator = MPI_COMM_WORLD) {
-  return reduce_body(body_values(text), "left", folder, communicator);
+inline reduction::ReducedBody reduced_text(const std::string &text, const std::string &folder = ".",
+                                           MPI_Comm communicator = MPI_COMM_WORLD) {
+  return reduction::reduce_body(body_values(text), "left", folder, communicator);
 }
 
 } // namespace vibroimpact::examples

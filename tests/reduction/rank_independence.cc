@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 using namespace vibroimpact;
+using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
 namespace {

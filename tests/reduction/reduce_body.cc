@@ -12,6 +12,7 @@
 #include <fstream>
 
 using namespace vibroimpact;
+using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 using vibroimpact::testing::TemporaryFolder;
 using vibroimpact::testing::text_of;

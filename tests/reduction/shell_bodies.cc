@@ -11,6 +11,7 @@
 #include <sstream>
 
 using namespace vibroimpact;
+using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
 namespace {

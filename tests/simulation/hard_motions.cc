@@ -12,6 +12,10 @@
 namespace vibroimpact {
 namespace {
 
+using namespace integration;
+using analyses::System;
+using reduction::ReducedBody;
+
 System system_of(const std::string &model, const std::vector<parameters::Override> &overrides) {
   const std::string path =
       std::string(VIBROIMPACT_SOURCE_DIR) + "/tests/simulation/models/" + model + ".prm";
@@ -21,8 +25,9 @@ System system_of(const std::string &model, const std::vector<parameters::Overrid
   std::vector<std::shared_ptr<const ReducedBody>> bodies;
   for (const std::string &name : root.instances("Body"))
     bodies.push_back(std::make_shared<ReducedBody>(
-        reduce_body(root.instance("Body", name), name, ".", MPI_COMM_SELF)));
-  return build_system(root, root.instance("Analysis", root.instances("Analysis").front()), bodies);
+        reduction::reduce_body(root.instance("Body", name), name, ".", MPI_COMM_SELF)));
+  return analyses::build_system(root, root.instance("Analysis", root.instances("Analysis").front()),
+                                bodies);
 }
 
 /// Gaps at equal distances in time [m], and the force of each contact as the step sees it [N].

@@ -10,6 +10,10 @@
 namespace vibroimpact {
 namespace {
 
+using namespace contact;
+using namespace integration;
+using analyses::System;
+using reduction::ReducedBody;
 using testing::changed;
 
 const std::string plate = R"(
@@ -81,8 +85,8 @@ System system_of(const std::string &text, MPI_Comm communicator = MPI_COMM_SELF)
   std::vector<std::shared_ptr<const ReducedBody>> bodies;
   for (const std::string &name : root.instances("Body"))
     bodies.push_back(std::make_shared<ReducedBody>(
-        reduce_body(root.instance("Body", name), name, ".", communicator)));
-  return build_system(root, root.instance("Analysis", "rattle"), bodies);
+        reduction::reduce_body(root.instance("Body", name), name, ".", communicator)));
+  return analyses::build_system(root, root.instance("Analysis", "rattle"), bodies);
 }
 
 struct Ended {
@@ -231,7 +235,7 @@ TEST(ManyContactsTest, ARotatedPairOfPlatesHasTheSameContacts) {
   const auto places = [](const System &system, const Vector3 &order) {
     std::set<std::vector<long>> set;
     for (const ContactPair &pair : system.contacts.pairs()) {
-      PointReference a;
+      model::PointReference a;
       system.model.find_point(pair.side_a, a);
       const Vector3 &x = system.model.bodies()[a.body]->points[a.point].position;
       std::vector<long> place;

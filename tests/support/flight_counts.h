@@ -17,17 +17,18 @@ namespace vibroimpact::testing {
 
 /// Remembers the first touch for ever and exerts no force; with a clock its internal state counts
 /// the time since then.
-class TouchLaw : public ContactLaw {
+class TouchLaw : public contact::ContactLaw {
 public:
   explicit TouchLaw(bool clock)
-      : ContactLaw({{.name = "open",
-                     .guards = {{.indicator = {.gap = 1}, .target = 1}},
-                     .affine = law(clock, 0)},
-                    {.name = "touched", .affine = law(clock, 1)}},
-                   std::vector<double>(clock ? 1 : 0, 0.0)) {}
+      : contact::ContactLaw({{.name = "open",
+                              .guards = {{.indicator = {.gap = 1}, .target = 1}},
+                              .affine = law(clock, 0)},
+                             {.name = "touched", .affine = law(clock, 1)}},
+                            std::vector<double>(clock ? 1 : 0, 0.0)) {}
   std::string name() const override { return "touch"; }
-  int initial_mode(const LocalState & /*state*/) const override { return 0; }
-  void evaluate(int mode, const LocalState &state, LawResponse &response) const override {
+  int initial_mode(const contact::LocalState & /*state*/) const override { return 0; }
+  void evaluate(int mode, const contact::LocalState &state,
+                contact::LawResponse &response) const override {
     response = {};
     const std::size_t n = state.internal.size();
     response.force_by_internal.assign(n, 0);
@@ -38,8 +39,8 @@ public:
   }
 
 private:
-  static AffineLaw law(bool clock, double rate) {
-    AffineLaw law;
+  static contact::AffineLaw law(bool clock, double rate) {
+    contact::AffineLaw law;
     if (clock)
       law.internal_rate = {{.constant = rate}};
     return law;
@@ -50,18 +51,18 @@ private:
 struct BuiltSystem {
   BuiltSystem(const RandomSystem &system, bool clock)
       : model({body(system)}), contacts(stops(system, model, clock)),
-        trajectory(model, contacts, IntegrationSettings{}) {}
+        trajectory(model, contacts, integration::Settings{}) {}
   BuiltSystem(const BuiltSystem &) = delete;
   BuiltSystem &operator=(const BuiltSystem &) = delete;
 
-  Model model;
-  ContactSet contacts;
-  Trajectory trajectory;
+  model::Model model;
+  contact::ContactSet contacts;
+  integration::Trajectory trajectory;
 
 private:
-  static std::shared_ptr<const ReducedBody> body(const RandomSystem &system) {
+  static std::shared_ptr<const reduction::ReducedBody> body(const RandomSystem &system) {
     const auto n = static_cast<Index>(system.modes.size());
-    auto body = std::make_shared<ReducedBody>();
+    auto body = std::make_shared<reduction::ReducedBody>();
     body->name = "body";
     body->type = "lumped";
     body->mass = Vector::Ones(n);
@@ -80,17 +81,18 @@ private:
     return body;
   }
 
-  static ContactSet stops(const RandomSystem &system, Model &model, bool clock) {
+  static contact::ContactSet stops(const RandomSystem &system, model::Model &model, bool clock) {
     if (system.force.amplitude != 0)
       model.add_force("force",
-                      std::make_shared<Harmonic>(Given::displacement, system.force.amplitude,
-                                                 system.force.frequency, system.force.phase),
+                      std::make_shared<model::Harmonic>(model::Given::displacement,
+                                                        system.force.amplitude,
+                                                        system.force.frequency, system.force.phase),
                       {.body = 0, .point = 0}, Vector3::UnitY());
     const auto law = std::make_shared<TouchLaw>(clock);
-    ContactPair right = contact_along_x(model, "body.head", "", system.right, law);
-    ContactPair left = contact_along_x(model, "body.head", "", system.left, law);
+    contact::ContactPair right = contact_along_x(model, "body.head", "", system.right, law);
+    contact::ContactPair left = contact_along_x(model, "body.head", "", system.left, law);
     left.gap.row *= -1;
-    return ContactSet({right, left});
+    return contact::ContactSet({right, left});
   }
 };
 
@@ -141,19 +143,19 @@ public:
   }
 
 private:
-  class FirstEvent : public Observer {
+  class FirstEvent : public integration::Observer {
   public:
-    void step(const StepView & /*view*/) override {}
-    void event(const ContactEvent &event) override {
+    void step(const integration::StepView & /*view*/) override {}
+    void event(const integration::ContactEvent &event) override {
       if (!time)
         time = event.time;
     }
     std::optional<double> time;
   };
 
-  static MotionState start(const RandomFlight &flight, Index internal) {
+  static integration::MotionState start(const RandomFlight &flight, Index internal) {
     const auto n = static_cast<Index>(flight.displacement.size());
-    MotionState state{.time = 0, .physical = Vector::Zero(2 * n + internal)};
+    integration::MotionState state{.time = 0, .physical = Vector::Zero(2 * n + internal)};
     state.physical.head(n) = ConstVectorView(flight.displacement.data(), n);
     state.physical.segment(n, n) = ConstVectorView(flight.velocity.data(), n);
     return state;
@@ -170,7 +172,7 @@ private:
     unwatched_.trajectory.start(start(flight, 2));
     unwatched_.trajectory.advance(flight.end);
     const Vector clocks = unwatched_.trajectory.motion_state().physical.tail(2);
-    const Accuracy accuracy = unwatched_.trajectory.accuracy();
+    const integration::Accuracy accuracy = unwatched_.trajectory.accuracy();
     if (accuracy.events == 0)
       return {std::nullopt, accuracy.undecided_events};
     return {flight.end - clocks.maxCoeff(), accuracy.undecided_events};

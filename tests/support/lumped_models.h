@@ -12,9 +12,9 @@ namespace vibroimpact::testing {
 
 /// A mass [kg] that moves along x on a spring [N/m] and a dashpot [N s/m] to its base; its only
 /// point is called "head".
-inline std::shared_ptr<const ReducedBody> single_mass(const std::string &name, double mass,
-                                                      double stiffness, double damping) {
-  auto body = std::make_shared<ReducedBody>();
+inline std::shared_ptr<const reduction::ReducedBody>
+single_mass(const std::string &name, double mass, double stiffness, double damping) {
+  auto body = std::make_shared<reduction::ReducedBody>();
   body->name = name;
   body->type = "lumped";
   body->mass = Vector::Constant(1, mass);
@@ -30,19 +30,19 @@ inline std::shared_ptr<const ReducedBody> single_mass(const std::string &name, d
 }
 
 /// Contact of two points along x; an empty second side is a fixed stop.
-inline ContactPair contact_along_x(const Model &model, const std::string &side_a,
-                                   const std::string &side_b, double clearance,
-                                   std::shared_ptr<const ContactLaw> law) {
-  PointReference a;
+inline contact::ContactPair contact_along_x(const model::Model &model, const std::string &side_a,
+                                            const std::string &side_b, double clearance,
+                                            std::shared_ptr<const contact::ContactLaw> law) {
+  model::PointReference a;
   model.find_point(side_a, a);
-  Projection gap = model.displacement(a, Vector3::UnitX(), true);
+  model::Projection gap = model.displacement(a, Vector3::UnitX(), true);
   gap.row *= -1;
   for (double &carrier : gap.carrier)
     carrier *= -1;
   if (!side_b.empty()) {
-    PointReference b;
+    model::PointReference b;
     model.find_point(side_b, b);
-    const Projection other = model.displacement(b, Vector3::UnitX(), true);
+    const model::Projection other = model.displacement(b, Vector3::UnitX(), true);
     gap.row += other.row;
     for (std::size_t k = 0; k < gap.carrier.size(); ++k)
       gap.carrier[k] += other.carrier[k];

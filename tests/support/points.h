@@ -10,11 +10,11 @@
 
 namespace vibroimpact::testing {
 
-class Points : public LineContext {
+class Points : public analyses::LineContext {
 public:
   Points() = default;
   /// Builds systems at other values of keys by `source`.
-  explicit Points(SystemSource source) : source_(std::move(source)) {}
+  explicit Points(analyses::SystemSource source) : source_(std::move(source)) {}
 
   const PointResult *find(const std::vector<std::size_t> &index) const override {
     const auto known = earlier_.find(index);
@@ -22,7 +22,7 @@ public:
   }
   void store(PointResult result) override { stored_[result.index] = std::move(result); }
   void skip() override {}
-  System build(const std::vector<parameters::Override> &overrides) const override {
+  analyses::System build(const std::vector<parameters::Override> &overrides) const override {
     return source_(overrides);
   }
 
@@ -42,7 +42,7 @@ public:
   }
 
 private:
-  SystemSource source_;
+  analyses::SystemSource source_;
   std::map<std::vector<std::size_t>, PointResult> earlier_;
   std::map<std::vector<std::size_t>, PointResult> stored_;
 };

@@ -12,7 +12,7 @@
 namespace vibroimpact::testing {
 
 /// A system of one model that starts from rest.
-inline System system_of(Model model, ContactSet contacts = {}) {
+inline analyses::System system_of(model::Model model, contact::ContactSet contacts = {}) {
   const Index n = model.size();
   return {.model = std::move(model),
           .contacts = std::move(contacts),
@@ -21,10 +21,11 @@ inline System system_of(Model model, ContactSet contacts = {}) {
 }
 
 /// A block on a base shaken at 8 rad/s, with a connection to that base.
-inline Model linked_block() {
-  Model model({single_mass("block", 1, 100, 1)});
-  model.add_base_motion("floor", std::make_shared<Harmonic>(Given::displacement, 0.01, 8, 0), {0},
-                        Vector3::UnitX());
+inline model::Model linked_block() {
+  model::Model model({single_mass("block", 1, 100, 1)});
+  model.add_base_motion("floor",
+                        std::make_shared<model::Harmonic>(model::Given::displacement, 0.01, 8, 0),
+                        {0}, Vector3::UnitX());
   model.add_connection({.name = "link",
                         .side_a = "block.head",
                         .side_b = "base",
@@ -53,11 +54,12 @@ inline double value_of(const PointResult &result, const std::string &name) {
 
 /// What one recorder sees in a window from the initial state.
 template <class Kind, class... Options>
-PointResult recorded(const System &system, const Window &window, const Options &...options) {
-  Trajectory trajectory(system.model, system.contacts, system.integration);
+PointResult recorded(const analyses::System &system, const analyses::Window &window,
+                     const Options &...options) {
+  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(window.start, system.initial.displacement, system.initial.velocity);
-  WindowRecording recording(
-      {[&](const System &s) { return std::make_unique<Kind>(options..., s); }}, system);
+  analyses::WindowRecording recording(
+      {[&](const analyses::System &s) { return std::make_unique<Kind>(options..., s); }}, system);
   recording.run(window, trajectory);
   PointResult result;
   recording.add_fields(result);

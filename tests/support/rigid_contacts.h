@@ -13,8 +13,8 @@
 
 namespace vibroimpact::testing {
 
-inline std::shared_ptr<const ContactLaw> newton(double restitution) {
-  return std::make_shared<NewtonRestitution>(restitution);
+inline std::shared_ptr<const contact::ContactLaw> newton(double restitution) {
+  return std::make_shared<contact::NewtonRestitution>(restitution);
 }
 
 inline Vector vector_of(std::initializer_list<double> values) {
@@ -23,22 +23,24 @@ inline Vector vector_of(std::initializer_list<double> values) {
   return vector;
 }
 
-inline void add_weight(Model &model, double gravity, const std::vector<std::size_t> &bodies) {
-  model.add_gravity("weight", make_constant(Given::displacement, gravity), bodies,
+inline void add_weight(model::Model &model, double gravity,
+                       const std::vector<std::size_t> &bodies) {
+  model.add_gravity("weight", model::make_constant(model::Given::displacement, gravity), bodies,
                     Vector3::UnitX());
 }
 
 /// A stop on the base that the body stands on.
-inline ContactPair stop_on_base(const Model &model, const std::string &side_a, double clearance,
-                                std::shared_ptr<const ContactLaw> law) {
-  ContactPair pair = contact_along_x(model, side_a, "", clearance, std::move(law));
+inline contact::ContactPair stop_on_base(const model::Model &model, const std::string &side_a,
+                                         double clearance,
+                                         std::shared_ptr<const contact::ContactLaw> law) {
+  contact::ContactPair pair = contact_along_x(model, side_a, "", clearance, std::move(law));
   for (double &carrier : pair.gap.carrier)
     carrier = 0;
   return pair;
 }
 
 /// Keeps all events, and calls `check` for each step.
-class Events : public Observer {
+class Events : public integration::Observer {
 public:
   struct Event {
     double time = 0;
@@ -47,16 +49,16 @@ public:
     bool onset = false;
     double gap_rate = 0, gap_rate_after = 0, chatter_duration = 0;
   };
-  void step(const StepView & /*view*/) override {}
-  void event(const ContactEvent &event) override {
+  void step(const integration::StepView & /*view*/) override {}
+  void event(const integration::ContactEvent &event) override {
     list.push_back({event.time, event.contact, event.from, event.to, event.onset, event.gap_rate,
                     event.gap_rate_after, event.chatter_duration});
   }
   std::vector<Event> list;
 };
 
-inline IntegrationSettings settings_of(const std::string &method) {
-  IntegrationSettings settings;
+inline integration::Settings settings_of(const std::string &method) {
+  integration::Settings settings;
   settings.method = method;
   if (method == "rk")
     settings.relative_tolerance = 1e-12;

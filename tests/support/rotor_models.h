@@ -7,9 +7,9 @@ namespace vibroimpact::testing {
 
 /// A mass [kg] that moves along x and y on equal springs [N/m] and dashpots [N s/m] to its base;
 /// its only point is called "head".
-inline std::shared_ptr<const ReducedBody> plane_mass(const std::string &name, double mass,
-                                                     double stiffness, double damping) {
-  auto body = std::make_shared<ReducedBody>();
+inline std::shared_ptr<const reduction::ReducedBody>
+plane_mass(const std::string &name, double mass, double stiffness, double damping) {
+  auto body = std::make_shared<reduction::ReducedBody>();
   body->name = name;
   body->type = "lumped";
   body->mass = Vector::Constant(2, mass);
@@ -27,8 +27,9 @@ inline std::shared_ptr<const ReducedBody> plane_mass(const std::string &name, do
 }
 
 /// The rotation of a rotor with the given moment of inertia about its centre of mass [kg m^2].
-inline std::shared_ptr<const ReducedBody> rotation(const std::string &name, double inertia) {
-  auto body = std::make_shared<ReducedBody>();
+inline std::shared_ptr<const reduction::ReducedBody> rotation(const std::string &name,
+                                                              double inertia) {
+  auto body = std::make_shared<reduction::ReducedBody>();
   body->name = name;
   body->type = "rotor";
   body->mass = Vector::Constant(1, inertia);
@@ -42,17 +43,17 @@ inline std::shared_ptr<const ReducedBody> rotation(const std::string &name, doub
 }
 
 /// Puts the rotation (body `index`) onto a point of the model, turning from x to y.
-inline void put_rotor(Model &model, std::size_t index, const std::string &at, double mass,
-                      double eccentricity, std::optional<Motor> motor = std::nullopt,
+inline void put_rotor(model::Model &model, std::size_t index, const std::string &at, double mass,
+                      double eccentricity, std::optional<model::Motor> motor = std::nullopt,
                       double initial_speed = 0) {
-  Rotor rotor;
+  model::Rotor rotor;
   rotor.name = model.bodies()[index]->name;
   rotor.angle = model.offset(index);
   rotor.mass = mass;
   rotor.eccentricity = eccentricity;
   rotor.initial_speed = initial_speed;
   rotor.motor = motor;
-  PointReference point;
+  model::PointReference point;
   model.find_point(at, point);
   model.add_rotor(std::move(rotor), point, Vector3::UnitX(), Vector3::UnitY());
 }

@@ -22,6 +22,10 @@
 namespace vibroimpact {
 namespace {
 
+using namespace analyses;
+using namespace contact;
+using namespace integration;
+using namespace model;
 using testing::contact_along_x;
 using testing::value;
 

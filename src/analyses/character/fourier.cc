@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::vector<double> amplitude_spectrum(const std::vector<double> &samples,
   return amplitudes;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -69,4 +69,4 @@ double Growth::standard_error(std::size_t blocks) const {
   return std::sqrt(squares / (count - 1) / count);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class Growth {
 public:
@@ -35,4 +35,4 @@ private:
   std::vector<double> durations_, logarithms_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

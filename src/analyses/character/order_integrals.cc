@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 OrderIntegrals::OrderIntegrals(double origin, double angular_frequency, std::size_t orders,
                                std::size_t signals)
@@ -53,4 +53,4 @@ double OrderIntegrals::phase(std::size_t signal, std::size_t order) const {
   return std::arg(sums_[signal][order]);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

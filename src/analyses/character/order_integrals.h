@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// c_j = 1/D * integral of x(t) exp(-i j w (t - t0)) dt over everything added, D its duration.
 class OrderIntegrals {
@@ -36,4 +36,4 @@ private:
   std::vector<std::vector<std::complex<double>>> sums_; ///< [signal][order]
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

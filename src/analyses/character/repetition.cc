@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 StroboscopicPoints::StroboscopicPoints(const std::vector<Vector> &states, const Vector &scale,
                                        const std::vector<Index> &angles)
@@ -88,4 +88,4 @@ Approach find_approach(const StroboscopicPoints &points, long longest) {
   return {};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// States at the ends of consecutive forcing periods, made comparable.
 class StroboscopicPoints {
@@ -53,4 +53,4 @@ Approach find_spiral(const StroboscopicPoints &points, long k);
 /// third to third of the points, the second time by at least half (logarithmically) of the first.
 Approach find_approach(const StroboscopicPoints &points, long longest);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 UniformSamples::UniformSamples(std::vector<ObservedSignal> signals, double start, double interval,
                                std::size_t count)
@@ -19,7 +19,7 @@ UniformSamples::UniformSamples(std::vector<ObservedSignal> signals, double start
                          " samples of the recorded signals " + lack);
 }
 
-void UniformSamples::step(const StepView &view) {
+void UniformSamples::step(const integration::StepView &view) {
   std::vector<double> positions;
   for (; next_ < count_; ++next_) {
     const double instant = start_ + static_cast<double>(next_) * interval_;
@@ -34,4 +34,4 @@ void UniformSamples::step(const StepView &view) {
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

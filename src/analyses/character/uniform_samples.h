@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class UniformSamples {
 public:
@@ -15,7 +15,7 @@ public:
                  std::size_t count);
 
   /// The next step. A sample at a contact change is taken before it.
-  void step(const StepView &view);
+  void step(const integration::StepView &view);
 
   const std::vector<ObservedSignal> &signals() const { return signals_; }
   double interval() const { return interval_; }
@@ -29,4 +29,4 @@ private:
   std::vector<std::vector<double>> values_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 Wavelet Wavelet::bump(double centre, double width) { return {true, centre, width}; }
 
@@ -88,4 +88,4 @@ std::vector<double> short_time_amplitudes(const std::vector<double> &samples, st
   return amplitude_spectrum(part, taper("hann", length));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

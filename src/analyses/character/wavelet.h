@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class Wavelet {
 public:
@@ -60,4 +60,4 @@ private:
 std::vector<double> short_time_amplitudes(const std::vector<double> &samples, std::size_t centre,
                                           std::size_t length);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

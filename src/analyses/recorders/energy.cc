@@ -6,11 +6,16 @@
 #include <algorithm>
 #include <numeric>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::Bernstein;
+using integration::StepView;
+using integration::Trajectory;
+using model::Connection;
 
 namespace {
 
-Projection without_base(Projection projection) {
+model::Projection without_base(model::Projection projection) {
   std::fill(projection.carrier.begin(), projection.carrier.end(), 0.0);
   return projection;
 }
@@ -24,8 +29,8 @@ double squared_rate(const Bernstein &displacement, double length) {
   return sum / length;
 }
 
-double dissipated_by(const Model &model, std::size_t b, const StepView &view) {
-  const ReducedBody &body = *model.bodies()[b];
+double dissipated_by(const model::Model &model, std::size_t b, const StepView &view) {
+  const reduction::ReducedBody &body = *model.bodies()[b];
   if (body.damping.isZero(0))
     return 0;
   std::vector<Bernstein> rates;
@@ -41,7 +46,7 @@ double dissipated_by(const Model &model, std::size_t b, const StepView &view) {
   return sum / view.length();
 }
 
-double motor_work(const Rotor &rotor, const StepView &view) {
+double motor_work(const model::Rotor &rotor, const StepView &view) {
   if (!rotor.motor)
     return 0;
   const Bernstein torque = view.drive(rotor.motor->drive);
@@ -62,7 +67,7 @@ Energy::Energy(const System &system)
     : system_(system), by_body_(system.model.bodies().size(), 0),
       by_connection_(system.model.connections().size(), 0),
       by_motor_(system.model.rotors().list().size(), 0) {
-  for (const ContactPair &pair : system.contacts.pairs())
+  for (const contact::ContactPair &pair : system.contacts.pairs())
     part_labels_.emplace_back("contact/" + pair.name + "/dissipated_energy",
                               "energy lost in the contact");
   for (const auto &body : system.model.bodies())
@@ -71,7 +76,7 @@ Energy::Energy(const System &system)
   for (const Connection &connection : system.model.connections())
     part_labels_.emplace_back("connection/" + connection.name + "/dissipated_energy",
                               "energy lost in the connection");
-  for (const Rotor &rotor : system.model.rotors().list())
+  for (const model::Rotor &rotor : system.model.rotors().list())
     part_labels_.emplace_back("rotor/" + rotor.name + "/motor_work", "work of the motor");
 }
 
@@ -147,10 +152,10 @@ void Energy::add_work(PointResult &result, const WorkLabels &labels, double work
 }
 
 void Energy::add_fields(PointResult &result) const {
-  const StateLayout layout{.n = system_.model.size(),
-                           .n_internal = system_.contacts.n_internal(),
-                           .n_drive = system_.model.n_drive(),
-                           .n_contacts = static_cast<Index>(system_.contacts.size())};
+  const integration::StateLayout layout{.n = system_.model.size(),
+                                        .n_internal = system_.contacts.n_internal(),
+                                        .n_drive = system_.model.n_drive(),
+                                        .n_contacts = static_cast<Index>(system_.contacts.size())};
   const Vector change = last_state_ - first_state_;
   const double input = change[layout.input_work()] + base_work_;
   const double damping = total(by_body_) + total(by_connection_);
@@ -179,4 +184,4 @@ void Energy::add_fields(PointResult &result) const {
   result.fields.push_back(scalar_field(residual, stored - input + damping + contacts));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

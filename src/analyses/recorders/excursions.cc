@@ -5,7 +5,9 @@
 
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::Extent;
 
 namespace {
 
@@ -43,7 +45,7 @@ Excursions::Excursions(const WatchedSelection &selection, const System &system)
     linear_ = linear_ && quantity.form;
   if (!selection.has("normal_force"))
     return;
-  for (const ContactPair &pair : contacts_.pairs())
+  for (const contact::ContactPair &pair : contacts_.pairs())
     force_labels_.emplace_back("contact/" + pair.name + "/normal_force/maximum", "N",
                                "largest normal force in the recorded window");
   forces_.resize(contacts_.size());
@@ -63,26 +65,27 @@ RecorderFactory Excursions::create(const parameters::Values &analysis) {
   };
 }
 
-void Excursions::begin(const Window & /*window*/, const Trajectory & /*trajectory*/) {
+void Excursions::begin(const Window & /*window*/, const integration::Trajectory & /*trajectory*/) {
   std::fill(extents_.begin(), extents_.end(), Extent{});
   // A contact that stays open has the largest force zero.
   std::fill(forces_.begin(), forces_.end(), Extent{.minimum = 0, .maximum = 0});
 }
 
-void Excursions::step(const StepView &view) {
+void Excursions::step(const integration::StepView &view) {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     extents_[i].include(quantities_[i].curve(view));
   for (std::size_t c = 0; c < forces_.size(); ++c)
     if (in_contact(view, c))
-      forces_[c].include(peak_force(view, c));
+      forces_[c].include(integration::peak_force(view, c));
 }
 
-void Excursions::watch(const Equations &equations, std::vector<WatchedForm> &forms) {
+void Excursions::watch(const integration::Equations &equations,
+                       std::vector<integration::WatchedForm> &forms) {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     forms.push_back(quantities_[i].form(equations, extents_[i]));
   for (std::size_t c = 0; c < forces_.size(); ++c)
-    if (const Mode &mode = equations.mode(c); mode.in_contact)
-      forms.push_back(watched_contact(equations, c, mode.affine->force, forces_[c]));
+    if (const contact::Mode &mode = equations.mode(c); mode.in_contact)
+      forms.push_back(integration::watched_contact(equations, c, mode.affine->force, forces_[c]));
 }
 
 void Excursions::add_fields(PointResult &result) const {
@@ -95,4 +98,4 @@ void Excursions::add_fields(PointResult &result) const {
     result.fields.push_back(scalar_field(force_labels_[c], forces_[c].maximum));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// PATH/peak_to_peak_excursion, /peak_excursion, /minimum, /maximum of a quantity.
 struct ExtentLabels {
@@ -16,33 +16,34 @@ struct ExtentLabels {
 };
 
 /// All four as scalar fields.
-void add_extent(PointResult &result, const ExtentLabels &labels, const Extent &extent);
+void add_extent(PointResult &result, const ExtentLabels &labels, const integration::Extent &extent);
 
-class Excursions : public Recorder, private FlightWatcher {
+class Excursions : public Recorder, private integration::FlightWatcher {
 public:
   Excursions(const WatchedSelection &selection, const System &system);
 
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const Trajectory &trajectory) override;
-  void step(const StepView &view) override;
+  void begin(const Window &window, const integration::Trajectory &trajectory) override;
+  void step(const integration::StepView &view) override;
   /// None where something that is watched is not linear in the motion.
-  FlightWatcher *flight_watcher() override { return linear_ ? this : nullptr; }
+  integration::FlightWatcher *flight_watcher() override { return linear_ ? this : nullptr; }
   /// Extreme values of every quantity watched; of gaps only minimum and maximum, of contact forces
   /// only the maximum.
   void add_fields(PointResult &result) const override;
 
 private:
-  void watch(const Equations &equations, std::vector<WatchedForm> &forms) override;
+  void watch(const integration::Equations &equations,
+             std::vector<integration::WatchedForm> &forms) override;
 
-  const ContactSet &contacts_;
+  const contact::ContactSet &contacts_;
   std::vector<WatchedQuantity> quantities_;
   std::vector<ExtentLabels> labels_;
-  std::vector<Extent> extents_;
-  std::vector<Label> force_labels_; ///< per contact; empty when not watched
-  std::vector<Extent> forces_;      ///< the same
+  std::vector<integration::Extent> extents_;
+  std::vector<Label> force_labels_;         ///< per contact; empty when not watched
+  std::vector<integration::Extent> forces_; ///< the same
   bool linear_ = true;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -2,7 +2,15 @@
 
 #include <Eigen/QR>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::Bernstein;
+using integration::StepView;
+using model::Connection;
+using model::Model;
+using model::PointReference;
+using model::Projection;
+using reduction::ReducedBody;
 
 namespace {
 
@@ -121,4 +129,4 @@ std::vector<WatchedQuantity> base_forces(const Model &model) {
   return list;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

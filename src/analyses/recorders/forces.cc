@@ -6,7 +6,11 @@
 
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::StepView;
+using model::Model;
+using model::Projection;
 
 namespace {
 
@@ -29,7 +33,7 @@ std::size_t single_force(const Model &model) {
   const std::size_t none = model.sources().size();
   std::size_t found = none;
   for (std::size_t k = 0; k < none; ++k) {
-    const Source &source = model.sources()[k];
+    const model::Source &source = model.sources()[k];
     if (source.function->highest_frequency() == 0)
       continue;
     if (source.load.isZero(0) || !source.inertial_load.isZero(0) || found != none)
@@ -93,7 +97,7 @@ RecorderFactory Forces::create(const parameters::Values & /*analysis*/) {
   return [](const System &system) { return std::make_unique<Forces>(system); };
 }
 
-void Forces::begin(const Window & /*window*/, const Trajectory & /*trajectory*/) {
+void Forces::begin(const Window & /*window*/, const integration::Trajectory & /*trajectory*/) {
   for (Watched &force : forces_) {
     force.extent = {};
     force.average = {};
@@ -104,7 +108,7 @@ void Forces::begin(const Window & /*window*/, const Trajectory & /*trajectory*/)
 
 void Forces::step(const StepView &view) {
   for (Watched &force : forces_) {
-    const Bernstein curve = force.quantity.curve(view);
+    const integration::Bernstein curve = force.quantity.curve(view);
     force.extent.include(curve);
     force.average.add(curve, view.length());
   }
@@ -127,4 +131,4 @@ void Forces::add_fields(PointResult &result) const {
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

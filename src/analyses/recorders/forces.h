@@ -8,7 +8,7 @@
 #include "analyses/recorders/excursions.h"
 #include "analyses/recorders/statistics.h"
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class Forces : public Recorder {
 public:
@@ -17,8 +17,8 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const Trajectory &trajectory) override;
-  void step(const StepView &view) override;
+  void begin(const Window &window, const integration::Trajectory &trajectory) override;
+  void step(const integration::StepView &view) override;
   /// Extreme values, mean and root mean squares of connection/NAME/force and
   /// body/NAME/base_force_x; transmissibility below point/BODY.POINT/displacement_x and
   /// /acceleration_x, and below body/NAME/base_force_x.
@@ -30,20 +30,20 @@ private:
     WatchedQuantity quantity;
     ExtentLabels extent_labels;
     AverageLabels average_labels;
-    Extent extent{};
+    integration::Extent extent{};
     TimeAverage average{};
   };
   /// One amplitude over another.
   struct Ratio {
     Label label;
-    std::function<Bernstein(const StepView &view)> output, input;
-    Extent output_extent{}, input_extent{};
+    std::function<integration::Bernstein(const integration::StepView &view)> output, input;
+    integration::Extent output_extent{}, input_extent{};
   };
-  void add_ratios_of_points(const Model &model);
-  void add_ratios_of_forces(const Model &model);
+  void add_ratios_of_points(const model::Model &model);
+  void add_ratios_of_forces(const model::Model &model);
 
   std::vector<Watched> forces_;
   std::vector<Ratio> ratios_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -6,7 +6,7 @@
 #include "common/error.h"
 #include "common/memory.h"
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 constexpr const char *section_name = "History";
@@ -49,7 +49,7 @@ RecorderFactory History::create(const parameters::Values &analysis) {
   };
 }
 
-void History::begin(const Window &window, const Trajectory & /*trajectory*/) {
+void History::begin(const Window &window, const integration::Trajectory & /*trajectory*/) {
   double interval = settings_.interval;
   if (interval == 0)
     interval = window.cycles > 0 ? window.period / static_cast<double>(settings_.samples_per_period)
@@ -67,7 +67,7 @@ void History::begin(const Window &window, const Trajectory & /*trajectory*/) {
       values.clear();
 }
 
-void History::step(const StepView &view) {
+void History::step(const integration::StepView &view) {
   const std::size_t first = next_;
   while (next_ < instants_.size() && instants_[next_] <= view.end())
     ++next_;
@@ -75,7 +75,7 @@ void History::step(const StepView &view) {
     return;
   const auto tau = [&](std::size_t i) { return (instants_[i] - view.start()) / view.length(); };
   for (std::size_t k = 0; k < quantities_.size(); ++k) {
-    const Bernstein curve = quantities_[k].curve(view);
+    const integration::Bernstein curve = quantities_[k].curve(view);
     for (std::size_t i = first; i < next_; ++i)
       values_[k].push_back(curve(tau(i)));
   }
@@ -98,4 +98,4 @@ void History::add_fields(PointResult &result) const {
                      forces_[c], "N", "normal force, > 0 pushes apart"));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

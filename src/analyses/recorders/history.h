@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class History : public Recorder {
 public:
@@ -21,15 +21,15 @@ public:
   static RecorderFactory create(const parameters::Values &analysis);
 
   /// NumericalError when the window is too long for the interval.
-  void begin(const Window &window, const Trajectory &trajectory) override;
-  void step(const StepView &view) override;
+  void begin(const Window &window, const integration::Trajectory &trajectory) override;
+  void step(const integration::StepView &view) override;
   /// history/PATH along history_time for every quantity; a sample at a contact change is that
   /// before it.
   void add_fields(PointResult &result) const override;
 
 private:
   Settings settings_;
-  const ContactSet &contacts_;
+  const contact::ContactSet &contacts_;
   std::vector<WatchedQuantity> quantities_;
   bool forces_watched_;
   std::vector<double> instants_;
@@ -38,4 +38,4 @@ private:
   std::vector<std::vector<double>> forces_; ///< per contact
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

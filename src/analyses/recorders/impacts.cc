@@ -7,7 +7,9 @@
 #include <limits>
 #include <numeric>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::Impact;
 
 namespace {
 
@@ -62,7 +64,7 @@ Impacts::Impacts(const System &system)
     : contacts_(system.contacts), log_(system.contacts, 0),
       time_in_contact_(system.contacts.size(), 0), chatters_(system.contacts.size(), 0),
       approach_speeds_(system.contacts.size()) {
-  for (const ContactPair &pair : contacts_.pairs())
+  for (const contact::ContactPair &pair : contacts_.pairs())
     labels_.emplace_back(pair.name);
 }
 
@@ -72,7 +74,7 @@ RecorderFactory Impacts::create(const parameters::Values & /*analysis*/) {
   return [](const System &system) { return std::make_unique<Impacts>(system); };
 }
 
-void Impacts::begin(const Window &window, const Trajectory & /*trajectory*/) {
+void Impacts::begin(const Window &window, const integration::Trajectory & /*trajectory*/) {
   window_ = window;
   log_.start_afresh();
   std::fill(time_in_contact_.begin(), time_in_contact_.end(), 0);
@@ -81,25 +83,26 @@ void Impacts::begin(const Window &window, const Trajectory & /*trajectory*/) {
     speeds.clear();
 }
 
-void Impacts::step(const StepView &view) {
+void Impacts::step(const integration::StepView &view) {
   log_.step(view);
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     if (in_contact(view, c))
       time_in_contact_[c] += view.length();
 }
 
-void Impacts::watch(const Equations &equations, std::vector<WatchedForm> &forms) {
+void Impacts::watch(const integration::Equations &equations,
+                    std::vector<integration::WatchedForm> &forms) {
   log_.flight_watcher()->watch(equations, forms);
 }
 
-void Impacts::flown(const Equations &equations, double start, double end) {
+void Impacts::flown(const integration::Equations &equations, double start, double end) {
   log_.flight_watcher()->flown(equations, start, end);
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     if (equations.mode(c).in_contact)
       time_in_contact_[c] += end - start;
 }
 
-void Impacts::event(const ContactEvent &event) {
+void Impacts::event(const integration::ContactEvent &event) {
   log_.event(event);
   if (event.onset)
     approach_speeds_[event.contact].push_back(-event.gap_rate);
@@ -107,7 +110,7 @@ void Impacts::event(const ContactEvent &event) {
     ++chatters_[event.contact];
 }
 
-void Impacts::end(const Trajectory &trajectory) {
+void Impacts::end(const integration::Trajectory &trajectory) {
   log_.end_record(trajectory.time(), trajectory.state(), trajectory.layout());
 }
 
@@ -136,4 +139,4 @@ void Impacts::add_fields(PointResult &result) const {
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

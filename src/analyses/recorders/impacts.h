@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// PATH/mean, /minimum, /maximum of the impacts.
 struct RangeLabels {
@@ -18,18 +18,18 @@ struct RangeLabels {
   Label mean, minimum, maximum;
 };
 
-class Impacts : public Recorder, private FlightWatcher {
+class Impacts : public Recorder, private integration::FlightWatcher {
 public:
   explicit Impacts(const System &system);
 
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const Trajectory &trajectory) override;
-  void step(const StepView &view) override;
-  void event(const ContactEvent &event) override;
-  void end(const Trajectory &trajectory) override;
-  FlightWatcher *flight_watcher() override { return this; }
+  void begin(const Window &window, const integration::Trajectory &trajectory) override;
+  void step(const integration::StepView &view) override;
+  void event(const integration::ContactEvent &event) override;
+  void end(const integration::Trajectory &trajectory) override;
+  integration::FlightWatcher *flight_watcher() override { return this; }
   /// For every contact C: contact/C/impacts, /unfinished, /impacts_per_period (where the window has
   /// periods), /contact_fraction, /chatters, and mean, minimum and maximum of /approach_speed,
   /// /impulse, /peak_force, /contact_duration, /penetration; these are NaN without an impact.
@@ -42,16 +42,17 @@ private:
     Label impacts, unfinished, impacts_per_period, contact_fraction, chatters;
     RangeLabels approach_speed, impulse, peak_force, contact_duration, penetration;
   };
-  void watch(const Equations &equations, std::vector<WatchedForm> &forms) override;
-  void flown(const Equations &equations, double start, double end) override;
+  void watch(const integration::Equations &equations,
+             std::vector<integration::WatchedForm> &forms) override;
+  void flown(const integration::Equations &equations, double start, double end) override;
 
-  const ContactSet &contacts_;
+  const contact::ContactSet &contacts_;
   std::vector<Labels> labels_;
   Window window_;
-  ImpactLog log_;
+  integration::ImpactLog log_;
   std::vector<double> time_in_contact_; ///< [s]
   std::vector<long> chatters_;
   std::vector<std::vector<double>> approach_speeds_; ///< per contact [m/s]
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

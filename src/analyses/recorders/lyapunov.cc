@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::Trajectory;
 
 namespace {
 
@@ -46,7 +48,7 @@ void LyapunovExponent::end_interval(double time) {
   interval_start_ = time;
 }
 
-void LyapunovExponent::step(const StepView &view) {
+void LyapunovExponent::step(const integration::StepView &view) {
   variation_->step(view);
   if (interval_ > 0 && view.end() - interval_start_ >= interval_)
     end_interval(view.end());
@@ -113,4 +115,4 @@ void LyapunovRecorder::add_fields(PointResult &result) const {
                                        "exponent from the intervals up to this one"));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 struct LyapunovSettings {
   double discarded_share = 0.1; ///< of the window, for the deviation to turn
@@ -18,16 +18,16 @@ struct LyapunovSettings {
 };
 
 /// The exponent itself, for recorders that need it.
-class LyapunovExponent : public Observer {
+class LyapunovExponent : public integration::Observer {
 public:
   explicit LyapunovExponent(const LyapunovSettings &settings)
       : settings_(settings), growth_(settings.discarded_share) {}
 
   /// The trajectory stands at the window's start. Periods end exactly when period_end() is called;
   /// a window without periods is divided into about 200 intervals that end with a step.
-  void begin(const Window &window, const Trajectory &trajectory);
-  void step(const StepView &view) override;
-  void event(const ContactEvent &event) override { variation_->event(event); }
+  void begin(const Window &window, const integration::Trajectory &trajectory);
+  void step(const integration::StepView &view) override;
+  void event(const integration::ContactEvent &event) override { variation_->event(event); }
   void period_end(double time);
 
   const Growth &growth() const { return growth_; }
@@ -43,7 +43,7 @@ private:
 
   LyapunovSettings settings_;
   Growth growth_;
-  std::optional<Variation> variation_;
+  std::optional<integration::Variation> variation_;
   double interval_start_ = 0;
   double interval_ = 0; ///< [s]; 0 where the window has periods
 };
@@ -55,10 +55,10 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const Trajectory &trajectory) override;
-  void step(const StepView &view) override { exponent_.step(view); }
-  void event(const ContactEvent &event) override { exponent_.event(event); }
-  void period_end(long cycle, const Trajectory &trajectory) override;
+  void begin(const Window &window, const integration::Trajectory &trajectory) override;
+  void step(const integration::StepView &view) override { exponent_.step(view); }
+  void event(const integration::ContactEvent &event) override { exponent_.event(event); }
+  void period_end(long cycle, const integration::Trajectory &trajectory) override;
   void add_fields(PointResult &result) const override;
 
 private:
@@ -66,4 +66,4 @@ private:
   double period_ = 0;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -8,14 +8,14 @@
 #include <algorithm>
 #include <limits>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
 // Loads that vary in time, frozen at an instant.
-Vector varying_load(const Model &model, double time) {
+Vector varying_load(const model::Model &model, double time) {
   Vector load = Vector::Zero(model.size());
-  for (const Source &source : model.sources()) {
+  for (const model::Source &source : model.sources()) {
     if (source.function->highest_frequency() == 0)
       continue;
     if (!source.load.isZero(0))
@@ -49,7 +49,7 @@ void QuasiStatic::consider(double time) {
   }
 }
 
-void QuasiStatic::begin(const Window &window, const Trajectory & /*trajectory*/) {
+void QuasiStatic::begin(const Window &window, const integration::Trajectory & /*trajectory*/) {
   window_ = window;
   peak_time_ = longest_step_ = 0;
   peak_size_ = -1;
@@ -57,13 +57,13 @@ void QuasiStatic::begin(const Window &window, const Trajectory & /*trajectory*/)
   consider(window.start);
 }
 
-void QuasiStatic::step(const StepView &view) {
+void QuasiStatic::step(const integration::StepView &view) {
   longest_step_ = std::max(longest_step_, view.length());
   consider((view.start() + view.end()) / 2);
   consider(view.equations().source_time(view.end()));
 }
 
-void QuasiStatic::end(const Trajectory & /*trajectory*/) {
+void QuasiStatic::end(const integration::Trajectory & /*trajectory*/) {
   const double lower = std::max(window_.start, peak_time_ - longest_step_);
   const double upper = std::min(window_.end, peak_time_ + longest_step_);
   const auto found =
@@ -72,9 +72,10 @@ void QuasiStatic::end(const Trajectory & /*trajectory*/) {
   consider(found.first);
   const Vector load = varying_load(system_.model, peak_time_);
   for (const double sign : {1.0, -1.0})
-    displacements_.push_back(static_equilibrium(system_.model, system_.contacts,
-                                                system_.model.static_load() + sign * load)
-                                 .displacement);
+    displacements_.push_back(
+        integration::static_equilibrium(system_.model, system_.contacts,
+                                        system_.model.static_load() + sign * load)
+            .displacement);
 }
 
 void QuasiStatic::add_fields(PointResult &result) const {
@@ -96,4 +97,4 @@ void QuasiStatic::add_fields(PointResult &result) const {
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -71,7 +71,7 @@ RecorderFactory RegimeRecorder::create(const parameters::Values &analysis) {
   };
 }
 
-void RegimeRecorder::begin(const Window &window, const Trajectory &trajectory) {
+void RegimeRecorder::begin(const Window &window, const integration::Trajectory &trajectory) {
   period_ = window.period;
   layout_ = trajectory.layout();
   const double forcing = period_ > 0 ? 2 * std::numbers::pi / period_ : 1;
@@ -84,7 +84,7 @@ void RegimeRecorder::begin(const Window &window, const Trajectory &trajectory) {
     exponent_->begin(window, trajectory);
 }
 
-void RegimeRecorder::step(const StepView &view) {
+void RegimeRecorder::step(const integration::StepView &view) {
   const auto physical = view.end_state().head(layout_.physical_size());
   smallest_ = smallest_.cwiseMin(physical);
   largest_ = largest_.cwiseMax(physical);
@@ -92,14 +92,14 @@ void RegimeRecorder::step(const StepView &view) {
     exponent_->step(view);
 }
 
-void RegimeRecorder::event(const ContactEvent &event) {
+void RegimeRecorder::event(const integration::ContactEvent &event) {
   if (event.onset)
     ++impacts_[event.contact];
   if (exponent_)
     exponent_->event(event);
 }
 
-void RegimeRecorder::period_end(long /*cycle*/, const Trajectory &trajectory) {
+void RegimeRecorder::period_end(long /*cycle*/, const integration::Trajectory &trajectory) {
   states_.push_back(trajectory.motion_state().physical);
   if (exponent_)
     exponent_->period_end(trajectory.time());
@@ -127,7 +127,7 @@ Vector RegimeRecorder::scales() const {
 
 StroboscopicPoints RegimeRecorder::points() const {
   std::vector<Index> angles;
-  for (const Rotor &rotor : system_.model.rotors().list())
+  for (const model::Rotor &rotor : system_.model.rotors().list())
     angles.push_back(rotor.angle);
   return {states_, scales(), angles};
 }
@@ -189,4 +189,4 @@ void RegimeRecorder::add_fields(PointResult &result) const {
   add_impacts(result, repetition.multiple);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

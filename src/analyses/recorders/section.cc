@@ -6,7 +6,9 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::StepView;
 
 namespace {
 
@@ -110,13 +112,13 @@ void SectionRecorder::add_point(Samples &samples, const StepView &view, double t
     return;
   samples.time.push_back(view.start() + tau * view.length());
   for (std::size_t k = 0; k < settings_.channels.size(); ++k) {
-    const Bernstein displacement = view.displacement(settings_.channels[k].relative);
+    const integration::Bernstein displacement = view.displacement(settings_.channels[k].relative);
     samples.displacement[k].push_back(displacement(tau));
     samples.velocity[k].push_back(displacement.derivative()(tau) / view.length());
   }
 }
 
-void SectionRecorder::begin(const Window &window, const Trajectory &trajectory) {
+void SectionRecorder::begin(const Window &window, const integration::Trajectory &trajectory) {
   start_ = window.start;
   period_ = window.period;
   layout_ = trajectory.layout();
@@ -128,7 +130,8 @@ void SectionRecorder::begin(const Window &window, const Trajectory &trajectory) 
 }
 
 // A rate that jumps through zero at a contact change makes an extremum at the start of the step.
-void SectionRecorder::add_zeros(RateSection &section, const StepView &view, const Bernstein &rate) {
+void SectionRecorder::add_zeros(RateSection &section, const StepView &view,
+                                const integration::Bernstein &rate) {
   if (rate.start() * section.last_rate < 0)
     add_point(sections_[section.samples], view, 0);
   for (const double tau : sign_changes(rate))
@@ -144,13 +147,13 @@ void SectionRecorder::step(const StepView &view) {
               view.displacement(settings_.channels[k].relative).derivative());
 }
 
-void SectionRecorder::event(const ContactEvent &event) {
+void SectionRecorder::event(const integration::ContactEvent &event) {
   for (std::size_t i = 0; i < settings_.onsets.size(); ++i)
     if (event.onset && settings_.onsets[i] == event.contact)
       add_state(sections_[period_section + 1 + i], event.time, *event.before);
 }
 
-void SectionRecorder::period_end(long /*cycle*/, const Trajectory &trajectory) {
+void SectionRecorder::period_end(long /*cycle*/, const integration::Trajectory &trajectory) {
   add_state(sections_[period_section], trajectory.time(), trajectory.state());
 }
 
@@ -184,4 +187,4 @@ void SectionRecorder::add_fields(PointResult &result) const {
       add_samples(result, samples);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

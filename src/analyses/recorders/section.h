@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 struct SectionSettings {
   std::vector<Channel> channels{};        ///< that are sampled
@@ -26,10 +26,10 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const Trajectory &trajectory) override;
-  void step(const StepView &view) override;
-  void event(const ContactEvent &event) override;
-  void period_end(long cycle, const Trajectory &trajectory) override;
+  void begin(const Window &window, const integration::Trajectory &trajectory) override;
+  void step(const integration::StepView &view) override;
+  void event(const integration::ContactEvent &event) override;
+  void period_end(long cycle, const integration::Trajectory &trajectory) override;
   void add_fields(PointResult &result) const override;
 
 private:
@@ -54,15 +54,16 @@ private:
                           const std::string &description);
   bool full(Samples &samples) const;
   void add_state(Samples &samples, double time, const Vector &state) const;
-  void add_point(Samples &samples, const StepView &view, double tau) const;
-  void add_zeros(RateSection &section, const StepView &view, const Bernstein &rate);
+  void add_point(Samples &samples, const integration::StepView &view, double tau) const;
+  void add_zeros(RateSection &section, const integration::StepView &view,
+                 const integration::Bernstein &rate);
   void add_samples(PointResult &result, const Samples &samples) const;
 
   SectionSettings settings_;
   double start_ = 0, period_ = 0;
-  StateLayout layout_;
+  integration::StateLayout layout_;
   std::vector<Samples> sections_; ///< period ends, onsets, extrema of gaps, of channels
   std::vector<RateSection> gap_rates_, channel_rates_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 struct SpectrumSettings {
   long samples_per_cycle = 256; ///< without periods: samples of the window
@@ -27,8 +27,8 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const Trajectory &trajectory) override;
-  void step(const StepView &view) override;
+  void begin(const Window &window, const integration::Trajectory &trajectory) override;
+  void step(const integration::StepView &view) override;
   void add_fields(PointResult &result) const override;
 
 private:
@@ -44,4 +44,4 @@ private:
   std::optional<OrderIntegrals> orders_; ///< only with periods
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 constexpr const char *section_name = "Statistics";
 } // namespace
 
-void TimeAverage::add(const Bernstein &curve, double length) {
+void TimeAverage::add(const integration::Bernstein &curve, double length) {
   for (const QuadratureNode &node : step_nodes())
     add(curve(node.tau), node.weight * length);
 }
@@ -46,7 +46,7 @@ Statistics::Statistics(const WatchedSelection &selection, const System &system)
     labels_.emplace_back(quantity.path, quantity.unit);
   if (!selection.has("normal_force"))
     return;
-  for (const ContactPair &pair : contacts_.pairs())
+  for (const contact::ContactPair &pair : contacts_.pairs())
     labels_.emplace_back("contact/" + pair.name + "/normal_force", "N");
   forces_.resize(contacts_.size());
 }
@@ -65,17 +65,18 @@ RecorderFactory Statistics::create(const parameters::Values &analysis) {
   };
 }
 
-void Statistics::begin(const Window & /*window*/, const Trajectory & /*trajectory*/) {
+void Statistics::begin(const Window & /*window*/, const integration::Trajectory & /*trajectory*/) {
   std::fill(averages_.begin(), averages_.end(), TimeAverage{});
   std::fill(forces_.begin(), forces_.end(), TimeAverage{});
 }
 
-void Statistics::step(const StepView &view) {
+void Statistics::step(const integration::StepView &view) {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     averages_[i].add(quantities_[i].curve(view), view.length());
   for (std::size_t c = 0; c < forces_.size(); ++c) {
     const bool touching = in_contact(view, c);
-    const ContactCurves curves = touching ? view.contact_curves(c) : ContactCurves{};
+    const integration::ContactCurves curves =
+        touching ? view.contact_curves(c) : integration::ContactCurves{};
     for (const QuadratureNode &node : step_nodes())
       forces_[c].add(touching ? view.force(c, curves, node.tau) : 0, node.weight * view.length());
   }
@@ -88,4 +89,4 @@ void Statistics::add_fields(PointResult &result) const {
     add_average(result, labels_[quantities_.size() + c], forces_[c]);
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

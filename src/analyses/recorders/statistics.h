@@ -14,13 +14,13 @@
 
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 /// Time averages: values weighted by the time they stand for.
 class TimeAverage {
 public:
   /// One step of the given length [s].
-  void add(const Bernstein &curve, double length);
+  void add(const integration::Bernstein &curve, double length);
   void add(double value, double weight) { moments_(value, boost::accumulators::weight = weight); }
 
   double mean() const { return boost::accumulators::weighted_mean(moments_); }
@@ -53,16 +53,16 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const Trajectory &trajectory) override;
-  void step(const StepView &view) override;
+  void begin(const Window &window, const integration::Trajectory &trajectory) override;
+  void step(const integration::StepView &view) override;
   void add_fields(PointResult &result) const override;
 
 private:
-  const ContactSet &contacts_;
+  const contact::ContactSet &contacts_;
   std::vector<WatchedQuantity> quantities_;
   std::vector<AverageLabels> labels_; ///< of the quantities, then of the forces
   std::vector<TimeAverage> averages_;
   std::vector<TimeAverage> forces_; ///< per contact; empty when not watched
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -2,7 +2,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 const std::array<QuadratureNode, 10> &step_nodes() {
   static const std::array<QuadratureNode, 10> nodes = [] {
@@ -17,4 +17,4 @@ const std::array<QuadratureNode, 10> &step_nodes() {
   return nodes;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 struct QuadratureNode {
   double tau = 0;    ///< in the step, 0 ... 1
@@ -13,4 +13,4 @@ struct QuadratureNode {
 
 const std::array<QuadratureNode, 10> &step_nodes();
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

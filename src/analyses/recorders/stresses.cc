@@ -8,7 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using model::PointReference;
+using model::Projection;
 
 namespace {
 
@@ -21,13 +24,13 @@ double square_of_von_mises(double first, double second, double shear) {
   return first * first - first * second + second * second + 3 * shear * shear;
 }
 
-double largest_size(const Bernstein &curve) {
+double largest_size(const integration::Bernstein &curve) {
   return std::max(std::abs(curve.lower_bound()), std::abs(curve.upper_bound()));
 }
 
 class Curves {
 public:
-  Curves(const StepView &view, const std::array<Projection, 3> &place)
+  Curves(const integration::StepView &view, const std::array<Projection, 3> &place)
       : first_(view.displacement(place[0])), second_(view.displacement(place[1])),
         shear_(view.displacement(place[2])) {}
 
@@ -52,11 +55,11 @@ public:
   }
 
 private:
-  Bernstein first_, second_, shear_;
+  integration::Bernstein first_, second_, shear_;
 };
 
-Projection stress_component(const Model &model, const PointReference &at, Index row) {
-  const ReducedBody &body = *model.bodies()[at.body];
+Projection stress_component(const model::Model &model, const PointReference &at, Index row) {
+  const reduction::ReducedBody &body = *model.bodies()[at.body];
   Projection projection{.row = RowVector::Zero(model.size()),
                         .carrier = std::vector<double>(model.sources().size(), 0)};
   projection.row.segment(model.offset(at.body), body.size()) =
@@ -64,7 +67,7 @@ Projection stress_component(const Model &model, const PointReference &at, Index 
   return projection;
 }
 
-bool known(const Model &model, const std::string &name) {
+bool known(const model::Model &model, const std::string &name) {
   PointReference at;
   model.find_point(name, at);
   return model.bodies()[at.body]->points[at.point].stress.rows() > 0;
@@ -116,12 +119,12 @@ RecorderFactory Stresses::create(const parameters::Values &analysis) {
   };
 }
 
-void Stresses::begin(const Window & /*window*/, const Trajectory & /*trajectory*/) {
+void Stresses::begin(const Window & /*window*/, const integration::Trajectory & /*trajectory*/) {
   for (Point &point : points_)
     point.largest = 0;
 }
 
-void Stresses::step(const StepView &view) {
+void Stresses::step(const integration::StepView &view) {
   for (Point &point : points_)
     for (const std::array<Projection, 3> &place : point.places)
       if (const Curves curves(view, place); curves.bound() > point.largest)
@@ -133,4 +136,4 @@ void Stresses::add_fields(PointResult &result) const {
     result.fields.push_back(scalar_field(point.label, std::sqrt(point.largest)));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

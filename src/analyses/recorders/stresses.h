@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 class Stresses : public Recorder {
 public:
@@ -22,19 +22,20 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const Trajectory &trajectory) override;
-  void step(const StepView &view) override;
+  void begin(const Window &window, const integration::Trajectory &trajectory) override;
+  void step(const integration::StepView &view) override;
   /// point/BODY.POINT/von_mises_stress/maximum [Pa].
   void add_fields(PointResult &result) const override;
 
 private:
   struct Point {
     Label label;
-    std::vector<std::array<Projection, 3>> places; ///< two direct stresses and the shear stress
-    double largest = 0;                            ///< square of the von Mises stress
+    std::vector<std::array<model::Projection, 3>>
+        places;         ///< two direct stresses and the shear stress
+    double largest = 0; ///< square of the von Mises stress
   };
 
   std::vector<Point> points_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 namespace {
 
@@ -122,7 +122,7 @@ RecorderFactory WaveletRecorder::create(const parameters::Values &analysis) {
   };
 }
 
-void WaveletRecorder::begin(const Window &window, const Trajectory & /*trajectory*/) {
+void WaveletRecorder::begin(const Window &window, const integration::Trajectory & /*trajectory*/) {
   start_ = window.start;
   samples_.emplace(sample(signals_, window, settings_.interval));
 }
@@ -188,7 +188,8 @@ RecorderFactory SpectrogramRecorder::create(const parameters::Values &analysis) 
   };
 }
 
-void SpectrogramRecorder::begin(const Window &window, const Trajectory & /*trajectory*/) {
+void SpectrogramRecorder::begin(const Window &window,
+                                const integration::Trajectory & /*trajectory*/) {
   start_ = window.start;
   samples_.emplace(sample(signals_, window, settings_.interval));
 }
@@ -217,4 +218,4 @@ void SpectrogramRecorder::add_fields(PointResult &result) const {
   }
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -4,7 +4,12 @@
 
 #include <algorithm>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
+
+using integration::Bernstein;
+using integration::Equations;
+using integration::Extent;
+using integration::StepView;
 
 namespace {
 
@@ -33,32 +38,37 @@ void add_channel(const Channel &channel, std::vector<WatchedQuantity> &list) {
   const std::string base = "point/" + channel.point + "/";
   const std::string along = std::string(" along ") + channel.axis;
   const std::string axis = std::string("_") + channel.axis;
-  const Projection &relative = channel.relative;
-  const Projection &absolute = channel.absolute;
-  list.push_back(
-      {base + "displacement" + axis, "displacement", "m",
-       "displacement relative to the base" + along,
-       [relative](const StepView &v) { return v.displacement(relative); },
-       [relative](const Equations &e, Extent &x) { return watched_displacement(e, relative, x); }});
+  const model::Projection &relative = channel.relative;
+  const model::Projection &absolute = channel.absolute;
+  list.push_back({base + "displacement" + axis, "displacement", "m",
+                  "displacement relative to the base" + along,
+                  [relative](const StepView &v) { return v.displacement(relative); },
+                  [relative](const Equations &e, Extent &x) {
+                    return integration::watched_displacement(e, relative, x);
+                  }});
   if (channel.carried())
     list.push_back({base + "absolute_displacement" + axis, "absolute_displacement", "m",
                     "displacement in space" + along,
                     [absolute](const StepView &v) { return v.displacement(absolute); },
                     [absolute](const Equations &e, Extent &x) {
-                      return watched_displacement(e, absolute, x);
+                      return integration::watched_displacement(e, absolute, x);
                     }});
-  list.push_back(
-      {base + "velocity" + axis, "velocity", "m/s", "velocity relative to the base" + along,
-       [relative](const StepView &v) { return v.velocity(relative); },
-       [relative](const Equations &e, Extent &x) { return watched_velocity(e, relative, x); }});
-  list.push_back(
-      {base + "acceleration" + axis, "acceleration", "m/s^2", "absolute acceleration" + along,
-       [absolute](const StepView &v) { return v.acceleration(absolute); },
-       [absolute](const Equations &e, Extent &x) { return watched_acceleration(e, absolute, x); }});
+  list.push_back({base + "velocity" + axis, "velocity", "m/s",
+                  "velocity relative to the base" + along,
+                  [relative](const StepView &v) { return v.velocity(relative); },
+                  [relative](const Equations &e, Extent &x) {
+                    return integration::watched_velocity(e, relative, x);
+                  }});
+  list.push_back({base + "acceleration" + axis, "acceleration", "m/s^2",
+                  "absolute acceleration" + along,
+                  [absolute](const StepView &v) { return v.acceleration(absolute); },
+                  [absolute](const Equations &e, Extent &x) {
+                    return integration::watched_acceleration(e, absolute, x);
+                  }});
 }
 
-void add_internal(const std::string &path, const InternalState &state, Index place, double offset,
-                  std::vector<WatchedQuantity> &list) {
+void add_internal(const std::string &path, const contact::InternalState &state, Index place,
+                  double offset, std::vector<WatchedQuantity> &list) {
   list.push_back({path, "stop", state.unit, state.description,
                   [place, offset](const StepView &v) {
                     Bernstein curve = v.internal(place);
@@ -66,18 +76,19 @@ void add_internal(const std::string &path, const InternalState &state, Index pla
                     return curve;
                   },
                   [place, offset](const Equations &e, Extent &x) {
-                    return watched_state(e, e.layout().internal() + place, offset, x);
+                    return integration::watched_state(e, e.layout().internal() + place, offset, x);
                   }});
 }
 
-void add_contact(const ContactPair &pair, std::size_t contact, std::vector<WatchedQuantity> &list) {
+void add_contact(const contact::ContactPair &pair, std::size_t contact,
+                 std::vector<WatchedQuantity> &list) {
   const std::string base = "contact/" + pair.name + "/";
   list.push_back({base + "gap", "gap", "m", "gap, > 0 open",
                   [contact](const StepView &v) { return v.gap(contact); },
                   [contact](const Equations &e, Extent &x) {
-                    return watched_contact(e, contact, {.gap = 1}, x);
+                    return integration::watched_contact(e, contact, {.gap = 1}, x);
                   }});
-  const std::vector<InternalState> states = pair.law->internal_states();
+  const std::vector<contact::InternalState> states = pair.law->internal_states();
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Index place = pair.internal_offset + static_cast<Index>(i);
     add_internal(base + "internal/" + states[i].name, states[i], place, 0, list);
@@ -90,7 +101,7 @@ void add_contact(const ContactPair &pair, std::size_t contact, std::vector<Watch
   }
 }
 
-void add_rotor(const Rotor &rotor, std::vector<WatchedQuantity> &list) {
+void add_rotor(const model::Rotor &rotor, std::vector<WatchedQuantity> &list) {
   const std::string base = "rotor/" + rotor.name + "/";
   list.push_back({base + "speed", "rotor", "rad/s", "angular velocity",
                   [angle = rotor.angle](const StepView &v) {
@@ -98,7 +109,7 @@ void add_rotor(const Rotor &rotor, std::vector<WatchedQuantity> &list) {
                   }});
   if (!rotor.motor)
     return;
-  const Motor motor = *rotor.motor;
+  const model::Motor motor = *rotor.motor;
   list.push_back({base + "torque", "rotor", "N m", "torque of the motor",
                   [motor](const StepView &v) { return v.drive(motor.drive); }});
   list.push_back(
@@ -146,7 +157,7 @@ std::vector<WatchedQuantity> watched_quantities(const WatchedSelection &selectio
       add_channel(channel, list);
   for (std::size_t c = 0; c < system.contacts.size(); ++c)
     add_contact(system.contacts.pairs()[c], c, list);
-  for (const Rotor &rotor : system.model.rotors().list())
+  for (const model::Rotor &rotor : system.model.rotors().list())
     add_rotor(rotor, list);
   list.erase(std::remove_if(list.begin(), list.end(),
                             [&](const WatchedQuantity &q) { return !selection.has(q.kind); }),
@@ -159,4 +170,4 @@ bool in_contact(const StepView &view, std::size_t contact) {
   return view.equations().contacts().pairs()[contact].law->modes()[mode].in_contact;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -13,16 +13,18 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact {
+namespace vibroimpact::analyses {
 
 struct WatchedQuantity {
   std::string path; ///< of its fields: "point/frame.head/displacement_x"
   std::string kind; ///< as in the key Quantities: "displacement"
   std::string unit;
   std::string meaning; ///< "displacement relative to the base along x"
-  std::function<Bernstein(const StepView &view)> curve;
+  std::function<integration::Bernstein(const integration::StepView &view)> curve;
   /// The same where it is linear in the motion; none where it is not.
-  std::function<WatchedForm(const Equations &equations, Extent &extent)> form{};
+  std::function<integration::WatchedForm(const integration::Equations &equations,
+                                         integration::Extent &extent)>
+      form{};
 };
 
 /// What a recorder watches, by name; empty lists mean everything.
@@ -46,6 +48,6 @@ std::vector<WatchedQuantity> watched_quantities(const WatchedSelection &selectio
                                                 const System &system);
 
 /// Is a contact in a mode that counts as contact?
-bool in_contact(const StepView &view, std::size_t contact);
+bool in_contact(const integration::StepView &view, std::size_t contact);
 
-} // namespace vibroimpact
+} // namespace vibroimpact::analyses

@@ -3,7 +3,7 @@
 
 #include "parameters/values.h"
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 /// InputError when the section of a law has a Stiffness beside that of the contact.
 inline void refuse_stiffness(const parameters::Values &law) {
@@ -11,4 +11,4 @@ inline void refuse_stiffness(const parameters::Values &law) {
     law.reject("Stiffness", "left out where the contact has a Stiffness fraction.");
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 
@@ -110,4 +110,4 @@ void Hertz::evaluate(int mode, const LocalState &state, LawResponse &response) c
   response.dissipated_power = 0;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -14,7 +14,7 @@
 
 #include <memory>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 /// One side of a Hertz contact.
 struct HertzSide {
@@ -61,4 +61,4 @@ private:
   HertzConstants constants_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

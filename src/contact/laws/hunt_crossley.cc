@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 
@@ -151,4 +151,4 @@ std::shared_ptr<const ContactLaw> HuntCrossley::create(const parameters::Values 
   return with_dimensionless_damping(constants, damping, law.quantity("Lowest approach speed"));
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

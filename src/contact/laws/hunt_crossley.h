@@ -19,7 +19,7 @@
 
 #include "contact/laws/hertz.h"
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 class HuntCrossley : public ContactLaw {
 public:
@@ -51,4 +51,4 @@ private:
   double lowest_speed_; ///< 0 when d is fixed [m/s]
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -2,7 +2,7 @@
 
 #include "contact/laws/given_stiffness.h"
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 
@@ -54,4 +54,4 @@ void KelvinVoigt::evaluate(int mode, const LocalState &state, LawResponse &respo
   response.dissipated_power = damping_constant * state.gap_rate * state.gap_rate;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -18,7 +18,7 @@
 
 #include <memory>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 class KelvinVoigt : public ContactLaw {
 public:
@@ -43,4 +43,4 @@ private:
   double damping_constant_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

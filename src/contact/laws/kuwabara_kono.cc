@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 constexpr const char *section_name = "Kuwabara-Kono";
@@ -46,4 +46,4 @@ void KuwabaraKono::evaluate(int mode, const LocalState &state, LawResponse &resp
   response.dissipated_power = resistance * state.gap_rate * state.gap_rate;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -19,7 +19,7 @@
 
 #include <memory>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 class KuwabaraKono : public ContactLaw {
 public:
@@ -41,4 +41,4 @@ private:
   double dissipation_time_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

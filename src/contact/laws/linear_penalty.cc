@@ -2,7 +2,7 @@
 
 #include "contact/laws/given_stiffness.h"
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 constexpr const char *section_name = "Linear penalty";
@@ -39,4 +39,4 @@ void LinearPenalty::evaluate(int mode, const LocalState &state, LawResponse &res
   response.dissipated_power = 0;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -12,7 +12,7 @@
 
 #include <memory>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 class LinearPenalty : public ContactLaw {
 public:
@@ -36,4 +36,4 @@ private:
   double stiffness_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

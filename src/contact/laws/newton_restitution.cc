@@ -1,6 +1,6 @@
 #include "contact/laws/newton_restitution.h"
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 
@@ -54,4 +54,4 @@ void NewtonRestitution::evaluate(int mode, const LocalState &state, LawResponse 
   response.dissipated_power = -response.force * state.gap_rate;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

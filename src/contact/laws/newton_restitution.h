@@ -19,7 +19,7 @@
 
 #include <memory>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 class NewtonRestitution : public ContactLaw {
 public:
@@ -38,4 +38,4 @@ private:
   double coefficient_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -2,7 +2,7 @@
 
 #include "contact/laws/given_stiffness.h"
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 constexpr const char *section_name = "Piecewise stop";
@@ -57,4 +57,4 @@ std::optional<ElasticForce> PiecewiseStop::elastic_force() const {
   return ElasticForce{.stiffness = stiffness_, .exponent = 1};
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -16,7 +16,7 @@
 
 #include <memory>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 class PiecewiseStop : public ContactLaw {
 public:
@@ -39,4 +39,4 @@ private:
   double damping_constant_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

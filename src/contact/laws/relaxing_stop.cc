@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 
@@ -89,4 +89,4 @@ void RelaxingStop::evaluate(int mode, const LocalState &state, LawResponse &resp
   response.dissipated_power = damping_constant_ * rate * rate;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

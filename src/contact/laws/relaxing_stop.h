@@ -25,7 +25,7 @@
 
 #include <memory>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 class RelaxingStop : public ContactLaw {
 public:
@@ -48,4 +48,4 @@ private:
   double damping_constant_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

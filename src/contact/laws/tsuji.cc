@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 namespace {
 constexpr const char *section_name = "Tsuji";
@@ -69,4 +69,4 @@ void Tsuji::evaluate(int mode, const LocalState &state, LawResponse &response) c
   response.dissipated_power = resistance * state.gap_rate * state.gap_rate;
 }
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact

@@ -21,7 +21,7 @@
 
 #include <memory>
 
-namespace vibroimpact {
+namespace vibroimpact::contact {
 
 /// alpha for e in (0, 1]. Throws std::invalid_argument for another e.
 double tsuji_damping(double restitution_coefficient);
@@ -46,4 +46,4 @@ private:
   double damping_;
 };
 
-} // namespace vibroimpact
+} // namespace vibroimpact::contact
