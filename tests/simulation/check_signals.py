@@ -70,8 +70,8 @@ set Analyses = cases
 subsection Analysis one
   set Type = TYPE
   subsection Transient
-    set Duration = 1 s
-    set Sampling interval = 0.5 s
+    set Duration = 100 s
+    set Sampling interval = 50 s
   end
   subsection Response
     set Settling cycles = 1
@@ -89,7 +89,7 @@ subsection Analysis cases
   end
 end
 """
-ENDLESS = {"transient": ("Analysis/one/Transient/Duration", "1 s, 4e7 s"),
+ENDLESS = {"transient": ("Analysis/one/Transient/Duration", "100 s, 4e7 s"),
            "response": ("Analysis/one/Response/Settling cycles", "5, 1000000000")}
 OBEDIENT = 10  # seconds
 
