@@ -172,7 +172,8 @@ const std::vector<Case> values{
      "2: Body a / Type = shel\n  'shel' is not possible; did you mean 'shell'? one of these is "
      "expected: beam, shell, lumped."},
     {"names", "set Bodies = a,,b\n",
-     "1: Bodies = a,,b\n  an entry of the list is empty; different names separated by commas are expected."},
+     "1: Bodies = a,,b\n  an entry of the list is empty; different names separated by commas are "
+     "expected."},
     {"variable_named_as_unit", "set Variables = g = 3\n",
      "1: Variables = g = 3\n  'g' is a unit and cannot be the name of a variable."},
     {"variable_named_as_function", "set Variables = sqrt = 3\n",
