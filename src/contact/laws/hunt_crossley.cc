@@ -30,10 +30,12 @@ std::vector<Mode> make_modes(double damping, double lowest_speed) {
   Mode slow_apart = modes[separating];
   slow_apart.name = "slow separating";
   slow_apart.guards.back().target = slow_contact;
-  const Guard too_slow{.indicator = {.constant = -lowest_speed, .internal = {1}},
-                       .target = slow_contact,
-                       .reset = {{.constant = lowest_speed}}};
-  modes[contact].guards.push_back(too_slow);
+  Guard &too_slow = modes[contact].guards.emplace_back();
+  too_slow.indicator.constant = -lowest_speed;
+  too_slow.indicator.internal.assign(1, 1.0);
+  too_slow.target = slow_contact;
+  too_slow.reset.resize(1);
+  too_slow.reset[0].constant = lowest_speed;
   modes.push_back(slow);
   modes.push_back(slow_apart);
   return modes;
