@@ -62,9 +62,10 @@ constexpr int n_samples = 400;
 
 Moved motion(const std::string &model, const std::string &method, double duration,
              const std::string &step = "") {
-  std::vector<parameters::Override> overrides = {{"Integration/Method", method}};
+  std::vector<parameters::Override> overrides = {
+      {.path = "Integration/Method", .value = method, .origin = "test"}};
   if (!step.empty())
-    overrides.push_back({"Integration/Maximum step", step});
+    overrides.push_back({.path = "Integration/Maximum step", .value = step, .origin = "test"});
   const System system = system_of(model, overrides);
   Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
