@@ -87,7 +87,7 @@ std::string pictures(const std::filesystem::path &folder) {
   return files.size() > most ? list + ", ..." : list;
 }
 
-// What is told on the way to exit code 3 and 0.
+// Messages at the end of a run with exit code 3 or 0.
 int tell_end(const analyses::RunSummary &summary, const std::string &folder) {
   if (summary.failed > 0)
     log::warning(std::to_string(summary.failed) +

@@ -44,7 +44,7 @@ struct Remainder {
 double impact_error(const ContactLaw &law, double kept_mass,
                     const std::vector<Remainder> &remainders);
 
-/// What is told of a contact before any motion.
+/// Measures of a contact that are known before any motion.
 struct ContactFigures {
   std::string name;
   double clearance = 0;         ///< [m]
