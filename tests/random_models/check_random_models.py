@@ -42,8 +42,8 @@ def processor_time(process):
 class Batch:
     """Models first, ..., first + number - 1, in as many processes as it takes."""
 
-    def __init__(self, program, first, number, limit):
-        self.program, self.limit = program, limit
+    def __init__(self, program, first, number, limit, report):
+        self.program, self.limit, self.report = program, limit, report
         self.next, self.end = first, first + number
         self.lines = []
 
@@ -66,8 +66,7 @@ class Batch:
                 if not line:
                     self.note("crashed", f"exit code {process.wait()}")
                     return
-                self.lines.append(line.rstrip("\n").split("\t", 4))
-                self.next += 1
+                self.add(line.rstrip("\n").split("\t", 4))
                 since = processor_time(process) or since
             elif (processor_time(process) or 0.0) - since > self.limit:
                 process.kill()
@@ -77,16 +76,21 @@ class Batch:
         process.wait()
 
     def note(self, word, detail):
-        self.lines.append([str(self.next), word, "nan", "nan", detail])
+        self.add([str(self.next), word, "nan", "nan", detail])
+
+    def add(self, line):
+        self.lines.append(line)
+        self.report.write("\t".join(line) + "\n")
+        self.report.flush()
         self.next += 1
 
 
-def judge(options):
-    """The lines of all models, sorted by seed."""
+def judge(options, report):
+    """The lines of all models, sorted by seed; the report gets each as it is found."""
     part = max(1, min(100, options.models // options.processes))
     firsts = range(options.first, options.first + options.models, part)
     end = options.first + options.models
-    batches = [Batch(options.program, first, min(part, end - first), options.limit)
+    batches = [Batch(options.program, first, min(part, end - first), options.limit, report)
                for first in firsts]
     with concurrent.futures.ThreadPoolExecutor(options.processes) as pool:
         lines = [line for found in pool.map(Batch.run, batches) for line in found]
@@ -102,11 +106,9 @@ def main():
     parser.add_argument("--limit", type=float, default=60)
     parser.add_argument("--report")
     options = parser.parse_args()
-    lines = judge(options)
+    with open(options.report or os.devnull, "w", encoding="utf-8") as report:
+        lines = judge(options, report)
     counts = collections.Counter(line[1] for line in lines)
-    if options.report:
-        with open(options.report, "w", encoding="utf-8") as file:
-            file.writelines("\t".join(line) + "\n" for line in lines)
     for line in lines:
         if line[1] in MISTAKES:
             print(f"model {line[0]}: {line[1]}: {line[4]}")
