@@ -2,12 +2,12 @@
 find_package(PkgConfig REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C CXX)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(Boost 1.74 REQUIRED COMPONENTS context program_options serialization)
+find_package(Boost 1.74 REQUIRED COMPONENTS program_options serialization)
 find_package(deal.II 9.4 REQUIRED)
 pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
 pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET SLEPc)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
-# exp, sin and cos that are the same in all vector widths.
+# exp, sin and cos that are rounded alike on every machine.
 pkg_check_modules(SLEEF REQUIRED IMPORTED_TARGET sleef)
 find_package(ZLIB REQUIRED)
 

@@ -1,10 +1,8 @@
 #include "command_line.h"
 
-#include "analyses/runner.h"
 #include "common/error.h"
 
 #include <boost/algorithm/string/join.hpp>
-#include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -18,22 +16,20 @@ namespace options = boost::program_options;
 
 options::options_description described_options() {
   options::options_description description("Options");
-  description.add_options()                                                                //
-      ("help", "show this text")                                                           //
-      ("version", "show version and libraries")                                            //
-      ("check", "read and check the file, estimate the cost, run nothing")                 //
-      ("set", options::value<std::vector<std::string>>()->value_name("PATH=VALUE"),        //
-       "override a key, e.g. --set \"Contact/stop/Clearance=0.7 mm\"; may be repeated")    //
-      ("output", options::value<std::string>()->value_name("DIR"),                         //
-       "folder of the results; default: output/ and the name of the file")                 //
-      ("overwrite", "replace the results an earlier run left in that folder")              //
-      ("resume", options::value<std::string>()->value_name("DIR"),                         //
-       "go on where a run in this folder stopped")                                         //
-      ("lines-at-once", options::value<std::string>()->value_name("N"),                    //
-       "lines of an analysis that a process works at together, default 1; for speed only") //
-      ("body-cache", options::value<std::string>()->value_name("DIR"),                     //
-       "folder that keeps reduced bodies for later runs; default: none is kept")           //
-      ("print-parameters", options::value<std::string>()->value_name("FORMAT"),            //
+  description.add_options()                                                             //
+      ("help", "show this text")                                                        //
+      ("version", "show version and libraries")                                         //
+      ("check", "read and check the file, estimate the cost, run nothing")              //
+      ("set", options::value<std::vector<std::string>>()->value_name("PATH=VALUE"),     //
+       "override a key, e.g. --set \"Contact/stop/Clearance=0.7 mm\"; may be repeated") //
+      ("output", options::value<std::string>()->value_name("DIR"),                      //
+       "folder of the results; default: output/ and the name of the file")              //
+      ("overwrite", "replace the results an earlier run left in that folder")           //
+      ("resume", options::value<std::string>()->value_name("DIR"),                      //
+       "go on where a run in this folder stopped")                                      //
+      ("body-cache", options::value<std::string>()->value_name("DIR"),                  //
+       "folder that keeps reduced bodies for later runs; default: none is kept")        //
+      ("print-parameters", options::value<std::string>()->value_name("FORMAT"),         //
        "print the reference of all keys: markdown, prm or json");
   return description;
 }
@@ -79,17 +75,6 @@ std::string text(const options::variables_map &map, const std::string &name) {
   return value;
 }
 
-std::size_t lines_at_once(const std::string &given) {
-  if (given.empty())
-    return analyses::default_lines_at_once;
-  std::size_t number = 0;
-  const bool read = boost::conversion::try_lexical_convert(given, number);
-  if (!read || given.front() == '-' || number < 1 || number > 1000)
-    throw InputError("command line: --lines-at-once " + given +
-                     "\n  it must be a whole number from 1 to 1000.");
-  return number;
-}
-
 void check_combination(const CommandLine &line) {
   if (line.task == CommandLine::Task::print_parameters && line.print_format != "markdown" &&
       line.print_format != "prm" && line.print_format != "json")
@@ -125,7 +110,6 @@ CommandLine parse_command_line(int argc, char **argv) {
   line.body_cache = text(map, "body-cache");
   line.print_format = text(map, "print-parameters");
   line.overwrite = map.count("overwrite") > 0;
-  line.lines_at_once = lines_at_once(text(map, "lines-at-once"));
   if (map.count("file") > 0) {
     const auto files = map["file"].as<std::vector<std::string>>();
     if (files.size() > 1)

@@ -16,7 +16,6 @@ struct CommandLine {
   std::string resume_folder{};                   ///< --resume
   std::string output_folder{};                   ///< --output; empty: output/ and the file's name
   bool overwrite = false;                        ///< --overwrite
-  std::size_t lines_at_once = 1;                 ///< --lines-at-once
   std::string body_cache{};                      ///< --body-cache; empty: none
   std::string print_format{};                    ///< --print-parameters
   std::vector<parameters::Override> overrides{}; ///< --set

@@ -53,15 +53,13 @@ RunOptions run_options(const CommandLine &line) {
   if (!line.resume_folder.empty())
     return {.folder = line.resume_folder,
             .existing = ExistingFolder::resume,
-            .command_line = line.whole,
-            .lines_at_once = line.lines_at_once};
+            .command_line = line.whole};
   std::filesystem::path folder = line.output_folder;
   if (folder.empty())
     folder = std::filesystem::path("output") / std::filesystem::path(line.parameter_file).stem();
   return {.folder = folder,
           .existing = line.overwrite ? ExistingFolder::overwrite : ExistingFolder::refuse,
-          .command_line = line.whole,
-          .lines_at_once = line.lines_at_once};
+          .command_line = line.whole};
 }
 
 void print_version() {

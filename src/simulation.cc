@@ -389,7 +389,7 @@ RunSummary Simulation::run_jobs(const std::vector<Job> &jobs, output::FileSink &
     const RunSummary summary = analyses::run_analysis(
         job.name, job.keys, analyses::grid_axes(job.keys, *parameters_),
         [&](const std::vector<Override> &overrides) { return build_case(job, overrides); }, sink,
-        communicator_, options.lines_at_once);
+        communicator_);
     total.finished += summary.finished;
     total.failed += summary.failed;
     total.unbalanced += summary.unbalanced;

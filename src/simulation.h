@@ -29,7 +29,6 @@ struct RunOptions {
   std::filesystem::path folder; ///< of the results
   output::ExistingFolder existing = output::ExistingFolder::refuse;
   std::string command_line;
-  std::size_t lines_at_once = analyses::default_lines_at_once; ///< see run_analysis()
 };
 
 class Simulation {

@@ -4,12 +4,10 @@
 #include "common/error.h"
 #include "common/progress.h"
 #include "common/signals.h"
-#include "integration/flight_batch.h"
 
 #include <algorithm>
 #include <chrono>
 #include <numeric>
-#include <optional>
 #include <thread>
 
 namespace vibroimpact::analyses {
@@ -191,42 +189,6 @@ void wait_for_all(PointCounter &counter, MPI_Comm communicator) {
   counter.tell(); // what the last rank told just before it came here
 }
 
-// Gives this rank its lines. Towards the end a rank has no more of them at once than its share of
-// what is left, lest others wait for it.
-class LineDealer {
-public:
-  LineDealer(SharedCounters &counters, long total, MPI_Comm communicator)
-      : counters_(counters), total_(total) {
-    MPI_Comm_size(communicator, &n_ranks_);
-  }
-
-  std::size_t useful_at_once(std::size_t wanted) const {
-    return std::min(wanted, static_cast<std::size_t>(share(total_)));
-  }
-
-  void begin_to_work() { ++workers_; }
-
-  /// None: the caller, who has finished the line he had, is not needed any more.
-  std::optional<std::size_t> next() {
-    if (!stop_requested() && workers_ <= share(total_ - 1 - last_)) {
-      last_ = counters_.add(next_line, 1);
-      if (last_ < total_)
-        return static_cast<std::size_t>(last_);
-    }
-    --workers_;
-    return std::nullopt;
-  }
-
-private:
-  long share(long lines) const { return std::max(1L, lines / n_ranks_); }
-
-  SharedCounters &counters_;
-  long total_;
-  long last_ = -1; ///< line that this rank was given
-  int n_ranks_ = 1;
-  long workers_ = 0;
-};
-
 // Numbers that make up a physical state.
 Index state_size(const System &system) {
   return 2 * system.model.size() + system.contacts.n_internal() + system.model.n_drive();
@@ -267,7 +229,7 @@ void check_case(const Case &work) {
 
 RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &keys,
                         const std::vector<Axis> &outer_axes, const CaseFactory &factory,
-                        ResultSink &sink, MPI_Comm communicator, std::size_t lines_at_once) {
+                        ResultSink &sink, MPI_Comm communicator) {
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
   const Case first = factory(grid_overrides(keys, 0));
@@ -285,15 +247,12 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
     SharedCounters counters(communicator);
     Progress progress(points_of(header.axes), name, rank == 0);
     PointCounter counter(counters, progress);
-    LineDealer dealer(counters, static_cast<long>(grid_size(keys) * lines), communicator);
-    const auto work_at_lines = [&] {
-      GridLine context(sink, inner_axes, counter, summary);
-      dealer.begin_to_work();
-      while (const std::optional<std::size_t> task = dealer.next())
-        run_task(*task, keys, lines, inner_axes, factory, context);
-    };
+    const auto total = static_cast<long>(grid_size(keys) * lines);
+    GridLine context(sink, inner_axes, counter, summary);
     try {
-      integration::run_batch(dealer.useful_at_once(lines_at_once), work_at_lines);
+      for (long task = counters.add(next_line, 1); task < total && !stop_requested();
+           task = counters.add(next_line, 1))
+        run_task(static_cast<std::size_t>(task), keys, lines, inner_axes, factory, context);
     } catch (const Interrupted &) {
       summary.interrupted = true;
     }

@@ -1,9 +1,8 @@
 // Runs an analysis over MPI ranks, alone or at every point of a grid of parameter values.
 //
-// The work is dealt out line by line: each rank, rank 0 included, takes the next line when it has
-// finished one, because lines can differ a hundredfold in cost. A rank works at several lines at
-// once, fewer towards the end, when there is not enough left for all ranks. Results do not depend
-// on who computed them, nor beside which others.
+// The work is distributed line by line: each rank, rank 0 included, takes the next line when it has
+// finished one, because lines can differ a hundredfold in cost. Results do not depend on the rank
+// that computed them.
 #pragma once
 
 #include "analyses/analysis.h"
@@ -40,15 +39,10 @@ struct RunSummary {
   std::string left_out{};
 };
 
-/// Lines that a rank has in work at once. With more than one their motions share the vector lanes,
-/// which has not made whole sweeps faster yet (docs/benchmarks.md).
-constexpr std::size_t default_lines_at_once = 1;
-
 /// Collective. Without keys the analysis runs once. In a grid, a point whose parameters cannot be
 /// used is recorded as failed; without grid the InputError is thrown on every rank.
 RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &keys,
                         const std::vector<Axis> &outer_axes, const CaseFactory &factory,
-                        ResultSink &sink, MPI_Comm communicator,
-                        std::size_t lines_at_once = default_lines_at_once);
+                        ResultSink &sink, MPI_Comm communicator);
 
 } // namespace vibroimpact::analyses

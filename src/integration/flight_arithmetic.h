@@ -1,11 +1,10 @@
-// The arithmetic of the flight kernel, once for a number and for packs of numbers.
+// The arithmetic of the flight kernel.
 //
-// Lanes and the scalar kernel must agree to the last bit: both are made of these functions, none of
-// which fuses a multiplication with an addition (the files that use them are compiled so), and of
-// exp, sin and cos that are the same in all widths. A pack (in the files lane_kernel_*) brings the
-// same operations as a number, and masks for truth values.
+// The files that use it fuse no multiplication with an addition, so that contact changes are the
+// same to the last bit on every machine.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibroimpact::integration::flight_arithmetic {
@@ -24,43 +23,37 @@ constexpr double negligible_part = 0.02;
 /// Largest |exponent| times time of a short move: the cube over 6 is far below rounding.
 constexpr double short_reach = 4e-6;
 
-inline double select(bool condition, double a, double b) { return condition ? a : b; }
-inline double square_root(double a) { return std::sqrt(a); }
-inline double absolute(double a) { return std::abs(a); }
-
-// The first where they cannot be compared.
-template <class V> V smaller(V a, V b) { return select(b < a, b, a); }
-template <class V> V larger(V a, V b) { return select(a < b, b, a); }
-
-/// A guard, or several of them in lanes: value and slope.
-template <class V> struct Height { V value, slope; };
+/// Value and slope of a guard.
+struct Height {
+  double value, slope;
+};
 
 /// One group's part of a guard.
-template <class V>
-void add_group(V coefficient_real, V coefficient_imaginary, V amplitude_real, V amplitude_imaginary,
-               V rate, V frequency, Height<V> &height) {
-  const V x = coefficient_real * amplitude_real - coefficient_imaginary * amplitude_imaginary;
-  const V y = coefficient_real * amplitude_imaginary + coefficient_imaginary * amplitude_real;
+inline void add_group(double coefficient_real, double coefficient_imaginary, double amplitude_real,
+                      double amplitude_imaginary, double rate, double frequency, Height &height) {
+  const double x = coefficient_real * amplitude_real - coefficient_imaginary * amplitude_imaginary;
+  const double y = coefficient_real * amplitude_imaginary + coefficient_imaginary * amplitude_real;
   height.value = height.value + x;
   height.slope = height.slope + (x * rate - y * frequency);
 }
 
 /// Turns and shrinks an amplitude.
-template <class V>
-void rotate(V real, V imaginary, V factor, V sine, V cosine, V &to_real, V &to_imaginary) {
-  const V c = factor * cosine;
-  const V s = factor * sine;
+inline void rotate(double real, double imaginary, double factor, double sine, double cosine,
+                   double &to_real, double &to_imaginary) {
+  const double c = factor * cosine;
+  const double s = factor * sine;
   to_real = real * c - imaginary * s;
   to_imaginary = real * s + imaginary * c;
 }
 
 /// The same over a time so short that two terms of the exponential's series do.
-template <class V> void rotate_little(V rate, V frequency, V time, V &real, V &imaginary, V &size) {
-  const V x = rate * time;
-  const V y = frequency * time;
-  const V c = V(1.0) + (x + V(0.5) * (x * x - y * y));
-  const V s = y + x * y;
-  const V turned = real * c - imaginary * s;
+inline void rotate_little(double rate, double frequency, double time, double &real,
+                          double &imaginary, double &size) {
+  const double x = rate * time;
+  const double y = frequency * time;
+  const double c = 1 + (x + 0.5 * (x * x - y * y));
+  const double s = y + x * y;
+  const double turned = real * c - imaginary * s;
   imaginary = real * s + imaginary * c;
   real = turned;
   size = size + size * x;
@@ -68,98 +61,96 @@ template <class V> void rotate_little(V rate, V frequency, V time, V &real, V &i
 
 /// Longest piece that is worth trying, found from all guards: where the error is a third of the
 /// value of one, and a little beyond the zero of the straight line, further than rounding can hide.
-template <class V> class Trial {
+class Trial {
 public:
-  explicit Trial(V limit) : longest_(limit), shortest_(0.0), ratio_(1e300) {}
+  explicit Trial(double limit) : longest_(limit) {}
 
-  void add(const Height<V> &start, V bound, V margin) {
-    ratio_ = smaller(ratio_, start.value / bound);
-    const V by_slope = (V(-1.2) * start.value - V(8.0) * margin) / start.slope;
-    longest_ = select(start.slope < V(0.0), smaller(longest_, by_slope), longest_);
-    const auto creeps = (start.slope < V(0.0)) & (start.value < V(near_zero) * margin);
-    const V least = V(least_change) * margin / absolute(start.slope);
-    shortest_ = select(creeps, larger(shortest_, least), shortest_);
+  void add(const Height &start, double bound, double margin) {
+    ratio_ = std::min(ratio_, start.value / bound);
+    if (!(start.slope < 0))
+      return;
+    const double by_slope = (-1.2 * start.value - 8 * margin) / start.slope;
+    longest_ = std::min(longest_, by_slope);
+    if (start.value < near_zero * margin)
+      shortest_ = std::max(shortest_, least_change * margin / std::abs(start.slope));
   }
   /// Where a guard falls near zero, shorter pieces change nothing, by rounding, and many of them
   /// would lead past a zero.
-  V shortest() const { return shortest_; }
-  V length() const {
-    return smaller(longest_, square_root(square_root(V(0.3 / value_error) * ratio_)));
+  double shortest() const { return shortest_; }
+  double length() const {
+    return std::min(longest_, std::sqrt(std::sqrt((0.3 / value_error) * ratio_)));
   }
 
 private:
-  V longest_, shortest_;
-  V ratio_; ///< least value over bound of the fourth derivative
+  double longest_;
+  double shortest_ = 0;
+  double ratio_ = 1e300; ///< least value over bound of the fourth derivative
 };
 
 /// Length of a piece with what judging needs of it.
-template <class V> struct Span {
-  V third, value_error, slope_error; ///< h / 3; error per bound of the fourth derivative
-  explicit Span(V h) : third(h / V(3.0)), value_error(), slope_error() {
-    const V square = h * h;
-    const V fourth = square * square;
-    value_error = V(flight_arithmetic::value_error) * fourth;
-    slope_error = V(flight_arithmetic::slope_error) * fourth;
+struct Span {
+  double third, value_error, slope_error; ///< h / 3; error per bound of the fourth derivative
+  explicit Span(double h) : third(h / 3), value_error(), slope_error() {
+    const double square = h * h;
+    const double fourth = square * square;
+    value_error = flight_arithmetic::value_error * fourth;
+    slope_error = flight_arithmetic::slope_error * fourth;
   }
 };
 
 /// True: proven positive in the piece.
-template <class V>
-auto positive(const Height<V> &start, const Height<V> &end, const Span<V> &span, V bound,
-              V margin) {
-  const V b1 = start.value + span.third * start.slope;
-  const V b2 = end.value - span.third * end.slope;
-  const V lowest = smaller(smaller(start.value, b1), smaller(b2, end.value));
+inline bool positive(const Height &start, const Height &end, const Span &span, double bound,
+                     double margin) {
+  const double b1 = start.value + span.third * start.slope;
+  const double b2 = end.value - span.third * end.slope;
+  const double lowest = std::min(std::min(start.value, b1), std::min(b2, end.value));
   return lowest > span.value_error * bound + margin;
 }
 
 /// The same for a guard that rises from an exact zero at the start: near it the error
 /// t^2 (h - t)^2 / 24 max|f''''| vanishes faster than f.
-template <class V>
-auto positive_from_zero(const Height<V> &start, const Height<V> &end, const Span<V> &span, V bound,
-                        V margin) {
-  const V b1 = start.value + span.third * start.slope;
-  const V b2 = end.value - span.third * end.slope;
-  return (b1 > V(0.0)) & (V(3.0) * b2 > V(16.0) * (span.value_error * bound) + margin) &
-         (end.value > margin);
+inline bool positive_from_zero(const Height &start, const Height &end, const Span &span,
+                               double bound, double margin) {
+  const double b1 = start.value + span.third * start.slope;
+  const double b2 = end.value - span.third * end.slope;
+  return b1 > 0 && 3 * b2 > 16 * (span.value_error * bound) + margin && end.value > margin;
 }
 
 /// True: proven to fall all along, to below zero.
-template <class V>
-auto falling(const Height<V> &start, const Height<V> &end, const Span<V> &span, V bound, V margin) {
-  const V b1 = start.value + span.third * start.slope;
-  const V b2 = end.value - span.third * end.slope;
-  const V steepest = larger(b1 - start.value, larger(b2 - b1, end.value - b2)) * V(3.0);
-  return (end.value < V(0.0) - margin) & (steepest + span.slope_error * bound + margin < V(0.0));
+inline bool falling(const Height &start, const Height &end, const Span &span, double bound,
+                    double margin) {
+  const double b1 = start.value + span.third * start.slope;
+  const double b2 = end.value - span.third * end.slope;
+  const double steepest = std::max(b1 - start.value, std::max(b2 - b1, end.value - b2)) * 3;
+  return end.value < -margin && steepest + span.slope_error * bound + margin < 0;
 }
 
 /// Near the zero of the cubic of a piece [s] in which a guard falls from above zero to below it.
-template <class V> V zero_of_cubic(const Height<V> &start, const Height<V> &end, V h) {
-  const V a = h * start.slope;
-  const V drop = end.value - start.value;
-  const V quadratic = V(3.0) * drop - (a + a) - h * end.slope;
-  const V cubic = drop - a - quadratic;
-  V u = start.value / (start.value - end.value);
+inline double zero_of_cubic(const Height &start, const Height &end, double h) {
+  const double a = h * start.slope;
+  const double drop = end.value - start.value;
+  const double quadratic = 3 * drop - (a + a) - h * end.slope;
+  const double cubic = drop - a - quadratic;
+  double u = start.value / (start.value - end.value);
   for (int i = 0; i < 3; ++i) {
-    const V value = start.value + u * (a + u * (quadratic + u * cubic));
-    const V slope = a + u * ((quadratic + quadratic) + u * (V(3.0) * cubic));
-    const V next = u - value / slope;
-    u = select((next > V(0.0)) & (next < V(1.0)), next, u);
+    const double value = start.value + u * (a + u * (quadratic + u * cubic));
+    const double slope = a + u * ((quadratic + quadratic) + u * (3 * cubic));
+    const double next = u - value / slope;
+    if (next > 0 && next < 1)
+      u = next;
   }
   return u * h;
 }
 
 /// What is known of a zero.
-template <class V> struct Bracket {
-  V low, high;
+struct Bracket {
+  double low, high;
 
   /// Narrows at `instant` and says where to look next.
-  V next(V instant, const Height<V> &there) {
-    const auto above = there.value > V(0.0);
-    low = select(above, instant, low);
-    high = select(above, high, instant);
-    const V wanted = instant - there.value / there.slope;
-    return select((wanted > low) & (wanted < high), wanted, V(0.5) * (low + high));
+  double next(double instant, const Height &there) {
+    (there.value > 0 ? low : high) = instant;
+    const double wanted = instant - there.value / there.slope;
+    return wanted > low && wanted < high ? wanted : 0.5 * (low + high);
   }
 };
 

@@ -74,7 +74,7 @@ void FlightKernel::move(double h) {
   find_factors(h);
   growth_ = 1;
   for (const std::size_t j : sums_->decaying)
-    growth_ = larger(growth_, factors_[j]);
+    growth_ = std::max(growth_, factors_[j]);
   for (std::size_t j = 0; j < n_groups_; ++j) {
     end_.size[j] = start_.size[j] * factors_[j];
     rotate(start_.real[j], start_.imaginary[j], factors_[j], sines_[j], cosines_[j], end_.real[j],
@@ -121,18 +121,18 @@ void FlightKernel::bound() {
 
 // For a guard that rises from zero, a length at which the error is well below the rise.
 double FlightKernel::first_trial(double limit) {
-  Trial<double> trial(limit);
+  Trial trial(limit);
   double h = limit;
   for (std::size_t g = 0; g < n_guards_; ++g)
     if (zero_[g] == 0)
       trial.add(starts_[g], bounds_[g], margins_[g]);
     else if (bounds_[g] > 0)
-      h = smaller(h, std::cbrt(0.04 * starts_[g].slope / (value_error * bounds_[g])));
+      h = std::min(h, std::cbrt(0.04 * starts_[g].slope / (value_error * bounds_[g])));
   least_ = trial.shortest();
-  return smaller(h, trial.length());
+  return std::min(h, trial.length());
 }
 
-FlightKernel::Verdict FlightKernel::judge(std::size_t g, const Span<double> &span) const {
+FlightKernel::Verdict FlightKernel::judge(std::size_t g, const Span &span) const {
   const double bound = growth_ * bounds_[g];
   const double margin = growth_ * margins_[g];
   if (zero_[g] != 0)
@@ -145,7 +145,7 @@ FlightKernel::Verdict FlightKernel::judge(std::size_t g, const Span<double> &spa
 }
 
 FlightKernel::Verdict FlightKernel::judge(double h) {
-  const Span<double> span(h);
+  const Span span(h);
   Verdict verdict = Verdict::positive;
   for (std::size_t g = 0; g < n_guards_; ++g) {
     const Verdict own = judge(g, span);
@@ -170,18 +170,18 @@ void FlightKernel::accept(double h) {
 }
 
 bool FlightKernel::is_zero() const {
-  return absolute(ends_[falling_].value) <= negligible_part * margins_[falling_];
+  return std::abs(ends_[falling_].value) <= negligible_part * margins_[falling_];
 }
 
 bool FlightKernel::found(double instant) {
   time_to_guard_ = instant;
-  residual_ = absolute(ends_[falling_].value / ends_[falling_].slope);
+  residual_ = std::abs(ends_[falling_].value / ends_[falling_].slope);
   return ends_[falling_].slope < 0;
 }
 
 // The guard is positive at the start of the piece, negative at its end, and falls all along.
 bool FlightKernel::locate(double h) {
-  Bracket<double> bracket{.low = 0, .high = h};
+  Bracket bracket{.low = 0, .high = h};
   double instant = zero_of_cubic(starts_[falling_], ends_[falling_], h);
   for (int i = 0; i < corrections; ++i) {
     move(instant);
@@ -189,7 +189,7 @@ bool FlightKernel::locate(double h) {
     if (is_zero())
       return found(instant);
     const double next = bracket.next(instant, ends_[falling_]);
-    const double rest = absolute(next - instant);
+    const double rest = std::abs(next - instant);
     const bool settled = rest <= 2 * epsilon * next;
     if (rest * sums_->fastest <= short_reach) {
       move_little(next - instant);
@@ -209,8 +209,8 @@ bool FlightKernel::locate(double h) {
 // rounding of 64 eps sum|a| and max|f''| <= fastest^2 sum|a| this is 1.7e-7 / fastest or more.
 double FlightKernel::shortest(double limit) const {
   constexpr double part_of_time_scale = 1e-8;
-  const double least = larger(rounding_factor * limit, part_of_time_scale / sums_->fastest);
-  return smaller(limit - flown_, least);
+  const double least = std::max(rounding_factor * limit, part_of_time_scale / sums_->fastest);
+  return std::min(limit - flown_, least);
 }
 
 FlightKernel::End FlightKernel::fly(double limit) {
@@ -233,7 +233,7 @@ FlightKernel::End FlightKernel::fly(double limit) {
         watched_->include(start_, end_, time_to_guard_);
       return End::guard;
     }
-    if (verdict != Verdict::positive || h < larger(least, least_))
+    if (verdict != Verdict::positive || h < std::max(least, least_))
       return End::unclear;
     accept(h);
     if (h == rest)

@@ -53,8 +53,7 @@ public:
   long pieces() const { return pieces_; }
 
 private:
-  friend class FlightLanes;
-  using Value = flight_arithmetic::Height<double>;
+  using Value = flight_arithmetic::Height;
   enum class Verdict { positive, falling, unclear };
 
   void find_factors(double h);
@@ -66,7 +65,7 @@ private:
   double first_trial(double limit);
   double shortest(double limit) const;
   Verdict judge(double h);
-  Verdict judge(std::size_t guard, const flight_arithmetic::Span<double> &span) const;
+  Verdict judge(std::size_t guard, const flight_arithmetic::Span &span) const;
   void accept(double h);
   bool locate(double h);
   bool is_zero() const;

@@ -1,8 +1,6 @@
 #include "integration/flight_path.h"
 
 #include "common/error.h"
-#include "integration/flight_batch.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -375,7 +373,7 @@ bool FlightPath::fly(double &time, Vector &state, double limit, long most_events
   FlightKernel::End end = FlightKernel::End::guard;
   while (end == FlightKernel::End::guard) {
     const long before = kernel_->pieces();
-    end = fly_in_batch(*kernel_, limit - origin_);
+    end = kernel_->fly(limit - origin_);
     tally_.pieces += kernel_->pieces() - before;
     if (end == FlightKernel::End::guard && (most_events-- <= 0 || !change_phase()))
       break;

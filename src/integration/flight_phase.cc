@@ -8,7 +8,7 @@ namespace vibroimpact::integration {
 
 FlightPhase::FlightPhase(const PhaseForms &forms, ExponentialBasis basis, Matrix inverse)
     : forms_(forms), basis_(std::move(basis)), inverse_(std::move(inverse)) {
-  // Oscillating modes side by side, next to the inputs: so are those of other phases in the lanes.
+  // Oscillating modes side by side, next to the inputs.
   std::stable_partition(basis_.groups.begin(),
                         basis_.groups.begin() + static_cast<std::ptrdiff_t>(basis_.n_modes()),
                         [](const ExponentialBasis::Group &group) { return !group.is_pair; });

@@ -1,10 +1,7 @@
 #include "integration/flight_stepper.h"
 
 #include "common/signals.h"
-#include "integration/petsc_check.h"
 #include "integration/tolerances.h"
-
-#include <petscts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,25 +16,7 @@ FlightStepper::FlightStepper(const Equations &equations, const Settings &setting
                                               : std::numeric_limits<double>::infinity()),
       tolerance_{.relative = settings.relative_tolerance,
                  .absolute = absolute_tolerances(equations, settings.absolute_tolerance)},
-      ledger_(equations) {
-  register_flight();
-  const auto size = static_cast<PetscInt>(equations.layout().size());
-  check_petsc(VecCreateSeq(PETSC_COMM_SELF, size, &solution_), "VecCreateSeq");
-  check_petsc(TSCreate(PETSC_COMM_SELF, &ts_), "TSCreate");
-  check_petsc(TSSetProblemType(ts_, TS_NONLINEAR), "TSSetProblemType");
-  check_petsc(TSSetType(ts_, flight_type), "TSSetType");
-  set_flight_propagator(ts_, this);
-  check_petsc(TSSetSolution(ts_, solution_), "TSSetSolution");
-  check_petsc(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_STEPOVER), "TSSetExactFinalTime");
-  check_petsc(TSSetMaxSteps(ts_, std::numeric_limits<PetscInt>::max() - 1), "TSSetMaxSteps");
-  check_petsc(TSSetMaxTime(ts_, std::numeric_limits<double>::max() / 4), "TSSetMaxTime");
-  check_petsc(TSSetUp(ts_), "TSSetUp");
-}
-
-FlightStepper::~FlightStepper() {
-  TSDestroy(&ts_);
-  VecDestroy(&solution_);
-}
+      ledger_(equations) {}
 
 FlightStepper::CachedPhase &FlightStepper::cached_phase() {
   for (CachedPhase &cached : phases_)
@@ -92,25 +71,11 @@ void FlightStepper::fill(EndPoint &point) const {
   }
 }
 
-void FlightStepper::propagate(double tau, ConstVectorView from, VectorView to) {
-  const Index size = equations_.layout().physical_size();
-  motion_->derivatives(tau, rows_);
-  to.head(size) = rows_.col(0).head(size);
-  to.tail(to.size() - size) = from.tail(to.size() - size);
-}
-
 void FlightStepper::take(double end) {
-  PetscScalar *array = nullptr;
-  check_petsc(VecGetArrayWrite(solution_, &array), "VecGetArrayWrite");
-  std::copy(start_.state.begin(), start_.state.end(), array);
-  check_petsc(VecRestoreArrayWrite(solution_, &array), "VecRestoreArrayWrite");
-  check_petsc(TSSetTime(ts_, start_.time), "TSSetTime");
-  check_petsc(TSSetTimeStep(ts_, end - start_.time), "TSSetTimeStep");
-  check_petsc(TSStep(ts_), "TSStep");
-  const PetscScalar *result = nullptr;
-  check_petsc(VecGetArrayRead(solution_, &result), "VecGetArrayRead");
-  end_.state = ConstVectorView(result, start_.state.size());
-  check_petsc(VecRestoreArrayRead(solution_, &result), "VecRestoreArrayRead");
+  const Index size = equations_.layout().physical_size();
+  motion_->derivatives(end - start_.time, rows_);
+  end_.state = start_.state;
+  end_.state.head(size) = rows_.col(0).head(size);
   if (!end_.state.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(end) + " s");
   end_.time = end;

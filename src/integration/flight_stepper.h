@@ -1,7 +1,6 @@
-// Steps of linear phases through the TS type `flight`.
+// Exact steps of linear phases.
 #pragma once
 
-#include "integration/flight.h"
 #include "integration/ledger.h"
 #include "integration/linear_phase.h"
 #include "integration/settings.h"
@@ -10,18 +9,11 @@
 #include <memory>
 #include <vector>
 
-// NOLINTBEGIN(bugprone-reserved-identifier)
-struct _p_Vec;
-// NOLINTEND(bugprone-reserved-identifier)
-
 namespace vibroimpact::integration {
 
-class FlightStepper : public Stepper, private FlightPropagator {
+class FlightStepper : public Stepper {
 public:
   FlightStepper(const Equations &equations, const Settings &settings);
-  ~FlightStepper() override;
-  FlightStepper(const FlightStepper &) = delete;
-  FlightStepper &operator=(const FlightStepper &) = delete;
 
   /// True when everything is linear from `time` to the next break of the sources in the present
   /// modes of the contacts.
@@ -53,8 +45,6 @@ private:
   void begin();
   void fill(EndPoint &point) const;
   void take(double end);
-  void propagate(double tau, ConstVectorView from, VectorView to) override;
-  double natural_step() override { return motion_->natural_step(); }
 
   const Equations &equations_;
   double maximum_step_;
@@ -66,8 +56,6 @@ private:
   Ledger ledger_;
   Matrix rows_, nodes_;
   Vector physical_;
-  _p_TS *ts_ = nullptr;
-  _p_Vec *solution_ = nullptr;
   bool pending_ = false; ///< the last step is not accepted yet
 };
 

@@ -6,7 +6,7 @@
 namespace vibroimpact::integration {
 
 Steppers::Steppers(Equations &equations, const Settings &settings) {
-  if (settings.method == flight_type) {
+  if (settings.method == "flight") {
     flight_ = std::make_unique<FlightStepper>(equations, settings);
     general_ = std::make_unique<HighOrderStepper>(equations, settings);
   } else {

@@ -166,8 +166,8 @@ void WatchedSums::include_turn(std::size_t form, const Piece &piece) {
   double low = piece.from;
   double high = piece.to;
   const bool rises = piece.first.slope > 0;
-  const Height<double> first{piece.first.slope, piece.first.curvature};
-  const Height<double> last{piece.last.slope, piece.last.curvature};
+  const Height first{piece.first.slope, piece.first.curvature};
+  const Height last{piece.last.slope, piece.last.curvature};
   double instant = low + flight_arithmetic::zero_of_cubic(first, last, high - low);
   for (int i = 0; i < most_corrections; ++i) {
     const Point there = at(form, instant);

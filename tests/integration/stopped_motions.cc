@@ -2,7 +2,6 @@
 #include "common/signals.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/piecewise_stop.h"
-#include "integration/flight_batch.h"
 #include "support/rigid_contacts.h"
 
 #include <gtest/gtest.h>
@@ -84,26 +83,6 @@ TEST(StoppedMotionsTest, ByEveryMethod) {
       const StopSoon stop;
       EXPECT_THROW(observed.trajectory.advance(for_ever, events), Interrupted) << method;
     }
-}
-
-TEST(StoppedMotionsTest, SideBySide) {
-  for (const double clearance : {1e3, 0.1}) {
-    const StopSoon stop;
-    int unwound = 0;
-    struct Count {
-      int &of;
-      ~Count() { ++of; }
-    };
-    EXPECT_THROW(run_batch(5,
-                           [&] {
-                             const Count count{unwound};
-                             Shaken shaken(clearance, linear, "flight");
-                             shaken.trajectory.advance(for_ever);
-                           }),
-                 Interrupted)
-        << clearance;
-    EXPECT_EQ(unwound, 5) << clearance;
-  }
 }
 
 } // namespace
