@@ -364,9 +364,12 @@ void HighOrderStepper::step(double limit) {
   // What the event tolerance cannot tell from parted sides has no end to step to.
   const bool opens = std::isfinite(rest_of_opening) && rest_of_opening > 16 * event_tolerance_;
   const double left = opens ? rest_of_opening : std::numeric_limits<double>::infinity();
-  if (left <= std::min(steps_.last, maximum_step_) && take_last(left, limit))
+  if (left <= std::min(steps_.last, maximum_step_) &&
+      left <= (1 + 1e-9) * source_step_.limited(start_.time, left) && take_last(left, limit))
     return;
   const bool rooted = only_contact_ && begins_contact_ && !opens;
+  // Evenly in the root of a time that is longer by more is evenly in time, but for the rounding.
+  constexpr double nearness = 1e-3;
   double wanted =
       source_step_.limited(start_.time, std::min(wanted_step(left), limit - start_.time));
   for (int i = 0; i < 100; ++i) {
@@ -375,10 +378,11 @@ void HighOrderStepper::step(double limit) {
     const double end = rest <= wanted * (1 + 1e-9)
                            ? limit
                            : start_.time + (rest < 2 * wanted ? 0.5 * rest : wanted);
-    const double error = attempt(rooted ? StepCourse::since(phase_start_, start_.time, end)
-                                 : end < start_.time + left && opens
-                                     ? StepCourse::until(start_.time + left, start_.time, end)
-                                     : StepCourse::even(start_.time, end));
+    const double error =
+        attempt(rooted ? StepCourse::since(phase_start_, start_.time, end)
+                : opens && end < start_.time + left && end - start_.time > nearness * left
+                    ? StepCourse::until(start_.time + left, start_.time, end)
+                    : StepCourse::even(start_.time, end));
     if (error <= 1) {
       end_.time = end;
       accept(error);

@@ -10,6 +10,7 @@ process goes on behind it. Verdicts:
 
   agree           histories differ by less than 1e-6
   sensitive       they differ, and so do those of one method when the model changes by 1e-9
+  converge        they differ, by less than 1e-3, and ten times less with a hundredth of the tolerances
   failed          by both methods, with a reason
   refused         not a model that can be run; the generator should make few of these
   failed-default, failed-rk, wrong, no end, crashed: mistakes of the program

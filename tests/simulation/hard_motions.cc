@@ -103,7 +103,9 @@ INSTANTIATE_TEST_SUITE_P(Models, HardMotionsTest,
                                            Case{"impact_drives_into_another_contact", 2.94},
                                            Case{"touching_without_acceleration", 1.77},
                                            Case{"pressed_on_with_another_mass", 5.9},
-                                           Case{"pressed_on_between_two_contacts", 2.0}),
+                                           Case{"pressed_on_between_two_contacts", 2.0},
+                                           Case{"held_while_another_contact_parts", 1.6},
+                                           Case{"held_beside_a_compressed_contact", 1.2}),
                          [](const auto &info) { return std::string(info.param.model); });
 
 // Two methods of different order and with different searches for contact changes.
