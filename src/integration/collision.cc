@@ -16,6 +16,10 @@ namespace {
 
 constexpr double small_flights = 8; // in tolerances
 
+// In relative tolerances: no more than what the energy balance of a sound motion leaves open
+// (Accuracy::energy_threshold).
+constexpr double negligible_energy_share = 1000;
+
 const Guard *impact_guard(const contact::Mode &mode) {
   const auto found = std::find_if(mode.guards.begin(), mode.guards.end(), [](const Guard &guard) {
     return guard.action == contact::GuardAction::impact;
@@ -173,6 +177,28 @@ double Collisions::leaning(std::size_t contact, double time, const Vector &state
   return std::abs(then) > rounding ? then : 0;
 }
 
+// Where rounding moves the gap by d from one impact to the next, the speed v follows
+// v^2 <- e^2 (v^2 + 2 a d), which does not fall below 2 a d e^2 / (1 - e^2): flights lower than
+// d / (1 - e^2) would never end.
+double Collisions::negligible_height(const Instant &instant, std::size_t k,
+                                     const Vector &state) const {
+  const double e = instant.restitution[static_cast<Index>(k)];
+  const double rounding = equations_.rounding(instant.contacts[k], {.gap = 1}, instant.time, state);
+  return small_flights *
+         std::max(settings_.absolute_tolerance, e < 1 ? rounding / (1 - e * e) : rounding);
+}
+
+bool Collisions::negligible_energy(const Instant &instant, std::size_t k,
+                                   const Vector &state) const {
+  if (instant.restitution[static_cast<Index>(k)] < 1)
+    return false;
+  const double speed = instant.after[static_cast<Index>(k)];
+  const double mass = equations_.contacts().effective_mass(instant.contacts[k], equations_.model());
+  return 0.5 * mass * speed * speed <=
+         negligible_energy_share * settings_.relative_tolerance *
+             equations_.stored_energy(instant.time, ConstVectorView(state.data(), state.size()));
+}
+
 // Zero: no chatter, or one that must be followed further. `after`: the state after the impulses.
 double Collisions::chatter_duration(const Instant &instant, std::size_t k, const Vector &after) {
   const double speed = instant.after[static_cast<Index>(k)];
@@ -184,8 +210,8 @@ double Collisions::chatter_duration(const Instant &instant, std::size_t k, const
   const double duration = restitution < 1 ? flight / (1 - restitution) : flight;
   if (flight <= small_flights * instant.time_tolerance)
     return duration;
-  if (restitution == 1 ||
-      speed * speed / (2 * falling) > small_flights * settings_.absolute_tolerance)
+  if (speed * speed / (2 * falling) > negligible_height(instant, k, after) &&
+      !negligible_energy(instant, k, after))
     return 0;
   Vector rates(after.size());
   equations_.rates(instant.time, ConstVectorView(after.data(), after.size()),

@@ -14,8 +14,12 @@
 // is still more than half of a, the rest of the sequence is left out: the contact rests at once.
 // The total impulse up to the end of T is the same, 2 u m / (1 - e) more than a plastic impact has,
 // whether it comes in steps or as the force at rest, so that positions and velocities after T
-// differ by no more than the height of the flights. For e = 1 there is no end; there only flights
-// that are too short to be told apart are left out.
+// differ by no more than the height of the flights. Where rounding of the gap would keep the
+// flights from becoming so low, they end where it does. For e = 1 there is no end: under a pressure
+// that grows the flights become ever shorter, v^3 / a being an adiabatic invariant of a bouncing
+// body, and under one that fades v falls with a^(1/3). There the flights are left out too once
+// their energy m v^2 / 2 is below the relative tolerance of all energy there is, which from then on
+// never comes back: the motion differs from that with flights by no more than v and their height.
 #pragma once
 
 #include "integration/observer.h"
@@ -65,6 +69,8 @@ private:
   double slow() const;
   void find_impulses(Instant &instant) const;
   void complete_chatter(Instant &instant, const Vector &state);
+  double negligible_height(const Instant &instant, std::size_t k, const Vector &state) const;
+  bool negligible_energy(const Instant &instant, std::size_t k, const Vector &state) const;
   double chatter_duration(const Instant &instant, std::size_t k, const Vector &after);
   void apply(const Instant &instant, Vector &state) const;
   void choose_modes(const Instant &instant, const Vector &state, const std::vector<char> &bouncing);

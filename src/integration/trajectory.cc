@@ -14,39 +14,6 @@ namespace vibroimpact::integration {
 using contact::AffineForm;
 using contact::LocalState;
 
-namespace {
-
-// Contact changes in a row without any progress in time; more than the contacts' modes together
-// could need means that none of them holds.
-constexpr long maximum_events_at_once = 100;
-
-const contact::Guard &guard_of(const Equations &equations, std::size_t contact, std::size_t guard) {
-  return equations.mode(contact).guards[guard];
-}
-
-// |factor| for which form = factor * other; 0 when there is none.
-double proportion(const AffineForm &form, const AffineForm &other) {
-  const auto coefficients = [](const AffineForm &from, std::size_t n_internal) {
-    std::vector<double> list = {from.constant, from.gap, from.gap_rate, from.normal_force};
-    list.insert(list.end(), from.internal.begin(), from.internal.end());
-    list.resize(4 + n_internal, 0.0);
-    return list;
-  };
-  const std::size_t n_internal = std::max(form.internal.size(), other.internal.size());
-  const std::vector<double> a = coefficients(form, n_internal);
-  const std::vector<double> b = coefficients(other, n_internal);
-  double factor = 0;
-  for (std::size_t i = 0; i < a.size() && factor == 0; ++i)
-    factor = b[i] != 0 ? a[i] / b[i] : 0;
-  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::abs(a[i] - factor * b[i]) > rounding * std::abs(a[i]))
-      return 0;
-  return std::abs(factor);
-}
-
-} // namespace
-
 Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &contacts,
                        const Settings &settings)
     : settings_(settings), equations_(model, contacts), collisions_(equations_, settings_),
@@ -85,6 +52,7 @@ void Trajectory::start(const MotionState &from) {
   event_residual_ = 0;
   last_event_time_ = -std::numeric_limits<double>::infinity();
   changed_.clear();
+  tried_.clear();
   progress_.begin(from.time);
   zero_at_start_.clear();
   if (flight_) { // a step, if one is needed at all, finds out the rest
@@ -110,12 +78,13 @@ StepView Trajectory::view() const {
 // change of its own.
 Bernstein Trajectory::indicator(const StepView &view, std::size_t contact,
                                 std::size_t guard) const {
-  Bernstein curve = view.indicator(contact, guard_of(equations_, contact, guard).indicator);
-  for (const ZeroGuard &zero : zero_at_start_)
-    if (zero.contact == contact && zero.guard == guard) {
-      curve += zero.remainder;
-      curve.clear_start(negligible(contact, guard_of(equations_, contact, guard).indicator));
-    }
+  Bernstein curve = view.indicator(contact, guard_of(contact, guard).indicator);
+  const auto zero = find_zero_guard(contact, guard);
+  if (zero == zero_at_start_.end())
+    return curve;
+  curve += zero->remainder + zero->slack;
+  if (zero->slack == 0)
+    curve.clear_start(negligible(contact, guard_of(contact, guard).indicator));
   return curve;
 }
 
@@ -131,10 +100,22 @@ double Trajectory::negligible(std::size_t contact, const AffineForm &form) const
   return settings_.absolute_tolerance * sum;
 }
 
+std::vector<ZeroGuard>::const_iterator Trajectory::find_zero_guard(std::size_t contact,
+                                                                   std::size_t guard) const {
+  return std::find_if(zero_at_start_.begin(), zero_at_start_.end(), [&](const ZeroGuard &zero) {
+    return zero.contact == contact && zero.guard == guard;
+  });
+}
+
+bool Trajectory::keeps_modes() const {
+  return std::any_of(zero_at_start_.begin(), zero_at_start_.end(),
+                     [](const ZeroGuard &zero) { return zero.slack > 0; });
+}
+
 void Trajectory::forget_grown_guards() {
   const StepView step = view();
   std::erase_if(zero_at_start_, [&](const ZeroGuard &zero) {
-    const AffineForm &form = guard_of(equations_, zero.contact, zero.guard).indicator;
+    const AffineForm &form = guard_of(zero.contact, zero.guard).indicator;
     return step.indicator(zero.contact, form).end() > negligible(zero.contact, form);
   });
 }
@@ -157,7 +138,7 @@ bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {
 // closer. A guard that was zero when its mode began is taken without the remainder of that, as it
 // was when the crossing was found.
 double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) const {
-  const AffineForm &form = guard_of(equations_, crossing.contact, crossing.guard).indicator;
+  const AffineForm &form = guard_of(crossing.contact, crossing.guard).indicator;
   const Bernstein plain = view.indicator(crossing.contact, form);
   crossing.residual = std::abs(plain.end());
   crossing.rate = plain.derivative().end() / view.length();
@@ -168,9 +149,9 @@ double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) c
 }
 
 GuardStart Trajectory::guard_start(std::size_t contact, std::size_t guard) const {
-  for (const ZeroGuard &zero : zero_at_start_)
-    if (zero.contact == contact && zero.guard == guard)
-      return {.zero = true, .shift = zero.remainder, .until = 8 * time_tolerance()};
+  const auto zero = find_zero_guard(contact, guard);
+  if (zero != zero_at_start_.end())
+    return {.zero = true, .shift = zero->remainder + zero->slack, .until = 8 * time_tolerance()};
   return {};
 }
 
@@ -199,8 +180,8 @@ bool Trajectory::find_fall(const GuardCurves &curves, Crossing &crossing) {
 
 // The contact changes at the start of the step.
 void Trajectory::end_at_start(Crossing &crossing) {
-  const Bernstein indicator = view().indicator(
-      crossing.contact, guard_of(equations_, crossing.contact, crossing.guard).indicator);
+  const Bernstein indicator =
+      view().indicator(crossing.contact, guard_of(crossing.contact, crossing.guard).indicator);
   const double length = steppers_.present().time() - steppers_.present().previous_time();
   crossing.residual = std::abs(indicator.start());
   crossing.rate = std::abs(indicator.derivative().start() / length);
@@ -266,117 +247,6 @@ bool Trajectory::locate(Crossing &crossing) {
   }
   throw NumericalError("a contact change near t = " + std::to_string(steppers_.present().time()) +
                        " s could not be located to the event tolerance");
-}
-
-void Trajectory::change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
-                             Observer &observer) {
-  const contact::Guard &passed = guard_of(equations_, contact, guard);
-  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
-  const LocalState local =
-      equations_.local_state(contact, instant, ConstVectorView(state.data(), state.size()));
-  const Vector before = state;
-  ContactEvent event{.time = instant,
-                     .contact = contact,
-                     .from = equations_.modes()[contact],
-                     .to = passed.target,
-                     .onset = false,
-                     .gap = local.gap,
-                     .gap_rate = local.gap_rate,
-                     .gap_rate_after = local.gap_rate,
-                     .state = &state,
-                     .before = &before,
-                     .guard = &passed,
-                     .layout = &layout()};
-  const double held = equations_.contact_energy(contact, event.from, local);
-  std::vector<double> fresh;
-  for (const AffineForm &form : passed.reset)
-    fresh.push_back(form(local));
-  for (std::size_t i = 0; i < fresh.size(); ++i)
-    state[layout().internal() + pair.internal_offset + static_cast<Index>(i)] = fresh[i];
-  const bool apart = !equations_.mode(contact).in_contact;
-  equations_.set_mode(contact, passed.target);
-  event.onset = apart && equations_.mode(contact).in_contact;
-  // What the new mode holds no more is lost at this instant; `local` sees the new internal states.
-  state[layout().contact_work(static_cast<Index>(contact))] +=
-      held - equations_.contact_energy(contact, event.to, local);
-  observer.event(event);
-  ++events_;
-}
-
-// Several contacts may change at the same instant; each guard that is zero there starts the new
-// phase from an exact zero, so that rounding cannot fire it again.
-void Trajectory::change_modes(const Crossing &first, Observer &observer) {
-  const bool stuck = time() - last_event_time_ <= time_tolerance();
-  events_at_once_ = stuck ? events_at_once_ + 1 : 0;
-  note_change(first.contact, stuck);
-  if (events_at_once_ > maximum_events_at_once)
-    throw NumericalError(stall_reason("contact changes follow each other without progress"));
-  if (settings_.maximum_events > 0 && events_ >= settings_.maximum_events)
-    throw NumericalError("more than " + std::to_string(settings_.maximum_events) +
-                         " contact changes (Maximum events)");
-  last_event_time_ = time();
-  if (guard_of(equations_, first.contact, first.guard).action == contact::GuardAction::impact) {
-    collide(first.contact, observer);
-    return;
-  }
-  Vector state = steppers_.present().state();
-  // A copy: the mode it belongs to is about to be left.
-  const AffineForm passed = guard_of(equations_, first.contact, first.guard).indicator;
-  change_mode(time(), first.contact, first.guard, state, observer);
-  begin_phase(time(), state);
-  std::erase_if(zero_at_start_,
-                [&](const ZeroGuard &zero) { return zero.contact == first.contact; });
-  renew_zero_guards(state);
-  note_zero_guards(first, passed, state);
-}
-
-// Of the guards that were zero at the start of an earlier phase: a jump of velocities or of forces
-// may have taken one off its zero. One that is below zero now has fallen, and its contact changes
-// at once.
-void Trajectory::renew_zero_guards(const Vector &state) {
-  std::erase_if(zero_at_start_, [&](const ZeroGuard &zero) {
-    const AffineForm &form = guard_of(equations_, zero.contact, zero.guard).indicator;
-    const double value = form(
-        equations_.local_state(zero.contact, time(), ConstVectorView(state.data(), state.size())));
-    return std::abs(value) > std::max(2 * zero.remainder, negligible(zero.contact, form));
-  });
-}
-
-// What was left of the guard that was passed is left of the guard back as well, and must not be
-// seen as a change of its own. The guard back often is its negative. Where it is another
-// expression, in other units, the time that the remainder stands for is the same.
-void Trajectory::note_zero_guards(const Crossing &crossing, const AffineForm &passed,
-                                  const Vector &state) {
-  const std::size_t contact = crossing.contact;
-  Vector rates_at_start(state.size());
-  equations_.rates(time(), ConstVectorView(state.data(), state.size()),
-                   VectorView(rates_at_start.data(), rates_at_start.size()));
-  const double delay = crossing.rate != 0 ? crossing.residual / std::abs(crossing.rate) : 0;
-  const LocalState local =
-      equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
-  // The rate of an affine form is the form of the rates.
-  const LocalState rates{
-      .gap = local.gap_rate,
-      .gap_rate = equations_.gap_acceleration(
-          contact, time(),
-          ConstVectorView(rates_at_start.data() + layout().velocity(), layout().n)),
-      .internal = {rates_at_start.data() + layout().internal() +
-                       equations_.contacts().pairs()[contact].internal_offset,
-                   local.internal.size()}};
-  for (std::size_t g = 0; g < equations_.mode(contact).guards.size(); ++g) {
-    const AffineForm &form = guard_of(equations_, contact, g).indicator;
-    const double rate = form(rates) - form.constant;
-    double noise = std::max({2 * std::max(time_tolerance(), delay) * std::abs(rate),
-                             proportion(form, passed) * crossing.residual,
-                             equations_.rounding(contact, form, time(), state)});
-    // Gaps are held, and forces hold them, with the error of the integration.
-    if (form.normal_force != 0 ||
-        guard_of(equations_, contact, g).action == contact::GuardAction::impact)
-      noise = std::max(noise, negligible(contact, form));
-    if (std::abs(form(local)) <= noise)
-      zero_at_start_.push_back(
-          {.contact = contact, .guard = g, .remainder = std::max(0.0, -form(local))});
-  }
 }
 
 // Nearer than this no step is possible.

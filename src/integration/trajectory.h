@@ -83,6 +83,15 @@ private:
     double rate = 0;     ///< its rate there [1/s]
   };
 
+  /// A form of a contact's local state that is zero but for an error.
+  struct KnownZero {
+    contact::AffineForm form;
+    double size = 0; ///< of the error
+  };
+
+  const contact::Guard &guard_of(std::size_t contact, std::size_t guard) const {
+    return equations_.mode(contact).guards[guard];
+  }
   double negligible(std::size_t contact, const contact::AffineForm &form) const;
   void forget_grown_guards();
   Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
@@ -108,8 +117,14 @@ private:
   void collide(std::size_t first, Observer &observer);
   void renew_zero_guards(const Vector &state);
   void note_zero_guards(const Vector &state);
-  void note_zero_guards(const Crossing &crossing, const contact::AffineForm &passed,
+  void note_zero_guards(std::size_t contact, const std::vector<KnownZero> &known, double delay,
                         const Vector &state);
+  std::vector<ZeroGuard>::const_iterator find_zero_guard(std::size_t contact,
+                                                         std::size_t guard) const;
+  std::vector<KnownZero> known_zeros(const Crossing &first, bool stuck) const;
+  void pass_guard(const Crossing &first, bool stuck, Observer &observer);
+  void keep_modes();
+  bool keeps_modes() const;
   void change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
                    Observer &observer);
   StepView view() const;
@@ -137,6 +152,8 @@ private:
   double last_event_time_ = 0;
   StallBound progress_;
   std::vector<std::size_t> changed_; ///< contacts, at the instant of the last event
+  /// Modes of all contacts at that instant, since the last impulse.
+  std::vector<std::vector<int>> tried_;
   long undecided_ = 0;
   double event_residual_ = 0;
   /// Guards that were zero at the start of the phase and have not grown beyond that yet.

@@ -37,6 +37,8 @@ void Trajectory::collide(std::size_t first, Observer &observer) {
                     .collision = record});
     record = nullptr;
     chatters_ += change.chatter_duration > 0 ? 1 : 0;
+    if (change.gap_rate_after != change.gap_rate)
+      tried_.clear();
   }
   ++events_;
   begin_phase(time(), state);
@@ -44,9 +46,9 @@ void Trajectory::collide(std::size_t first, Observer &observer) {
   for (std::size_t k = 0; k < outcome.touching.size(); ++k) {
     const std::size_t contact = outcome.touching[k];
     std::erase_if(zero_at_start_, [&](const ZeroGuard &zero) { return zero.contact == contact; });
-    note_zero_guards({.contact = contact, .residual = std::abs(outcome.gaps[k])}, {.gap = 1},
-                     state);
+    note_zero_guards(contact, {{.form = {.gap = 1}, .size = std::abs(outcome.gaps[k])}}, 0, state);
   }
+  note_zero_guards(state);
 }
 
 } // namespace vibroimpact::integration

@@ -10,7 +10,7 @@ namespace vibroimpact::integration {
 // Goes on without steps as far as that is clear, and as all who watch can do without them. False: a
 // step is next, from where the flight has led.
 bool Trajectory::fly(double limit, Observer &observer) {
-  if (!flight_ || (watched_ && !observer.flight_watcher()))
+  if (!flight_ || keeps_modes() || (watched_ && !observer.flight_watcher()))
     return false;
   double instant = time();
   Vector state = steppers_.present().state();
@@ -49,11 +49,6 @@ void Trajectory::take_over() {
   const Vector state = steppers_.present().state();
   begin_phase(time(), state);
   note_zero_guards(state);
-}
-
-void Trajectory::note_zero_guards(const Vector &state) {
-  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
-    note_zero_guards({.contact = c}, {}, state);
 }
 
 } // namespace vibroimpact::integration

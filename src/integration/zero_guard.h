@@ -9,6 +9,7 @@ struct ZeroGuard {
   std::size_t contact = 0;
   std::size_t guard = 0;
   double remainder = 0; ///< by which it is below zero
+  double slack = 0; ///< by which it must fall further to count, where the modes are indeterminate
 };
 
 } // namespace vibroimpact::integration

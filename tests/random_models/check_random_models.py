@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Judges random models by two methods and counts the verdicts.
 
-usage: check_random_models.py PROGRAM --models NUMBER [--first SEED] [--processes NUMBER]
-                              [--limit SECONDS] [--report FILE]
+usage: check_random_models.py PROGRAM (--models NUMBER [--first SEED] | --seeds SEED...)
+                              [--processes NUMBER] [--limit SECONDS] [--report FILE]
 
 PROGRAM (tests/random_models) judges one model after the other and prints a line each. One that needs
 more processor time than the limit does not end; one that ends its process has crashed; the next
@@ -88,11 +88,14 @@ class Batch:
 
 def judge(options, report):
     """The lines of all models, sorted by seed; the report gets each as it is found."""
-    part = max(1, min(100, options.models // options.processes))
-    firsts = range(options.first, options.first + options.models, part)
-    end = options.first + options.models
-    batches = [Batch(options.program, first, min(part, end - first), options.limit, report)
-               for first in firsts]
+    if options.seeds:
+        parts = [(seed, 1) for seed in options.seeds]
+    else:
+        part = max(1, min(100, options.models // options.processes))
+        end = options.first + options.models
+        parts = [(first, min(part, end - first)) for first in range(options.first, end, part)]
+    batches = [Batch(options.program, first, number, options.limit, report)
+               for first, number in parts]
     with concurrent.futures.ThreadPoolExecutor(options.processes) as pool:
         lines = [line for found in pool.map(Batch.run, batches) for line in found]
     return sorted(lines, key=lambda line: int(line[0]))
@@ -101,7 +104,9 @@ def judge(options, report):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("--models", type=int, required=True)
+    which = parser.add_mutually_exclusive_group(required=True)
+    which.add_argument("--models", type=int)
+    which.add_argument("--seeds", type=int, nargs="+")
     parser.add_argument("--first", type=int, default=1)
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--limit", type=float, default=60)
