@@ -3,13 +3,11 @@
 
 usage: check_derived.py PROGRAM MPIEXEC
 """
-import os
-import unittest
 
 import h5py
 import numpy as np
 
-import check_runs
+from program_runs import ProgramRuns, datasets, main
 
 # A mass between two soft bumpers, from which the response curves bend over.
 FILE = """
@@ -147,9 +145,7 @@ NAMES = ["upward", "peak", "resonance", "resonance-ratio", "softest-peak", "widt
          "onset", "large", "jump", "lines"]
 
 
-class Derived(check_runs.Runs):
-    """Reuses the set-up; its own tests run in check_runs.py."""
-
+class Derived(ProgramRuns):
     def setUp(self):
         super().setUp()
         self.file.write_text(FILE + DERIVED)
@@ -164,10 +160,10 @@ class Derived(check_runs.Runs):
             out = self.folder / f"ranks{ranks}"
             done = self.run_map(out, ranks=ranks)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-            found = check_runs.datasets(out)
+            found = datasets(out)
             for name in NAMES:
                 self.assertIn(f"analysis/map/derived/{name}", found)
-            self.assertEqual(found, check_runs.datasets(whole))
+            self.assertEqual(found, datasets(whole))
             self.assertEqual((out / "summary.txt").read_text(),
                              (whole / "summary.txt").read_text())
 
@@ -223,11 +219,5 @@ class Derived(check_runs.Runs):
                 self.assertEqual((file["analysis/map/status"][:] == 0).sum(), 6 * 4 * 30 * 2)
 
 
-for name in [n for n in dir(check_runs.Runs) if n.startswith("test_")]:
-    if name not in vars(Derived):
-        setattr(Derived, name, None)
-
-
 if __name__ == "__main__":
-    os.environ.setdefault("OMPI_MCA_rmaps_base_oversubscribe", "1")
-    unittest.main(argv=["check_derived.py"])
+    main()

@@ -8,7 +8,6 @@ import os
 import pathlib
 import shutil
 import sys
-import tempfile
 import unittest
 
 import h5py
@@ -16,6 +15,7 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
 from fork_server import ForkServer  # noqa: E402
+from program_runs import InAFolder  # noqa: E402
 
 SERVER, TREE = sys.argv[1], pathlib.Path(sys.argv[2])
 TRACE = ("PETSC ERROR", "terminate called", "bad_alloc", "HDF5-DIAG", "std::")
@@ -98,7 +98,7 @@ end
 """
 
 
-class Input(unittest.TestCase):
+class Input(InAFolder):
     @classmethod
     def setUpClass(cls):
         cls.server = ForkServer(SERVER)
@@ -107,16 +107,9 @@ class Input(unittest.TestCase):
     def tearDownClass(cls):
         cls.server.__exit__()
 
-    def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.folder = pathlib.Path(self.temporary.name)
-
-    def tearDown(self):
-        self.temporary.cleanup()
-
     def run_program(self, text, *arguments, **limits):
         if text is not None:
-            (self.folder / "case.prm").write_text(text)
+            self.file.write_text(text)
         limits.setdefault("seconds", 60)
         done = self.server.run([*(["case.prm"] if text is not None else []), *arguments],
                                self.folder, **limits)

@@ -4,13 +4,11 @@ and summary, terminal and exit code say so.
 
 usage: check_limits.py PROGRAM MPIEXEC
 """
-import sys
-import unittest
-
 import h5py
 import numpy as np
 
 import check_runs
+from program_runs import ProgramRuns, main
 
 # Three motions from rest, of which only the middle one meets the stop.
 FILE = """
@@ -57,7 +55,7 @@ end
 PATH = "analysis/cases/"
 
 
-class Limits(check_runs.Runs):
+class Limits(ProgramRuns):
     def write(self, path="Contact/stop/Clearance", values="10 m, 5 mm, 11 m"):
         self.file.write_text(FILE.replace("PATH", path).replace("VALUES", values))
 
@@ -182,7 +180,4 @@ end
 
 
 if __name__ == "__main__":
-    # Not those of the class it borrows the set-up from.
-    own = [name for name in vars(Limits) if name.startswith("test_")]
-    done = unittest.TextTestRunner().run(unittest.TestSuite(map(Limits, own)))
-    sys.exit(0 if done.wasSuccessful() else 1)
+    main()

@@ -3,19 +3,13 @@
 
 usage: check_runs.py PROGRAM MPIEXEC
 """
-import os
-import pathlib
 import signal
 import subprocess
-import sys
-import tempfile
-import time
-import unittest
 
 import h5py
 import numpy as np
 
-PROGRAM, MPIEXEC = sys.argv[1:3]
+from program_runs import ProgramRuns, datasets, main
 
 FILE = """
 subsection Body left
@@ -120,39 +114,10 @@ end
 """
 
 
-def datasets(folder):
-    """Every dataset of a result file as bytes, by path."""
-    found = {}
-
-    def visit(name, item):
-        if isinstance(item, h5py.Dataset):
-            values = item[()]
-            found[name] = values.tobytes() if isinstance(values, np.ndarray) else repr(values)
-            if getattr(values, "dtype", None) == object:
-                found[name] = repr(values.tolist())
-
-    with h5py.File(folder / "results.h5") as file:
-        file.visititems(visit)
-    return found
-
-
-class Runs(unittest.TestCase):
+class Runs(ProgramRuns):
     def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.folder = pathlib.Path(self.temporary.name)
-        self.file = self.folder / "two-masses.prm"
+        super().setUp()
         self.file.write_text(FILE.replace("POINTS", "8"))
-
-    def tearDown(self):
-        self.temporary.cleanup()
-
-    def command(self, *arguments, ranks=1):
-        start = [MPIEXEC, "-n", str(ranks)] if ranks > 1 else []
-        return start + [PROGRAM, *map(str, arguments)]
-
-    def run_program(self, *arguments, ranks=1):
-        return subprocess.run(self.command(*arguments, ranks=ranks), cwd=self.folder,
-                              capture_output=True, text=True, check=False)
 
     def test_ranks_give_the_same_bytes(self):
         reference = None
@@ -238,13 +203,6 @@ class Runs(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertEqual(datasets(out), datasets(whole))
 
-    def wait_for_journal(self, folder, size, process):
-        """Until that many bytes of finished points are kept, or the run is over."""
-        while process.poll() is None:
-            if folder.is_dir() and sum(j.stat().st_size for j in folder.iterdir()) >= size:
-                return
-            time.sleep(0.005)
-
     def test_resume_with_other_parameters_is_refused(self):
         out = self.folder / "out"
         self.assertEqual(self.run_program(self.file, "--output", out).returncode, 0)
@@ -311,7 +269,7 @@ end
     def test_json_gives_the_same_results(self):
         reference = self.folder / "prm"
         self.assertEqual(self.run_program(self.file, "--output", reference).returncode, 0)
-        json = self.folder / "two-masses.json"
+        json = self.folder / "case.json"
         json.write_text(to_json(self.file.read_text()))
         out = self.folder / "json"
         done = self.run_program(json, "--output", out)
@@ -337,5 +295,4 @@ def to_json(text):
 
 
 if __name__ == "__main__":
-    os.environ.setdefault("OMPI_MCA_rmaps_base_oversubscribe", "1")
-    unittest.main(argv=sys.argv[:1])
+    main()

@@ -5,15 +5,15 @@ bounds are generous: they tell obedience from its absence, not fast from slow.
 
 usage: check_signals.py PROGRAM MPIEXEC
 """
+import pathlib
 import signal
 import subprocess
-import sys
+import tempfile
 import time
-import unittest
 
 import h5py
 
-import check_runs
+from program_runs import ProgramRuns, main
 
 # Takes minutes to reduce.
 PLATE = """
@@ -94,10 +94,20 @@ ENDLESS = {"transient": ("Analysis/one/Transient/Duration", "100 s, 4e7 s"),
 OBEDIENT = 10  # seconds
 
 
-class Signals(check_runs.Runs):
+class Signals(ProgramRuns):
     def start(self, *arguments, ranks=1):
-        return subprocess.Popen(self.command(*arguments, ranks=ranks), cwd=self.folder, text=True,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        """A process with a file `printed` of its own."""
+        number, path = tempfile.mkstemp(dir=self.folder)
+        with open(number, "w", encoding="utf-8") as printed:
+            process = subprocess.Popen(self.command(*arguments, ranks=ranks), cwd=self.folder,
+                                       stdout=printed, stderr=subprocess.STDOUT)
+        process.printed = pathlib.Path(path)
+        return process
+
+    def wait_until_printed(self, text, *processes):
+        for process in processes:
+            while process.poll() is None and text not in process.printed.read_text():
+                time.sleep(0.02)
 
     def end(self, process, number):
         """Exit code and what was printed behind a signal."""
@@ -105,13 +115,13 @@ class Signals(check_runs.Runs):
         sent = time.monotonic()
         process.send_signal(number)
         try:
-            out, error = process.communicate(timeout=60)
+            process.wait(timeout=60)
         except subprocess.TimeoutExpired:
             process.kill()
-            process.communicate()
+            process.wait()
             self.fail("the signal was not obeyed")
         self.assertLess(time.monotonic() - sent, OBEDIENT)
-        return process.returncode, out + error
+        return process.returncode, process.printed.read_text()
 
     def knocking(self, kind):
         path, values = ENDLESS[kind]
@@ -120,18 +130,20 @@ class Signals(check_runs.Runs):
             text = text.replace("set Settling cycles = 1\n",
                                 "set Minimum settling cycles = 0\n"
                                 "    set Steadiness tolerance = 0\n    set Settling cycles = 1\n")
-        self.file.write_text(text)
+        file = self.folder / f"{kind}.prm"
+        file.write_text(text)
+        return file
 
     def test_a_reduction_ends_at_once(self):
         self.file.write_text(PLATE)
-        for number in (signal.SIGINT, signal.SIGTERM):
-            out = self.folder / f"out{number}"
-            process = self.start(self.file, "--output", out)
-            time.sleep(2)
+        started = {number: self.start(self.file, "--output", self.folder / f"out{number}")
+                   for number in (signal.SIGINT, signal.SIGTERM)}
+        time.sleep(2)
+        for number, process in started.items():
             code, text = self.end(process, number)
             self.assertEqual(code, 4, text)
             self.assertEqual(text.count("stopped by a signal"), 1)
-            self.assertFalse(out.exists())
+            self.assertFalse((self.folder / f"out{number}").exists())
 
     def test_a_reduction_on_two_ranks_ends(self):
         self.file.write_text(PLATE)
@@ -141,39 +153,45 @@ class Signals(check_runs.Runs):
         self.assertNotEqual(code, 0)
         self.assertLessEqual(text.count("stopped by a signal"), 1)
 
+    def stop_and_resume(self, kinds, ranks, numbers):
+        """All kinds beside each other."""
+        started = {kind: self.start(self.knocking(kind), "--output", self.folder / kind,
+                                    ranks=ranks) for kind in kinds}
+        for number in numbers:
+            self.wait_until_printed("cases: 1 of 2", *started.values())
+            time.sleep(0.3)  # the endless motion has begun
+            for kind, process in started.items():
+                code, text = self.end(process, number)
+                if ranks == 1:
+                    self.expect_first_kept(kind, code, text)
+                started[kind] = self.start("--resume", self.folder / kind, ranks=ranks)
+        self.wait_until_printed("cases: 1 of 2", *started.values())
+        for process in started.values():
+            self.end(process, signal.SIGTERM)
+
+    def expect_first_kept(self, kind, code, text):
+        self.assertEqual(code, 4, text)
+        self.assertIn("--resume", text)
+        with h5py.File(self.folder / kind / "results.h5") as file:
+            self.assertEqual(file["analysis/cases/status"][()].tolist(), [0, -1])
+
     def test_a_motion_ends_and_goes_on(self):
-        for kind in ENDLESS:
-            self.knocking(kind)
-            for ranks in (1, 2):
-                out = self.folder / f"{kind}{ranks}"
-                process = self.start(self.file, "--output", out, ranks=ranks)
-                for _ in range(2):
-                    self.wait_for_journal(out / "journal", 1000, process)
-                    code, text = self.end(process, signal.SIGTERM)
-                    if ranks == 1:
-                        self.assertEqual(code, 4, text)
-                        self.assertIn("--resume", text)
-                        with h5py.File(out / "results.h5") as file:
-                            self.assertEqual(file["analysis/cases/status"][()].tolist(), [0, -1])
-                    process = self.start("--resume", out, ranks=ranks)
-                    time.sleep(2)
-                self.end(process, signal.SIGINT)
+        self.stop_and_resume(ENDLESS, 1, (signal.SIGTERM, signal.SIGINT))
+
+    def test_a_motion_on_two_ranks_ends_and_goes_on(self):
+        self.stop_and_resume(["response"], 2, (signal.SIGTERM,))
 
     def test_a_check_ends_by_itself_and_by_a_signal(self):
-        for kind in ENDLESS:
-            self.knocking(kind)
-            started = self.start(self.file, "--check")
-            out, error = started.communicate(timeout=60)
-            self.assertEqual(started.returncode, 0, out + error)
-            self.assertIn("of computing", out)
-        process = self.start(self.file, "--check")
+        files = [self.knocking(kind) for kind in ENDLESS]
+        started = [self.start(file, "--check") for file in files]
+        stopped = self.start(files[0], "--check")
         time.sleep(1.5)
-        if process.poll() is None:
-            self.assertEqual(self.end(process, signal.SIGTERM)[0], 4)
+        if stopped.poll() is None:
+            self.assertEqual(self.end(stopped, signal.SIGTERM)[0], 4)
+        for process in started:
+            self.assertEqual(process.wait(timeout=60), 0, process.printed.read_text())
+            self.assertIn("of computing", process.printed.read_text())
 
 
 if __name__ == "__main__":
-    # Not those of the class it borrows the set-up from.
-    own = [name for name in vars(Signals) if name.startswith("test_")]
-    done = unittest.TextTestRunner().run(unittest.TestSuite(map(Signals, own)))
-    sys.exit(0 if done.wasSuccessful() else 1)
+    main()

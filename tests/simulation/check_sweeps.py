@@ -3,15 +3,13 @@
 
 usage: check_sweeps.py PROGRAM MPIEXEC
 """
-import os
 import signal
 import subprocess
-import unittest
 
 import h5py
 import numpy as np
 
-import check_runs
+from program_runs import ProgramRuns, datasets, main
 
 # An isolator with a two-sided elastic stop; the folds of its response are at 0.195964 Hz (falling)
 # and 0.216888 Hz (rising).
@@ -133,9 +131,7 @@ end
 PEAK = "point/mass.head/displacement_x/peak_excursion"
 
 
-class Sweeps(check_runs.Runs):
-    """Reuses the set-up; its own tests run in check_runs.py."""
-
+class Sweeps(ProgramRuns):
     def setUp(self):
         super().setUp()
         self.file.write_text(FILE)
@@ -150,7 +146,7 @@ class Sweeps(check_runs.Runs):
             out = self.folder / f"ranks{ranks}"
             done = self.run_program(self.file, "--output", out, ranks=ranks)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-            self.assertEqual(check_runs.datasets(out), check_runs.datasets(whole))
+            self.assertEqual(datasets(out), datasets(whole))
             self.assertIn(", took ", done.stdout)
         kept = sum(journal.stat().st_size for journal in (whole / "journal").iterdir())
         out = self.folder / "cut"
@@ -161,7 +157,7 @@ class Sweeps(check_runs.Runs):
         process.wait()
         done = self.run_program("--resume", out, ranks=2)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.assertEqual(check_runs.datasets(out), check_runs.datasets(whole))
+        self.assertEqual(datasets(out), datasets(whole))
 
     def test_what_the_sweeps_give(self):
         out = self.folder / "out"
@@ -191,10 +187,5 @@ class Sweeps(check_runs.Runs):
         self.assertAlmostEqual(float(peak), 0.52 / (0.02 * np.sqrt(1 - 1e-4)), delta=1e-9)
 
 
-for name in [n for n in dir(check_runs.Runs) if n.startswith("test_")]:
-    setattr(Sweeps, name, None)
-
-
 if __name__ == "__main__":
-    os.environ.setdefault("OMPI_MCA_rmaps_base_oversubscribe", "1")
-    unittest.main(argv=["check_sweeps.py"])
+    main()

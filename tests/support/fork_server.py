@@ -6,6 +6,7 @@
 """
 import dataclasses
 import json
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -27,8 +28,10 @@ class ForkServer:
 
     def __init__(self, program):
         self.printed = tempfile.TemporaryDirectory()
+        # Runs that end beside this one remove the folder that Open MPI's processes share.
+        own = {**os.environ, "OMPI_MCA_orte_tmpdir_base": self.printed.name}
         self.process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                        text=True)
+                                        text=True, env=own)
 
     def __enter__(self):
         return self

@@ -1,0 +1,62 @@
+"""What tests of whole runs share: a folder for each test, and the program started in it, on one or
+more ranks. Usage of such a test: check_NAME.py PROGRAM MPIEXEC
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import h5py
+import numpy as np
+
+
+def datasets(folder):
+    """Every dataset of a result file as bytes, by path."""
+    found = {}
+
+    def visit(name, item):
+        if isinstance(item, h5py.Dataset):
+            values = item[()]
+            found[name] = values.tobytes() if isinstance(values, np.ndarray) else repr(values)
+            if getattr(values, "dtype", None) == object:
+                found[name] = repr(values.tolist())
+
+    with h5py.File(folder / "results.h5") as file:
+        file.visititems(visit)
+    return found
+
+
+class InAFolder(unittest.TestCase):
+    """`file` is where a test writes the parameter file."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+        self.file = self.folder / "case.prm"
+
+
+class ProgramRuns(InAFolder):
+    def command(self, *arguments, ranks=1):
+        program, mpiexec = sys.argv[1:3]
+        start = [mpiexec, "-n", str(ranks)] if ranks > 1 else []
+        return start + [program, *map(str, arguments)]
+
+    def run_program(self, *arguments, ranks=1):
+        return subprocess.run(self.command(*arguments, ranks=ranks), cwd=self.folder,
+                              capture_output=True, text=True, check=False)
+
+    def wait_for_journal(self, folder, size, process):
+        """Until that many bytes of finished points are kept, or the run is over."""
+        while process.poll() is None:
+            if folder.is_dir() and sum(j.stat().st_size for j in folder.iterdir()) >= size:
+                return
+            time.sleep(0.005)
+
+
+def main():
+    os.environ.setdefault("OMPI_MCA_rmaps_base_oversubscribe", "1")
+    unittest.main(argv=sys.argv[:1])
