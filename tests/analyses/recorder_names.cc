@@ -1,5 +1,6 @@
 // All recorders together: no two of them give a result the same name, and none gives a result the
 // name of a group of others, which no HDF5 file could hold.
+#include "analyses/observed_signal.h"
 #include "analyses/recorders.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/relaxing_stop.h"
@@ -9,6 +10,7 @@
 
 #include <numbers>
 #include <set>
+#include <tuple>
 
 namespace vibroimpact::analyses {
 namespace {
@@ -45,6 +47,24 @@ PointResult all_recorded() {
   PointResult result;
   recording.add_fields(result);
   return result;
+}
+
+// Accelerations are measured in space, the others from the base.
+TEST(RecorderNamesTest, SignalsOfPointsSayWhatTheyAre) {
+  const System system = busy_system();
+  for (const auto &[quantity, unit, description] :
+       {std::tuple{"displacement", "m", "displacement relative to the base along x"},
+        std::tuple{"velocity", "m/s", "velocity relative to the base along x"},
+        std::tuple{"acceleration", "m/s^2", "absolute acceleration along x"}}) {
+    auto root = std::make_shared<parameters::Section>("file", "A file.");
+    declare_signals(*root);
+    const auto set = parameters::ParameterSet::parse(
+        root, "set Quantity = " + std::string(quantity) + "\n", "test.prm", false);
+    const ObservedSignal signal = chosen_signals(set->root(), system).at(0);
+    EXPECT_EQ(signal.name, "point/block.head/" + std::string(quantity) + "_x");
+    EXPECT_EQ(signal.unit, unit);
+    EXPECT_EQ(signal.description, description);
+  }
 }
 
 TEST(RecorderNamesTest, EveryResultHasANameOfItsOwn) {

@@ -255,6 +255,16 @@ TEST(RecordersTest, StaticDisplacementUnderTheFrozenPeak) {
               (offset + force + 5000 * 0.018) / (stiffness + 5000), 1e-10);
 }
 
+TEST(RecordersTest, StaticDisplacementUnderAFaintLoad) {
+  constexpr double faint = 1e-6;
+  Model model({testing::single_mass("block", mass, stiffness, damping)});
+  model.add_force("push", harmonic(faint), {}, Vector3::UnitX());
+  const PointResult result =
+      recorded<QuasiStatic>(testing::system_of(std::move(model)), three_periods());
+  EXPECT_NEAR(value_of(result, "point/block.head/quasi_static_displacement_x/maximum"),
+              faint / stiffness, 1e-6 * faint / stiffness);
+}
+
 // A base shaken at omega pushes with m omega^2 times its amplitude.
 TEST(RecordersTest, StaticDisplacementUnderAShakenBase) {
   const PointResult result = recorded<QuasiStatic>(shaken(), three_periods());

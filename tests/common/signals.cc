@@ -51,5 +51,15 @@ TEST(Signals, OneThatWasDeferredIsNotForgotten) {
   install_signal_handlers();
 }
 
+TEST(Signals, BehindResultsTheyEndTheProcessAgain) {
+  EXPECT_EXIT(
+      {
+        install_signal_handlers();
+        { const DeferSignals results; }
+        std::raise(SIGTERM);
+      },
+      ::testing::ExitedWithCode(stopped_exit_code), "stopped by a signal");
+}
+
 } // namespace
 } // namespace vibroimpact

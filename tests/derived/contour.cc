@@ -122,5 +122,16 @@ TEST(Contour, AsAQuantity) {
   expect_parts(result.problems[0], {"Derived bad", "Field", "two axes", "3"});
 }
 
+// Fields in another unit than that of the SI have their levels in it.
+TEST(Contour, LevelsAreInTheUnitOfTheField) {
+  SmallAnalysis analysis({0, 1, 2}, {1, 2, 3});
+  analysis.add("plane", "Hz", [](double gap, double, bool) { return gap; });
+  const auto result = analysis.derive(
+      {{"forward", "set Operation = select\nset Field = plane\nset Where = direction = forward"},
+       {"line", "set Operation = contour\nset Field = forward\nset Levels = 0.75 Hz"}});
+  ASSERT_EQ(result.arrays.size(), 2U);
+  expect_values(result.arrays[1].values, {0.75, 1, 0.75, 0.75, 2, 0.75, 0.75, 3, 0.75});
+}
+
 } // namespace
 } // namespace vibroimpact::derived

@@ -210,6 +210,15 @@ TEST(TimeHistoriesTest, SweptAccelerationDoesNotDrift) {
   }
 }
 
+// The phase goes on without a jump.
+TEST(TimeHistoriesTest, AfterASweepTheSineGoesOnAtTheLastFrequency) {
+  for (const bool logarithmic : {false, true}) {
+    const SineSweep sweep(sweep_definition(Given::displacement, logarithmic));
+    for (double t = 4; t < 5; t += 0.07)
+      EXPECT_NEAR(sweep.value(t), 1.3 * std::sin(sweep.phase(4) + 6 * pi * (t - 4)), 1e-12) << t;
+  }
+}
+
 TEST(TimeHistoriesTest, FadedSweepBeginsAndEndsAtRest) {
   SweepDefinition definition = sweep_definition(Given::displacement, false);
   definition.fade_in = definition.fade_out = 1;

@@ -83,6 +83,9 @@ const std::vector<Case> structure{
     {"half_a_character", "set Title = M\xC3\n",
      "1\n  this line holds a character that is no text, such as a NUL byte or a letter in another "
      "encoding than UTF-8."},
+    {"beyond_the_last_character", "set Title = \xF5\x80\x80\x80\n",
+     "1\n  this line holds a character that is no text, such as a NUL byte or a letter in another "
+     "encoding than UTF-8."},
     {"name_listed_twice", "set Bodies = a, b, a\n",
      "1: Bodies = a, b, a\n  'a' is listed twice; different names separated by commas are "
      "expected."},

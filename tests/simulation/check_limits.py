@@ -134,6 +134,36 @@ end
         self.assertIn("analysis cases: 3 of 3 points were recorded before", text)
         self.assertIn("analysis.cases.unsettled_points = 3 [1]", (out / "summary.txt").read_text())
 
+    def test_every_point_of_a_case_that_cannot_be_built_has_the_reason(self):
+        """Each value can be used, but not these two together."""
+        self.write("Analysis/one/Stepped sweep/Last frequency", "5 Hz, 3 Hz")
+        text = self.file.read_text()
+        before, after = text.index("subsection Analysis one"), text.index("subsection Analysis cases")
+        text = text[:before] + """
+subsection Analysis one
+  set Type = stepped sweep
+  subsection Stepped sweep
+    set First frequency = 1 Hz
+    set Last frequency = 2 Hz
+    set Points = 3
+    set Settling cycles = 2
+    set Recorded cycles = 1
+  end
+end
+""" + text[after:]
+        self.file.write_text(text.replace("    subsection Key swept", """    subsection Key first
+      set Path = Analysis/one/Stepped sweep/First frequency
+      set Values = 1 Hz, 4 Hz
+    end
+    subsection Key swept"""))
+        out, _ = self.run_to("out", 3)
+        impossible = np.zeros((2, 2, 3, 2), dtype=bool)
+        impossible[1, 1] = True
+        np.testing.assert_array_equal(self.read(out, "status"), impossible)
+        np.testing.assert_array_equal(
+            [b"above First frequency" in reason for reason in self.read(out, "reason").ravel()],
+            impossible.ravel())
+
     def test_pictures_are_announced_where_there_are_some(self):
         self.write()
         out, text = self.run_to("lumped", 0)
@@ -143,6 +173,18 @@ end
         out, text = self.run_to("beam", 0)
         self.assertIn("for ParaView: modes.pvd;", text)
         self.assertTrue((out / "modes.pvd").exists())
+
+    def test_of_many_pictures_some_are_announced(self):
+        motion = check_runs.BEAM[check_runs.BEAM.index("subsection Analysis push"):]
+        motion = motion.replace("0.1 s", "1 ms\n    set Frames = 1")
+        for last, end in (("c", ";"), ("d", ", ...;")):
+            beam = check_runs.BEAM[:check_runs.BEAM.index("subsection Analysis push")]
+            self.file.write_text(beam + "".join(
+                motion.replace("Analysis push", "Analysis " + name)
+                for name in "abcd" if name <= last))
+            _, text = self.run_to(last, 0)
+            self.assertIn("for ParaView: a.pvd, b.pvd, c.pvd, " +
+                          ("modes.pvd" if last == "c" else "d.pvd") + end, text)
 
     def test_sections_of_other_laws_are_told(self):
         self.write()

@@ -104,6 +104,15 @@ class Signals(ProgramRuns):
         process.printed = pathlib.Path(path)
         return process
 
+    def wait_for_handlers(self, *processes):
+        """Before that a signal ends any program; of one rank."""
+        interrupt = 1 << (signal.SIGINT - 1)
+        for process in processes:
+            status = pathlib.Path(f"/proc/{process.pid}/status")
+            while process.poll() is None and not interrupt & int(
+                    status.read_text().split("SigCgt:")[1].split()[0], 16):
+                time.sleep(0.02)
+
     def wait_until_printed(self, text, *processes):
         for process in processes:
             while process.poll() is None and text not in process.printed.read_text():
@@ -138,7 +147,8 @@ class Signals(ProgramRuns):
         self.file.write_text(PLATE)
         started = {number: self.start(self.file, "--output", self.folder / f"out{number}")
                    for number in (signal.SIGINT, signal.SIGTERM)}
-        time.sleep(2)
+        self.wait_for_handlers(*started.values())
+        time.sleep(1.5)
         for number, process in started.items():
             code, text = self.end(process, number)
             self.assertEqual(code, 4, text)
@@ -185,7 +195,8 @@ class Signals(ProgramRuns):
         files = [self.knocking(kind) for kind in ENDLESS]
         started = [self.start(file, "--check") for file in files]
         stopped = self.start(files[0], "--check")
-        time.sleep(1.5)
+        self.wait_for_handlers(stopped)
+        time.sleep(1)
         if stopped.poll() is None:
             self.assertEqual(self.end(stopped, signal.SIGTERM)[0], 4)
         for process in started:

@@ -147,7 +147,7 @@ class Sweeps(ProgramRuns):
             done = self.run_program(self.file, "--output", out, ranks=ranks)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertEqual(datasets(out), datasets(whole))
-            self.assertIn(", took ", done.stdout)
+            self.assertRegex(done.stdout, r": (\d+) of \1 \(100 %\), .*took ")
         kept = sum(journal.stat().st_size for journal in (whole / "journal").iterdir())
         out = self.folder / "cut"
         process = subprocess.Popen(self.command(self.file, "--output", out), cwd=self.folder,
