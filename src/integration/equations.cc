@@ -302,6 +302,8 @@ double Equations::add_nonlinear_forces(double time, ConstVectorView x, VectorVie
   return power + rotors.input_power(q, velocity, drive, frame);
 }
 
+// Of the ledger, whose integrals do not act back, only the work of loads and the impulses: an
+// implicit method solves for them as exactly as for the motion.
 void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const {
   const Index n = layout_.n;
   jacobian.setZero(layout_.size(), layout_.size());
@@ -310,12 +312,17 @@ void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const
   if (!model_.linear())
     add_cubic_stiffness(time, x, jacobian);
   jacobian.block(n, n, n, n) = -model_.damping().dense();
+  model_.load(source_time(time), load_);
+  jacobian.row(layout_.input_work()).segment(n, n) = load_.transpose();
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     if (silent(c) || mode(c).holds_gap)
       continue;
     const ContactPair &pair = contacts_.pairs()[c];
     pair.law->evaluate(modes_[c], local_state(c, time, x), response_);
     const RowVector &row = pair.gap.row;
+    const Index impulse = layout_.impulse(static_cast<Index>(c));
+    jacobian.row(impulse).head(n) = response_.force_by_gap * row;
+    jacobian.row(impulse).segment(n, n) = response_.force_by_gap_rate * row;
     jacobian.block(n, 0, n, n) += response_.force_by_gap * row.transpose() * row;
     jacobian.block(n, n, n, n) += response_.force_by_gap_rate * row.transpose() * row;
     const Index first = layout_.internal() + pair.internal_offset;

@@ -3,6 +3,7 @@
 
 #include "integration/flight_stepper.h"
 #include "integration/stepper.h"
+#include "integration/stiffness_watch.h"
 
 #include <memory>
 
@@ -10,12 +11,14 @@ namespace vibroimpact::integration {
 
 class Steppers {
 public:
-  /// Method "flight": exact steps where the phase is linear, Runge-Kutta of order 8 elsewhere. Any
-  /// other: that TS throughout.
+  /// Method "flight": exact steps where the phase is linear; elsewhere Runge-Kutta of order 8, and
+  /// a diagonally implicit method as long as the phase is stiff. Any other: that TS throughout.
   Steppers(Equations &equations, const Settings &settings);
 
   /// Begins a phase with the stepper that suits the present modes of the equations.
   void restart(double time, const Vector &x);
+  /// Takes one step of the present phase, as Stepper::step() does.
+  void step(double limit);
   Stepper &present() { return *present_; }
   const Stepper &present() const { return *present_; }
 
@@ -25,11 +28,19 @@ public:
   void place(double time, const Vector &x);
 
   void forget();
-  long rejected_steps() const { return general_->rejected_steps(); }
+  long rejected_steps() const;
 
 private:
+  void choose();
+  void go_on_with(Stepper &stepper);
+  void step_implicitly(double limit);
+
+  Equations &equations_;
+  const Settings settings_;
   std::unique_ptr<Stepper> general_;
   std::unique_ptr<FlightStepper> flight_;
+  std::unique_ptr<Stepper> implicit_; ///< for stiff phases; none before the first of them
+  StiffnessWatch stiffness_;
   Stepper *present_;
 };
 

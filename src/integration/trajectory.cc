@@ -293,7 +293,7 @@ void Trajectory::integrate(double end, Observer &observer) {
     if (flown_)
       take_over();
     ++steps_;
-    steppers_.present().step(limit);
+    steppers_.step(limit);
     Crossing crossing;
     const bool changes = changes_in_step(crossing);
     steppers_.present().accept(watched_);

@@ -112,6 +112,9 @@ void TsStepper::set_method(const std::string &method) {
   KSP ksp = nullptr;
   PC pc = nullptr;
   check_petsc(TSGetSNES(ts_, &snes), "TSGetSNES");
+  // By the residual alone: the last change, relative to the whole state, is ruled by the ledger.
+  check_petsc(SNESSetTolerances(snes, PETSC_DEFAULT, 1e-11, 1e-16, PETSC_DEFAULT, PETSC_DEFAULT),
+              "SNESSetTolerances");
   check_petsc(SNESGetKSP(snes, &ksp), "SNESGetKSP");
   check_petsc(KSPSetType(ksp, KSPPREONLY), "KSPSetType");
   check_petsc(KSPGetPC(ksp, &pc), "KSPGetPC");
