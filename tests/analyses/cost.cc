@@ -91,6 +91,7 @@ TEST(CostTest, PointsOfASweepCountByTheirTypicalTime) {
   const auto sweep = std::make_shared<Steps>(200, 0.01);
   const Cost cost = estimate_cost({}, factory(sweep), 0.6);
   EXPECT_EQ(cost.points, 200u);
+  EXPECT_TRUE(cost.sentence().starts_with("200 points, ")) << cost.sentence();
   EXPECT_LT(cost.tried, 60u);
   EXPECT_NEAR(cost.seconds, 209 * 0.01, 0.3 * 209 * 0.01);
   EXPECT_EQ(cost.failed, 0u);
@@ -124,6 +125,7 @@ TEST(CostTest, OfALongMotionAPartIsTried) {
   EXPECT_TRUE(cost.by_parts);
   EXPECT_EQ(cost.tried, 0u);
   EXPECT_NEAR(cost.seconds, 50, 10);
+  EXPECT_TRUE(cost.sentence().starts_with("1 point, ")) << cost.sentence();
   EXPECT_NE(cost.sentence().find("settles early"), std::string::npos);
 }
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <set>
 #include <tuple>
@@ -64,6 +65,24 @@ TEST(RecorderNamesTest, SignalsOfPointsSayWhatTheyAre) {
     EXPECT_EQ(signal.name, "point/block.head/" + std::string(quantity) + "_x");
     EXPECT_EQ(signal.unit, unit);
     EXPECT_EQ(signal.description, description);
+  }
+}
+
+TEST(RecorderNamesTest, ForcesOfChosenContactsAreSignals) {
+  const System system = busy_system();
+  for (const auto &[chosen, count] : {std::pair{"none", 0}, std::pair{"left", 1}, {"all", 2}}) {
+    auto root = std::make_shared<parameters::Section>("file", "A file.");
+    declare_signals(*root);
+    const auto set = parameters::ParameterSet::parse(
+        root, "set Contacts = " + std::string(chosen) + "\n", "test.prm", false);
+    const std::vector<ObservedSignal> signals = chosen_signals(set->root(), system);
+    EXPECT_EQ(std::count_if(signals.begin(), signals.end(),
+                            [](const auto &signal) { return signal.unit == "N"; }),
+              count)
+        << chosen;
+    if (count > 0) {
+      EXPECT_EQ(signals.back().name, "contact/left/normal_force");
+    }
   }
 }
 

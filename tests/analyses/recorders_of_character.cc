@@ -208,6 +208,7 @@ TEST(RecordersOfCharacterTest, AllZerosOfAPolynomial) {
     EXPECT_NEAR(wave(zero), 0, 1e-15);
   EXPECT_TRUE(sign_changes(Bernstein(3)).empty());
   EXPECT_TRUE(sign_changes(Bernstein::cubic(1, {0, 1}, {2, 1})).empty()); // zero at the start
+  EXPECT_TRUE(sign_changes(Bernstein::cubic(1, {0, -1}, {-2, -1})).empty());
 }
 
 // Steady forced vibration: the Poincare point is one, extrema are at the amplitude, orders known.

@@ -88,6 +88,24 @@ TEST(SteppedSweepTest, ItsJumpsAreBracketedAtTheFolds) {
   EXPECT_LT(down_from - down_to, 2e-6 * 1.4 * 1.001);
 }
 
+class Shares : public testing::Points {
+public:
+  void note_progress(double share) override { largest = std::max(largest, share); }
+  double largest = 0;
+};
+
+// A point that settles has a part of its longest motion behind it, and the search adds nothing.
+TEST(SteppedSweepTest, TheSearchForAJumpHasNoShareOfItsOwn) {
+  SteppedSweep::Settings settings = sweep(1.20, 1.40, 6);
+  settings.jump_tolerance = 2e-6;
+  System system = isolator(1);
+  Shares points;
+  SteppedSweep(settings).run_line(0, system, points);
+  EXPECT_EQ(jumps(points).size(), 2u);
+  EXPECT_GT(points.largest, 0);
+  EXPECT_LT(points.largest, 1);
+}
+
 TEST(SteppedSweepTest, BothStableOrbitsBetweenTheFolds) {
   System system = isolator(1);
   testing::Points points;
