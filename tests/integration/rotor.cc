@@ -1,6 +1,7 @@
 // Unbalanced rotors: conservation laws, the unbalance response, the motor, and the derivatives.
 #include "integration/impact_log.h"
 #include "integration/trajectory.h"
+#include "model/piecewise_function.h"
 #include "support/rotor_models.h"
 
 #include <gtest/gtest.h>
@@ -55,6 +56,22 @@ TEST(RotorTest, FreeRotorKeepsMomentumAndEnergy) {
   EXPECT_NEAR(moment(after), moment(before), 1e-9 * std::abs(moment(before)));
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-9);
   EXPECT_GT(std::abs(after[3] - before[3]), 0.01); // the carrier is really shaken
+}
+
+// Gravity takes carrier and rotor alike, in both directions of its plane, and turns nothing.
+TEST(RotorTest, FreeRotorFallsWithItsCarrier) {
+  Model model({plane_mass("frame", 3, 0, 0), rotation("disc", 0.4)});
+  const Eigen::Vector2d gravity(6, -8);
+  model.add_gravity("weight", make_constant(Given::displacement, 10), {0, 1},
+                    Vector3(0.6, -0.8, 0));
+  put_rotor(model, 1, "frame.head", 2, 0.25);
+  const ContactSet contacts;
+  Trajectory trajectory(model, contacts, {.relative_tolerance = 1e-10});
+  trajectory.start(0, Eigen::Vector3d(0, 0, 0.7), Vector::Zero(3));
+  Silent observer;
+  trajectory.advance(0.5, observer);
+  EXPECT_TRUE(trajectory.state().head(2).isApprox(gravity * 0.5 * 0.5 / 2, 1e-9));
+  EXPECT_NEAR(trajectory.state()[2], 0.7, 1e-10);
 }
 
 // A rotor too heavy to be slowed shakes its carrier with m e w^2: amplitude
