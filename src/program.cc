@@ -110,9 +110,9 @@ int run(const CommandLine &line) {
   if (summary.unbalanced > 0)
     log::warning("the energy balance of " + std::to_string(summary.unbalanced) +
                  " points does not close; unbalanced and energy_residual in results.h5 say which "
-                 "and by how much. A smaller Maximum step helps where little but a moving base "
-                 "drives the motion, a smaller Relative tolerance in most other cases; where "
-                 "neither does, compare with Method = rk.");
+                 "and by how much. A smaller Relative tolerance helps, with another Method than "
+                 "flight also a smaller Absolute tolerance; where neither does, compare with "
+                 "Method = rk.");
   if (summary.interrupted) {
     log::info("Stopped. Everything finished so far is in " + folder + "; go on with --resume " +
               folder);

@@ -370,7 +370,7 @@ RunSummary Simulation::run(const RunOptions &options) {
     output::write_mode_files(folder, reduced);
   warn_of_unused_laws(all);
   try {
-    const RunSummary total = run_jobs(all, sink, options);
+    const RunSummary total = run_jobs(all, sink);
     sink.check_written();
     return total;
   } catch (const InputError &) {
@@ -382,8 +382,7 @@ RunSummary Simulation::run(const RunOptions &options) {
   }
 }
 
-RunSummary Simulation::run_jobs(const std::vector<Job> &jobs, output::FileSink &sink,
-                                const RunOptions &options) {
+RunSummary Simulation::run_jobs(const std::vector<Job> &jobs, output::FileSink &sink) {
   RunSummary total;
   for (const Job &job : jobs) {
     const RunSummary summary = analyses::run_analysis(

@@ -73,8 +73,7 @@ private:
   void refuse_swept(const Job &job, const analyses::GridKey &key, const std::string &swept) const;
   void warn_of_unused_laws(const std::vector<Job> &jobs) const;
   double log_cost(const Job &job, double seconds) const;
-  analyses::RunSummary run_jobs(const std::vector<Job> &jobs, output::FileSink &sink,
-                                const RunOptions &options);
+  analyses::RunSummary run_jobs(const std::vector<Job> &jobs, output::FileSink &sink);
   std::vector<contact::ContactFigures> contacts_of(const std::vector<Job> &jobs) const;
   std::string file_folder() const;
 

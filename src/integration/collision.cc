@@ -68,13 +68,13 @@ struct Collisions::Instant {
 };
 
 double Collisions::slow() const {
-  return settings_.absolute_tolerance * std::max(1.0, equations_.model().highest_frequency());
+  return settings_.negligible_length() * std::max(1.0, equations_.model().highest_frequency());
 }
 
 bool Collisions::touches(std::size_t contact, const contact::LocalState &local, double time,
                          double time_tolerance, const Vector &state) const {
   return std::abs(local.gap) <=
-         std::max({settings_.absolute_tolerance, 2 * time_tolerance * std::abs(local.gap_rate),
+         std::max({settings_.negligible_length(), 2 * time_tolerance * std::abs(local.gap_rate),
                    equations_.rounding(contact, {.gap = 1}, time, state)});
 }
 
@@ -185,7 +185,7 @@ double Collisions::negligible_height(const Instant &instant, std::size_t k,
   const double e = instant.restitution[static_cast<Index>(k)];
   const double rounding = equations_.rounding(instant.contacts[k], {.gap = 1}, instant.time, state);
   return small_flights *
-         std::max(settings_.absolute_tolerance, e < 1 ? rounding / (1 - e * e) : rounding);
+         std::max(settings_.negligible_length(), e < 1 ? rounding / (1 - e * e) : rounding);
 }
 
 bool Collisions::negligible_energy(const Instant &instant, std::size_t k,

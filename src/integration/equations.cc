@@ -121,8 +121,8 @@ double Equations::gap_acceleration(std::size_t contact, double time,
   return value;
 }
 
-double Equations::rounding(std::size_t contact, const contact::AffineForm &form, double time,
-                           const Vector &x) const {
+double Equations::magnitude(std::size_t contact, const contact::AffineForm &form, double time,
+                            const Vector &x) const {
   const ContactPair &pair = contacts_.pairs()[contact];
   const auto magnitude = [&](Index first) {
     return pair.gap.row.cwiseAbs().dot(x.segment(first, layout_.n).cwiseAbs());
@@ -141,7 +141,12 @@ double Equations::rounding(std::size_t contact, const contact::AffineForm &form,
                     x[layout_.internal() + pair.internal_offset + static_cast<Index>(i)]);
   if (form.normal_force != 0 && holding_.holds(contact))
     sum += std::abs(form.normal_force) * force_magnitude(contact, time, x);
-  return 64 * std::numeric_limits<double>::epsilon() * sum;
+  return sum;
+}
+
+double Equations::rounding(std::size_t contact, const contact::AffineForm &form, double time,
+                           const Vector &x) const {
+  return 64 * std::numeric_limits<double>::epsilon() * magnitude(contact, form, time, x);
 }
 
 double Equations::acceleration_rounding(std::size_t contact, double time, const Vector &x) const {

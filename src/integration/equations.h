@@ -82,8 +82,12 @@ public:
   /// What a force along each row does: M^-1 rows^T at a position, n x rows.
   Matrix response_to(const Matrix &rows, double time, ConstVectorView x) const;
 
-  /// Bound of the rounding error with which an affine form of the local state is evaluated:
-  /// 64 eps times the sum of the absolute values of its terms.
+  /// Sum of the absolute values of the terms that an affine form of the local state is made of,
+  /// down to single coordinates.
+  double magnitude(std::size_t contact, const contact::AffineForm &form, double time,
+                   const Vector &x) const;
+
+  /// Bound of the rounding error with which such a form is evaluated: 64 eps times that sum.
   double rounding(std::size_t contact, const contact::AffineForm &form, double time,
                   const Vector &x) const;
 

@@ -15,7 +15,7 @@ FlightStepper::FlightStepper(const Equations &equations, const Settings &setting
       maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()),
       tolerance_{.relative = settings.relative_tolerance,
-                 .absolute = absolute_tolerances(equations, settings.absolute_tolerance)},
+                 .absolute = absolute_tolerances(equations, settings.negligible_length())},
       ledger_(equations) {}
 
 FlightStepper::CachedPhase &FlightStepper::cached_phase() {

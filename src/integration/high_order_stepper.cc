@@ -2,7 +2,6 @@
 
 #include "common/error.h"
 #include "integration/dormand_prince_8.h"
-#include "integration/tolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +21,6 @@ constexpr double safety = 0.9;
 constexpr double largest_growth = 4;
 constexpr double smallest_growth = 0.2;
 constexpr double exponent = 1.0 / 8; // of the step's error and of the polynomial's alike
-constexpr double fading = 0.9;       // of what was large, with each step
 
 ConstVectorView view_of(const Vector &x) { return {x.data(), x.size()}; }
 
@@ -43,14 +41,15 @@ HighOrderStepper::HighOrderStepper(const Equations &equations, const Settings &s
     : equations_(equations),
       maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()),
-      relative_(settings.relative_tolerance), event_tolerance_(settings.event_tolerance),
-      source_step_(equations, settings.relative_tolerance, settings.absolute_tolerance),
-      absolute_(absolute_tolerances(equations, settings.absolute_tolerance)),
-      stages_(equations.layout().size(), method::stages),
+      event_tolerance_(settings.event_tolerance),
+      measure_(equations, settings.relative_tolerance, settings.absolute_tolerance),
+      source_step_(equations), error_(Vector::Zero(equations.layout().size())),
+      dense_error_(equations.layout().n), stages_(equations.layout().size(), method::stages),
       stage_state_(Vector::Zero(equations.layout().size())) {}
 
 void HighOrderStepper::forget() {
   learned_.clear();
+  measure_.forget();
   first_of_phase_ = true;
 }
 
@@ -99,10 +98,10 @@ LocalState HighOrderStepper::contact_at(const EndPoint &point) const {
 void HighOrderStepper::restart(double time, const Vector &x) {
   end_.time = phase_start_ = time;
   end_.state = x;
-  largest_ = x.head(equations_.layout().physical_size()).cwiseAbs();
   read_sources(time);
   complete(end_);
   start_ = end_;
+  measure_.begin(end_);
   find_only_contact();
   begins_contact_ = false;
   if (only_contact_) {
@@ -172,34 +171,31 @@ double HighOrderStepper::attempt(const StepCourse &course) {
   if (!end_.state.allFinite())
     return std::numeric_limits<double>::infinity();
   complete(end_);
+  measure_.set_step(start_, end_);
   return std::max(step_error(), dense_error());
 }
 
 // The estimate of order 5, corrected where that of order 3 is not much larger (Hairer).
-double HighOrderStepper::step_error() const {
-  const Index size = equations_.layout().physical_size();
-  double largest = 0;
-  for (Index m = 0; m < size; ++m) {
+double HighOrderStepper::step_error() {
+  for (Index m = 0; m < error_.size(); ++m) {
     double fifth = 0;
     double third = 0;
     for (int i = 0; i < method::stages; ++i) {
       fifth += method::fifth[i] * stages_(m, i);
       third += method::third[i] * stages_(m, i);
     }
-    const double scale = absolute_[m] + relative_ * std::max(largest_[m], std::abs(end_.state[m]));
-    const double squares = fifth * fifth + 0.01 * third * third;
-    if (squares > 0)
-      largest = std::max(largest, fifth * fifth / std::sqrt(squares) / scale);
+    // Scaled, lest the squares of a small model's figures vanish.
+    const double part = std::hypot(fifth, 0.1 * third);
+    error_[m] = part > 0 ? fifth * (std::abs(fifth) / part) : 0;
   }
-  return largest;
+  return measure_.of_step(error_);
 }
 
 // In the middle the polynomials of rising degree differ by ever less; the next difference is
 // estimated from the last two.
-double HighOrderStepper::dense_error() const {
+double HighOrderStepper::dense_error() {
   const Index n = equations_.layout().n;
   const double h = end_.time - start_.time;
-  double largest = 0;
   for (Index j = 0; j < n; ++j) {
     const double rate = h * (start_.rates[j] - end_.rates[j]);
     const double second = h * h * (start_.rates[n + j] + end_.rates[n + j]);
@@ -211,10 +207,9 @@ double HighOrderStepper::dense_error() const {
       last = rate / 64 + second / 128 + third / 768;
     }
     const double ratio = std::abs(before) > 0 ? std::min(1.0, std::abs(last / before)) : 1;
-    const double scale = absolute_[j] + relative_ * std::max(largest_[j], std::abs(end_.state[j]));
-    largest = std::max(largest, std::abs(last) * ratio / scale);
+    dense_error_[j] = last * ratio;
   }
-  return largest;
+  return measure_.of_dense(dense_error_);
 }
 
 void HighOrderStepper::complete(EndPoint &point) {
@@ -299,7 +294,7 @@ void HighOrderStepper::accept(double error) {
   if (first_of_phase_)
     learn({.first = taken * std::min(factor, 2.0), .last = steps_.last});
   first_of_phase_ = false;
-  largest_ = (fading * largest_).cwiseMax(end_.state.head(largest_.size()).cwiseAbs());
+  measure_.accept();
 }
 
 // How long the two sides, moving apart, will stay in contact: within 0.2 % if they were alone and
@@ -331,7 +326,8 @@ bool HighOrderStepper::take_last(double left, double limit) {
     if (!(there.gap_rate > 0) || error > hopeless)
       break;
     const double correction = -there.gap / there.gap_rate;
-    const double beyond = correction + std::max(1e-5 * std::abs(correction), 4 * event_tolerance_);
+    const double beyond =
+        correction + std::max(1e-5 * std::abs(correction), 4 * instant_tolerance());
     if (error <= 1 &&
         ((i > 0 && correction <= 0) || (end + beyond < limit && move_end(end + beyond)))) {
       learn({.first = steps_.first, .last = left * growth(error)});
@@ -346,6 +342,14 @@ bool HighOrderStepper::take_last(double left, double limit) {
   if (error > 1)
     learn({.first = steps_.first, .last = left * growth(error)});
   return false;
+}
+
+// Of the end of a contact: a small part of the time that it has lasted, where that is less than the
+// tolerance of events.
+double HighOrderStepper::instant_tolerance() const {
+  constexpr double part = 1e-6;
+  const double rounding = 2 * std::numeric_limits<double>::epsilon() * std::abs(start_.time);
+  return std::min(event_tolerance_, std::max(rounding, part * (start_.time - phase_start_)));
 }
 
 // Where the next step is to end, at first.
@@ -365,13 +369,16 @@ void HighOrderStepper::step(double limit) {
   const bool opens = std::isfinite(rest_of_opening) && rest_of_opening > 16 * event_tolerance_;
   const double left = opens ? rest_of_opening : std::numeric_limits<double>::infinity();
   if (left <= std::min(steps_.last, maximum_step_) &&
-      left <= (1 + 1e-9) * source_step_.limited(start_.time, left) && take_last(left, limit))
+      left <=
+          (1 + 1e-9) * source_step_.limited(start_.time, left, measure_.source_tolerances(left)) &&
+      take_last(left, limit))
     return;
   const bool rooted = only_contact_ && begins_contact_ && !opens;
   // Evenly in the root of a time that is longer by more is evenly in time, but for the rounding.
   constexpr double nearness = 1e-3;
+  const double free_step = std::min(wanted_step(left), limit - start_.time);
   double wanted =
-      source_step_.limited(start_.time, std::min(wanted_step(left), limit - start_.time));
+      source_step_.limited(start_.time, free_step, measure_.source_tolerances(free_step));
   for (int i = 0; i < 100; ++i) {
     const double rest = limit - start_.time;
     // Two halves rather than a step and a sliver.

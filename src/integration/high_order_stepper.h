@@ -1,9 +1,8 @@
 // Smooth phases that are not linear, in few steps: the Runge-Kutta method of order 8 by Dormand and
 // Prince, with as much dense output.
 //
-// The error of a step and that of the polynomial through its ends are both kept below the
-// tolerances, the relative one of the largest value in the last steps: a velocity that turns in a
-// contact would else ask for a better accuracy there than where it began. Where model and sources
+// The error of a step and that of the polynomial through its ends are both kept below the relative
+// tolerance of what the motion has recently been (ErrorMeasure). Where model and sources
 // allow, the third derivative of the motion is known at the ends (from the Jacobian of the law),
 // and the polynomial has degree 7.
 //
@@ -14,6 +13,7 @@
 #pragma once
 
 #include "integration/equations.h"
+#include "integration/error_measure.h"
 #include "integration/settings.h"
 #include "integration/source_step.h"
 #include "integration/step_course.h"
@@ -51,8 +51,8 @@ private:
   template <std::size_t stage> void take_stage(const StepCourse &course);
   template <std::size_t count, typename Factor>
   void add_stages(Factor factor, Index size, double *state) const;
-  double step_error() const;
-  double dense_error() const;
+  double step_error();
+  double dense_error();
   void complete(EndPoint &point);
   void add_higher(EndPoint &point);
   void read_sources(double time);
@@ -61,6 +61,7 @@ private:
   bool opening() const;
   double rest_of_contact() const;
   bool take_last(double left, double limit);
+  double instant_tolerance() const;
   double wanted_step(double left) const;
   bool move_end(double time);
   void accept(double error);
@@ -69,11 +70,12 @@ private:
   void learn(const LearnedSteps &steps);
 
   const Equations &equations_;
-  double maximum_step_, relative_, event_tolerance_;
+  double maximum_step_, event_tolerance_;
+  ErrorMeasure measure_;
   SourceStep source_step_;
-  Vector absolute_;
-  Vector largest_; ///< |x| of the physical part in the last steps of the phase, fading
-  Matrix stages_;  ///< dx/ds, one column each
+  Vector error_;       ///< of the state at the end of the step
+  Vector dense_error_; ///< of the coordinates in its middle
+  Matrix stages_;      ///< dx/ds, one column each
   Vector stage_state_;
   contact::LawResponse response_;
   Vector elastic_, damping_;

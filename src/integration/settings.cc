@@ -11,10 +11,13 @@ void declare_integration(parameters::Section &root) {
           "or throughout adaptive Runge-Kutta of order 5 (Dormand-Prince), backward "
           "differentiation, trapezoidal-type theta, or diagonally implicit Runge-Kutta.")
       .quantity("Relative tolerance", "1e-9", dimension::none, Range{.lower = 1e-14, .upper = 0.1},
-                "", "Relative error allowed in one step.")
-      .quantity("Absolute tolerance", "1e-12 m", dimension::length, range::positive, "",
-                "Displacement at the points below which relative accuracy is not asked for; "
-                "velocities follow by the natural frequencies.")
+                "",
+                "Error allowed in one step, relative to what the motion has recently been: each "
+                "coordinate and velocity to its own size, each contact to its own penetration, "
+                "work and impulses to the energy and momentum at hand.")
+      .quantity("Absolute tolerance", "", dimension::length, range::positive, "",
+                "Displacement at the points below which errors do not matter; velocities follow by "
+                "the natural frequencies. Empty: none, and no size of model needs one.")
       .quantity("Event tolerance", "1e-12 s", dimension::time, range::positive, "",
                 "Uncertainty allowed in the instant at which a contact begins or ends.")
       .quantity("Maximum step", "", dimension::time, range::positive, "",
@@ -29,7 +32,8 @@ Settings read_integration(const parameters::Values &root) {
   const parameters::Values values = root.subsection("Integration");
   return {.method = values.choice("Method"),
           .relative_tolerance = values.quantity("Relative tolerance"),
-          .absolute_tolerance = values.quantity("Absolute tolerance"),
+          .absolute_tolerance =
+              values.has("Absolute tolerance") ? values.quantity("Absolute tolerance") : 0,
           .event_tolerance = values.quantity("Event tolerance"),
           .maximum_step = values.has("Maximum step") ? values.quantity("Maximum step") : 0,
           .maximum_steps = values.integer("Maximum steps"),

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vibroimpact::integration {
 
-SourceStep::SourceStep(const Equations &equations, double relative, double absolute)
-    : equations_(equations), relative_(relative), absolute_(absolute) {
+SourceStep::SourceStep(const Equations &equations) : equations_(equations) {
   for (std::size_t k = 0; k < equations.model().sources().size(); ++k) {
     const auto moved_by = [k](const contact::ContactPair &pair) {
       return k < pair.gap.carrier.size() && pair.gap.carrier[k] != 0;
@@ -17,7 +17,7 @@ SourceStep::SourceStep(const Equations &equations, double relative, double absol
   }
 }
 
-double SourceStep::error(double time, double length) const {
+double SourceStep::error(double time, double length, const Vector &tolerances) const {
   double largest = 0;
   for (const std::size_t k : moving_) {
     const model::TimeFunction &function = *equations_.model().sources()[k].function;
@@ -33,28 +33,26 @@ double SourceStep::error(double time, double length) const {
     const double size = std::abs(value[0]) + std::abs(value[1]) + std::abs(rate[0]) +
                         std::abs(rate[1]) + std::abs(bend[0]) + std::abs(bend[1]);
     const double missed = std::abs(middle - function.value(at(time + length / 2)));
-    largest = std::max(largest, missed / (absolute_ + relative_ * size));
+    constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+    const double allowed = tolerances[static_cast<Index>(k)] + rounding * size;
+    largest = std::max(largest, missed > 0 ? missed / allowed : 0);
   }
   return largest;
 }
 
-// The error goes with the sixth power of the length where a source is smooth. A body that a contact
-// holds on a moving base shows error control nothing of the forces that the base does work against:
-// forces and work of powers of a penetration need steps as much shorter as `held_part` says.
-double SourceStep::limited(double time, double length) const {
+// The error goes with the sixth power of the length where a source is smooth. Stock methods see
+// nothing of the work of a base that moves the gap of a body which a contact holds.
+double SourceStep::limited(double time, double length, const Vector &tolerances) const {
   constexpr int most_trials = 30;
-  constexpr double held_part = 0.15;
   if (moving_.empty())
     return length;
-  const double part = equations_.holding().empty() ? 1 : held_part;
-  double whole = length / part;
   for (int i = 0; i < most_trials; ++i) {
-    const double too_large = error(time, whole);
+    const double too_large = error(time, length, tolerances);
     if (too_large <= 1)
       break;
-    whole *= std::isfinite(too_large) ? std::max(0.2, 0.9 * std::pow(too_large, -1.0 / 6)) : 0.2;
+    length *= std::isfinite(too_large) ? std::max(0.2, 0.9 * std::pow(too_large, -1.0 / 6)) : 0.2;
   }
-  return part * whole;
+  return length;
 }
 
 } // namespace vibroimpact::integration

@@ -14,19 +14,18 @@ namespace vibroimpact::integration {
 
 class SourceStep {
 public:
-  /// Keeps a reference. Tolerances of displacements: `relative`, and `absolute` [m].
-  SourceStep(const Equations &equations, double relative, double absolute);
+  /// Keeps a reference.
+  explicit SourceStep(const Equations &equations);
 
-  /// `length`, or less where the polynomials would miss the sources by more than the tolerances in
-  /// a step of that length from `time` on; both in s.
-  double limited(double time, double length) const;
+  /// `length`, or less where the polynomials would miss the sources by more than the tolerances
+  /// [m, one per source] in a step of that length from `time` on; both in s.
+  double limited(double time, double length, const Vector &tolerances) const;
 
 private:
   /// Error over tolerance, the largest of all sources.
-  double error(double time, double length) const;
+  double error(double time, double length, const Vector &tolerances) const;
 
   const Equations &equations_;
-  double relative_, absolute_;
   std::vector<std::size_t> moving_; ///< the sources that move a gap
 };
 

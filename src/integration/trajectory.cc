@@ -30,6 +30,15 @@ double Trajectory::time_tolerance() const {
                                                  std::abs(steppers_.present().time()));
 }
 
+// A contact can be shorter than the tolerance of events: its own steps say how short.
+double Trajectory::location_tolerance() const {
+  const Stepper &stepper = steppers_.present();
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() * std::abs(stepper.time());
+  const double length = stepper.time() - stepper.previous_time();
+  return std::max(rounding,
+                  std::min(settings_.event_tolerance, settings_.relative_tolerance * length));
+}
+
 void Trajectory::begin_phase(double time, const Vector &state) {
   equations_.set_source_break(equations_.model().next_break(time));
   steppers_.restart(time, state);
@@ -88,7 +97,7 @@ Bernstein Trajectory::indicator(const StepView &view, std::size_t contact,
   return curve;
 }
 
-// Error of an indicator that the absolute tolerance of the integration allows.
+// Error of an indicator that a negligible displacement makes.
 double Trajectory::negligible(std::size_t contact, const AffineForm &form) const {
   const double highest = std::max(1.0, equations_.model().highest_frequency());
   double sum = std::abs(form.gap) + std::abs(form.gap_rate) * highest;
@@ -97,7 +106,7 @@ double Trajectory::negligible(std::size_t contact, const AffineForm &form) const
   if (form.normal_force != 0)
     sum += std::abs(form.normal_force) * highest * highest *
            equations_.contacts().effective_mass(contact, equations_.model());
-  return settings_.absolute_tolerance * sum;
+  return settings_.negligible_length() * sum;
 }
 
 std::vector<ZeroGuard>::const_iterator Trajectory::find_zero_guard(std::size_t contact,
@@ -217,11 +226,12 @@ bool Trajectory::changes_in_step(Crossing &crossing) {
 bool Trajectory::locate(Crossing &crossing) {
   constexpr int maximum_corrections = 60;
   const double limit = steppers_.present().time(); // up to here the step is good
+  const double tolerance = location_tolerance();
   int extensions = 0;
   for (int i = 0; i < maximum_corrections; ++i) {
     const double start = steppers_.present().previous_time();
     const double instant = start + crossing.tau * (steppers_.present().time() - start);
-    if (instant - start <= time_tolerance()) {
+    if (instant - start <= tolerance) {
       end_at_start(crossing);
       return true;
     }
@@ -232,8 +242,8 @@ bool Trajectory::locate(Crossing &crossing) {
     const bool inside = find_crossing(shorter, earlier);
     Crossing &candidate = inside ? earlier : crossing;
     const double uncertainty = event_uncertainty(shorter, candidate);
-    const bool at_end = !inside || (1 - earlier.tau) * shorter.length() <= time_tolerance();
-    if (at_end && uncertainty <= time_tolerance()) {
+    const bool at_end = !inside || (1 - earlier.tau) * shorter.length() <= tolerance;
+    if (at_end && uncertainty <= tolerance) {
       event_residual_ = std::max(event_residual_, uncertainty);
       crossing = candidate;
       return true;

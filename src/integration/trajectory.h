@@ -129,6 +129,7 @@ private:
                    Observer &observer);
   StepView view() const;
   double time_tolerance() const;
+  double location_tolerance() const;
   double horizon() const;
   void note_change(std::size_t contact, bool at_once);
   std::string stall_reason(const std::string &what) const;

@@ -13,7 +13,7 @@ void Trajectory::refuse_penetration(double time, const Vector &state) const {
     const contact::ContactPair &pair = equations_.contacts().pairs()[c];
     const contact::LocalState local =
         equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    if (local.gap >= -settings_.absolute_tolerance)
+    if (local.gap >= -settings_.negligible_length())
       continue;
     if (pair.law->rigid())
       throw InputError(pair.origin + "\n  the motion starts with two rigid sides overlapping by " +

@@ -67,7 +67,8 @@ TsStepper::TsStepper(Equations &equations, const Settings &settings, const std::
     : equations_(equations),
       maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()),
-      source_step_(equations, settings.relative_tolerance, settings.absolute_tolerance) {
+      measure_(equations, settings.relative_tolerance, settings.negligible_length()),
+      source_step_(equations) {
   const PetscInt size = static_cast<PetscInt>(equations.layout().size());
   check_petsc(VecCreateSeq(PETSC_COMM_SELF, size, &solution_), "VecCreateSeq");
   check_petsc(TSCreate(PETSC_COMM_SELF, &ts_), "TSCreate");
@@ -122,14 +123,14 @@ void TsStepper::set_method(const std::string &method) {
 }
 
 void TsStepper::set_tolerances(const Settings &settings) {
-  const Vector absolute = absolute_tolerances(equations_, settings.absolute_tolerance);
+  const Vector absolute = absolute_tolerances(equations_, settings.negligible_length());
   Vec tolerances = nullptr;
   check_petsc(VecDuplicate(solution_, &tolerances), "VecDuplicate");
   PetscScalar *array = nullptr;
   VecGetArrayWrite(tolerances, &array);
   std::copy(absolute.data(), absolute.data() + absolute.size(), array);
   VecRestoreArrayWrite(tolerances, &array);
-  check_petsc(TSSetTolerances(ts_, settings.absolute_tolerance, tolerances,
+  check_petsc(TSSetTolerances(ts_, settings.negligible_length(), tolerances,
                               settings.relative_tolerance, nullptr),
               "TSSetTolerances");
   VecDestroy(&tolerances);
@@ -158,6 +159,7 @@ void TsStepper::complete(EndPoint &point) const {
 
 void TsStepper::forget() {
   phase_modes_.reset();
+  measure_.forget();
   step_of_modes_.clear();
 }
 
@@ -180,6 +182,7 @@ void TsStepper::restart(double time, const Vector &x) {
   end_.state = x;
   complete(end_);
   start_ = end_;
+  measure_.begin(end_);
   natural_step_ = first_step();
 }
 
@@ -215,9 +218,14 @@ void TsStepper::take(double end) {
 }
 
 void TsStepper::step(double limit) {
+  if (end_.time > start_.time) {
+    measure_.set_step(start_, end_);
+    measure_.accept();
+  }
   std::swap(start_, end_);
   const double free_step = std::min({natural_step_, maximum_step_, limit - start_.time});
-  const double wanted = source_step_.limited(start_.time, free_step);
+  const double wanted =
+      source_step_.limited(start_.time, free_step, measure_.source_tolerances(free_step));
   // A last sliver shorter than the rounding of the step before would be no step at all.
   const bool limited = start_.time + wanted * (1 + 1e-9) >= limit;
   take(limited ? limit : start_.time + wanted);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "integration/equations.h"
+#include "integration/error_measure.h"
 #include "integration/settings.h"
 #include "integration/source_step.h"
 #include "integration/stepper.h"
@@ -53,6 +54,7 @@ private:
 
   Equations &equations_;
   double maximum_step_;
+  ErrorMeasure measure_;
   SourceStep source_step_;
   _p_TS *ts_ = nullptr;
   _p_Vec *solution_ = nullptr;

@@ -219,6 +219,14 @@ end
         self.assertIn("does not close", text)
         self.assertGreater(np.count_nonzero(self.read(out, "unbalanced")), 0)
         self.assertIn("analysis.cases.unbalanced_points", (out / "summary.txt").read_text())
+        # What is advised helps.
+        self.assertIn("a smaller Absolute tolerance", text)
+        out, text = self.run_to("advised", 0, "--set", "Integration/Method=rk", "--set",
+                                "Integration/Relative tolerance=1e-13", "--set",
+                                "Integration/Absolute tolerance=1e-16 m", "--set",
+                                "Integration/Maximum step=0.05 s")
+        self.assertNotIn("balance", text)
+        np.testing.assert_array_equal(self.read(out, "unbalanced"), [0, 0, 0])
 
 
 if __name__ == "__main__":
