@@ -12,7 +12,6 @@ packages=(
   zlib1g-dev
   libhdf5-openmpi-dev libopenmpi-dev openmpi-bin
   libeigen3-dev libboost-dev libboost-serialization-dev libboost-program-options-dev
-  libsleef-dev
   libopenblas0-serial
   python3 python3-h5py python3-matplotlib
 )

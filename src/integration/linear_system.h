@@ -8,14 +8,12 @@
 #pragma once
 
 #include "integration/equations.h"
+#include "integration/exact/modal_form.h"
 
 #include <complex>
 #include <vector>
 
 namespace vibroimpact::integration {
-
-using Complex = std::complex<double>;
-using ComplexVector = Eigen::VectorXcd;
 
 class LinearSystem {
 public:

@@ -2,7 +2,7 @@
 
 #include "common/error.h"
 #include "common/signals.h"
-#include "integration/flight_path.h"
+#include "integration/exact/exact_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
       steppers_(equations_, settings) {
   if (steppers_.flight())
     flight_ =
-        std::make_unique<FlightPath>(equations_, *steppers_.flight(), settings.event_tolerance);
+        std::make_unique<ExactPath>(equations_, *steppers_.flight(), settings.event_tolerance);
 }
 
 Trajectory::~Trajectory() = default;

@@ -19,7 +19,7 @@
 
 namespace vibroimpact::integration {
 
-class FlightPath;
+class ExactPath;
 
 /// How well a motion was integrated since start(), the energy since the last stretch that nobody
 /// watched.
@@ -139,8 +139,8 @@ private:
   Equations equations_;
   Collisions collisions_;
   Steppers steppers_;
-  std::unique_ptr<FlightPath> flight_; ///< none where the method is another
-  bool flown_ = false;                 ///< the steppers must begin anew to take a step
+  std::unique_ptr<ExactPath> flight_; ///< none where the method is another
+  bool flown_ = false;                ///< the steppers must begin anew to take a step
   bool watched_ = true;
   bool exact_ = true; ///< every step since the balance began
   double initial_energy_ = 0;

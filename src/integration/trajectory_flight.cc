@@ -1,5 +1,5 @@
 // What a motion does without steps, and how steps take over.
-#include "integration/flight_path.h"
+#include "integration/exact/exact_path.h"
 #include "integration/trajectory.h"
 
 #include <algorithm>
@@ -22,19 +22,20 @@ bool Trajectory::fly(double limit, Observer &observer) {
       }};
   const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - events_
                                                         : std::numeric_limits<long>::max();
-  const bool moved = flight_->fly(instant, state, limit, most_events, zero_at_start_,
-                                  watched_ ? &company : nullptr);
-  const FlightPath::Tally tally = flight_->take_tally();
+  const bool moved = flight_->advance(instant, state, limit, most_events, zero_at_start_,
+                                      watched_ ? &company : nullptr);
+  const ExactPath::Tally tally = flight_->take_tally();
   steps_ += tally.pieces;
   events_ = events_before + tally.events;
   event_residual_ = std::max(event_residual_, tally.event_residual);
+  undecided_ += tally.undecided;
   last_event_time_ = std::max(last_event_time_, flight_->last_event());
   if (!moved)
     return false;
   steppers_.place(instant, state);
   flown_ = true;
   zero_at_start_.clear();
-  if (const std::optional<FlightPath::Landing> &landing = flight_->landing())
+  if (const std::optional<ExactPath::Landing> &landing = flight_->landing())
     change_modes({.tau = 1,
                   .contact = landing->contact,
                   .guard = landing->guard,

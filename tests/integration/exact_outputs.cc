@@ -1,5 +1,6 @@
 // Extreme values of sums of exponentials: as dense samples show them, and in closed form.
-#include "integration/watched_sums.h"
+#include "integration/exact/exact_outputs.h"
+#include "exponential_sums.h"
 
 #include <gtest/gtest.h>
 
@@ -9,95 +10,88 @@
 namespace vibroimpact::integration {
 namespace {
 
-struct Sum {
-  ExponentialBasis basis;
-  WatchedForm form;
-  Amplitudes amplitudes;
+// One form of a phase made of given exponentials.
+struct Output {
+  std::vector<Complex> exponents, coefficients, amplitudes;
+  double constant = 0;
+  bool differentiated = false;
 
-  explicit Sum(const std::vector<Complex> &exponents) {
-    const auto size = static_cast<Index>(2 * exponents.size());
-    basis.columns = Matrix::Identity(size, size);
-    form.row.row = RowVector::Zero(size);
-    amplitudes.resize(exponents.size());
-    for (std::size_t j = 0; j < exponents.size(); ++j)
-      basis.groups.push_back({.exponent = exponents[j],
-                              .column = static_cast<Index>(2 * j),
-                              .is_pair = exponents[j].imag() != 0});
-  }
-
-  Amplitudes at(double t) const {
-    Amplitudes moved = amplitudes;
-    for (std::size_t j = 0; j < basis.groups.size(); ++j) {
-      const Complex a = Complex(amplitudes.real[j], amplitudes.imaginary[j]) *
-                        std::exp(basis.groups[j].exponent * t);
-      moved.real[j] = a.real();
-      moved.imaginary[j] = a.imag();
-    }
-    return moved;
-  }
+  explicit Output(std::vector<Complex> list)
+      : exponents(std::move(list)), coefficients(exponents.size()), amplitudes(exponents.size()) {}
 
   double operator()(double t) const {
-    const Amplitudes now = at(t);
-    double value = form.differentiated ? 0 : form.row.constant;
-    for (std::size_t j = 0; j < basis.groups.size(); ++j) {
-      const auto column = static_cast<Index>(2 * j);
-      Complex a(now.real[j], now.imaginary[j]);
-      if (form.differentiated)
-        a *= basis.groups[j].exponent;
-      value += form.row.row[column] * a.real() + form.row.row[column + 1] * a.imag();
+    double value = differentiated ? 0 : constant;
+    for (std::size_t j = 0; j < exponents.size(); ++j) {
+      const Complex factor = differentiated ? exponents[j] : Complex(1);
+      value += (coefficients[j] * factor * amplitudes[j] * std::exp(exponents[j] * t)).real();
     }
     return value;
   }
 
-  Extent extent_over(double h) {
+  // The guard is far away; what is watched is the sum of the products as amplitudes of 1.
+  Extent extent_over(double h) const {
+    Sum sum{.constant = 1e300, .coefficients = coefficients, .exponents = exponents};
+    for (std::size_t j = 0; j < exponents.size(); ++j)
+      sum.coefficients[j] *= amplitudes[j];
+    SumsPhase phase({sum});
     Extent extent;
-    form.extent = &extent;
-    WatchedSums(WatchedForms({form}), basis).include(amplitudes, at(h), h);
+    WatchedForm form{.row = {}, .differentiated = differentiated, .extent = &extent};
+    form.row.constant = constant;
+    form.row.row = RowVector::Zero(phase.phase->n_modes());
+    Index column = 0;
+    for (std::size_t j = 0; j < exponents.size(); ++j) {
+      form.row.row[column++] = sum.coefficients[j].real();
+      if (exponents[j].imag() != 0)
+        form.row.row[column++] = -sum.coefficients[j].imag();
+    }
+    const WatchedForms forms({form});
+    ExactOutputs outputs(forms, *phase.phase);
+    phase.walk.outputs = &outputs.begin();
+    phase.walk.tolerated = 1e-7;
+    EXPECT_EQ(phase.advance(kernel(), h), WalkEnd::limit);
+    outputs.end();
     return extent;
   }
 };
 
 // 1 + cos(3 t) over four and a half turns, and its derivative.
-TEST(WatchedSumsTest, Vibration) {
-  Sum sum({Complex(0, 3)});
-  sum.amplitudes.real[0] = 1;
-  sum.form.row.row[0] = 1;
-  sum.form.row.constant = 1;
+TEST(ExactOutputsTest, Vibration) {
+  Output sum({Complex(0, 3)});
+  sum.amplitudes[0] = sum.coefficients[0] = 1;
+  sum.constant = 1;
   const double h = 9.5;
   Extent extent = sum.extent_over(h);
   EXPECT_NEAR(extent.maximum, 2, 1e-14);
   EXPECT_NEAR(extent.minimum, 0, 1e-14);
-  sum.form.differentiated = true;
+  sum.differentiated = true;
   extent = sum.extent_over(h);
   EXPECT_NEAR(extent.maximum, 3, 1e-14);
   EXPECT_NEAR(extent.minimum, -3, 1e-14);
 }
 
 // exp(-t) - exp(-3 t) has its largest value 2/3^1.5 at t = ln(3)/2 and none before.
-TEST(WatchedSumsTest, Decay) {
-  Sum sum({-1.0, -3.0});
-  sum.amplitudes.real = {1, 1};
-  sum.form.row.row[0] = 1;
-  sum.form.row.row[2] = -1;
+TEST(ExactOutputsTest, Decay) {
+  Output sum({-1.0, -3.0});
+  sum.amplitudes = {1, 1};
+  sum.coefficients = {1, -1};
   EXPECT_NEAR(sum.extent_over(5).maximum, 2 / std::pow(3, 1.5), 1e-15);
   EXPECT_NEAR(sum.extent_over(0.5).maximum, std::exp(-0.5) - std::exp(-1.5), 1e-15);
 }
 
 // A decay a million times faster than the vibration is over at once and costs nothing later.
-TEST(WatchedSumsTest, FastDecayBesideAVibration) {
-  Sum sum({Complex(0, 1), -1e6});
-  sum.amplitudes.real = {1, 5};
-  sum.form.row.row[0] = 1;
-  sum.form.row.row[2] = 1;
+TEST(ExactOutputsTest, FastDecayBesideAVibration) {
+  Output sum({Complex(0, 1), -1e6});
+  sum.amplitudes = {1, 5};
+  sum.coefficients = {1, 1};
   const Extent extent = sum.extent_over(20);
   EXPECT_NEAR(extent.maximum, 6, 1e-14);
   EXPECT_NEAR(extent.minimum, -1, 1e-14);
 }
 
-TEST(WatchedSumsTest, AConstantOverAnyLength) {
-  Sum sum({0.0});
-  sum.amplitudes.real[0] = 2;
-  sum.form.row.row[0] = 1;
+TEST(ExactOutputsTest, AConstantOverAnyLength) {
+  Output sum({0.0});
+  sum.amplitudes[0] = 2;
+  sum.coefficients[0] = 1;
   for (const double h : {1e-300, 1.0, 1e150}) {
     const Extent extent = sum.extent_over(h);
     EXPECT_EQ(extent.minimum, 2);
@@ -106,7 +100,7 @@ TEST(WatchedSumsTest, AConstantOverAnyLength) {
 }
 
 // Samples lie within the extent, and the extent within what samples can miss of it.
-TEST(WatchedSumsTest, RandomSumsAndSamples) {
+TEST(ExactOutputsTest, RandomSumsAndSamples) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -115,17 +109,15 @@ TEST(WatchedSumsTest, RandomSumsAndSamples) {
     for (int j = 0; j < 1 + trial % 6; ++j)
       exponents.emplace_back(-uniform(random) + (trial % 3 == 0 ? 0.5 : 0.0),
                              j % 3 == 2 ? 0.0 : std::exp(3 * uniform(random)));
-    Sum sum(exponents);
-    sum.form.differentiated = trial % 2 == 1;
-    sum.form.row.constant = normal(random);
+    Output sum(exponents);
+    sum.differentiated = trial % 2 == 1;
+    sum.constant = normal(random);
     double curvature = 0;
     const double h = 3 * uniform(random);
     for (std::size_t j = 0; j < exponents.size(); ++j) {
-      const auto column = static_cast<Index>(2 * j);
-      sum.amplitudes.real[j] = normal(random);
-      sum.amplitudes.imaginary[j] = exponents[j].imag() != 0 ? normal(random) : 0;
-      sum.form.row.row[column] = normal(random);
-      sum.form.row.row[column + 1] = exponents[j].imag() != 0 ? normal(random) : 0;
+      const bool pair = exponents[j].imag() != 0;
+      sum.amplitudes[j] = {normal(random), pair ? normal(random) : 0};
+      sum.coefficients[j] = {normal(random), pair ? normal(random) : 0};
       curvature += 30 * std::pow(std::abs(exponents[j]), 3) + 1;
     }
     const Extent extent = sum.extent_over(h);
