@@ -128,14 +128,6 @@ void FlightStepper::accept(bool keep_ledger) {
   motion_->move(h);
 }
 
-bool FlightStepper::describe(ExponentialBasis &basis, Matrix &inverse) {
-  LinearPhase *phase = cached_phase().phase.get();
-  if (!phase || !phase->describe(sources_, basis))
-    return false;
-  inverse = phase->system().inverse();
-  return true;
-}
-
 void FlightStepper::place(double time, const Vector &x) {
   end_.time = time;
   end_.state = x;

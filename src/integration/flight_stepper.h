@@ -30,9 +30,6 @@ public:
 
   /// After handles(time): closed forms with that origin.
   const std::vector<model::ExponentialForm> &sources() const { return sources_; }
-  /// What the present phase is made of with these sources, and the way from y less the response to
-  /// the inputs to the columns of the modes. False: not of exponentials.
-  bool describe(ExponentialBasis &basis, Matrix &inverse);
   /// The motion was moved on by somebody else.
   void place(double time, const Vector &x);
 

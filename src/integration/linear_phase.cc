@@ -31,11 +31,6 @@ LinearPhase::LinearPhase(const Equations &equations, const DenseTolerance &toler
   taylor_->watch(guards);
 }
 
-bool LinearPhase::describe(std::span<const model::ExponentialForm> sources,
-                           ExponentialBasis &basis) {
-  return modal_ && modal_->describe(sources, basis);
-}
-
 LinearMotion &LinearPhase::begin(const Vector &y, std::span<const model::ExponentialForm> sources) {
   if (modal_ && modal_->begin(y, sources))
     return *modal_;

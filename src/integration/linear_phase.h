@@ -9,7 +9,6 @@
 // Both choose the step from a bound of the error that the dense output of the step will have.
 #pragma once
 
-#include "integration/exponential_basis.h"
 #include "integration/guard_curves.h"
 #include "integration/guard_forms.h"
 
@@ -57,13 +56,6 @@ public:
   /// The watched forms as functions of the time since the start of the step, up to `end`. Valid
   /// until the next call of a member.
   virtual const GuardCurves &guards(double end) = 0;
-
-  /// What the phase is made of with these sources; it must begin anew afterwards. False: not of
-  /// exponentials.
-  virtual bool describe(std::span<const model::ExponentialForm> /*sources*/,
-                        ExponentialBasis & /*basis*/) {
-    return false;
-  }
 };
 
 /// The longest step of a Hermite polynomial of degree 9 for the coordinates and 7 for the internal
@@ -83,8 +75,6 @@ public:
 
   /// The motion from y on. `sources`: closed forms with the start of the phase as origin.
   LinearMotion &begin(const Vector &y, std::span<const model::ExponentialForm> sources);
-  /// See LinearMotion::describe.
-  bool describe(std::span<const model::ExponentialForm> sources, ExponentialBasis &basis);
   const LinearSystem &system() const { return system_; }
 
 private:

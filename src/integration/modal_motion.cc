@@ -24,7 +24,6 @@ public:
   void move(double tau) override;
   void watch(const GuardForms &forms) override;
   const GuardCurves &guards(double end) override;
-  bool describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis) override;
 
 private:
   // Re(amplitude exp(exponent t)) times one column of the basis for the real part of the rest and
@@ -36,7 +35,13 @@ private:
     Complex amplitude{};
     double size10 = 0, size8 = 0; // |exponent|^10, |exponent|^8
   };
-  using Input = ExponentialBasis::Input;
+  // A part of the excitation: an exponential or the constant of a source, or that of the system.
+  struct Input {
+    std::size_t source = 0;
+    Complex exponent{}; // imaginary part >= 0
+    bool own = false;   // of the system
+    bool operator==(const Input &other) const = default;
+  };
 
   bool read_inputs(std::span<const ExponentialForm> sources);
   bool respond();
@@ -164,7 +169,7 @@ bool ModalMotion::respond() {
   return true;
 }
 
-// What steps need besides the columns; who only wants these described does without.
+// What steps need besides the columns.
 void ModalMotion::measure_groups() {
   measured_ = true;
   const Index size = system_.size();
@@ -400,24 +405,6 @@ const GuardCurves &ModalMotion::guards(double end) {
   }
   guards_.end_at(end, factors_);
   return guards_;
-}
-
-bool ModalMotion::describe(std::span<const ExponentialForm> sources, ExponentialBasis &basis) {
-  if (!read_inputs(sources) || (inputs_ != responded_ && !respond()))
-    return false;
-  basis.groups.clear();
-  for (const Group &group : groups_)
-    basis.groups.push_back(
-        {.exponent = group.exponent, .column = group.column, .is_pair = group.is_pair});
-  basis.inputs = inputs_;
-  basis.columns = columns_;
-  return true;
-}
-
-void ModalMotion::move(double tau) {
-  for (std::size_t g = 0; g < groups_.size(); ++g)
-    groups_[g].amplitude *= tau == factors_at_ ? factors_[g] : factor(groups_[g], tau);
-  factors_at_ = -1;
 }
 
 } // namespace
