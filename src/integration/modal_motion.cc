@@ -407,6 +407,12 @@ const GuardCurves &ModalMotion::guards(double end) {
   return guards_;
 }
 
+void ModalMotion::move(double tau) {
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    groups_[g].amplitude *= tau == factors_at_ ? factors_[g] : factor(groups_[g], tau);
+  factors_at_ = -1;
+}
+
 } // namespace
 
 std::unique_ptr<LinearMotion> make_modal_motion(const LinearSystem &system, Index n_coordinates,

@@ -38,8 +38,9 @@ TEST_P(ExactKernelTest, ExponentialsAndAngles) {
     kernel().sine_cosine(x, s, c);
     for (int j = 0; j < 8; ++j) {
       const long double exact = std::exp(static_cast<long double>(x[j]));
-      if (std::abs(x[j]) < 700)
+      if (std::abs(x[j]) < 700) {
         EXPECT_NEAR(e[j] / static_cast<double>(exact), 1, 3e-16) << x[j];
+      }
       EXPECT_NEAR(s[j], static_cast<double>(std::sin(static_cast<long double>(x[j]))), 2.5e-16);
       EXPECT_NEAR(c[j], static_cast<double>(std::cos(static_cast<long double>(x[j]))), 2.5e-16);
     }
@@ -130,7 +131,6 @@ TEST_P(ExactKernelTest, ARiseFromADeclaredZeroIsNoFall) {
   WalkEnd end = sine.advance(kernel(), 10);
   EXPECT_EQ(end, WalkEnd::guard);
   EXPECT_NEAR(sine.reached(end), M_PI, 4e-15);
-  // (1 - cos t)(1 - t/8-like decay): 1.2 exp(-t/9) - 1.2 + ... by a slow drift that ends above zero
   SumsPhase square(
       {{.constant = 1, .coefficients = {-1, 0}, .exponents = {Complex(0, 1), Complex(-0.1, 0)}}});
   square.order[0] = 2;

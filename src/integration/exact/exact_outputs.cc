@@ -76,7 +76,9 @@ void ExactOutputs::set_coordinate(std::size_t f, const ExactPhase::Group &group)
       c.imag(-row.dot(columns.col(group.coordinates[1])));
     if (differentiated)
       c *= group.exponent;
-    sixth_[8 * (bounds + first) + f % 8] = std::abs(c) * std::pow(std::abs(group.exponent), 6);
+    // Real exponentials are bounded by their ends, without the quintic.
+    if (group.kind == BlockKind::pair)
+      sixth_[8 * (bounds + first) + f % 8] = std::abs(c) * std::pow(std::abs(group.exponent), 6);
     sizes_[8 * (bounds + first) + f % 8] = std::abs(c);
     for (Index r = 0; r < 4; ++r, c *= group.exponent)
       store(f, first, r, c.real(), -c.imag());

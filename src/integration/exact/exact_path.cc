@@ -44,7 +44,8 @@ double hidden_by_rounding(const PhaseView &view, std::size_t guard, const double
   const double *sizes = view.sizes + guard * n;
   double sum = view.constant_sizes[guard];
   for (std::size_t j = 0; j < n; ++j)
-    sum += sizes[j] * std::hypot(amplitudes[j], amplitudes[n + j]);
+    sum +=
+        sizes[j] * std::sqrt(amplitudes[j] * amplitudes[j] + amplitudes[n + j] * amplitudes[n + j]);
   return guard_rounding * sum + noise;
 }
 

@@ -84,6 +84,13 @@ private:
     return Verdict::crossing;
   }
 
+  // Of two in a positive number, rounded down.
+  static int exponent(double value) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    return static_cast<int>(bits >> 52) - 1023;
+  }
+
   // The level at which the error of all guards is below the part `tolerated` of their sizes: the
   // error goes with the eighth power of the length, which makes a factor of 2^4 of one level.
   int wanted_level() const {
@@ -91,8 +98,9 @@ private:
     const double error = weighted(p_.weights + p_.n_padded, w_.magnitudes);
     if (!(error > 0) || !(size > 0))
       return 0;
-    const double level = 0.25 * __builtin_log2(error / (w_.tolerated * size));
-    return level > 0 ? (level < n_levels - 1 ? static_cast<int>(level) + 1 : n_levels - 1) : 0;
+    const int excess = exponent(error) - exponent(w_.tolerated * size);
+    const int level = excess > 0 ? (excess + 3) / 4 : 0;
+    return level < n_levels ? level : n_levels - 1;
   }
 
   const LevelView &level(int k) {
