@@ -262,7 +262,13 @@ double ErrorMeasure::negligible_impulse(std::size_t contact) const {
 double ErrorMeasure::of_work(const Vector &error) const {
   const StateLayout &layout = equations_.layout();
   const double negligible = negligible_work() + epsilon * largest_turnover_;
-  const double allowed = relative_ * present_.turnover + negligible;
+  // With the energy of the contacts that act: where a base meets a body at rest nothing has been
+  // turned over yet, and the relative error of the work, which goes with a power of the time since
+  // then, is the same for steps of every length.
+  double turnover = present_.turnover;
+  for (const OfContact &of : present_.of)
+    turnover += of.energy;
+  const double allowed = relative_ * turnover + negligible;
   double largest = std::max(ratio(std::abs(error[layout.input_work()]), allowed),
                             ratio(std::abs(error[layout.damping_work()]), allowed));
   for (std::size_t c = 0; c < mass_.size(); ++c) {
