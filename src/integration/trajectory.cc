@@ -229,7 +229,8 @@ bool Trajectory::locate(Crossing &crossing) {
   const double own = location_tolerance();
   int extensions = 0;
   for (int i = 0; i < maximum_corrections; ++i) {
-    // Where rounding keeps the tolerance of the step's own length out of reach, that of events does.
+    // Where rounding keeps the tolerance of the step's own length out of reach, that of events
+    // does.
     const double tolerance = i < maximum_corrections / 2 ? own : time_tolerance();
     const double start = steppers_.present().previous_time();
     const double instant = start + crossing.tau * (steppers_.present().time() - start);
