@@ -15,7 +15,7 @@ bool Trajectory::fly(double limit, Observer &observer) {
   double instant = time();
   Vector state = steppers_.present().state();
   const long events_before = events_;
-  const FlightCompany company{
+  const PathObserver path_observer{
       .watcher = observer.flight_watcher(),
       .change = [&](double when, std::size_t contact, std::size_t guard, Vector &changed) {
         change_mode(when, contact, guard, changed, observer);
@@ -23,7 +23,7 @@ bool Trajectory::fly(double limit, Observer &observer) {
   const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - events_
                                                         : std::numeric_limits<long>::max();
   const bool moved = flight_->advance(instant, state, limit, most_events, zero_at_start_,
-                                      watched_ ? &company : nullptr);
+                                      watched_ ? &path_observer : nullptr);
   const ExactPath::Tally tally = flight_->take_tally();
   steps_ += tally.pieces;
   events_ = events_before + tally.events;
@@ -35,12 +35,12 @@ bool Trajectory::fly(double limit, Observer &observer) {
   steppers_.place(instant, state);
   flown_ = true;
   zero_at_start_.clear();
-  if (const std::optional<ExactPath::Landing> &landing = flight_->landing())
+  if (const std::optional<ExactPath::PendingChange> &pending = flight_->pending())
     change_modes({.tau = 1,
-                  .contact = landing->contact,
-                  .guard = landing->guard,
-                  .residual = landing->residual,
-                  .rate = landing->rate},
+                  .contact = pending->contact,
+                  .guard = pending->guard,
+                  .residual = pending->residual,
+                  .rate = pending->rate},
                  observer);
   return flight_->clear();
 }

@@ -163,7 +163,7 @@ void ExactPath::start_walk(const KnownPhase &known) {
 
 // A guard that has just been passed is zero within what its location has left. False: it falls at
 // once.
-bool ExactPath::take_off(double time, const Vector &state, std::span<const ZeroGuard> zero) {
+bool ExactPath::start_from(double time, const Vector &state, std::span<const ZeroGuard> zero) {
   if (!stepper_.handles(time))
     return false;
   excitation_.take(stepper_.sources());
@@ -222,32 +222,32 @@ bool ExactPath::prepare_watch(KnownPhase &known) {
   else if (known.work_excitation != excitation_.generation())
     known.work->renew();
   known.work_excitation = excitation_.generation();
-  if (known.wishes.watcher != company_->watcher->identity()) {
+  if (known.monitored.watcher != observer_->watcher->identity()) {
     std::vector<WatchedForm> forms;
-    company_->watcher->watch(equations_, forms);
+    observer_->watcher->watch(equations_, forms);
     known.outputs.reset();
-    known.wishes = {.watcher = company_->watcher->identity(), .forms = WatchedForms(forms)};
+    known.monitored = {.watcher = observer_->watcher->identity(), .forms = WatchedForms(forms)};
   }
   if (!known.outputs)
-    known.outputs = std::make_unique<ExactOutputs>(known.wishes.forms, *known.phase);
+    known.outputs = std::make_unique<ExactOutputs>(known.monitored.forms, *known.phase);
   else if (known.outputs_excitation != excitation_.generation())
     known.outputs->renew();
   known.outputs_excitation = excitation_.generation();
   return true;
 }
 
-// A part of a phase is told as a whole. The error of pieces is chosen so that the quintics of the
-// outputs mostly need no division.
+// A part of a phase is reported as a whole. The error of pieces is chosen so that the quintics of
+// the outputs mostly need no division.
 bool ExactPath::begin_part(double time) {
   constexpr double unwatched = 1e-4;
   constexpr double watched = 1e-7;
   walk_.outputs = nullptr;
   walk_.tolerated = unwatched;
-  if (!company_)
+  if (!observer_)
     return true;
   if (!prepare_watch(*known_))
     return false;
-  if (!known_->wishes.forms.extents.empty()) {
+  if (!known_->monitored.forms.extents.empty()) {
     walk_.outputs = &known_->outputs->begin();
     walk_.tolerated = watched;
   }
@@ -257,16 +257,16 @@ bool ExactPath::begin_part(double time) {
 }
 
 void ExactPath::end_part(double time, const double *amplitudes) {
-  if (!company_ || time <= part_start_)
+  if (!observer_ || time <= part_start_)
     return;
   known_->outputs->end();
   known_->work->add(part_.data(), amplitudes, time - part_start_, *state_);
-  company_->watcher->flown(equations_, part_start_, time);
+  observer_->watcher->flown(equations_, part_start_, time);
 }
 
-// Tells of a contact change, which takes the equations to the modes after it. False, and nothing
+// Reports a contact change, which takes the equations to the modes after it. False, and nothing
 // happens: the phase to come cannot be watched.
-bool ExactPath::tell_change(double time, KnownPhase &next) {
+bool ExactPath::report_change(double time, KnownPhase &next) {
   set_modes(next.forms->contact_modes(), equations_);
   const bool prepared = prepare_watch(next);
   set_modes(known_->forms->contact_modes(), equations_);
@@ -276,7 +276,7 @@ bool ExactPath::tell_change(double time, KnownPhase &next) {
   end_part(time, walk_.turned);
   known_->phase->rows(walk_.turned, rows_);
   state_->head(known_->phase->n_modes()) = rows_.head(known_->phase->n_modes());
-  company_->change(time, passed.contact, passed.guard, *state_);
+  observer_->change(time, passed.contact, passed.guard, *state_);
   return true;
 }
 
@@ -317,7 +317,7 @@ bool ExactPath::change_phase() {
     return false;
   Transition *next = transition(passed);
   if (!next) {
-    note_landing();
+    note_pending();
     return false;
   }
   kernel_.change(next->change->view(), walk_.turned, next_.data(), next_rounding_.data());
@@ -330,7 +330,7 @@ bool ExactPath::change_phase() {
       next_[static_cast<std::size_t>(places[first + k])] = inputs_[k];
   }
   note_residual();
-  if (!begin_guards(*next, passed) || (company_ && !tell_change(time, *next->target))) {
+  if (!begin_guards(*next, passed) || (observer_ && !report_change(time, *next->target))) {
     guard_noise(known_->phase->view(), rounding_, noise_);
     running_ = false;
     return false;
@@ -348,9 +348,9 @@ bool ExactPath::change_phase() {
   return true;
 }
 
-void ExactPath::note_landing() {
+void ExactPath::note_pending() {
   const FlightGuard &guard = known_->forms->guards()[static_cast<std::size_t>(walk_.guard)];
-  landing_ = {.contact = guard.contact,
+  pending_ = {.contact = guard.contact,
               .guard = guard.guard,
               .residual = std::abs(walk_.value),
               .rate = walk_.slope};
@@ -372,14 +372,14 @@ void ExactPath::stand(double time, const double *amplitudes, Vector &state) {
 }
 
 bool ExactPath::advance(double &time, Vector &state, double limit, long most_events,
-                        std::span<const ZeroGuard> zero, const FlightCompany *company) {
-  company_ = company;
+                        std::span<const ZeroGuard> zero, const PathObserver *observer) {
+  observer_ = observer;
   state_ = &state;
-  landing_.reset();
-  if ((!running_ && !take_off(time, state, zero)) || !begin_part(time))
+  pending_.reset();
+  if ((!running_ && !start_from(time, state, zero)) || !begin_part(time))
     return false;
   const double from = time;
-  if (company_)
+  if (observer_)
     limit = std::min(limit, from + known_->work->longest());
   WalkEnd end = WalkEnd::paused;
   bool moving = true;
@@ -394,8 +394,8 @@ bool ExactPath::advance(double &time, Vector &state, double limit, long most_eve
         end == WalkEnd::paused || (end == WalkEnd::guard && most_events-- > 0 && change_phase());
   }
   running_ = end == WalkEnd::limit;
-  time = running_ ? limit : origin_ + walk_.time + (landing_ ? walk_.to_guard : 0);
-  stand(time, landing_ ? walk_.turned : walk_.amplitudes, state);
+  time = running_ ? limit : origin_ + walk_.time + (pending_ ? walk_.to_guard : 0);
+  stand(time, pending_ ? walk_.turned : walk_.amplitudes, state);
   return time > from;
 }
 

@@ -23,9 +23,9 @@
 
 namespace vibroimpact::integration {
 
-/// Who watches, and does what a contact change takes: `state` is that just before, with its ledger,
-/// in the modes before; the change is that of `contact` through `guard`.
-struct FlightCompany {
+/// Who observes, and does what a contact change takes: `state` is that just before, with its work
+/// integrals, in the modes before; the change is that of `contact` through `guard`.
+struct PathObserver {
   FlightWatcher *watcher = nullptr;
   std::function<void(double time, std::size_t contact, std::size_t guard, Vector &state)> change;
 };
@@ -48,7 +48,7 @@ public:
   void leave() { running_ = false; }
 
   /// A contact change at which the motion stands, and which is left to others.
-  struct Landing {
+  struct PendingChange {
     std::size_t contact = 0;
     std::size_t guard = 0;
     double residual = 0; ///< |indicator| left
@@ -57,14 +57,14 @@ public:
 
   /// Goes on from (time, state) in the present modes of the equations, to `limit` (no later than
   /// the next break of the sources) and through `most_events` contact changes at most. The guards
-  /// in `zero` count as zero at first if they rise. True when that moved the motion on; landing()
-  /// then tells whether a contact changes there. Without company the entries of the ledger stay as
+  /// in `zero` count as zero at first if they rise. True when that moved the motion on; pending()
+  /// then tells whether a contact changes there. Without observer the entries of the ledger stay as
   /// they are.
   bool advance(double &time, Vector &state, double limit, long most_events,
-               std::span<const ZeroGuard> zero = {}, const FlightCompany *company = nullptr);
-  const std::optional<Landing> &landing() const { return landing_; }
+               std::span<const ZeroGuard> zero = {}, const PathObserver *observer = nullptr);
+  const std::optional<PendingChange> &pending() const { return pending_; }
   /// False: nothing can be proven from where the motion stands, and a step must find out.
-  bool clear() const { return running_ || landing_; }
+  bool clear() const { return running_ || pending_; }
   /// Since the last call.
   Tally take_tally();
   double last_event() const { return last_event_; }
@@ -77,8 +77,8 @@ private:
     std::unique_ptr<ExactChange> change{};
     long excitation = -1; ///< that the change is for
   };
-  // What a watcher wants to see of a phase.
-  struct Wishes {
+  // What an observer monitors of a phase.
+  struct MonitoredForms {
     long watcher = -1;
     WatchedForms forms{{}};
   };
@@ -90,10 +90,10 @@ private:
     std::unique_ptr<ExactPhase> phase;
     std::vector<std::unique_ptr<Transition>> transitions;
     std::unique_ptr<PowerForms> powers;
-    Wishes wishes;
+    MonitoredForms monitored;
     std::unique_ptr<WorkIntegrals> work;
     long work_excitation = -1;
-    std::unique_ptr<ExactOutputs> outputs; ///< for the wishes
+    std::unique_ptr<ExactOutputs> outputs; ///< for the monitored forms
     long outputs_excitation = -1;
   };
 
@@ -101,17 +101,17 @@ private:
   double longest_piece() const;
   Transition *transition(std::size_t guard);
   Transition find_transition(const FlightGuard &passed);
-  bool take_off(double time, const Vector &state, std::span<const ZeroGuard> zero);
+  bool start_from(double time, const Vector &state, std::span<const ZeroGuard> zero);
   bool prepare_watch(KnownPhase &known);
   bool begin_part(double time);
   void end_part(double time, const double *amplitudes);
-  bool tell_change(double time, KnownPhase &next);
+  bool report_change(double time, KnownPhase &next);
   void start_walk(const KnownPhase &known);
   bool change_phase();
   bool begin_guards(const Transition &transition, std::size_t passed);
   double rounding(std::size_t guard) const;
   double time_tolerance(double time) const;
-  void note_landing();
+  void note_pending();
   void note_residual();
   void stand(double time, const double *amplitudes, Vector &state);
 
@@ -133,11 +133,11 @@ private:
   double origin_ = 0; ///< when the walk began
   double last_event_;
   bool running_ = false;
-  std::optional<Landing> landing_;
+  std::optional<PendingChange> pending_;
   Tally tally_;
-  const FlightCompany *company_ = nullptr; ///< of the present call
+  const PathObserver *observer_ = nullptr; ///< of the present call
   Vector *state_ = nullptr;                ///< of the present call
-  Amplitudes part_;                        ///< at the start of the part that is not told yet
+  Amplitudes part_;                        ///< at the start of the part that is not reported yet
   double part_start_ = 0;
 };
 

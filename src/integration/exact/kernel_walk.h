@@ -402,7 +402,10 @@ private:
     double zone = error_there;
     for (int i = 0; i < w_.order[g]; ++i)
       zone *= zero.tau;
-    if (!(f[1] < 0) || (!zero.proven && !(f[1] * f[1] > 8 * second * zone)))
+    // Where rounding is most of E no shorter piece proves more: the sign changes once, within |f|
+    // <= E.
+    if (!(f[1] < 0) ||
+        (!zero.proven && !(f[1] * f[1] > 8 * second * zone) && !by_rounding(l, zero)))
       return Step::unclear;
     if (t > rest) { // none before the limit
       ++w_.pieces_of_phase;
@@ -425,7 +428,7 @@ private:
 
   static constexpr int pieces_at_once = 10000;
   static constexpr int trials_before_touch = 2;
-  static constexpr int most_corrections = 12;
+  static constexpr int most_corrections = 60;
 
   const PhaseView &p_;
   Walk &w_;
