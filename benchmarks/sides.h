@@ -45,7 +45,7 @@ Case case_of(const std::string &name, Problem problem, const System &system, dou
   Case result{.name = name,
               .length = length,
               .periods = periods,
-              .sides = {vibroimpact_side("flight", "flight", problem, state),
+              .sides = {vibroimpact_side("exact", "exact", problem, state),
                         vibroimpact_side("rk (PETSc TS)", "rk", problem, state),
                         odeint_side(system, start, problem.end, event_tolerance)},
               .baseline = 2,

@@ -1,7 +1,7 @@
 #include "vibroimpact_side.h"
 
 #include "analyses/recorders/excursions.h"
-#include "integration/trajectory.h"
+#include "motion/trajectory.h"
 
 #include <memory>
 #include <utility>
@@ -10,13 +10,13 @@ namespace vibroimpact::benchmarks {
 
 namespace {
 
-using namespace integration;
+using namespace motion;
 using reduction::ReducedBody;
 
 constexpr double event_tolerance = 1e-12; // the program's default
 
 // Counts the contacts and keeps the extreme values of one displacement.
-class Record : public Observer, private FlightWatcher {
+class Record : public Observer, private OutputMonitor {
 public:
   explicit Record(const Problem &problem) : problem_(problem), begun_(problem.contacts.size(), 0) {}
   void step(const StepView &view) override {
@@ -27,18 +27,18 @@ public:
     begun_[event.contact] += !modes[static_cast<std::size_t>(event.from)].in_contact &&
                              modes[static_cast<std::size_t>(event.to)].in_contact;
   }
-  FlightWatcher *flight_watcher() override { return this; }
+  OutputMonitor *output_monitor() override { return this; }
   const std::vector<long> &begun() const { return begun_; }
   double excursion() const { return extent_.peak_to_peak(); }
 
 private:
-  void watch(const Equations &equations, std::vector<WatchedForm> &forms) override {
-    forms.push_back(watched_displacement(equations, problem_.recorded, extent_));
+  void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override {
+    forms.push_back(monitored_displacement(equations, problem_.recorded, extent_));
   }
 
   const Problem &problem_;
   std::vector<long> begun_;
-  Extent extent_;
+  ValueRange extent_;
 };
 
 // A problem with everything that must outlive its trajectory.
@@ -111,7 +111,7 @@ contact::ContactPair contact_of_heads(const model::Model &model, const std::stri
           .side_a = body + ".head",
           .side_b = other.empty() ? "stop" : other + ".head",
           .clearance = clearance,
-          .gap = {.row = gap, .carrier = std::vector<double>(model.sources().size(), 0)},
+          .gap = {.row = gap, .base_coefficients = std::vector<double>(model.sources().size(), 0)},
           .law = std::move(law),
           .origin = "benchmark"};
 }

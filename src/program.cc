@@ -111,7 +111,7 @@ int run(const CommandLine &line) {
     log::warning("the energy balance of " + std::to_string(summary.unbalanced) +
                  " points does not close; unbalanced and energy_residual in results.h5 say which "
                  "and by how much. A smaller Relative tolerance helps, with another Method than "
-                 "flight also a smaller Absolute tolerance; where neither does, compare with "
+                 "exact also a smaller Absolute tolerance; where neither does, compare with "
                  "Method = rk.");
   if (summary.interrupted) {
     log::info("Stopped. Everything finished so far is in " + folder + "; go on with --resume " +

@@ -7,10 +7,10 @@
 #include "common/work_limit.h"
 #include "contact/contact_set.h"
 #include "contact/laws.h"
-#include "integration/settings.h"
 #include "model/connection.h"
 #include "model/excitation.h"
 #include "model/initial_condition.h"
+#include "motion/settings.h"
 #include "output/result_files.h"
 #include "output/vtu_writer.h"
 #include "parameters/text.h"
@@ -46,7 +46,7 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
   contact::declare_contacts(*root);
   model::declare_excitations(*root);
   model::declare_initial_conditions(*root);
-  integration::declare_integration(*root);
+  motion::declare_integration(*root);
   analyses::declare_analyses(*root);
   derived::declare_derived(*root);
   return root;

@@ -1,4 +1,4 @@
-// The quantities a motion is watched by: displacement, velocity and acceleration of every named
+// The quantities a motion is observed by: displacement, velocity and acceleration of every named
 // point along the axes it can move, gap and force of every contact.
 //
 // Displacements and velocities are relative to the base the body stands on, accelerations are
@@ -21,12 +21,12 @@ struct Channel {
 
   /// Does a moving base carry the point along this axis?
   bool carried() const {
-    return std::any_of(absolute.carrier.begin(), absolute.carrier.end(),
-                       [](double carrier) { return carrier != 0; });
+    return std::any_of(absolute.base_coefficients.begin(), absolute.base_coefficients.end(),
+                       [](double base_coefficients) { return base_coefficients != 0; });
   }
 };
 
-/// All points of the model but those of interfaces, whose contacts are watched, along all axes on
+/// All points of the model but those of interfaces, whose contacts are observed, along all axes on
 /// which some coordinate moves them by more than 1e-12 of the point's largest value.
 std::vector<Channel> observed_channels(const model::Model &model);
 

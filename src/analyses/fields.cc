@@ -4,8 +4,8 @@
 
 namespace vibroimpact::analyses {
 
-using integration::Impact;
-using integration::ImpactLog;
+using motion::Impact;
+using motion::ImpactLog;
 
 namespace {
 
@@ -118,8 +118,8 @@ void add_settled(PointResult &result, bool steady, long multiple, long cycles) {
   result.fields.push_back(scalar_field(labels.cycles, static_cast<double>(cycles)));
 }
 
-void add_accuracy(PointResult &result, const integration::Accuracy &accuracy,
-                  const integration::Settings &settings) {
+void add_accuracy(PointResult &result, const motion::Accuracy &accuracy,
+                  const motion::Settings &settings) {
   const auto add = [&result](const Label &label, double value) {
     result.fields.push_back(scalar_field(label, value));
     result.summary.push_back({.label = label, .value = value});
@@ -210,7 +210,7 @@ void add_pulses(PointResult &result, const contact::ContactSet &contacts, const 
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::string base = "contact/" + contacts.pairs()[c].name + "/pulse/";
     const std::string dimension = "pulse_" + contacts.pairs()[c].name;
-    const integration::Pulses &pulses = log.pulses(c);
+    const motion::Pulses &pulses = log.pulses(c);
     result.fields.push_back(
         series_field(base + "time", dimension, pulses.time, "s", "time; NaN separates impacts"));
     result.fields.push_back(

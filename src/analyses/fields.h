@@ -3,8 +3,8 @@
 
 #include "common/result_sink.h"
 #include "contact/contact_set.h"
-#include "integration/impact_log.h"
-#include "integration/trajectory.h"
+#include "motion/event/impact_log.h"
+#include "motion/trajectory.h"
 
 #include <string>
 #include <vector>
@@ -25,8 +25,8 @@ SummaryLine scalar_line(const std::string &name, double value, const std::string
 void add_settled(PointResult &result, bool steady, long multiple, long cycles);
 
 /// Accuracy of a motion as fields and summary lines.
-void add_accuracy(PointResult &result, const integration::Accuracy &accuracy,
-                  const integration::Settings &settings);
+void add_accuracy(PointResult &result, const motion::Accuracy &accuracy,
+                  const motion::Settings &settings);
 
 /// True when the energy balance of the motion did not close.
 bool unbalanced(const PointResult &result);
@@ -38,10 +38,10 @@ double undecided_events(const PointResult &result);
 /// Impact tables of all contacts as fields, and as summary lines of the first `summary_lines`; sums
 /// and maxima of the groups of contacts.
 void add_impacts(PointResult &result, const contact::ContactSet &contacts,
-                 const integration::ImpactLog &log, std::size_t summary_lines);
+                 const motion::ImpactLog &log, std::size_t summary_lines);
 
 /// Force samples of the recorded impacts of all contacts, impacts separated by NaN.
 void add_pulses(PointResult &result, const contact::ContactSet &contacts,
-                const integration::ImpactLog &log);
+                const motion::ImpactLog &log);
 
 } // namespace vibroimpact::analyses

@@ -6,9 +6,10 @@
 //
 //   (K - w^2 M + i w C) Q = (load + i w rate_load - w^2 inertial_load) S
 //
-// and an observed displacement is row Q, absolute ones with carrier S added. Amplitudes are >= 0;
-// a response is amplitude sin(w t + phase). Other excitations do not act. The largest amplitude
-// over frequency is refined between the neighbours of the largest listed one by Brent's method.
+// and an observed displacement is row Q, absolute ones with base_coefficients S added. Amplitudes
+// are >= 0; a response is amplitude sin(w t + phase). Other excitations do not act. The largest
+// amplitude over frequency is refined between the neighbours of the largest listed one by Brent's
+// method.
 #pragma once
 
 #include "analyses/analysis.h"

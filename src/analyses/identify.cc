@@ -124,7 +124,7 @@ ContactConstants Identify::constants(const System &system) const {
 
 void Identify::check(const System &system) const {
   constants(system);
-  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
+  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
 }
 
@@ -141,14 +141,14 @@ IdentificationInput Identify::input(const System &system) const {
 
 PointResult Identify::compute(const System &system, LineContext &context) const {
   const std::size_t contact = contact_index(system.contacts);
-  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
-  integration::ImpactLog log(system.contacts, settings_.recorded_pulses, true);
+  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
+  motion::ImpactLog log(system.contacts, settings_.recorded_pulses, true);
   MotionProgress progress(context, 0, settings_.duration);
-  std::vector<integration::Observer *> observing = {&log, &progress};
+  std::vector<motion::Observer *> observing = {&log, &progress};
   std::optional<ForceRecord> record;
   if (settings_.sampling_frequency > 0)
     observing.push_back(&record.emplace(contact, 1 / settings_.sampling_frequency));
-  integration::Observers observers(std::move(observing));
+  motion::Observers observers(std::move(observing));
   PointResult result;
   try {
     trajectory.start(0, system.initial.displacement, system.initial.velocity);
@@ -158,7 +158,7 @@ PointResult Identify::compute(const System &system, LineContext &context) const 
     result.reason = error.what();
   }
   IdentificationInput found = input(system);
-  for (const integration::Impact &impact : log.impacts(contact))
+  for (const motion::Impact &impact : log.impacts(contact))
     found.pulses.push_back(
         record ? record->figures(impact)
                : PulseFigures{.impulse = impact.impulse, .peak_force = impact.peak_force});

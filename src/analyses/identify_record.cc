@@ -4,7 +4,7 @@
 
 namespace vibroimpact::analyses {
 
-void ForceRecord::step(const integration::StepView &view) {
+void ForceRecord::step(const motion::StepView &view) {
   const auto next = [this] { return interval_ * static_cast<double>(time_.size()); };
   while (next() <= view.end()) {
     time_.push_back(next());
@@ -12,7 +12,7 @@ void ForceRecord::step(const integration::StepView &view) {
   }
 }
 
-PulseFigures ForceRecord::figures(const integration::Impact &impact) const {
+PulseFigures ForceRecord::figures(const motion::Impact &impact) const {
   const auto first = std::lower_bound(time_.begin(), time_.end(), impact.start_time);
   const auto last = std::upper_bound(first, time_.end(), impact.start_time + impact.duration);
   PulseFigures figures;

@@ -28,7 +28,7 @@ struct Jump {
   double from = std::numeric_limits<double>::quiet_NaN();
   double to = std::numeric_limits<double>::quiet_NaN();
   /// The branch goes on at the far end, which is reached from this state.
-  std::optional<integration::MotionState> start_on_branch{};
+  std::optional<motion::MotionState> start_on_branch{};
 
   bool found() const { return !std::isnan(from); }
 };
@@ -40,7 +40,7 @@ struct BranchPoint {
 };
 
 /// Settles at `value` from a state. NumericalError.
-using SettleAt = std::function<SettledMotion(double value, const integration::MotionState &from)>;
+using SettleAt = std::function<SettledMotion(double value, const motion::MotionState &from)>;
 /// Relative difference of two settled motions, see relative_distance().
 using MotionDistance = std::function<double(const SettledMotion &, const SettledMotion &)>;
 

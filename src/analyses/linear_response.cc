@@ -48,7 +48,7 @@ ComplexAmplitudes LinearResponse::at(double angular_frequency) const {
 Complex LinearResponse::observed(const model::Projection &projection,
                                  const ComplexAmplitudes &amplitudes) const {
   Complex sum = projection.row.cast<Complex>() * amplitudes.coordinates;
-  return sum + projection.carrier[source_] * amplitudes.source;
+  return sum + projection.base_coefficients[source_] * amplitudes.source;
 }
 
 } // namespace vibroimpact::analyses

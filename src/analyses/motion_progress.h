@@ -2,24 +2,24 @@
 #pragma once
 
 #include "analyses/analysis.h"
-#include "integration/observer.h"
+#include "motion/observer.h"
 
 namespace vibroimpact::analyses {
 
 /// Watches a window of a motion that is a part of the work at a point, and notes the share that is
 /// done from `first` at the window's start to `last` at its end. Lets the motion fly.
-class MotionProgress : public integration::Observer, private integration::FlightWatcher {
+class MotionProgress : public motion::Observer, private motion::OutputMonitor {
 public:
   MotionProgress(LineContext &context, double start, double end, double first = 0, double last = 1)
       : context_(context), start_(start), end_(end), first_(first), last_(last) {}
 
-  void step(const integration::StepView &view) override { note(view.end()); }
-  integration::FlightWatcher *flight_watcher() override { return this; }
+  void step(const motion::StepView &view) override { note(view.end()); }
+  motion::OutputMonitor *output_monitor() override { return this; }
 
 private:
-  void watch(const integration::Equations & /*equations*/,
-             std::vector<integration::WatchedForm> & /*forms*/) override {}
-  void flown(const integration::Equations & /*equations*/, double /*start*/, double end) override {
+  void add_forms(const motion::Equations & /*equations*/,
+                 std::vector<motion::MonitoredForm> & /*forms*/) override {}
+  void part_done(const motion::Equations & /*equations*/, double /*start*/, double end) override {
     note(end);
   }
   void note(double time) {

@@ -8,8 +8,8 @@
 
 namespace vibroimpact::analyses {
 
-using integration::Bernstein;
-using integration::StepView;
+using motion::Bernstein;
+using motion::StepView;
 
 namespace {
 
@@ -52,7 +52,7 @@ void MotionRecorder::sample(const StepView &view, std::size_t first, std::size_t
     }
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const integration::ContactCurves curves = view.contact_curves(c);
+    const motion::ContactCurves curves = view.contact_curves(c);
     for (std::size_t i = first; i < last; ++i) {
       const double tau = position(view, instants_[i]);
       contact_series_[c].gap.push_back(curves.gap(tau));
@@ -127,7 +127,7 @@ FrameRecorder::FrameRecorder(const System &system, std::vector<double> instants)
 
 void FrameRecorder::sample_contacts(const StepView &view, std::size_t last) {
   for (std::size_t c = 0; c < motion_.contacts.size() && last > next_; ++c) {
-    const integration::ContactCurves curves = view.contact_curves(c);
+    const motion::ContactCurves curves = view.contact_curves(c);
     for (std::size_t i = next_; i < last; ++i) {
       const double tau = position(view, instants_[i]);
       motion_.contacts[c].gap.push_back(curves.gap(tau));
@@ -136,13 +136,13 @@ void FrameRecorder::sample_contacts(const StepView &view, std::size_t last) {
   }
 }
 
-Motion FrameRecorder::motion(const integration::ImpactLog &log) const {
+Motion FrameRecorder::motion(const motion::ImpactLog &log) const {
   Motion motion = motion_;
   for (std::size_t c = 0; c < motion.contacts.size(); ++c) {
     ContactTrace &trace = motion.contacts[c];
     double peak = 0;
     for (std::size_t i = 0; i < motion.time.size(); ++i) {
-      for (const integration::Impact &impact : log.impacts(c))
+      for (const motion::Impact &impact : log.impacts(c))
         if (impact.peak_time <= motion.time[i])
           peak = std::max(peak, impact.peak_force);
       peak = std::max(peak, trace.force[i]);

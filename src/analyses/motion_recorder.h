@@ -4,8 +4,8 @@
 #include "analyses/channels.h"
 #include "analyses/system.h"
 #include "common/result_sink.h"
-#include "integration/impact_log.h"
-#include "integration/trajectory.h"
+#include "motion/event/impact_log.h"
+#include "motion/trajectory.h"
 
 #include <vector>
 
@@ -15,11 +15,11 @@ namespace vibroimpact::analyses {
 std::vector<double> equal_instants(double first, double last, double interval);
 
 /// Channels, gaps and forces at given instants (increasing; those at the very start included).
-class MotionRecorder : public integration::Observer {
+class MotionRecorder : public motion::Observer {
 public:
   MotionRecorder(const System &system, std::vector<double> instants);
 
-  void step(const integration::StepView &view) override;
+  void step(const motion::StepView &view) override;
 
   /// Adds `time` and one field per channel and contact along the dimension `time`.
   void add_fields(PointResult &result) const;
@@ -31,7 +31,7 @@ private:
   struct ContactSeries {
     std::vector<double> gap, force;
   };
-  void sample(const integration::StepView &view, std::size_t first, std::size_t last);
+  void sample(const motion::StepView &view, std::size_t first, std::size_t last);
 
   const contact::ContactSet &contacts_;
   std::vector<Channel> channels_;
@@ -43,16 +43,16 @@ private:
 
 /// Modal coordinates of all bodies, gaps and forces of all contacts at given instants, for the
 /// expansion to the mesh.
-class FrameRecorder : public integration::Observer {
+class FrameRecorder : public motion::Observer {
 public:
   FrameRecorder(const System &system, std::vector<double> instants);
 
-  void step(const integration::StepView &view) override;
+  void step(const motion::StepView &view) override;
   /// With the peak forces of the impacts that the log of the same motion holds.
-  Motion motion(const integration::ImpactLog &log) const;
+  Motion motion(const motion::ImpactLog &log) const;
 
 private:
-  void sample_contacts(const integration::StepView &view, std::size_t last);
+  void sample_contacts(const motion::StepView &view, std::size_t last);
 
   const model::Model &model_;
   std::vector<double> instants_;

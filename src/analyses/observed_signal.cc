@@ -4,7 +4,7 @@
 
 namespace vibroimpact::analyses {
 
-using integration::StepView;
+using motion::StepView;
 
 namespace {
 
@@ -33,7 +33,7 @@ std::function<StepFunction(const StepView &)> along(const Channel &channel,
     };
   if (quantity == "velocity")
     return [projection = channel.relative](const StepView &view) -> StepFunction {
-      integration::Bernstein rate = view.displacement(projection).derivative();
+      motion::Bernstein rate = view.displacement(projection).derivative();
       rate *= 1 / view.length();
       return rate;
     };
@@ -65,17 +65,17 @@ ObservedSignal force_signal(const std::string &contact, std::size_t index) {
 } // namespace
 
 void declare_points(parameters::Section &section) {
-  section.names("Points", "all", "Points that are watched: all, none, or their names BODY.POINT.");
+  section.names("Points", "all", "Points that are observed: all, none, or their names BODY.POINT.");
 }
 
 void declare_signals(parameters::Section &section) {
   declare_points(section);
   section
       .choice("Quantity", "displacement", {"displacement", "velocity", "acceleration"},
-              "What is watched at the points: displacement or velocity relative to the base, or "
+              "What is observed at the points: displacement or velocity relative to the base, or "
               "absolute acceleration.")
       .names("Contacts", "none",
-             "Contacts whose normal force is watched: all, none, or their names.");
+             "Contacts whose normal force is observed: all, none, or their names.");
 }
 
 std::vector<Channel> chosen_channels(const parameters::Values &values, const System &system) {

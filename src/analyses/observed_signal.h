@@ -4,7 +4,7 @@
 
 #include "analyses/channels.h"
 #include "analyses/system.h"
-#include "integration/observer.h"
+#include "motion/observer.h"
 
 #include <functional>
 #include <string>
@@ -19,7 +19,7 @@ struct ObservedSignal {
   std::string name; ///< path of its fields: "point/frame.head/displacement_x"
   std::string unit;
   std::string description;
-  std::function<StepFunction(const integration::StepView &view)> along;
+  std::function<StepFunction(const motion::StepView &view)> along;
 };
 
 /// Declares the keys Points, Quantity and Contacts.

@@ -10,7 +10,7 @@
 
 #include "analyses/system.h"
 #include "common/result_sink.h"
-#include "integration/trajectory.h"
+#include "motion/trajectory.h"
 
 #include <functional>
 #include <memory>
@@ -27,17 +27,17 @@ struct Window {
   double length() const { return end - start; }
 };
 
-class Recorder : public integration::Observer {
+class Recorder : public motion::Observer {
 public:
-  void step(const integration::StepView & /*view*/) override {}
+  void step(const motion::StepView & /*view*/) override {}
 
   /// A window begins: the trajectory stands at its start. A recorder serves many windows one after
   /// the other and forgets the one before here.
-  virtual void begin(const Window & /*window*/, const integration::Trajectory & /*trajectory*/) {}
+  virtual void begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) {}
   /// The trajectory stands exactly at the end of forcing period `cycle` (1, 2, ... Window::cycles).
-  virtual void period_end(long /*cycle*/, const integration::Trajectory & /*trajectory*/) {}
+  virtual void period_end(long /*cycle*/, const motion::Trajectory & /*trajectory*/) {}
   /// The window is over: the trajectory stands at its end. Called after all period_end().
-  virtual void end(const integration::Trajectory & /*trajectory*/) {}
+  virtual void end(const motion::Trajectory & /*trajectory*/) {}
 
   /// Fields and summary lines of what was seen between the window's start and its end. Recorders
   /// of cheap points make the labels of their fields when they are made.

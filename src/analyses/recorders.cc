@@ -78,9 +78,10 @@ std::vector<RecorderFactory> read_recorders(const parameters::Values &analysis,
 }
 
 std::vector<RecorderFactory> default_recorders() {
-  return {
-      [](const System &system) { return std::make_unique<Excursions>(WatchedSelection{}, system); },
-      [](const System &system) { return std::make_unique<Impacts>(system); }};
+  return {[](const System &system) {
+            return std::make_unique<Excursions>(ObservedSelection{}, system);
+          },
+          [](const System &system) { return std::make_unique<Impacts>(system); }};
 }
 
 } // namespace vibroimpact::analyses

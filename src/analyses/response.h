@@ -33,8 +33,8 @@ public:
 
 private:
   double period(const System &system) const;
-  SettledMotion settle_motion(const System &system, integration::Trajectory &trajectory,
-                              double period, double share, LineContext &context) const;
+  SettledMotion settle_motion(const System &system, motion::Trajectory &trajectory, double period,
+                              double share, LineContext &context) const;
   double settling_share(double period) const;
   Window window(double start, double period) const;
   PointResult compute(const System &system, LineContext &context) const;

@@ -10,7 +10,7 @@
 
 namespace vibroimpact::analyses {
 
-using integration::Trajectory;
+using motion::Trajectory;
 
 namespace {
 

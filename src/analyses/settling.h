@@ -1,7 +1,7 @@
 // Lets a periodically forced motion settle, and says what it has settled to.
 #pragma once
 
-#include "integration/trajectory.h"
+#include "motion/trajectory.h"
 #include "parameters/values.h"
 
 #include <functional>
@@ -23,7 +23,7 @@ SettlingRule read_settling(const parameters::Values &section);
 /// over one repetition when it is steady, else over as many of the last periods as are looked at.
 /// It does not depend on which of its periods a motion of several periods ends with.
 struct SettledMotion {
-  integration::MotionState state;
+  motion::MotionState state;
   Vector lowest, highest; ///< physical states
   long cycles = 0;        ///< periods it took
   long multiple = 0;      ///< periods after which it repeats; 0 when it is not steady
@@ -32,10 +32,10 @@ struct SettledMotion {
 };
 
 /// Goes on from where the trajectory stands, at time zero, period by period and without being
-/// watched, or straight to the limit of the periods, from which it must go on to be steady by
+/// observed, or straight to the limit of the periods, from which it must go on to be steady by
 /// itself. `scale` as for Steadiness. `after_period`, where given, is called with the number of
 /// periods behind each of them. NumericalError.
-SettledMotion settle(integration::Trajectory &trajectory, double period, const Vector &scale,
+SettledMotion settle(motion::Trajectory &trajectory, double period, const Vector &scale,
                      const SettlingRule &rule,
                      const std::function<void(long periods)> &after_period = {});
 

@@ -46,8 +46,8 @@ void Steadiness::add(const Vector &physical) {
   }
 }
 
-Vector state_scale(const integration::Equations &equations, double forcing_frequency) {
-  const integration::StateLayout &layout = equations.layout();
+Vector state_scale(const motion::Equations &equations, double forcing_frequency) {
+  const motion::StateLayout &layout = equations.layout();
   const model::Model &model = equations.model();
   Vector scale = Vector::Ones(layout.physical_size());
   for (std::size_t b = 0; b < model.bodies().size(); ++b) {

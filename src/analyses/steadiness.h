@@ -1,7 +1,7 @@
 // Decides from states taken once per forcing period whether a motion has become periodic.
 #pragma once
 
-#include "integration/trajectory.h"
+#include "motion/trajectory.h"
 
 namespace vibroimpact::analyses {
 
@@ -35,6 +35,6 @@ private:
 /// Scales for the states of a model: displacements by the largest displacement of a point per unit
 /// coordinate, velocities the same divided by the natural (or, for rigid modes, the forcing)
 /// angular frequency.
-Vector state_scale(const integration::Equations &equations, double forcing_frequency);
+Vector state_scale(const motion::Equations &equations, double forcing_frequency);
 
 } // namespace vibroimpact::analyses

@@ -9,7 +9,7 @@
 
 namespace vibroimpact::analyses {
 
-using integration::MotionState;
+using motion::MotionState;
 
 namespace {
 
@@ -197,7 +197,7 @@ void SteppedSweep::check(const System &system) const {
     throw InputError("The swept excitation " + swept.name +
                      " has no frequency that a stepped sweep could change; its History must be "
                      "harmonic or ramped harmonic.");
-  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
+  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
 }
@@ -219,7 +219,7 @@ void SteppedSweep::note(long periods, LineContext &context) const {
 PointResult SteppedSweep::compute(const Step &step, SweptSystem &swept, const MotionState &from,
                                   SettledMotion &settled, LineContext &context) const {
   const System &system = swept.system();
-  integration::Trajectory &trajectory = swept.trajectory();
+  motion::Trajectory &trajectory = swept.trajectory();
   WindowRecording &recording = swept.recording();
   PointResult result{.index = step.index()};
   trajectory.start(from);

@@ -1,5 +1,5 @@
 // Stepped sweep: at each excitation frequency, or each value of any other key, the motion settles,
-// is judged steady, and is then watched for some periods; the state at the end starts the next
+// is judged steady, and is then observed for some periods; the state at the end starts the next
 // point.
 //
 // A point takes a whole number of forcing periods and every point begins at time zero, so that
@@ -54,10 +54,10 @@ public:
 private:
   struct Step;
   std::vector<Step> steps_of_line(std::size_t line) const;
-  PointResult compute(const Step &step, SweptSystem &swept, const integration::MotionState &from,
+  PointResult compute(const Step &step, SweptSystem &swept, const motion::MotionState &from,
                       SettledMotion &settled, LineContext &context) const;
   void note(long periods, LineContext &context) const;
-  PointResult advance(const Step &step, SweptSystem &swept, integration::MotionState &from,
+  PointResult advance(const Step &step, SweptSystem &swept, motion::MotionState &from,
                       std::optional<BranchPoint> &before, LineContext &context) const;
   Jump search(const BranchPoint &before, const BranchPoint &after, SweptSystem &swept,
               LineContext &context) const;

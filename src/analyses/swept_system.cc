@@ -9,9 +9,8 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-std::unique_ptr<integration::Trajectory> trajectory_of(const System &system) {
-  return std::make_unique<integration::Trajectory>(system.model, system.contacts,
-                                                   system.integration);
+std::unique_ptr<motion::Trajectory> trajectory_of(const System &system) {
+  return std::make_unique<motion::Trajectory>(system.model, system.contacts, system.integration);
 }
 
 std::size_t only_periodic(const std::vector<model::Source> &sources) {

@@ -4,7 +4,7 @@
 #include "analyses/analysis.h"
 #include "analyses/swept_parameter.h"
 #include "analyses/window_recording.h"
-#include "integration/trajectory.h"
+#include "motion/trajectory.h"
 
 #include <memory>
 #include <optional>
@@ -27,7 +27,7 @@ public:
   void move_to(double value);
 
   const System &system() const { return *present_; }
-  integration::Trajectory &trajectory() { return *trajectory_; }
+  motion::Trajectory &trajectory() { return *trajectory_; }
   /// The recorders of the analysis for the present system.
   WindowRecording &recording();
   double period() const { return period_; } ///< [s]
@@ -44,7 +44,7 @@ private:
   const LineContext &context_;
   std::unique_ptr<System> built_;
   const System *present_;
-  std::unique_ptr<integration::Trajectory> trajectory_;
+  std::unique_ptr<motion::Trajectory> trajectory_;
   std::optional<WindowRecording> recording_; ///< once asked for
   Index size_ = 0;
   double period_ = 0;

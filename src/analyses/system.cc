@@ -1,10 +1,10 @@
 #include "analyses/system.h"
 
 #include "common/error.h"
-#include "integration/equilibrium.h"
 #include "model/connection.h"
 #include "model/excitation.h"
 #include "model/rotor_parameters.h"
+#include "motion/system/equilibrium.h"
 
 namespace vibroimpact::analyses {
 
@@ -31,10 +31,10 @@ ContactSet start_in_equilibrium(EquilibriumStart start, const model::Model &mode
                                 ContactSet contacts, model::InitialState &initial) {
   const bool with_contacts = start == EquilibriumStart::with_contacts;
   const ContactSet none;
-  integration::Equilibrium equilibrium;
+  motion::Equilibrium equilibrium;
   try {
-    equilibrium = integration::static_equilibrium(model, with_contacts ? contacts : none,
-                                                  model.static_load());
+    equilibrium =
+        motion::static_equilibrium(model, with_contacts ? contacts : none, model.static_load());
   } catch (const NumericalError &error) {
     throw InputError(std::string("The motion cannot start from its equilibrium: ") + error.what());
   }
@@ -81,7 +81,7 @@ System build_system(const parameters::Values &root, const parameters::Values &an
     contact_set = start_in_equilibrium(start, model, std::move(contact_set), initial);
   return {.model = std::move(model),
           .contacts = std::move(contact_set),
-          .integration = integration::read_integration(root),
+          .integration = motion::read_integration(root),
           .initial = std::move(initial)};
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "contact/contact_set.h"
-#include "integration/settings.h"
 #include "model/initial_condition.h"
 #include "model/model.h"
+#include "motion/settings.h"
 #include "parameters/values.h"
 
 #include <functional>
@@ -17,7 +17,7 @@ namespace vibroimpact::analyses {
 struct System {
   model::Model model;
   contact::ContactSet contacts;
-  integration::Settings integration;
+  motion::Settings integration;
   model::InitialState initial;
 };
 

@@ -68,14 +68,14 @@ void Transient::check(const System &system) const {
     throw InputError(settings_.place + "\n  for the histories of " +
                      parameters::number_text(samples) + " samples " + lack +
                      "; a longer Sampling interval takes less.");
-  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
+  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
 }
 
 PointResult Transient::compute(const System &system, LineContext &context) const {
-  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
-  integration::ImpactLog log(system.contacts, settings_.recorded_pulses, true);
+  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
+  motion::ImpactLog log(system.contacts, settings_.recorded_pulses, true);
   MotionRecorder recorder(system,
                           equal_instants(0, settings_.duration, settings_.sampling_interval));
   std::vector<double> frames;
@@ -85,7 +85,7 @@ PointResult Transient::compute(const System &system, LineContext &context) const
                          static_cast<double>(std::max<std::size_t>(settings_.frames - 1, 1)));
   FrameRecorder pictures(system, frames);
   MotionProgress progress(context, 0, settings_.duration);
-  integration::Observers observers({&log, &recorder, &pictures, &progress});
+  motion::Observers observers({&log, &recorder, &pictures, &progress});
   WindowRecording recording(settings_.recorders, system);
   PointResult result;
   try {

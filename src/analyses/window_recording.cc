@@ -4,8 +4,8 @@
 
 namespace vibroimpact::analyses {
 
-using integration::Observer;
-using integration::Trajectory;
+using motion::Observer;
+using motion::Trajectory;
 
 namespace {
 
@@ -19,7 +19,7 @@ WindowRecording::WindowRecording(const std::vector<RecorderFactory> &factories,
                                  const System &system) {
   for (const RecorderFactory &factory : factories)
     recorders_.push_back(factory(system));
-  together_ = std::make_unique<integration::Observers>(observers());
+  together_ = std::make_unique<motion::Observers>(observers());
 }
 
 std::vector<Observer *> WindowRecording::observers() const {
@@ -37,7 +37,7 @@ void WindowRecording::run(const Window &window, Trajectory &trajectory,
 void WindowRecording::run(const Window &window, Trajectory &trajectory, Observer &also) {
   std::vector<Observer *> watching = observers();
   watching.insert(watching.begin(), &also);
-  integration::Observers all(watching);
+  motion::Observers all(watching);
   watch(window, trajectory, all, {});
 }
 

@@ -19,21 +19,21 @@ public:
   /// Integrates from window.start, where the trajectory must stand, to window.end, stopping at the
   /// end of each period; `after_period`, where given, is called there. `also` watches as well.
   /// NumericalError.
-  void run(const Window &window, integration::Trajectory &trajectory,
+  void run(const Window &window, motion::Trajectory &trajectory,
            const std::function<void(long period)> &after_period = {});
-  void run(const Window &window, integration::Trajectory &trajectory, integration::Observer &also);
+  void run(const Window &window, motion::Trajectory &trajectory, motion::Observer &also);
 
   bool empty() const { return recorders_.empty(); }
   /// What all recorders saw, their fields' names behind `prefix`.
   void add_fields(PointResult &result, const std::string &prefix = "") const;
 
 private:
-  std::vector<integration::Observer *> observers() const;
-  void watch(const Window &window, integration::Trajectory &trajectory, integration::Observer &all,
+  std::vector<motion::Observer *> observers() const;
+  void watch(const Window &window, motion::Trajectory &trajectory, motion::Observer &all,
              const std::function<void(long period)> &after_period);
 
   std::vector<std::unique_ptr<Recorder>> recorders_;
-  std::unique_ptr<integration::Observers>
+  std::unique_ptr<motion::Observers>
       together_; ///< the same for all windows, so that it is asked once
 };
 

@@ -20,7 +20,7 @@ struct Surroundings {
 Surroundings usual_surroundings();
 
 /// Cases done of a known total, with rate and time left. Meant for rank 0; construct it with
-/// `active = false` elsewhere and it stays silent. The destructor ends a live line.
+/// `active = false` elsewhere and it stays inactive. The destructor ends a live line.
 class Progress {
 public:
   Progress(std::size_t total, std::string label, bool active = true);

@@ -119,9 +119,9 @@ void Model::add_connection(Connection connection) {
   stiffness_.add(connection.stiffness, row);
   damping_.add(connection.damping, row);
   for (std::size_t k = 0; k < sources_.size(); ++k) {
-    const double carrier = connection.elongation.carrier[k];
-    sources_[k].load -= connection.stiffness * carrier * row.transpose();
-    sources_[k].rate_load -= connection.damping * carrier * row.transpose();
+    const double base_coefficients = connection.elongation.base_coefficients[k];
+    sources_[k].load -= connection.stiffness * base_coefficients * row.transpose();
+    sources_[k].rate_load -= connection.damping * base_coefficients * row.transpose();
   }
   list_drives();
   if (connection.cubic_stiffness != 0)
@@ -148,10 +148,10 @@ Vector Model::rotor_frame(double time) const {
     const auto first = 2 * static_cast<Index>(i);
     for (std::size_t k = 0; k < sources_.size(); ++k) {
       const TimeFunction &function = *sources_[k].function;
-      if (rotor.first.carrier[k] != 0 || rotor.second.carrier[k] != 0) {
+      if (rotor.first.base_coefficients[k] != 0 || rotor.second.base_coefficients[k] != 0) {
         const double acceleration = function.acceleration(time);
-        frame[first] += rotor.first.carrier[k] * acceleration;
-        frame[first + 1] += rotor.second.carrier[k] * acceleration;
+        frame[first] += rotor.first.base_coefficients[k] * acceleration;
+        frame[first + 1] += rotor.second.base_coefficients[k] * acceleration;
       }
       if (rotor.field_first[k] != 0 || rotor.field_second[k] != 0) {
         const double field = function.value(time);
@@ -213,17 +213,17 @@ Vector Model::static_load() const {
 
 double Model::value(const Projection &projection, double time, ConstVectorView q) const {
   double sum = projection.row.dot(q);
-  for (std::size_t k = 0; k < projection.carrier.size(); ++k)
-    if (projection.carrier[k] != 0)
-      sum += projection.carrier[k] * sources_[k].function->value(time);
+  for (std::size_t k = 0; k < projection.base_coefficients.size(); ++k)
+    if (projection.base_coefficients[k] != 0)
+      sum += projection.base_coefficients[k] * sources_[k].function->value(time);
   return sum;
 }
 
 double Model::rate(const Projection &projection, double time, ConstVectorView velocity) const {
   double sum = projection.row.dot(velocity);
-  for (std::size_t k = 0; k < projection.carrier.size(); ++k)
-    if (projection.carrier[k] != 0)
-      sum += projection.carrier[k] * sources_[k].function->rate(time);
+  for (std::size_t k = 0; k < projection.base_coefficients.size(); ++k)
+    if (projection.base_coefficients[k] != 0)
+      sum += projection.base_coefficients[k] * sources_[k].function->rate(time);
   return sum;
 }
 
@@ -235,8 +235,9 @@ double Model::add_cubic_forces(double time, ConstVectorView q, VectorView f) con
     const double tension = spring.cubic_stiffness * e * e * e;
     f -= tension * spring.elongation.row.transpose();
     for (std::size_t k = 0; k < sources_.size(); ++k)
-      if (spring.elongation.carrier[k] != 0)
-        base_power += tension * spring.elongation.carrier[k] * sources_[k].function->rate(time);
+      if (spring.elongation.base_coefficients[k] != 0)
+        base_power +=
+            tension * spring.elongation.base_coefficients[k] * sources_[k].function->rate(time);
   }
   return base_power;
 }
@@ -297,12 +298,12 @@ Projection Model::displacement(const PointReference &point, const Vector3 &direc
                                bool absolute) const {
   const ReducedBody &body = *bodies_.at(point.body);
   Projection projection{.row = RowVector::Zero(size()),
-                        .carrier = std::vector<double>(sources_.size(), 0)};
+                        .base_coefficients = std::vector<double>(sources_.size(), 0)};
   projection.row.segment(offsets_[point.body], body.size()) =
       direction.transpose() * body.points.at(point.point).rows.topRows(3);
   if (absolute)
     for (std::size_t k = 0; k < sources_.size(); ++k)
-      projection.carrier[k] = carried_[k][point.body].dot(direction);
+      projection.base_coefficients[k] = carried_[k][point.body].dot(direction);
   return projection;
 }
 

@@ -7,11 +7,11 @@
 
 namespace vibroimpact::model {
 
-/// A linear observation of the motion: row . q + sum over sources carrier_k s_k(t). With carrier it
-/// is absolute, without it relative to the base.
+/// A linear observation of the motion: row . q + sum over sources carrier_k s_k(t). With
+/// base_coefficients it is absolute, without it relative to the base.
 struct Projection {
-  RowVector row;               ///< n
-  std::vector<double> carrier; ///< one entry per source
+  RowVector row;                         ///< n
+  std::vector<double> base_coefficients; ///< one entry per source
 };
 
 } // namespace vibroimpact::model

@@ -9,7 +9,7 @@ namespace vibroimpact::model {
 
 namespace {
 
-PointReference read_carrier(const parameters::Values &rotor, const Model &model) {
+PointReference read_base_point(const parameters::Values &rotor, const Model &model) {
   rotor.require("At");
   std::vector<std::string> known;
   for (const std::string &name : model.point_names()) {
@@ -56,7 +56,7 @@ void add_rotor(const parameters::Values &body, std::size_t index, Model &model) 
               .field_first = {},
               .field_second = {},
               .motor = read_motor(body)};
-  model.add_rotor(std::move(added), read_carrier(rotor, model), first, second);
+  model.add_rotor(std::move(added), read_base_point(rotor, model), first, second);
 }
 
 } // namespace

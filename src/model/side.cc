@@ -32,14 +32,14 @@ Projection relative_displacement(const PointReference &a, const std::optional<Po
                                  bool absolute, const Vector3 &direction, const Model &model) {
   Projection difference = model.displacement(a, direction, absolute);
   difference.row *= -1;
-  for (double &carrier : difference.carrier)
-    carrier *= -1;
+  for (double &base_coefficients : difference.base_coefficients)
+    base_coefficients *= -1;
   if (!b)
     return difference;
   const Projection other = model.displacement(*b, direction, true);
   difference.row += other.row;
-  for (std::size_t k = 0; k < difference.carrier.size(); ++k)
-    difference.carrier[k] += other.carrier[k];
+  for (std::size_t k = 0; k < difference.base_coefficients.size(); ++k)
+    difference.base_coefficients[k] += other.base_coefficients[k];
   return difference;
 }
 

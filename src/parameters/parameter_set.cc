@@ -1,3 +1,4 @@
+#include "common/log.h"
 #include "parameters/check_value.h"
 #include "parameters/echo.h"
 #include "parameters/official_parse.h"
@@ -45,7 +46,20 @@ std::vector<std::string> path_of(const Pending &pending) {
   return path;
 }
 
+// An option by its former name becomes the present one.
+void rename_option(const Pending &pending) {
+  Value &value = *pending.value;
+  for (const auto &[former, option] : value.key->renamed_options)
+    if (value.text == former) {
+      log::warning(place(value.origin, path_of(pending)) + " = " + former + " is now called " +
+                   option + "; the next version no longer reads the former name.");
+      value.text = option;
+      return;
+    }
+}
+
 void check(const Pending &pending, const VariableTable &variables) {
+  rename_option(pending);
   try {
     check_value(*pending.value, variables);
   } catch (const Refused &refused) {

@@ -2,6 +2,7 @@
 
 #include "parameters/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -129,6 +130,16 @@ Section &Section::choice(std::string name, std::string default_value,
               .default_value = std::move(default_value),
               .sentence = std::move(sentence),
               .options = std::move(options)});
+}
+
+Section &Section::renamed_option(const std::string &key, std::string former, std::string option) {
+  for (Key &known : keys_)
+    if (known.name == key && known.kind == KeyKind::choice &&
+        std::find(known.options.begin(), known.options.end(), option) != known.options.end()) {
+      known.renamed_options.emplace_back(std::move(former), std::move(option));
+      return *this;
+    }
+  throw std::logic_error("'" + name_ + " / " + key + "' has no option '" + option + "'");
 }
 
 Section &Section::text(std::string name, std::string default_value, std::string sentence) {

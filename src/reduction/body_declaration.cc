@@ -73,7 +73,7 @@ void declare_support(Section &body) {
 
 void declare_point(Section &body) {
   Section &point = body.named_subsection(
-      "Point", "A named node: it can be touched, pushed and watched, and carry a lumped mass.");
+      "Point", "A named node: it can be touched, pushed and observed, and carry a lumped mass.");
   declare_place(point);
   point.quantity("Mass", "0 kg", dimension::mass, range::non_negative, "m", "Lumped mass.")
       .quantities("Rotary inertia", "", dimension::rotary_inertia, range::non_negative, "J",

@@ -21,12 +21,12 @@ namespace vibroimpact::analyses {
 namespace {
 
 using namespace contact;
-using namespace integration;
+using namespace motion;
 
 struct Recorded {
   PointResult result;
   Accuracy accuracy;
-  Vector state; ///< with the ledger
+  Vector state; ///< with the work integrals
 };
 
 // A mass between two stops on a shaken base.
@@ -40,8 +40,8 @@ System between_stops(const std::shared_ptr<const ContactLaw> &law, double freque
   right.name = "right";
   left.name = "left";
   left.gap.row *= -1;
-  for (double &carrier : left.gap.carrier)
-    carrier *= -1;
+  for (double &base_coefficients : left.gap.base_coefficients)
+    base_coefficients *= -1;
   System system = testing::system_of(std::move(model), ContactSet({right, left}));
   // For the second derivative of the dense output, which loses some digits.
   system.integration.relative_tolerance = 1e-13;
@@ -55,7 +55,7 @@ Recorded record(const System &system, double frequency, bool by_steps) {
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   trajectory.advance(5 * period);
   WindowRecording recording(
-      {[](const System &s) { return std::make_unique<Excursions>(WatchedSelection{}, s); },
+      {[](const System &s) { return std::make_unique<Excursions>(ObservedSelection{}, s); },
        [](const System &s) { return std::make_unique<Impacts>(s); }},
       system);
   testing::Nobody nobody;
@@ -74,16 +74,16 @@ double step_error(const std::string &field) {
 
 void compare(const std::shared_ptr<const ContactLaw> &law, double frequency) {
   const System system = between_stops(law, frequency);
-  const Recorded flown = record(system, frequency, false);
+  const Recorded part_done = record(system, frequency, false);
   const Recorded stepped = record(system, frequency, true);
   const std::string where = law->name() + " at " + std::to_string(frequency) + " rad/s: ";
-  EXPECT_EQ(flown.accuracy.events, stepped.accuracy.events) << where;
-  EXPECT_LT(flown.accuracy.energy_residual, 1e-12) << where;
+  EXPECT_EQ(part_done.accuracy.events, stepped.accuracy.events) << where;
+  EXPECT_LT(part_done.accuracy.energy_residual, 1e-12) << where;
   EXPECT_LT(stepped.accuracy.energy_residual, 1e-10) << where;
 
-  ASSERT_EQ(flown.result.fields.size(), stepped.result.fields.size()) << where;
-  for (std::size_t i = 0; i < flown.result.fields.size(); ++i) {
-    const Field &one = flown.result.fields[i];
+  ASSERT_EQ(part_done.result.fields.size(), stepped.result.fields.size()) << where;
+  for (std::size_t i = 0; i < part_done.result.fields.size(); ++i) {
+    const Field &one = part_done.result.fields[i];
     const Field &other = stepped.result.fields[i];
     ASSERT_EQ(one.name(), other.name()) << where;
     if (std::isnan(other.values[0])) {
@@ -99,10 +99,10 @@ void compare(const std::shared_ptr<const ContactLaw> &law, double frequency) {
   const double turnover = stepped.state[layout.absolute_input_work()];
   for (Index entry = 0; entry < layout.size(); ++entry)
     if (entry != layout.absolute_input_work()) {
-      EXPECT_NEAR(flown.state[entry], stepped.state[entry], 1e-12 * (1 + turnover))
+      EXPECT_NEAR(part_done.state[entry], stepped.state[entry], 1e-12 * (1 + turnover))
           << where << "entry " << entry;
     }
-  EXPECT_LE(flown.state[layout.absolute_input_work()], turnover * (1 + 1e-9)) << where;
+  EXPECT_LE(part_done.state[layout.absolute_input_work()], turnover * (1 + 1e-9)) << where;
 }
 
 TEST(FlownWindowsTest, AreTheSteppedOnes) {
@@ -118,7 +118,7 @@ TEST(FlownWindowsTest, AreTheSteppedOnes) {
 }
 
 // Counts the steps with no contact closed; flies otherwise.
-class StepsApart : public Observer, private FlightWatcher {
+class StepsApart : public Observer, private OutputMonitor {
 public:
   void step(const StepView &view) override {
     const Equations &equations = view.equations();
@@ -128,12 +128,13 @@ public:
     count += apart ? 1 : 0;
   }
   void event(const ContactEvent & /*event*/) override { ++events; }
-  FlightWatcher *flight_watcher() override { return this; }
+  OutputMonitor *output_monitor() override { return this; }
 
   long count = 0, events = 0;
 
 private:
-  void watch(const Equations & /*equations*/, std::vector<WatchedForm> & /*forms*/) override {}
+  void add_forms(const Equations & /*equations*/, std::vector<MonitoredForm> & /*forms*/) override {
+  }
 };
 
 // A flight ends where a contact begins that it cannot pass, and the next one begins at its end.
@@ -154,12 +155,12 @@ TEST(FlownWindowsTest, ReachFromContactToContact) {
 // Flights take far fewer pieces than steps would be; a recorder that must see steps takes them.
 TEST(FlownWindowsTest, AreTakenByThoseWhoCan) {
   const System system = between_stops(std::make_shared<LinearPenalty>(20), 1.2);
-  const Excursions excursions(WatchedSelection{}, system);
+  const Excursions excursions(ObservedSelection{}, system);
   Observers none({});
   testing::Nobody nobody;
   Observers one({&nobody});
-  EXPECT_NE(none.flight_watcher(), nullptr);
-  EXPECT_EQ(one.flight_watcher(), nullptr);
+  EXPECT_NE(none.output_monitor(), nullptr);
+  EXPECT_EQ(one.output_monitor(), nullptr);
 }
 
 } // namespace

@@ -92,7 +92,7 @@ TEST(ImpactRecorderTest, AnImpactThatLastsAtTheEndCounts) {
 TEST(ImpactRecorderTest, TheMeanForceIsTheImpulseOverTime) {
   const System system = between_stops(std::make_shared<LinearPenalty>(stop));
   const PointResult result =
-      recorded<Statistics>(system, periods_window(0, round_trip(), 2), WatchedSelection{});
+      recorded<Statistics>(system, periods_window(0, round_trip(), 2), ObservedSelection{});
   const double contact = pi * std::sqrt(mass / stop);
   const double peak = speed * std::sqrt(mass * stop);
   EXPECT_NEAR(value_of(result, "contact/left/normal_force/mean"), 2 * mass * speed / round_trip(),
@@ -106,7 +106,7 @@ TEST(ImpactRecorderTest, AccelerationsJustAfterTouchCount) {
   const double constant = 4 * std::sqrt(stop * mass); // twice critical
   const System system = between_stops(std::make_shared<KelvinVoigt>(stop, constant));
   const PointResult result = recorded<Excursions>(
-      system, Window{.start = 0, .end = 1.5 * clearance / speed}, WatchedSelection{});
+      system, Window{.start = 0, .end = 1.5 * clearance / speed}, ObservedSelection{});
   EXPECT_NEAR(value_of(result, "point/ball.head/acceleration_x/minimum"), -constant * speed / mass,
               1e-6 * constant * speed / mass);
   EXPECT_NEAR(value_of(result, "contact/right/normal_force/maximum"), constant * speed,
@@ -132,7 +132,7 @@ TEST(ImpactRecorderTest, TheStopsEndMovesWithTheMass) {
   const System system =
       between_stops(std::make_shared<RelaxingStop>(stop, 0.3 * std::sqrt(stop * mass)));
   const PointResult result = recorded<Excursions>(
-      system, Window{.start = 0, .end = 1.5 * clearance / speed}, WatchedSelection{});
+      system, Window{.start = 0, .end = 1.5 * clearance / speed}, ObservedSelection{});
   const double reach = value_of(result, "point/ball.head/displacement_x/maximum");
   EXPECT_GT(reach, clearance);
   EXPECT_NEAR(value_of(result, "contact/right/stop_position/maximum"), reach, 1e-9);

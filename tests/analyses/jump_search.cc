@@ -8,7 +8,7 @@
 namespace vibroimpact::analyses {
 namespace {
 
-using integration::MotionState;
+using motion::MotionState;
 
 SettledMotion motion(double lowest, double highest, long multiple = 1) {
   return {.state = {.time = 0, .physical = Vector::Constant(1, highest)},

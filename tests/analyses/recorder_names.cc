@@ -41,7 +41,7 @@ PointResult all_recorded() {
   const auto set =
       parameters::ParameterSet::parse(root, "set Record = " + names + "\n", "test.prm", false);
   const System system = busy_system();
-  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
+  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   WindowRecording recording(read_recorders(set->root(), {}), system);
   recording.run(periods_window(0, 2 * std::numbers::pi / 8, 40), trajectory);

@@ -59,7 +59,7 @@ end
 // Four periods after some that nobody watches.
 PointResult recorded(WindowRecording &recording, const System &system, double start_position,
                      double period, long cycles) {
-  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
+  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start({.time = 0, .physical = Vector::Unit(2, 0) * start_position});
   trajectory.advance(3 * period);
   recording.run(cycles > 0 ? periods_window(3 * period, period, cycles)

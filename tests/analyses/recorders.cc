@@ -68,7 +68,7 @@ System shaken() {
 Window three_periods() { return periods_window(0, 2 * pi / omega, 3); }
 
 TEST(RecordersTest, ExcursionsOfASine) {
-  const PointResult result = recorded<Excursions>(pushed(), three_periods(), WatchedSelection{});
+  const PointResult result = recorded<Excursions>(pushed(), three_periods(), ObservedSelection{});
   const double amplitude = force / std::abs(impedance);
   const double mean = offset / stiffness;
   EXPECT_NEAR(value_of(result, displacement + "/peak_to_peak_excursion"), 2 * amplitude, 1e-10);
@@ -82,7 +82,7 @@ TEST(RecordersTest, ExcursionsOfASine) {
 }
 
 TEST(RecordersTest, ExcursionsInSpaceWhereTheBaseMoves) {
-  const PointResult result = recorded<Excursions>(shaken(), three_periods(), WatchedSelection{});
+  const PointResult result = recorded<Excursions>(shaken(), three_periods(), ObservedSelection{});
   const double amplitude = std::abs(Complex(stiffness, omega * damping) / impedance) * base;
   EXPECT_NEAR(value_of(result, "point/block.head/absolute_displacement_x/maximum"), amplitude,
               1e-10);
@@ -93,7 +93,7 @@ TEST(RecordersTest, OnlyWhatIsSelectedIsStored) {
   Model model({testing::single_mass("block", mass, stiffness, damping),
                testing::single_mass("other", mass, stiffness, damping)});
   const System system = testing::system_of(std::move(model));
-  const WatchedSelection selection{.points = {"other.head"}, .kinds = {"velocity"}};
+  const ObservedSelection selection{.points = {"other.head"}, .kinds = {"velocity"}};
   for (const PointResult &result : {recorded<Excursions>(system, three_periods(), selection),
                                     recorded<Statistics>(system, three_periods(), selection)}) {
     ASSERT_FALSE(result.fields.empty());
@@ -103,7 +103,7 @@ TEST(RecordersTest, OnlyWhatIsSelectedIsStored) {
 }
 
 TEST(RecordersTest, AveragesOfASineWithAnOffset) {
-  const PointResult result = recorded<Statistics>(pushed(), three_periods(), WatchedSelection{});
+  const PointResult result = recorded<Statistics>(pushed(), three_periods(), ObservedSelection{});
   const double amplitude = force / std::abs(impedance);
   const double mean = offset / stiffness;
   EXPECT_NEAR(value_of(result, displacement + "/mean"), mean, 1e-11);

@@ -45,7 +45,7 @@ PointResult sections() {
                                    .gap_extrema = {0},
                                    .extrema = true,
                                    .maximum_samples = 100});
-  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
+  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   section.begin({.start = 0, .end = 2}, trajectory);
   trajectory.advance(2, section);
@@ -91,7 +91,7 @@ TEST(RecordersAtImpactsTest, SpeedsAndImpulses) {
 
 TEST(RecordersAtImpactsTest, ExcursionsOfVelocitiesThatJump) {
   const PointResult result =
-      recorded<Excursions>(between_stops(), Window{.end = 1}, WatchedSelection{});
+      recorded<Excursions>(between_stops(), Window{.end = 1}, ObservedSelection{});
   EXPECT_NEAR(value_of(result, "point/block.head/velocity_x/maximum"), 1, 1e-12);
   EXPECT_NEAR(value_of(result, "point/block.head/velocity_x/minimum"), -0.5, 1e-12);
   EXPECT_NEAR(value_of(result, "point/block.head/displacement_x/minimum"), -clearance, 1e-12);

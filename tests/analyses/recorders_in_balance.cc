@@ -48,7 +48,7 @@ struct Ends {
 };
 
 Ends at_the_end(const System &system) {
-  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
+  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   trajectory.advance(end);
   return {trajectory.state()[0], trajectory.state()[1],
@@ -59,7 +59,7 @@ Ends at_the_end(const System &system) {
 TEST(RecordersInBalanceTest, MeanRatesAreTheChangesOverTheWindow) {
   const System system = shaken_block();
   const Ends ends = at_the_end(system);
-  const PointResult result = recorded<Statistics>(system, window, WatchedSelection{});
+  const PointResult result = recorded<Statistics>(system, window, ObservedSelection{});
   EXPECT_NEAR(value_of(result, head + "velocity_x/mean"), ends.displacement / end, 1e-9);
   EXPECT_NEAR(value_of(result, head + "acceleration_x/mean"),
               (ends.velocity + ends.floor_velocity) / end, 1e-7);
@@ -68,7 +68,7 @@ TEST(RecordersInBalanceTest, MeanRatesAreTheChangesOverTheWindow) {
 // m a = weight - force on floor and ground - force on the stop; in the mean as at every instant.
 TEST(RecordersInBalanceTest, MeanForcesChangeTheMomentum) {
   const System system = shaken_block();
-  const PointResult motion = recorded<Statistics>(system, window, WatchedSelection{});
+  const PointResult motion = recorded<Statistics>(system, window, ObservedSelection{});
   const PointResult forces = recorded<Forces>(system, window);
   const double on_floor = value_of(forces, "body/block/base_force_x/mean");
   const double on_stop = value_of(motion, "contact/heads/normal_force/mean");
@@ -88,8 +88,8 @@ TEST(RecordersInBalanceTest, MeanForcesChangeTheMomentum) {
 TEST(RecordersInBalanceTest, ImpactsAddUpToTheForceOnTheStop) {
   const System system = shaken_block();
   const PointResult impacts = recorded<Impacts>(system, window);
-  const PointResult motion = recorded<Statistics>(system, window, WatchedSelection{});
-  const PointResult extremes = recorded<Excursions>(system, window, WatchedSelection{});
+  const PointResult motion = recorded<Statistics>(system, window, ObservedSelection{});
+  const PointResult extremes = recorded<Excursions>(system, window, ObservedSelection{});
   const std::string stop = "contact/heads/";
   const double count = value_of(impacts, stop + "impacts");
   EXPECT_GT(count, 2);
@@ -107,7 +107,7 @@ TEST(RecordersInBalanceTest, ImpactsAddUpToTheForceOnTheStop) {
 }
 
 TEST(RecordersInBalanceTest, SquaresAreThoseOfMeanAndScatter) {
-  const PointResult result = recorded<Statistics>(shaken_block(), window, WatchedSelection{});
+  const PointResult result = recorded<Statistics>(shaken_block(), window, ObservedSelection{});
   for (const std::string name : {"displacement_x", "velocity_x", "acceleration_x"}) {
     const double mean = value_of(result, head + name + "/mean");
     const double scatter = value_of(result, head + name + "/rms_about_mean");

@@ -21,7 +21,7 @@ namespace vibroimpact::analyses {
 namespace {
 
 using namespace contact;
-using namespace integration;
+using namespace motion;
 using namespace model;
 using testing::contact_along_x;
 using testing::field;

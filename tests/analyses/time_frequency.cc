@@ -34,7 +34,7 @@ std::vector<ObservedSignal> displacement_of(const System &system) {
   return {{.name = "x",
            .unit = "m",
            .description = "displacement",
-           .along = [channel](const integration::StepView &view) -> StepFunction {
+           .along = [channel](const motion::StepView &view) -> StepFunction {
              return view.displacement(channel.relative);
            }}};
 }

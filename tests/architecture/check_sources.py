@@ -15,7 +15,7 @@ import defined_names
 
 # In the order data flows: a folder may include itself and what stands before it.
 ORDER = ["common", "parameters", "structure", "modes", "reduction", "model", "contact",
-         "integration", "analyses", "derived", "output"]
+         "motion", "analyses", "derived", "output"]
 # These two stand beside the flow; they know nothing of what the others do.
 ALLOWED = {"common": {"common"}, "parameters": {"common", "parameters"}}
 # The files above all folders, each with those of its kind that it may include.
@@ -32,18 +32,18 @@ FENCES = [
      "deal.II belongs to structure/ and the VTU writer"),
     (r"slepcversion\.h", r"modes/|run_information\.cc", "SLEPc belongs to modes/"),
     (r"slepc(?!version)", r"modes/", "SLEPc belongs to modes/"),
-    (r"petscts\.h", r"integration/", "PETSc TS belongs to integration/"),
-    (r"petscversion\.h", r"structure/|modes/|integration/|program\.cc|run_information\.cc",
-     "PETSc belongs to structure/, modes/ and integration/"),
+    (r"petscts\.h", r"motion/steps/", "PETSc TS belongs to motion/steps/"),
+    (r"petscversion\.h", r"structure/|modes/|motion/|program\.cc|run_information\.cc",
+     "PETSc belongs to structure/, modes/ and motion/"),
     (r"petsc(?!version|ts\.)",
-     r"common/petsc_error\.cc|structure/|modes/|integration/|program\.cc",
-     "PETSc belongs to structure/, modes/ and integration/"),
+     r"common/petsc_error\.cc|structure/|modes/|motion/|program\.cc",
+     "PETSc belongs to structure/, modes/ and motion/"),
     (r"(hdf5(_hl)?|H5\w+)\.h", r"common/hdf5_file(_driver)?\.",
      "HDF5 is used through common/hdf5_file.h"),
     (r"(structure|modes)/", r"structure/|modes/|reduction/",
      "after the reduced body there is no finite element left"),
     (r"contact/laws/", r"contact/", "nobody but the contacts knows which law it holds"),
-    (r"(fstream|cstdio)$", r"(?!model/|contact/|integration/|analyses/)",
+    (r"(fstream|cstdio)$", r"(?!model/|contact/|motion/|analyses/)",
      "models and analyses write no files"),
 ]
 
@@ -220,7 +220,7 @@ SOUND_TREE = {
     "src/simulation.cc": "namespace vibroimpact::model {\nclass Mass;\n}\n",
     "src/common/log.h": "namespace vibroimpact::log {\nclass Mass {};\n}\n",
     "src/contact/laws.cc": '#include "contact/laws/penalty.h"\n',
-    "src/integration/stepper.cc": "#include <petscts.h>\n",
+    "src/motion/steps/stepper.cc": "#include <petscts.h>\n",
     "src/output/vtu_writer.cc": "#include <deal.II/base/data_out_base.h>\n",
     "src/simulation.h": '#include "output/vtu_writer.cc"\n',
     "src/run_information.cc": "#include <slepcversion.h>\n#include <petscversion.h>\n"
@@ -240,7 +240,7 @@ VIOLATIONS = [
     ("src/common/a.h", '#include "parameters/values.h"', "common/ may not include parameters/"),
     ("src/parameters/a.h", '#include "reduction/body.h"', "parameters/ may not include reduction/"),
     ("src/structure/a.h", '#include "reduction/body.h"', "structure/ may not include reduction/"),
-    ("src/contact/a.h", '#include "integration/stepper.cc"', "contact/ may not include"),
+    ("src/contact/a.h", '#include "motion/steps/stepper.cc"', "contact/ may not include"),
     ("src/analyses/a.h", '  #  include "output/vtu_writer.cc"', "analyses/ may not include"),
     ("src/analyses/a.h", '#include "simulation.h"', "an include names its folder"),
     ("src/analyses/a.h", '#include "a.h"', "an include names its folder"),
@@ -250,7 +250,7 @@ VIOLATIONS = [
     ("src/model/a.h", '#include "helpers/a.h"', "helpers/ is not in the order"),
     ("src/helpers/a.h", '#include "common/error.h"', "helpers/ is not in the order"),
     ("src/output/a.cc", '#include "structure/mesh.h"', "no finite element left"),
-    ("src/integration/a.cc", '#include "contact/laws/penalty.h"', "which law it holds"),
+    ("src/motion/a.cc", '#include "contact/laws/penalty.h"', "which law it holds"),
     ("src/modes/a.cc", "#include <deal.II/lac/vector.h>", "deal.II belongs"),
     ("src/output/a.cc", "#include <deal.II/base/point.h>", "deal.II's base belongs"),
     ("src/program.cc", "#include <deal.II/grid/tria.h>", "deal.II belongs"),

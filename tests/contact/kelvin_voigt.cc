@@ -1,7 +1,7 @@
 // A mass on a Kelvin-Voigt stop has a closed form for speed, duration of the force, and loss.
 #include "contact/laws/kelvin_voigt.h"
-#include "integration/impact_log.h"
-#include "integration/trajectory.h"
+#include "motion/event/impact_log.h"
+#include "motion/trajectory.h"
 #include "support/law_checks.h"
 #include "support/lumped_models.h"
 
@@ -12,7 +12,7 @@
 namespace vibroimpact::contact {
 namespace {
 
-using namespace integration;
+using namespace motion;
 using model::Model;
 
 constexpr double mass = 2;

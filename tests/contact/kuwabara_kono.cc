@@ -1,7 +1,7 @@
 // Viscoelastic spheres: small losses against a quadrature, scaling with speed, no tension.
 #include "contact/laws/kuwabara_kono.h"
-#include "integration/impact_log.h"
-#include "integration/trajectory.h"
+#include "motion/event/impact_log.h"
+#include "motion/trajectory.h"
 #include "support/law_checks.h"
 #include "support/lumped_models.h"
 
@@ -14,7 +14,7 @@
 namespace vibroimpact::contact {
 namespace {
 
-using namespace integration;
+using namespace motion;
 
 constexpr double stiffness = 1.3e10;
 constexpr double mass = 0.04;

@@ -52,10 +52,10 @@ TEST(NewtonRestitutionTest, GuardsArePositiveInTheirModes) {
                   {.body = 0, .point = 0}, Vector3::UnitX());
   const ContactSet contacts(
       {testing::contact_along_x(model, "block.head", "", 0.02, testing::newton(0.4))});
-  integration::Trajectory trajectory(model, contacts, {});
+  motion::Trajectory trajectory(model, contacts, {});
   testing::GuardWatch guards;
   testing::Events events;
-  integration::Observers observers({&guards, &events});
+  motion::Observers observers({&guards, &events});
   trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
   trajectory.advance(20, observers);
   EXPECT_GT(trajectory.accuracy().chatters, 5);

@@ -1,7 +1,7 @@
 // A mass on a stop that may pull is a damped oscillator for half a damped period.
 #include "contact/laws/piecewise_stop.h"
-#include "integration/impact_log.h"
-#include "integration/trajectory.h"
+#include "motion/event/impact_log.h"
+#include "motion/trajectory.h"
 #include "support/law_checks.h"
 #include "support/lumped_models.h"
 
@@ -13,7 +13,7 @@
 namespace vibroimpact::contact {
 namespace {
 
-using namespace integration;
+using namespace motion;
 
 constexpr double mass = 2;
 constexpr double stiffness = 8e4;

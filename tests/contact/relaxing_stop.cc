@@ -1,8 +1,8 @@
 // A stop with a compression of its own: pushed in, let go, hit again before it has recovered.
 #include "contact/laws/relaxing_stop.h"
-#include "integration/equilibrium.h"
-#include "integration/impact_log.h"
-#include "integration/trajectory.h"
+#include "motion/event/impact_log.h"
+#include "motion/system/equilibrium.h"
+#include "motion/trajectory.h"
 #include "support/law_checks.h"
 #include "support/rigid_contacts.h"
 
@@ -14,7 +14,7 @@
 namespace vibroimpact::contact {
 namespace {
 
-using namespace integration;
+using namespace motion;
 using namespace model;
 
 constexpr double mass = 2;

@@ -2,8 +2,8 @@
 // then show.
 #include "contact/restitution_relation.h"
 #include "contact/laws/hunt_crossley.h"
-#include "integration/impact_log.h"
-#include "integration/trajectory.h"
+#include "motion/event/impact_log.h"
+#include "motion/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>
@@ -67,8 +67,8 @@ TEST(RestitutionRelationTest, TwoFreeBodiesShowTheExactRestitution) {
           {testing::contact_along_x(model, "a.head", "b.head", 1e-4,
                                     HuntCrossley::with_dimensionless_damping(
                                         {.stiffness = 1.3e10, .exponent = 1.5}, damping, 1e-6))});
-      integration::Trajectory trajectory(model, contacts, integration::Settings{});
-      integration::ImpactLog log(contacts, 0);
+      motion::Trajectory trajectory(model, contacts, motion::Settings{});
+      motion::ImpactLog log(contacts, 0);
       Vector velocity(2);
       velocity << 0.2, -0.1;
       trajectory.start(0, Vector::Zero(2), velocity);

@@ -1,7 +1,7 @@
 // Restitution of the Tsuji law: the same at every speed, and the one its damping promises.
 #include "contact/laws/tsuji.h"
-#include "integration/impact_log.h"
-#include "integration/trajectory.h"
+#include "motion/event/impact_log.h"
+#include "motion/trajectory.h"
 #include "support/law_checks.h"
 #include "support/lumped_models.h"
 
@@ -12,7 +12,7 @@
 namespace vibroimpact::contact {
 namespace {
 
-using namespace integration;
+using namespace motion;
 
 constexpr double stiffness = 1.3e10;
 constexpr double mass_a = 0.05;

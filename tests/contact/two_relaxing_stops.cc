@@ -3,8 +3,8 @@
 // largest free displacement. All quantities are dimensionless: mass, stiffness and largest free
 // amplitude are 1.
 #include "contact/laws/relaxing_stop.h"
-#include "integration/impact_log.h"
-#include "integration/trajectory.h"
+#include "motion/event/impact_log.h"
+#include "motion/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace vibroimpact::contact {
 namespace {
 
-using namespace integration;
+using namespace motion;
 using namespace model;
 
 constexpr double damping_ratio = 0.1;

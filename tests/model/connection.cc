@@ -14,13 +14,13 @@ Projection along_x(const Model &model, const std::string &a, const std::string &
   model.find_point(a, from);
   Projection difference = model.displacement(from, Vector3::UnitX(), true);
   difference.row *= -1;
-  for (double &carrier : difference.carrier)
-    carrier *= -1;
+  for (double &base_coefficients : difference.base_coefficients)
+    base_coefficients *= -1;
   if (model.find_point(b, to)) {
     const Projection other = model.displacement(to, Vector3::UnitX(), true);
     difference.row += other.row;
-    for (std::size_t k = 0; k < difference.carrier.size(); ++k)
-      difference.carrier[k] += other.carrier[k];
+    for (std::size_t k = 0; k < difference.base_coefficients.size(); ++k)
+      difference.base_coefficients[k] += other.base_coefficients[k];
   }
   return difference;
 }

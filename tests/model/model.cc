@@ -78,9 +78,9 @@ TEST(ModelTest, BaseMotionLoadsAndCarriesItsBodies) {
   EXPECT_NEAR(model.base_displacement(0, 0)[0], 0.1, 1e-15);
   EXPECT_EQ(model.base_displacement(1, 0)[0], 0);
   const PointReference head{.body = 0, .point = 0};
-  EXPECT_EQ(model.displacement(head, Vector3::UnitX(), true).carrier[0], 1);
-  EXPECT_EQ(model.displacement(head, Vector3::UnitX(), false).carrier[0], 0);
-  EXPECT_EQ(model.displacement(head, Vector3::UnitY(), true).carrier[0], 0);
+  EXPECT_EQ(model.displacement(head, Vector3::UnitX(), true).base_coefficients[0], 1);
+  EXPECT_EQ(model.displacement(head, Vector3::UnitX(), false).base_coefficients[0], 0);
+  EXPECT_EQ(model.displacement(head, Vector3::UnitY(), true).base_coefficients[0], 0);
 }
 
 TEST(ModelTest, FullDampingMatrixIsKept) {
@@ -125,7 +125,8 @@ TEST(ModelTest, CubicSpringsStoreTheWorkOfTheBlocksAndTheBase) {
   const Projection a = model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), true);
   const Projection b = model.displacement({.body = 1, .point = 0}, Vector3::UnitX(), true);
   const Projection relative = model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), false);
-  const Projection between{.row = b.row - a.row, .carrier = {b.carrier[0] - a.carrier[0]}};
+  const Projection between{.row = b.row - a.row,
+                           .base_coefficients = {b.base_coefficients[0] - a.base_coefficients[0]}};
   const std::vector<Projection> elongations = {a, relative, between};
   for (std::size_t i = 0; i < elongations.size(); ++i)
     model.add_connection({.name = "spring" + std::to_string(i),

@@ -45,6 +45,22 @@ TEST(Values, what_is_not_given_has_its_default) {
   EXPECT_EQ(root.instance("Body", "right").subsection("Geometry").integer("Elements"), 40);
 }
 
+TEST(Values, an_option_by_its_former_name_is_the_present_one_with_a_warning) {
+  auto file = std::make_shared<Section>("Sample", "A file for tests.");
+  file->choice("Type", "beam", {"beam", "shell"}, "What it is.")
+      .renamed_option("Type", "plate", "shell");
+  const std::shared_ptr<const Section> declarations = file;
+  ::testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStdout();
+  const auto set =
+      ParameterSet::parse(declarations, "# old\nset Type = plate\n", "old.prm", false, {});
+  const std::string said =
+      ::testing::internal::GetCapturedStdout() + ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(set->root().choice("Type"), "shell");
+  EXPECT_NE(said.find("old.prm:2: Type = plate is now called shell"), std::string::npos) << said;
+  EXPECT_THROW(file->renamed_option("Type", "tube", "cylinder"), std::logic_error);
+}
+
 TEST(Values, an_empty_file_has_all_defaults) {
   const Values root = parse_prm("")->root();
   EXPECT_EQ(root.text("Title"), "");

@@ -2,7 +2,7 @@
 // nothing but the base moves. Each by every way to advance it.
 #include "analyses/system.h"
 #include "common/error.h"
-#include "integration/trajectory.h"
+#include "motion/trajectory.h"
 #include "reduction/reduce_body.h"
 #include "support/simulation_files.h"
 #include "text_of.h"
@@ -12,7 +12,7 @@
 namespace vibroimpact {
 namespace {
 
-using namespace integration;
+using namespace motion;
 using analyses::System;
 using reduction::ReducedBody;
 
@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Models, HardMotionsTest,
 // Two methods of different order and with different searches for contact changes.
 TEST_P(HardMotionsTest, SameByTwoMethods) {
   const auto [model, duration] = GetParam();
-  const Moved one = motion(model, "flight", duration);
+  const Moved one = motion(model, "exact", duration);
   const Moved other = motion(model, "rk", duration, std::to_string(duration / 4000) + " s");
   EXPECT_TRUE(one.accuracy.balanced()) << one.accuracy.energy_residual;
   EXPECT_TRUE(other.accuracy.balanced()) << other.accuracy.energy_residual;
@@ -125,8 +125,8 @@ TEST_P(HardMotionsTest, SameByTwoMethods) {
 TEST(HardMotionsTest, HeldAgainstAMovingStop) {
   constexpr const char *model = "held_against_a_moving_stop";
   constexpr double duration = 0.99;
-  const Moved free = motion(model, "flight", duration);
-  const Moved one = motion(model, "flight", duration, "0.25 ms");
+  const Moved free = motion(model, "exact", duration);
+  const Moved one = motion(model, "exact", duration, "0.25 ms");
   const Moved other = motion(model, "rk", duration, "0.25 ms");
   EXPECT_TRUE(one.accuracy.balanced()) << one.accuracy.energy_residual;
   EXPECT_TRUE(other.accuracy.balanced()) << other.accuracy.energy_residual;
@@ -139,7 +139,7 @@ TEST(HardMotionsTest, HeldAgainstAMovingStop) {
 TEST(HardMotionsTest, BodiesPressedOnComeToRest) {
   for (const Case &pressed :
        {Case{"pressed_on_slowly", 1.2}, Case{"pressed_on_beside_three_contacts", 0.7}}) {
-    const Moved moved = motion(pressed.model, "flight", pressed.duration);
+    const Moved moved = motion(pressed.model, "exact", pressed.duration);
     EXPECT_TRUE(moved.accuracy.balanced()) << pressed.model;
     EXPECT_LT(moved.accuracy.events, 100) << pressed.model;
   }

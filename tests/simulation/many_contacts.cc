@@ -1,6 +1,6 @@
 // Contacts found by a pairing on meshes: the same as single ones, and right when there are many.
 #include "analyses/system.h"
-#include "integration/trajectory.h"
+#include "motion/trajectory.h"
 #include "reduction/reduce_body.h"
 #include "support/simulation_files.h"
 
@@ -11,7 +11,7 @@ namespace vibroimpact {
 namespace {
 
 using namespace contact;
-using namespace integration;
+using namespace motion;
 using analyses::System;
 using reduction::ReducedBody;
 using testing::changed;

@@ -1,8 +1,8 @@
-// Runs random flights through Trajectory, watched and unwatched, and judges the first contact of
+// Runs random flights through Trajectory, watched and unobserved, and judges the first contact of
 // each by the closed form.
 #pragma once
 
-#include "integration/trajectory.h"
+#include "motion/trajectory.h"
 #include "support/lumped_models.h"
 #include "support/random_flights.h"
 #include "support/true_contact.h"
@@ -51,13 +51,13 @@ private:
 struct BuiltSystem {
   BuiltSystem(const RandomSystem &system, bool clock)
       : model({body(system)}), contacts(stops(system, model, clock)),
-        trajectory(model, contacts, integration::Settings{}) {}
+        trajectory(model, contacts, motion::Settings{}) {}
   BuiltSystem(const BuiltSystem &) = delete;
   BuiltSystem &operator=(const BuiltSystem &) = delete;
 
   model::Model model;
   contact::ContactSet contacts;
-  integration::Trajectory trajectory;
+  motion::Trajectory trajectory;
 
 private:
   static std::shared_ptr<const reduction::ReducedBody> body(const RandomSystem &system) {
@@ -114,7 +114,7 @@ struct FlightCounts {
     long reported_outside = 0; ///< of them those without a touch within the band
     double worst_instant = 0;  ///< [s], of contacts outside it
   };
-  std::array<Path, 2> path; ///< watched, unwatched
+  std::array<Path, 2> path; ///< watched, unobserved
 
   long wrong() const {
     long sum = 0;
@@ -127,7 +127,7 @@ struct FlightCounts {
 class FlightCounter {
 public:
   explicit FlightCounter(const RandomSystem &system)
-      : system_(system), watched_(system, false), unwatched_(system, true) {}
+      : system_(system), observed_(system, false), unwatched_(system, true) {}
 
   void count(const RandomFlight &flight, FlightCounts &counts) {
     const TrueFlight truth(system_.modes, system_.force, flight.displacement, flight.velocity);
@@ -143,19 +143,19 @@ public:
   }
 
 private:
-  class FirstEvent : public integration::Observer {
+  class FirstEvent : public motion::Observer {
   public:
-    void step(const integration::StepView & /*view*/) override {}
-    void event(const integration::ContactEvent &event) override {
+    void step(const motion::StepView & /*view*/) override {}
+    void event(const motion::ContactEvent &event) override {
       if (!time)
         time = event.time;
     }
     std::optional<double> time;
   };
 
-  static integration::MotionState start(const RandomFlight &flight, Index internal) {
+  static motion::MotionState start(const RandomFlight &flight, Index internal) {
     const auto n = static_cast<Index>(flight.displacement.size());
-    integration::MotionState state{.time = 0, .physical = Vector::Zero(2 * n + internal)};
+    motion::MotionState state{.time = 0, .physical = Vector::Zero(2 * n + internal)};
     state.physical.head(n) = ConstVectorView(flight.displacement.data(), n);
     state.physical.segment(n, n) = ConstVectorView(flight.velocity.data(), n);
     return state;
@@ -163,16 +163,16 @@ private:
 
   FoundContact fly_watched(const RandomFlight &flight) {
     FirstEvent first;
-    watched_.trajectory.start(start(flight, 0));
-    watched_.trajectory.advance(flight.end, first);
-    return {first.time, watched_.trajectory.accuracy().undecided_events};
+    observed_.trajectory.start(start(flight, 0));
+    observed_.trajectory.advance(flight.end, first);
+    return {first.time, observed_.trajectory.accuracy().undecided_events};
   }
 
   FoundContact fly_unwatched(const RandomFlight &flight) {
     unwatched_.trajectory.start(start(flight, 2));
     unwatched_.trajectory.advance(flight.end);
     const Vector clocks = unwatched_.trajectory.motion_state().physical.tail(2);
-    const integration::Accuracy accuracy = unwatched_.trajectory.accuracy();
+    const motion::Accuracy accuracy = unwatched_.trajectory.accuracy();
     if (accuracy.events == 0)
       return {std::nullopt, accuracy.undecided_events};
     return {flight.end - clocks.maxCoeff(), accuracy.undecided_events};
@@ -222,7 +222,7 @@ private:
   }
 
   RandomSystem system_;
-  BuiltSystem watched_, unwatched_;
+  BuiltSystem observed_, unwatched_;
   double band_ = 0;
   bool in_band_ = false; // anywhere in the flight
 };

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/contact_law.h"
-#include "integration/observer.h"
+#include "motion/observer.h"
 
 #include <gtest/gtest.h>
 
@@ -111,24 +111,24 @@ inline void check_law(const contact::ContactLaw &law, const LawPoint &point) {
 /// Watches a motion: each guard is positive while its mode holds, up to 1e-8 of the largest value
 /// it has there: ten times the relative tolerance that the polynomial of a step is held to, of
 /// which a guard combines several.
-class GuardWatch : public integration::Observer {
+class GuardWatch : public motion::Observer {
 public:
   GuardWatch() = default;
   GuardWatch(const GuardWatch &) = delete;
   GuardWatch &operator=(const GuardWatch &) = delete;
   ~GuardWatch() override {
-    for (const auto &[where, extent] : extents_)
+    for (const auto &[where, extent] : ranges_)
       EXPECT_GE(extent.first, -1e-8 * extent.second)
           << "contact " << where[0] << ", mode " << where[1] << ", guard " << where[2];
   }
-  void step(const integration::StepView &view) override {
-    const integration::Equations &equations = view.equations();
+  void step(const motion::StepView &view) override {
+    const motion::Equations &equations = view.equations();
     for (std::size_t c = 0; c < equations.contacts().size(); ++c) {
       const auto mode = static_cast<std::size_t>(equations.modes()[c]);
       const auto &guards = equations.contacts().pairs()[c].law->modes()[mode].guards;
       for (std::size_t g = 0; g < guards.size(); ++g) {
-        const integration::Bernstein indicator = view.indicator(c, guards[g].indicator);
-        auto &[lowest, highest] = extents_[{c, mode, g}];
+        const motion::Bernstein indicator = view.indicator(c, guards[g].indicator);
+        auto &[lowest, highest] = ranges_[{c, mode, g}];
         lowest = std::min(lowest, indicator.end());
         highest = std::max(highest, indicator.maximum());
       }
@@ -136,7 +136,7 @@ public:
   }
 
 private:
-  std::map<std::array<std::size_t, 3>, std::pair<double, double>> extents_;
+  std::map<std::array<std::size_t, 3>, std::pair<double, double>> ranges_;
 };
 
 } // namespace vibroimpact::testing

@@ -37,15 +37,15 @@ inline contact::ContactPair contact_along_x(const model::Model &model, const std
   model.find_point(side_a, a);
   model::Projection gap = model.displacement(a, Vector3::UnitX(), true);
   gap.row *= -1;
-  for (double &carrier : gap.carrier)
-    carrier *= -1;
+  for (double &base_coefficients : gap.base_coefficients)
+    base_coefficients *= -1;
   if (!side_b.empty()) {
     model::PointReference b;
     model.find_point(side_b, b);
     const model::Projection other = model.displacement(b, Vector3::UnitX(), true);
     gap.row += other.row;
-    for (std::size_t k = 0; k < gap.carrier.size(); ++k)
-      gap.carrier[k] += other.carrier[k];
+    for (std::size_t k = 0; k < gap.base_coefficients.size(); ++k)
+      gap.base_coefficients[k] += other.base_coefficients[k];
   }
   return {.name = "heads",
           .side_a = side_a,

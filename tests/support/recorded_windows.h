@@ -56,7 +56,7 @@ inline double value_of(const PointResult &result, const std::string &name) {
 template <class Kind, class... Options>
 PointResult recorded(const analyses::System &system, const analyses::Window &window,
                      const Options &...options) {
-  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
+  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(window.start, system.initial.displacement, system.initial.velocity);
   analyses::WindowRecording recording(
       {[&](const analyses::System &s) { return std::make_unique<Kind>(options..., s); }}, system);

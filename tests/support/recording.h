@@ -7,15 +7,15 @@
 
 namespace vibroimpact::testing {
 
-class Nobody : public integration::Observer {
+class Nobody : public motion::Observer {
 public:
-  void step(const integration::StepView & /*view*/) override {}
+  void step(const motion::StepView & /*view*/) override {}
 };
 
 /// Lets the motion settle, records `cycles` periods, and gives the state at the end.
-inline integration::MotionState record(const analyses::System &system, analyses::Recorder &recorder,
-                                       double period, long settling, long cycles) {
-  integration::Trajectory trajectory(system.model, system.contacts, system.integration);
+inline motion::MotionState record(const analyses::System &system, analyses::Recorder &recorder,
+                                  double period, long settling, long cycles) {
+  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   Nobody nobody;
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   trajectory.advance(static_cast<double>(settling) * period, nobody);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "contact/laws/newton_restitution.h"
-#include "integration/impact_log.h"
-#include "integration/trajectory.h"
 #include "model/piecewise_function.h"
+#include "motion/event/impact_log.h"
+#include "motion/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <initializer_list>
@@ -34,13 +34,13 @@ inline contact::ContactPair stop_on_base(const model::Model &model, const std::s
                                          double clearance,
                                          std::shared_ptr<const contact::ContactLaw> law) {
   contact::ContactPair pair = contact_along_x(model, side_a, "", clearance, std::move(law));
-  for (double &carrier : pair.gap.carrier)
-    carrier = 0;
+  for (double &base_coefficients : pair.gap.base_coefficients)
+    base_coefficients = 0;
   return pair;
 }
 
 /// Keeps all events, and calls `check` for each step.
-class Events : public integration::Observer {
+class Events : public motion::Observer {
 public:
   struct Event {
     double time = 0;
@@ -49,16 +49,16 @@ public:
     bool onset = false;
     double gap_rate = 0, gap_rate_after = 0, chatter_duration = 0;
   };
-  void step(const integration::StepView & /*view*/) override {}
-  void event(const integration::ContactEvent &event) override {
+  void step(const motion::StepView & /*view*/) override {}
+  void event(const motion::ContactEvent &event) override {
     list.push_back({event.time, event.contact, event.from, event.to, event.onset, event.gap_rate,
                     event.gap_rate_after, event.chatter_duration});
   }
   std::vector<Event> list;
 };
 
-inline integration::Settings settings_of(const std::string &method) {
-  integration::Settings settings;
+inline motion::Settings settings_of(const std::string &method) {
+  motion::Settings settings;
   settings.method = method;
   if (method == "rk")
     settings.relative_tolerance = 1e-12;

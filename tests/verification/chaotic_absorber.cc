@@ -24,7 +24,7 @@ namespace {
 
 using namespace analyses;
 using namespace contact;
-using namespace integration;
+using namespace motion;
 using namespace model;
 using testing::contact_along_x;
 using testing::value;

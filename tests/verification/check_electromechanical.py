@@ -58,8 +58,8 @@ def contacts(table, motions):
               motion["contact/lower/normal_force/maximum"], 3e-5)
     table.add("deepest penetration, c = 5 mm, µm", 58.1, -motion["contact/lower/gap/minimum"] * 1e6,
               1e-3)
-    extents = [(5, 4.607, -5.058, 2e-4), (40, 29.406, -36.210, 1e-4)]
-    for c, largest, smallest, tolerance in (row for row in extents if row[0] in motions):
+    ranges = [(5, 4.607, -5.058, 2e-4), (40, 29.406, -36.210, 1e-4)]
+    for c, largest, smallest, tolerance in (row for row in ranges if row[0] in motions):
         upper, lower = (motions[c][f"contact/{side}/gap/minimum"] * 1e3
                         for side in ("upper", "lower"))
         table.add(f"largest Y_t − Y, c = {c} mm, mm", largest, c - upper, tolerance)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every figure of the checks by both integrators: `flight` as the shipped files have it, and adaptive
+"""Every figure of the checks by both integrators: `exact` as the shipped files have it, and adaptive
 Runge-Kutta of order 5 throughout, at a tolerance with which its energy balance closes to 1e-12.
 
 The quantities, references and tolerances are those of the check of the system; both integrators must
@@ -21,8 +21,8 @@ import check_electromechanical
 import check_isolator
 from systems import Table, arguments_of_checks, markdown, shown, signed, write_into
 
-HEAD = ("quantity", "reference", "flight", "rk", "flight − reference", "rk − reference",
-        "flight − rk")
+HEAD = ("quantity", "reference", "exact", "rk", "exact − reference", "rk − reference",
+        "exact − rk")
 TIGHT = ("Integration/Method=rk", "Integration/Relative tolerance=1e-12",
          "Integration/Absolute tolerance=1e-17 m")
 
@@ -126,17 +126,17 @@ def main():
     parser = arguments_of_checks()
     parser.add_argument("--system", choices=SYSTEMS, required=True)
     arguments = parser.parse_args()
-    flight, tight = Integrated(arguments, "flight"), Integrated(arguments, "rk", *TIGHT)
-    for table in (flight, tight):
+    exact, tight = Integrated(arguments, "exact"), Integrated(arguments, "rk", *TIGHT)
+    for table in (exact, tight):
         SYSTEMS[arguments.system](table)
-    text = markdown([HEAD, *(cells(*rows) for rows in zip(flight.rows, tight.rows, strict=True))])
-    text += (f"\nProcessor time of all runs: flight {flight.seconds:.1f} s, rk "
+    text = markdown([HEAD, *(cells(*rows) for rows in zip(exact.rows, tight.rows, strict=True))])
+    text += (f"\nProcessor time of all runs: exact {exact.seconds:.1f} s, rk "
              f"{tight.seconds:.1f} s.\n")
     print(text)
     if arguments.page:
         write_into(arguments.page, f"check_integrators.py, {arguments.system}", text)
-    bad = [row.quantity for table in (flight, tight) for row in table.rows if not row.good()]
-    print(f"{len(bad)} of {2 * len(flight.rows)} beyond their tolerances")
+    bad = [row.quantity for table in (exact, tight) for row in table.rows if not row.good()]
+    print(f"{len(bad)} of {2 * len(exact.rows)} beyond their tolerances")
     sys.exit(1 if bad else 0)
 
 

@@ -59,7 +59,7 @@ void print(const char *name, const FlightCounts &counts) {
             << " with a touch within rounding\n";
   for (std::size_t p = 0; p < counts.path.size(); ++p) {
     const FlightCounts::Path &path = counts.path[p];
-    std::cout << (p == 0 ? "  watched:   " : "  unwatched: ") << path.missed << " missed, "
+    std::cout << (p == 0 ? "  observed:   " : "  unobserved: ") << path.missed << " missed, "
               << path.invented << " invented; within rounding: " << path.decided_in_band
               << " taken for contacts, " << path.reported << " reported as undecided, "
               << path.reported_outside << " reported outside it; largest error of an instant "

@@ -19,7 +19,7 @@ UniformSamples::UniformSamples(std::vector<ObservedSignal> signals, double start
                          " samples of the recorded signals " + lack);
 }
 
-void UniformSamples::step(const integration::StepView &view) {
+void UniformSamples::step(const motion::StepView &view) {
   std::vector<double> positions;
   for (; next_ < count_; ++next_) {
     const double instant = start_ + static_cast<double>(next_) * interval_;

@@ -15,7 +15,7 @@ public:
                  std::size_t count);
 
   /// The next step. A sample at a contact change is taken before it.
-  void step(const integration::StepView &view);
+  void step(const motion::StepView &view);
 
   const std::vector<ObservedSignal> &signals() const { return signals_; }
   double interval() const { return interval_; }

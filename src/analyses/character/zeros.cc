@@ -8,7 +8,7 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-double bracketed_zero(const integration::Bernstein &polynomial, double left, double right) {
+double bracketed_zero(const motion::Bernstein &polynomial, double left, double right) {
   std::uintmax_t iterations = 200;
   const auto bracket = boost::math::tools::toms748_solve(
       polynomial, left, right, boost::math::tools::eps_tolerance<double>(), iterations);
@@ -17,7 +17,7 @@ double bracketed_zero(const integration::Bernstein &polynomial, double left, dou
 
 } // namespace
 
-std::vector<double> sign_changes(const integration::Bernstein &polynomial) {
+std::vector<double> sign_changes(const motion::Bernstein &polynomial) {
   std::vector<double> knots;
   if (polynomial.degree() > 0)
     knots = sign_changes(polynomial.derivative());

@@ -8,15 +8,15 @@
 
 namespace vibroimpact::analyses {
 
-using integration::Bernstein;
-using integration::StepView;
-using integration::Trajectory;
 using model::Connection;
+using motion::Bernstein;
+using motion::StepView;
+using motion::Trajectory;
 
 namespace {
 
 model::Projection without_base(model::Projection projection) {
-  std::fill(projection.carrier.begin(), projection.carrier.end(), 0.0);
+  std::fill(projection.base_coefficients.begin(), projection.base_coefficients.end(), 0.0);
   return projection;
 }
 
@@ -152,10 +152,10 @@ void Energy::add_work(PointResult &result, const WorkLabels &labels, double work
 }
 
 void Energy::add_fields(PointResult &result) const {
-  const integration::StateLayout layout{.n = system_.model.size(),
-                                        .n_internal = system_.contacts.n_internal(),
-                                        .n_drive = system_.model.n_drive(),
-                                        .n_contacts = static_cast<Index>(system_.contacts.size())};
+  const motion::StateLayout layout{.n = system_.model.size(),
+                                   .n_internal = system_.contacts.n_internal(),
+                                   .n_drive = system_.model.n_drive(),
+                                   .n_contacts = static_cast<Index>(system_.contacts.size())};
   const Vector change = last_state_ - first_state_;
   const double input = change[layout.input_work()] + base_work_;
   const double damping = total(by_body_) + total(by_connection_);

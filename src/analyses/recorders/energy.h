@@ -19,9 +19,9 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const integration::Trajectory &trajectory) override;
-  void step(const integration::StepView &view) override;
-  void end(const integration::Trajectory &trajectory) override;
+  void begin(const Window &window, const motion::Trajectory &trajectory) override;
+  void step(const motion::StepView &view) override;
+  void end(const motion::Trajectory &trajectory) override;
   /// energy/input_work, /damping_work, /contact_work, /stored_change, /residual (stored change less
   /// input plus losses), dissipated_energy of every body, connection and contact, and motor_work of
   /// every rotor [J]; all works also per period where the window has periods.
@@ -34,9 +34,9 @@ private:
     Label whole, per_period;
   };
   void add_work(PointResult &result, const WorkLabels &labels, double work) const;
-  double energy_beyond(const integration::Trajectory &trajectory) const;
-  double stored_energy(const integration::Trajectory &trajectory) const;
-  void add_connection(std::size_t connection, const integration::StepView &view);
+  double energy_beyond(const motion::Trajectory &trajectory) const;
+  double stored_energy(const motion::Trajectory &trajectory) const;
+  void add_connection(std::size_t connection, const motion::StepView &view);
 
   const System &system_;
   /// Of contacts, bodies, connections and rotors, in this order.

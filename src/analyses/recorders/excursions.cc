@@ -1,28 +1,28 @@
 #include "analyses/recorders/excursions.h"
 
 #include "analyses/fields.h"
-#include "integration/impact_log.h"
+#include "motion/event/impact_log.h"
 
 #include <limits>
 
 namespace vibroimpact::analyses {
 
-using integration::Extent;
+using motion::ValueRange;
 
 namespace {
 
 constexpr const char *section_name = "Excursions";
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-void add_bounds(PointResult &result, const ExtentLabels &labels, const Extent &extent) {
-  const bool seen = extent.maximum >= extent.minimum;
-  result.fields.push_back(scalar_field(labels.minimum, seen ? extent.minimum : nan));
-  result.fields.push_back(scalar_field(labels.maximum, seen ? extent.maximum : nan));
+void add_bounds(PointResult &result, const ExcursionLabels &labels, const ValueRange &range) {
+  const bool seen = range.maximum >= range.minimum;
+  result.fields.push_back(scalar_field(labels.minimum, seen ? range.minimum : nan));
+  result.fields.push_back(scalar_field(labels.maximum, seen ? range.maximum : nan));
 }
 
 } // namespace
 
-ExtentLabels::ExtentLabels(const WatchedQuantity &quantity)
+ExcursionLabels::ExcursionLabels(const ObservedQuantity &quantity)
     : peak_to_peak(quantity.path + "/peak_to_peak_excursion", quantity.unit,
                    "largest minus smallest value in the recorded window"),
       peak(quantity.path + "/peak_excursion", quantity.unit,
@@ -32,16 +32,16 @@ ExtentLabels::ExtentLabels(const WatchedQuantity &quantity)
       maximum(quantity.path + "/maximum", quantity.unit,
               "largest value in the recorded window, " + quantity.meaning) {}
 
-void add_extent(PointResult &result, const ExtentLabels &labels, const Extent &extent) {
-  result.fields.push_back(scalar_field(labels.peak_to_peak, extent.peak_to_peak()));
-  result.fields.push_back(scalar_field(labels.peak, extent.peak()));
-  add_bounds(result, labels, extent);
+void add_range(PointResult &result, const ExcursionLabels &labels, const ValueRange &range) {
+  result.fields.push_back(scalar_field(labels.peak_to_peak, range.peak_to_peak()));
+  result.fields.push_back(scalar_field(labels.peak, range.peak()));
+  add_bounds(result, labels, range);
 }
 
-Excursions::Excursions(const WatchedSelection &selection, const System &system)
-    : contacts_(system.contacts), quantities_(watched_quantities(selection, system)),
-      labels_(quantities_.begin(), quantities_.end()), extents_(quantities_.size()) {
-  for (const WatchedQuantity &quantity : quantities_)
+Excursions::Excursions(const ObservedSelection &selection, const System &system)
+    : contacts_(system.contacts), quantities_(observed_quantities(selection, system)),
+      labels_(quantities_.begin(), quantities_.end()), ranges_(quantities_.size()) {
+  for (const ObservedQuantity &quantity : quantities_)
     linear_ = linear_ && quantity.form;
   if (!selection.has("normal_force"))
     return;
@@ -58,42 +58,42 @@ void Excursions::declare(parameters::Section &analysis) {
 
 RecorderFactory Excursions::create(const parameters::Values &analysis) {
   const parameters::Values section = analysis.subsection(section_name);
-  const WatchedSelection selection = read_selection_of_quantities(section);
+  const ObservedSelection selection = read_selection_of_quantities(section);
   return [section, selection](const System &system) {
     check_points(selection, system, section);
     return std::make_unique<Excursions>(selection, system);
   };
 }
 
-void Excursions::begin(const Window & /*window*/, const integration::Trajectory & /*trajectory*/) {
-  std::fill(extents_.begin(), extents_.end(), Extent{});
+void Excursions::begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) {
+  std::fill(ranges_.begin(), ranges_.end(), ValueRange{});
   // A contact that stays open has the largest force zero.
-  std::fill(forces_.begin(), forces_.end(), Extent{.minimum = 0, .maximum = 0});
+  std::fill(forces_.begin(), forces_.end(), ValueRange{.minimum = 0, .maximum = 0});
 }
 
-void Excursions::step(const integration::StepView &view) {
+void Excursions::step(const motion::StepView &view) {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
-    extents_[i].include(quantities_[i].curve(view));
+    ranges_[i].include(quantities_[i].curve(view));
   for (std::size_t c = 0; c < forces_.size(); ++c)
     if (in_contact(view, c))
-      forces_[c].include(integration::peak_force(view, c));
+      forces_[c].include(motion::peak_force(view, c));
 }
 
-void Excursions::watch(const integration::Equations &equations,
-                       std::vector<integration::WatchedForm> &forms) {
+void Excursions::add_forms(const motion::Equations &equations,
+                           std::vector<motion::MonitoredForm> &forms) {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
-    forms.push_back(quantities_[i].form(equations, extents_[i]));
+    forms.push_back(quantities_[i].form(equations, ranges_[i]));
   for (std::size_t c = 0; c < forces_.size(); ++c)
     if (const contact::Mode &mode = equations.mode(c); mode.in_contact)
-      forms.push_back(integration::watched_contact(equations, c, mode.affine->force, forces_[c]));
+      forms.push_back(motion::monitored_contact(equations, c, mode.affine->force, forces_[c]));
 }
 
 void Excursions::add_fields(PointResult &result) const {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     if (quantities_[i].kind == "gap")
-      add_bounds(result, labels_[i], extents_[i]);
+      add_bounds(result, labels_[i], ranges_[i]);
     else
-      add_extent(result, labels_[i], extents_[i]);
+      add_range(result, labels_[i], ranges_[i]);
   for (std::size_t c = 0; c < forces_.size(); ++c)
     result.fields.push_back(scalar_field(force_labels_[c], forces_[c].maximum));
 }

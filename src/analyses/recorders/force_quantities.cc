@@ -4,12 +4,12 @@
 
 namespace vibroimpact::analyses {
 
-using integration::Bernstein;
-using integration::StepView;
 using model::Connection;
 using model::Model;
 using model::PointReference;
 using model::Projection;
+using motion::Bernstein;
+using motion::StepView;
 using reduction::ReducedBody;
 
 namespace {
@@ -79,7 +79,7 @@ struct BaseForce {
 
 Projection nothing(const Model &model) {
   return {.row = RowVector::Zero(model.size()),
-          .carrier = std::vector<double>(model.sources().size(), 0)};
+          .base_coefficients = std::vector<double>(model.sources().size(), 0)};
 }
 
 BaseForce base_force(const Model &model, std::size_t b, int axis) {
@@ -92,7 +92,7 @@ BaseForce base_force(const Model &model, std::size_t b, int axis) {
   const double left = body.total_mass[axis] - weight.dot(body.base_participation.col(axis));
   const Projection moved = model.displacement({.body = b, .point = 0}, Vector3::Unit(axis), true);
   for (std::size_t k = 0; k < model.sources().size(); ++k)
-    force.by_base.carrier[k] = -left * moved.carrier[k];
+    force.by_base.base_coefficients[k] = -left * moved.base_coefficients[k];
   for (const Connection &connection : model.connections())
     if (PointReference point; supports(connection, model, b, point))
       if (const double n = direction_of(connection, model, point)[axis]; n != 0)
@@ -102,8 +102,8 @@ BaseForce base_force(const Model &model, std::size_t b, int axis) {
 
 } // namespace
 
-std::vector<WatchedQuantity> connection_forces(const Model &model) {
-  std::vector<WatchedQuantity> list;
+std::vector<ObservedQuantity> connection_forces(const Model &model) {
+  std::vector<ObservedQuantity> list;
   for (const Connection &connection : model.connections())
     list.push_back({"connection/" + connection.name + "/force", "force", "N",
                     "tension, > 0 pulls the ends together",
@@ -111,8 +111,8 @@ std::vector<WatchedQuantity> connection_forces(const Model &model) {
   return list;
 }
 
-std::vector<WatchedQuantity> base_forces(const Model &model) {
-  std::vector<WatchedQuantity> list;
+std::vector<ObservedQuantity> base_forces(const Model &model) {
+  std::vector<ObservedQuantity> list;
   for (std::size_t b = 0; b < model.bodies().size(); ++b)
     for (int axis = 0; axis < 3; ++axis) {
       const ReducedBody &body = *model.bodies()[b];

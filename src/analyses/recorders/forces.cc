@@ -8,9 +8,9 @@
 
 namespace vibroimpact::analyses {
 
-using integration::StepView;
 using model::Model;
 using model::Projection;
+using motion::StepView;
 
 namespace {
 
@@ -22,9 +22,9 @@ Projection base_of(Projection absolute) {
 
 // The time history of a source alone.
 Projection history_of(std::size_t source, const Model &model) {
-  Projection history{.row = RowVector::Zero(model.size()), .carrier = {}};
-  history.carrier.assign(model.sources().size(), 0);
-  history.carrier[source] = 1;
+  Projection history{.row = RowVector::Zero(model.size()), .base_coefficients = {}};
+  history.base_coefficients.assign(model.sources().size(), 0);
+  history.base_coefficients[source] = 1;
   return history;
 }
 
@@ -49,14 +49,14 @@ Label ratio_label(const std::string &path, const std::string &meaning) {
 
 } // namespace
 
-Forces::Watched::Watched(WatchedQuantity watched)
-    : quantity(std::move(watched)), extent_labels(quantity),
+Forces::Watched::Watched(ObservedQuantity observed)
+    : quantity(std::move(observed)), range_labels(quantity),
       average_labels(quantity.path, quantity.unit) {}
 
 Forces::Forces(const System &system) {
-  for (WatchedQuantity &quantity : connection_forces(system.model))
+  for (ObservedQuantity &quantity : connection_forces(system.model))
     forces_.emplace_back(std::move(quantity));
-  for (WatchedQuantity &quantity : base_forces(system.model))
+  for (ObservedQuantity &quantity : base_forces(system.model))
     forces_.emplace_back(std::move(quantity));
   add_ratios_of_points(system.model);
   add_ratios_of_forces(system.model);
@@ -68,15 +68,19 @@ void Forces::add_ratios_of_points(const Model &model) {
       continue;
     const std::string base = "point/" + channel.point + "/";
     const Projection whole = channel.absolute;
-    const Projection carrier = base_of(channel.absolute);
-    ratios_.push_back({.label = ratio_label(base + "displacement_" + channel.axis,
-                                            "absolute displacement over that of the base"),
-                       .output = [whole](const StepView &v) { return v.displacement(whole); },
-                       .input = [carrier](const StepView &v) { return v.displacement(carrier); }});
-    ratios_.push_back({.label = ratio_label(base + "acceleration_" + channel.axis,
-                                            "absolute acceleration over that of the base"),
-                       .output = [whole](const StepView &v) { return v.acceleration(whole); },
-                       .input = [carrier](const StepView &v) { return v.acceleration(carrier); }});
+    const Projection base_coefficients = base_of(channel.absolute);
+    ratios_.push_back(
+        {.label = ratio_label(base + "displacement_" + channel.axis,
+                              "absolute displacement over that of the base"),
+         .output = [whole](const StepView &v) { return v.displacement(whole); },
+         .input =
+             [base_coefficients](const StepView &v) { return v.displacement(base_coefficients); }});
+    ratios_.push_back(
+        {.label = ratio_label(base + "acceleration_" + channel.axis,
+                              "absolute acceleration over that of the base"),
+         .output = [whole](const StepView &v) { return v.acceleration(whole); },
+         .input =
+             [base_coefficients](const StepView &v) { return v.acceleration(base_coefficients); }});
   }
 }
 
@@ -85,7 +89,7 @@ void Forces::add_ratios_of_forces(const Model &model) {
   if (source == model.sources().size())
     return;
   const Projection applied = history_of(source, model);
-  for (WatchedQuantity &force : base_forces(model))
+  for (ObservedQuantity &force : base_forces(model))
     ratios_.push_back({.label = ratio_label(force.path, "force on the base over the applied force"),
                        .output = std::move(force.curve),
                        .input = [applied](const StepView &v) { return v.displacement(applied); }});
@@ -97,36 +101,36 @@ RecorderFactory Forces::create(const parameters::Values & /*analysis*/) {
   return [](const System &system) { return std::make_unique<Forces>(system); };
 }
 
-void Forces::begin(const Window & /*window*/, const integration::Trajectory & /*trajectory*/) {
+void Forces::begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) {
   for (Watched &force : forces_) {
-    force.extent = {};
+    force.range = {};
     force.average = {};
   }
   for (Ratio &ratio : ratios_)
-    ratio.output_extent = ratio.input_extent = {};
+    ratio.output_range = ratio.input_range = {};
 }
 
 void Forces::step(const StepView &view) {
   for (Watched &force : forces_) {
-    const integration::Bernstein curve = force.quantity.curve(view);
-    force.extent.include(curve);
+    const motion::Bernstein curve = force.quantity.curve(view);
+    force.range.include(curve);
     force.average.add(curve, view.length());
   }
   for (Ratio &ratio : ratios_) {
-    ratio.output_extent.include(ratio.output(view));
-    ratio.input_extent.include(ratio.input(view));
+    ratio.output_range.include(ratio.output(view));
+    ratio.input_range.include(ratio.input(view));
   }
 }
 
 void Forces::add_fields(PointResult &result) const {
   for (const Watched &force : forces_) {
-    add_extent(result, force.extent_labels, force.extent);
+    add_range(result, force.range_labels, force.range);
     add_average(result, force.average_labels, force.average);
   }
   for (const Ratio &ratio : ratios_) {
-    const double input = ratio.input_extent.peak_to_peak();
+    const double input = ratio.input_range.peak_to_peak();
     result.fields.push_back(
-        scalar_field(ratio.label, input > 0 ? ratio.output_extent.peak_to_peak() / input
+        scalar_field(ratio.label, input > 0 ? ratio.output_range.peak_to_peak() / input
                                             : std::numeric_limits<double>::quiet_NaN()));
   }
 }

@@ -17,8 +17,8 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const integration::Trajectory &trajectory) override;
-  void step(const integration::StepView &view) override;
+  void begin(const Window &window, const motion::Trajectory &trajectory) override;
+  void step(const motion::StepView &view) override;
   /// Extreme values, mean and root mean squares of connection/NAME/force and
   /// body/NAME/base_force_x; transmissibility below point/BODY.POINT/displacement_x and
   /// /acceleration_x, and below body/NAME/base_force_x.
@@ -26,18 +26,18 @@ public:
 
 private:
   struct Watched {
-    explicit Watched(WatchedQuantity watched);
-    WatchedQuantity quantity;
-    ExtentLabels extent_labels;
+    explicit Watched(ObservedQuantity observed);
+    ObservedQuantity quantity;
+    ExcursionLabels range_labels;
     AverageLabels average_labels;
-    integration::Extent extent{};
+    motion::ValueRange range{};
     TimeAverage average{};
   };
   /// One amplitude over another.
   struct Ratio {
     Label label;
-    std::function<integration::Bernstein(const integration::StepView &view)> output, input;
-    integration::Extent output_extent{}, input_extent{};
+    std::function<motion::Bernstein(const motion::StepView &view)> output, input;
+    motion::ValueRange output_range{}, input_range{};
   };
   void add_ratios_of_points(const model::Model &model);
   void add_ratios_of_forces(const model::Model &model);

@@ -16,13 +16,13 @@ constexpr double most_samples = 1e8;
 
 History::History(Settings settings, const System &system)
     : settings_(std::move(settings)), contacts_(system.contacts),
-      quantities_(watched_quantities(settings_.selection, system)),
-      forces_watched_(settings_.selection.has("normal_force")) {
+      quantities_(observed_quantities(settings_.selection, system)),
+      forces_observed_(settings_.selection.has("normal_force")) {
   if (settings_.selection.has("connection_force"))
-    for (WatchedQuantity &force : connection_forces(system.model))
+    for (ObservedQuantity &force : connection_forces(system.model))
       quantities_.push_back(std::move(force));
   values_.resize(quantities_.size());
-  forces_.resize(forces_watched_ ? contacts_.size() : 0);
+  forces_.resize(forces_observed_ ? contacts_.size() : 0);
 }
 
 void History::declare(parameters::Section &analysis) {
@@ -49,7 +49,7 @@ RecorderFactory History::create(const parameters::Values &analysis) {
   };
 }
 
-void History::begin(const Window &window, const integration::Trajectory & /*trajectory*/) {
+void History::begin(const Window &window, const motion::Trajectory & /*trajectory*/) {
   double interval = settings_.interval;
   if (interval == 0)
     interval = window.cycles > 0 ? window.period / static_cast<double>(settings_.samples_per_period)
@@ -67,7 +67,7 @@ void History::begin(const Window &window, const integration::Trajectory & /*traj
       values.clear();
 }
 
-void History::step(const integration::StepView &view) {
+void History::step(const motion::StepView &view) {
   const std::size_t first = next_;
   while (next_ < instants_.size() && instants_[next_] <= view.end())
     ++next_;
@@ -75,7 +75,7 @@ void History::step(const integration::StepView &view) {
     return;
   const auto tau = [&](std::size_t i) { return (instants_[i] - view.start()) / view.length(); };
   for (std::size_t k = 0; k < quantities_.size(); ++k) {
-    const integration::Bernstein curve = quantities_[k].curve(view);
+    const motion::Bernstein curve = quantities_[k].curve(view);
     for (std::size_t i = first; i < next_; ++i)
       values_[k].push_back(curve(tau(i)));
   }

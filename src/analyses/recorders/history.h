@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyses/recorder.h"
-#include "analyses/recorders/watched_quantities.h"
+#include "analyses/recorders/observed_quantities.h"
 
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace vibroimpact::analyses {
 class History : public Recorder {
 public:
   struct Settings {
-    WatchedSelection selection;
+    ObservedSelection selection;
     long samples_per_period = 0;
     double interval = 0; ///< [s]; 0: by the samples per period, or a thousandth of the window
   };
@@ -21,8 +21,8 @@ public:
   static RecorderFactory create(const parameters::Values &analysis);
 
   /// NumericalError when the window is too long for the interval.
-  void begin(const Window &window, const integration::Trajectory &trajectory) override;
-  void step(const integration::StepView &view) override;
+  void begin(const Window &window, const motion::Trajectory &trajectory) override;
+  void step(const motion::StepView &view) override;
   /// history/PATH along history_time for every quantity; a sample at a contact change is that
   /// before it.
   void add_fields(PointResult &result) const override;
@@ -30,8 +30,8 @@ public:
 private:
   Settings settings_;
   const contact::ContactSet &contacts_;
-  std::vector<WatchedQuantity> quantities_;
-  bool forces_watched_;
+  std::vector<ObservedQuantity> quantities_;
+  bool forces_observed_;
   std::vector<double> instants_;
   std::size_t next_ = 0;
   std::vector<std::vector<double>> values_;

@@ -1,7 +1,7 @@
 #include "analyses/recorders/impacts.h"
 
 #include "analyses/fields.h"
-#include "analyses/recorders/watched_quantities.h"
+#include "analyses/recorders/observed_quantities.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +9,7 @@
 
 namespace vibroimpact::analyses {
 
-using integration::Impact;
+using motion::Impact;
 
 namespace {
 
@@ -74,7 +74,7 @@ RecorderFactory Impacts::create(const parameters::Values & /*analysis*/) {
   return [](const System &system) { return std::make_unique<Impacts>(system); };
 }
 
-void Impacts::begin(const Window &window, const integration::Trajectory & /*trajectory*/) {
+void Impacts::begin(const Window &window, const motion::Trajectory & /*trajectory*/) {
   window_ = window;
   log_.start_afresh();
   std::fill(time_in_contact_.begin(), time_in_contact_.end(), 0);
@@ -83,26 +83,26 @@ void Impacts::begin(const Window &window, const integration::Trajectory & /*traj
     speeds.clear();
 }
 
-void Impacts::step(const integration::StepView &view) {
+void Impacts::step(const motion::StepView &view) {
   log_.step(view);
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     if (in_contact(view, c))
       time_in_contact_[c] += view.length();
 }
 
-void Impacts::watch(const integration::Equations &equations,
-                    std::vector<integration::WatchedForm> &forms) {
-  log_.flight_watcher()->watch(equations, forms);
+void Impacts::add_forms(const motion::Equations &equations,
+                        std::vector<motion::MonitoredForm> &forms) {
+  log_.output_monitor()->add_forms(equations, forms);
 }
 
-void Impacts::flown(const integration::Equations &equations, double start, double end) {
-  log_.flight_watcher()->flown(equations, start, end);
+void Impacts::part_done(const motion::Equations &equations, double start, double end) {
+  log_.output_monitor()->part_done(equations, start, end);
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     if (equations.mode(c).in_contact)
       time_in_contact_[c] += end - start;
 }
 
-void Impacts::event(const integration::ContactEvent &event) {
+void Impacts::event(const motion::ContactEvent &event) {
   log_.event(event);
   if (event.onset)
     approach_speeds_[event.contact].push_back(-event.gap_rate);
@@ -110,7 +110,7 @@ void Impacts::event(const integration::ContactEvent &event) {
     ++chatters_[event.contact];
 }
 
-void Impacts::end(const integration::Trajectory &trajectory) {
+void Impacts::end(const motion::Trajectory &trajectory) {
   log_.end_record(trajectory.time(), trajectory.state(), trajectory.layout());
 }
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "analyses/recorder.h"
-#include "integration/impact_log.h"
+#include "motion/event/impact_log.h"
 
 #include <vector>
 
@@ -18,18 +18,18 @@ struct RangeLabels {
   Label mean, minimum, maximum;
 };
 
-class Impacts : public Recorder, private integration::FlightWatcher {
+class Impacts : public Recorder, private motion::OutputMonitor {
 public:
   explicit Impacts(const System &system);
 
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const integration::Trajectory &trajectory) override;
-  void step(const integration::StepView &view) override;
-  void event(const integration::ContactEvent &event) override;
-  void end(const integration::Trajectory &trajectory) override;
-  integration::FlightWatcher *flight_watcher() override { return this; }
+  void begin(const Window &window, const motion::Trajectory &trajectory) override;
+  void step(const motion::StepView &view) override;
+  void event(const motion::ContactEvent &event) override;
+  void end(const motion::Trajectory &trajectory) override;
+  motion::OutputMonitor *output_monitor() override { return this; }
   /// For every contact C: contact/C/impacts, /unfinished, /impacts_per_period (where the window has
   /// periods), /contact_fraction, /chatters, and mean, minimum and maximum of /approach_speed,
   /// /impulse, /peak_force, /contact_duration, /penetration; these are NaN without an impact.
@@ -42,14 +42,14 @@ private:
     Label impacts, unfinished, impacts_per_period, contact_fraction, chatters;
     RangeLabels approach_speed, impulse, peak_force, contact_duration, penetration;
   };
-  void watch(const integration::Equations &equations,
-             std::vector<integration::WatchedForm> &forms) override;
-  void flown(const integration::Equations &equations, double start, double end) override;
+  void add_forms(const motion::Equations &equations,
+                 std::vector<motion::MonitoredForm> &forms) override;
+  void part_done(const motion::Equations &equations, double start, double end) override;
 
   const contact::ContactSet &contacts_;
   std::vector<Labels> labels_;
   Window window_;
-  integration::ImpactLog log_;
+  motion::ImpactLog log_;
   std::vector<double> time_in_contact_; ///< [s]
   std::vector<long> chatters_;
   std::vector<std::vector<double>> approach_speeds_; ///< per contact [m/s]

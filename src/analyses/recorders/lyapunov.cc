@@ -8,7 +8,7 @@
 
 namespace vibroimpact::analyses {
 
-using integration::Trajectory;
+using motion::Trajectory;
 
 namespace {
 
@@ -48,7 +48,7 @@ void LyapunovExponent::end_interval(double time) {
   interval_start_ = time;
 }
 
-void LyapunovExponent::step(const integration::StepView &view) {
+void LyapunovExponent::step(const motion::StepView &view) {
   variation_->step(view);
   if (interval_ > 0 && view.end() - interval_start_ >= interval_)
     end_interval(view.end());

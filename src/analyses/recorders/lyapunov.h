@@ -4,7 +4,7 @@
 
 #include "analyses/character/growth.h"
 #include "analyses/recorder.h"
-#include "integration/variation.h"
+#include "motion/variation/variation.h"
 
 #include <memory>
 #include <optional>
@@ -18,16 +18,16 @@ struct LyapunovSettings {
 };
 
 /// The exponent itself, for recorders that need it.
-class LyapunovExponent : public integration::Observer {
+class LyapunovExponent : public motion::Observer {
 public:
   explicit LyapunovExponent(const LyapunovSettings &settings)
       : settings_(settings), growth_(settings.discarded_share) {}
 
   /// The trajectory stands at the window's start. Periods end exactly when period_end() is called;
   /// a window without periods is divided into about 200 intervals that end with a step.
-  void begin(const Window &window, const integration::Trajectory &trajectory);
-  void step(const integration::StepView &view) override;
-  void event(const integration::ContactEvent &event) override { variation_->event(event); }
+  void begin(const Window &window, const motion::Trajectory &trajectory);
+  void step(const motion::StepView &view) override;
+  void event(const motion::ContactEvent &event) override { variation_->event(event); }
   void period_end(double time);
 
   const Growth &growth() const { return growth_; }
@@ -43,7 +43,7 @@ private:
 
   LyapunovSettings settings_;
   Growth growth_;
-  std::optional<integration::Variation> variation_;
+  std::optional<motion::Variation> variation_;
   double interval_start_ = 0;
   double interval_ = 0; ///< [s]; 0 where the window has periods
 };
@@ -55,10 +55,10 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const integration::Trajectory &trajectory) override;
-  void step(const integration::StepView &view) override { exponent_.step(view); }
-  void event(const integration::ContactEvent &event) override { exponent_.event(event); }
-  void period_end(long cycle, const integration::Trajectory &trajectory) override;
+  void begin(const Window &window, const motion::Trajectory &trajectory) override;
+  void step(const motion::StepView &view) override { exponent_.step(view); }
+  void event(const motion::ContactEvent &event) override { exponent_.event(event); }
+  void period_end(long cycle, const motion::Trajectory &trajectory) override;
   void add_fields(PointResult &result) const override;
 
 private:

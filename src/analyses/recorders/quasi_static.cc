@@ -1,7 +1,7 @@
 #include "analyses/recorders/quasi_static.h"
 
 #include "analyses/fields.h"
-#include "integration/equilibrium.h"
+#include "motion/system/equilibrium.h"
 
 #include <boost/math/tools/minima.hpp>
 
@@ -49,7 +49,7 @@ void QuasiStatic::consider(double time) {
   }
 }
 
-void QuasiStatic::begin(const Window &window, const integration::Trajectory & /*trajectory*/) {
+void QuasiStatic::begin(const Window &window, const motion::Trajectory & /*trajectory*/) {
   window_ = window;
   peak_time_ = longest_step_ = 0;
   peak_size_ = -1;
@@ -57,13 +57,13 @@ void QuasiStatic::begin(const Window &window, const integration::Trajectory & /*
   consider(window.start);
 }
 
-void QuasiStatic::step(const integration::StepView &view) {
+void QuasiStatic::step(const motion::StepView &view) {
   longest_step_ = std::max(longest_step_, view.length());
   consider((view.start() + view.end()) / 2);
   consider(view.equations().source_time(view.end()));
 }
 
-void QuasiStatic::end(const integration::Trajectory & /*trajectory*/) {
+void QuasiStatic::end(const motion::Trajectory & /*trajectory*/) {
   const double lower = std::max(window_.start, peak_time_ - longest_step_);
   const double upper = std::min(window_.end, peak_time_ + longest_step_);
   const auto found =
@@ -72,10 +72,9 @@ void QuasiStatic::end(const integration::Trajectory & /*trajectory*/) {
   consider(found.first);
   const Vector load = varying_load(system_.model, peak_time_);
   for (const double sign : {1.0, -1.0})
-    displacements_.push_back(
-        integration::static_equilibrium(system_.model, system_.contacts,
-                                        system_.model.static_load() + sign * load)
-            .displacement);
+    displacements_.push_back(motion::static_equilibrium(system_.model, system_.contacts,
+                                                        system_.model.static_load() + sign * load)
+                                 .displacement);
 }
 
 void QuasiStatic::add_fields(PointResult &result) const {

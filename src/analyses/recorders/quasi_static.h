@@ -20,10 +20,10 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const integration::Trajectory &trajectory) override;
-  void step(const integration::StepView &view) override;
+  void begin(const Window &window, const motion::Trajectory &trajectory) override;
+  void step(const motion::StepView &view) override;
   /// NumericalError when nothing balances the load.
-  void end(const integration::Trajectory &trajectory) override;
+  void end(const motion::Trajectory &trajectory) override;
   /// point/BODY.POINT/quasi_static_displacement_x/minimum and /maximum, relative to the base [m].
   void add_fields(PointResult &result) const override;
 

@@ -71,7 +71,7 @@ RecorderFactory RegimeRecorder::create(const parameters::Values &analysis) {
   };
 }
 
-void RegimeRecorder::begin(const Window &window, const integration::Trajectory &trajectory) {
+void RegimeRecorder::begin(const Window &window, const motion::Trajectory &trajectory) {
   period_ = window.period;
   layout_ = trajectory.layout();
   const double forcing = period_ > 0 ? 2 * std::numbers::pi / period_ : 1;
@@ -84,7 +84,7 @@ void RegimeRecorder::begin(const Window &window, const integration::Trajectory &
     exponent_->begin(window, trajectory);
 }
 
-void RegimeRecorder::step(const integration::StepView &view) {
+void RegimeRecorder::step(const motion::StepView &view) {
   const auto physical = view.end_state().head(layout_.physical_size());
   smallest_ = smallest_.cwiseMin(physical);
   largest_ = largest_.cwiseMax(physical);
@@ -92,14 +92,14 @@ void RegimeRecorder::step(const integration::StepView &view) {
     exponent_->step(view);
 }
 
-void RegimeRecorder::event(const integration::ContactEvent &event) {
+void RegimeRecorder::event(const motion::ContactEvent &event) {
   if (event.onset)
     ++impacts_[event.contact];
   if (exponent_)
     exponent_->event(event);
 }
 
-void RegimeRecorder::period_end(long /*cycle*/, const integration::Trajectory &trajectory) {
+void RegimeRecorder::period_end(long /*cycle*/, const motion::Trajectory &trajectory) {
   states_.push_back(trajectory.motion_state().physical);
   if (exponent_)
     exponent_->period_end(trajectory.time());

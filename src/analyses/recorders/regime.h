@@ -36,10 +36,10 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const integration::Trajectory &trajectory) override;
-  void step(const integration::StepView &view) override;
-  void event(const integration::ContactEvent &event) override;
-  void period_end(long cycle, const integration::Trajectory &trajectory) override;
+  void begin(const Window &window, const motion::Trajectory &trajectory) override;
+  void step(const motion::StepView &view) override;
+  void event(const motion::ContactEvent &event) override;
+  void period_end(long cycle, const motion::Trajectory &trajectory) override;
   void add_fields(PointResult &result) const override;
 
 private:
@@ -51,7 +51,7 @@ private:
   const System &system_;
   RegimeSettings settings_;
   double period_ = 0;
-  integration::StateLayout layout_;
+  motion::StateLayout layout_;
   Vector reach_;               ///< makes coordinates of different bodies comparable
   Vector smallest_, largest_;  ///< of the physical state over the window
   std::vector<Vector> states_; ///< at the period ends, the window's start included

@@ -8,7 +8,7 @@
 
 namespace vibroimpact::analyses {
 
-using integration::StepView;
+using motion::StepView;
 
 namespace {
 
@@ -50,7 +50,7 @@ void SectionRecorder::declare(parameters::Section &analysis) {
       .names("Gap extrema", "none",
              "Contacts whose extrema of the gap are a further section: all, none, or their names.")
       .boolean("Extrema", "false",
-               "Makes the extrema of each watched displacement a further section.")
+               "Makes the extrema of each observed displacement a further section.")
       .integer("Maximum samples", "10000", Range{.lower = 1, .upper = 1e8}, "",
                "Samples kept of each section, the first ones.");
 }
@@ -112,13 +112,13 @@ void SectionRecorder::add_point(Samples &samples, const StepView &view, double t
     return;
   samples.time.push_back(view.start() + tau * view.length());
   for (std::size_t k = 0; k < settings_.channels.size(); ++k) {
-    const integration::Bernstein displacement = view.displacement(settings_.channels[k].relative);
+    const motion::Bernstein displacement = view.displacement(settings_.channels[k].relative);
     samples.displacement[k].push_back(displacement(tau));
     samples.velocity[k].push_back(displacement.derivative()(tau) / view.length());
   }
 }
 
-void SectionRecorder::begin(const Window &window, const integration::Trajectory &trajectory) {
+void SectionRecorder::begin(const Window &window, const motion::Trajectory &trajectory) {
   start_ = window.start;
   period_ = window.period;
   layout_ = trajectory.layout();
@@ -131,7 +131,7 @@ void SectionRecorder::begin(const Window &window, const integration::Trajectory 
 
 // A rate that jumps through zero at a contact change makes an extremum at the start of the step.
 void SectionRecorder::add_zeros(RateSection &section, const StepView &view,
-                                const integration::Bernstein &rate) {
+                                const motion::Bernstein &rate) {
   if (rate.start() * section.last_rate < 0)
     add_point(sections_[section.samples], view, 0);
   for (const double tau : sign_changes(rate))
@@ -147,13 +147,13 @@ void SectionRecorder::step(const StepView &view) {
               view.displacement(settings_.channels[k].relative).derivative());
 }
 
-void SectionRecorder::event(const integration::ContactEvent &event) {
+void SectionRecorder::event(const motion::ContactEvent &event) {
   for (std::size_t i = 0; i < settings_.onsets.size(); ++i)
     if (event.onset && settings_.onsets[i] == event.contact)
       add_state(sections_[period_section + 1 + i], event.time, *event.before);
 }
 
-void SectionRecorder::period_end(long /*cycle*/, const integration::Trajectory &trajectory) {
+void SectionRecorder::period_end(long /*cycle*/, const motion::Trajectory &trajectory) {
   add_state(sections_[period_section], trajectory.time(), trajectory.state());
 }
 

@@ -26,10 +26,10 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const integration::Trajectory &trajectory) override;
-  void step(const integration::StepView &view) override;
-  void event(const integration::ContactEvent &event) override;
-  void period_end(long cycle, const integration::Trajectory &trajectory) override;
+  void begin(const Window &window, const motion::Trajectory &trajectory) override;
+  void step(const motion::StepView &view) override;
+  void event(const motion::ContactEvent &event) override;
+  void period_end(long cycle, const motion::Trajectory &trajectory) override;
   void add_fields(PointResult &result) const override;
 
 private:
@@ -54,14 +54,13 @@ private:
                           const std::string &description);
   bool full(Samples &samples) const;
   void add_state(Samples &samples, double time, const Vector &state) const;
-  void add_point(Samples &samples, const integration::StepView &view, double tau) const;
-  void add_zeros(RateSection &section, const integration::StepView &view,
-                 const integration::Bernstein &rate);
+  void add_point(Samples &samples, const motion::StepView &view, double tau) const;
+  void add_zeros(RateSection &section, const motion::StepView &view, const motion::Bernstein &rate);
   void add_samples(PointResult &result, const Samples &samples) const;
 
   SectionSettings settings_;
   double start_ = 0, period_ = 0;
-  integration::StateLayout layout_;
+  motion::StateLayout layout_;
   std::vector<Samples> sections_; ///< period ends, onsets, extrema of gaps, of channels
   std::vector<RateSection> gap_rates_, channel_rates_;
 };

@@ -40,7 +40,7 @@ RecorderFactory SpectrumRecorder::create(const parameters::Values &analysis) {
   };
 }
 
-void SpectrumRecorder::begin(const Window &window, const integration::Trajectory & /*trajectory*/) {
+void SpectrumRecorder::begin(const Window &window, const motion::Trajectory & /*trajectory*/) {
   period_ = window.cycles > 0 ? window.period : 0;
   count_ = static_cast<std::size_t>(std::max(window.cycles, 1L) * settings_.samples_per_cycle);
   const double interval = (window.end - window.start) / static_cast<double>(count_);
@@ -51,7 +51,7 @@ void SpectrumRecorder::begin(const Window &window, const integration::Trajectory
                     static_cast<std::size_t>(settings_.orders), signals_.size());
 }
 
-void SpectrumRecorder::step(const integration::StepView &view) {
+void SpectrumRecorder::step(const motion::StepView &view) {
   samples_->step(view);
   if (!orders_)
     return;

@@ -12,7 +12,7 @@ namespace {
 constexpr const char *section_name = "Statistics";
 } // namespace
 
-void TimeAverage::add(const integration::Bernstein &curve, double length) {
+void TimeAverage::add(const motion::Bernstein &curve, double length) {
   for (const QuadratureNode &node : step_nodes())
     add(curve(node.tau), node.weight * length);
 }
@@ -39,10 +39,10 @@ void add_average(PointResult &result, const AverageLabels &labels, const TimeAve
   result.fields.push_back(scalar_field(labels.rms_about_mean, average.rms_about_mean()));
 }
 
-Statistics::Statistics(const WatchedSelection &selection, const System &system)
-    : contacts_(system.contacts), quantities_(watched_quantities(selection, system)),
+Statistics::Statistics(const ObservedSelection &selection, const System &system)
+    : contacts_(system.contacts), quantities_(observed_quantities(selection, system)),
       averages_(quantities_.size()) {
-  for (const WatchedQuantity &quantity : quantities_)
+  for (const ObservedQuantity &quantity : quantities_)
     labels_.emplace_back(quantity.path, quantity.unit);
   if (!selection.has("normal_force"))
     return;
@@ -58,25 +58,25 @@ void Statistics::declare(parameters::Section &analysis) {
 
 RecorderFactory Statistics::create(const parameters::Values &analysis) {
   const parameters::Values section = analysis.subsection(section_name);
-  const WatchedSelection selection = read_selection_of_quantities(section);
+  const ObservedSelection selection = read_selection_of_quantities(section);
   return [section, selection](const System &system) {
     check_points(selection, system, section);
     return std::make_unique<Statistics>(selection, system);
   };
 }
 
-void Statistics::begin(const Window & /*window*/, const integration::Trajectory & /*trajectory*/) {
+void Statistics::begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) {
   std::fill(averages_.begin(), averages_.end(), TimeAverage{});
   std::fill(forces_.begin(), forces_.end(), TimeAverage{});
 }
 
-void Statistics::step(const integration::StepView &view) {
+void Statistics::step(const motion::StepView &view) {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     averages_[i].add(quantities_[i].curve(view), view.length());
   for (std::size_t c = 0; c < forces_.size(); ++c) {
     const bool touching = in_contact(view, c);
-    const integration::ContactCurves curves =
-        touching ? view.contact_curves(c) : integration::ContactCurves{};
+    const motion::ContactCurves curves =
+        touching ? view.contact_curves(c) : motion::ContactCurves{};
     for (const QuadratureNode &node : step_nodes())
       forces_[c].add(touching ? view.force(c, curves, node.tau) : 0, node.weight * view.length());
   }

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "analyses/recorder.h"
-#include "analyses/recorders/watched_quantities.h"
+#include "analyses/recorders/observed_quantities.h"
 
 #include <boost/accumulators/accumulators.hpp>
 #include <boost/accumulators/statistics/stats.hpp>
@@ -20,7 +20,7 @@ namespace vibroimpact::analyses {
 class TimeAverage {
 public:
   /// One step of the given length [s].
-  void add(const integration::Bernstein &curve, double length);
+  void add(const motion::Bernstein &curve, double length);
   void add(double value, double weight) { moments_(value, boost::accumulators::weight = weight); }
 
   double mean() const { return boost::accumulators::weighted_mean(moments_); }
@@ -48,21 +48,21 @@ void add_average(PointResult &result, const AverageLabels &labels, const TimeAve
 
 class Statistics : public Recorder {
 public:
-  Statistics(const WatchedSelection &selection, const System &system);
+  Statistics(const ObservedSelection &selection, const System &system);
 
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const integration::Trajectory &trajectory) override;
-  void step(const integration::StepView &view) override;
+  void begin(const Window &window, const motion::Trajectory &trajectory) override;
+  void step(const motion::StepView &view) override;
   void add_fields(PointResult &result) const override;
 
 private:
   const contact::ContactSet &contacts_;
-  std::vector<WatchedQuantity> quantities_;
+  std::vector<ObservedQuantity> quantities_;
   std::vector<AverageLabels> labels_; ///< of the quantities, then of the forces
   std::vector<TimeAverage> averages_;
-  std::vector<TimeAverage> forces_; ///< per contact; empty when not watched
+  std::vector<TimeAverage> forces_; ///< per contact; empty when not observed
 };
 
 } // namespace vibroimpact::analyses

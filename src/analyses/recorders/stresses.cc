@@ -24,13 +24,13 @@ double square_of_von_mises(double first, double second, double shear) {
   return first * first - first * second + second * second + 3 * shear * shear;
 }
 
-double largest_size(const integration::Bernstein &curve) {
+double largest_size(const motion::Bernstein &curve) {
   return std::max(std::abs(curve.lower_bound()), std::abs(curve.upper_bound()));
 }
 
 class Curves {
 public:
-  Curves(const integration::StepView &view, const std::array<Projection, 3> &place)
+  Curves(const motion::StepView &view, const std::array<Projection, 3> &place)
       : first_(view.displacement(place[0])), second_(view.displacement(place[1])),
         shear_(view.displacement(place[2])) {}
 
@@ -55,13 +55,13 @@ public:
   }
 
 private:
-  integration::Bernstein first_, second_, shear_;
+  motion::Bernstein first_, second_, shear_;
 };
 
 Projection stress_component(const model::Model &model, const PointReference &at, Index row) {
   const reduction::ReducedBody &body = *model.bodies()[at.body];
   Projection projection{.row = RowVector::Zero(model.size()),
-                        .carrier = std::vector<double>(model.sources().size(), 0)};
+                        .base_coefficients = std::vector<double>(model.sources().size(), 0)};
   projection.row.segment(model.offset(at.body), body.size()) =
       body.points[at.point].stress.row(row);
   return projection;
@@ -98,7 +98,7 @@ Stresses::Stresses(const std::vector<std::string> &points, const System &system)
 void Stresses::declare(parameters::Section &analysis) {
   analysis.subsection(section_name, "The recorder of stresses.")
       .names("Points", "all",
-             "Points of beams and shells whose stress is watched: all, or their names as "
+             "Points of beams and shells whose stress is observed: all, or their names as "
              "BODY.POINT.");
 }
 
@@ -119,12 +119,12 @@ RecorderFactory Stresses::create(const parameters::Values &analysis) {
   };
 }
 
-void Stresses::begin(const Window & /*window*/, const integration::Trajectory & /*trajectory*/) {
+void Stresses::begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) {
   for (Point &point : points_)
     point.largest = 0;
 }
 
-void Stresses::step(const integration::StepView &view) {
+void Stresses::step(const motion::StepView &view) {
   for (Point &point : points_)
     for (const std::array<Projection, 3> &place : point.places)
       if (const Curves curves(view, place); curves.bound() > point.largest)

@@ -22,8 +22,8 @@ public:
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
-  void begin(const Window &window, const integration::Trajectory &trajectory) override;
-  void step(const integration::StepView &view) override;
+  void begin(const Window &window, const motion::Trajectory &trajectory) override;
+  void step(const motion::StepView &view) override;
   /// point/BODY.POINT/von_mises_stress/maximum [Pa].
   void add_fields(PointResult &result) const override;
 

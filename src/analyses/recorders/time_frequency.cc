@@ -122,7 +122,7 @@ RecorderFactory WaveletRecorder::create(const parameters::Values &analysis) {
   };
 }
 
-void WaveletRecorder::begin(const Window &window, const integration::Trajectory & /*trajectory*/) {
+void WaveletRecorder::begin(const Window &window, const motion::Trajectory & /*trajectory*/) {
   start_ = window.start;
   samples_.emplace(sample(signals_, window, settings_.interval));
 }
@@ -188,8 +188,7 @@ RecorderFactory SpectrogramRecorder::create(const parameters::Values &analysis) 
   };
 }
 
-void SpectrogramRecorder::begin(const Window &window,
-                                const integration::Trajectory & /*trajectory*/) {
+void SpectrogramRecorder::begin(const Window &window, const motion::Trajectory & /*trajectory*/) {
   start_ = window.start;
   samples_.emplace(sample(signals_, window, settings_.interval));
 }

@@ -1,0 +1,35 @@
+// The way from one linear phase into the next, amplitudes to amplitudes: the state goes on but for
+// the internal states that the guard resets, and so do the inputs.
+#pragma once
+
+#include "motion/exact/exact_phase.h"
+#include "motion/segment/phase_forms.h"
+
+#include <vector>
+
+namespace vibroimpact::motion {
+
+class ExactChange {
+public:
+  /// Keeps references to both phases and to the resets, which all belong to the guard passed.
+  ExactChange(const ExactPhase &from, const std::vector<PhaseForms::Reset> &resets,
+              const ExactPhase &to);
+
+  /// Takes over the present inputs of both phases, which must be the same.
+  void renew();
+
+  const ChangeView &view() const { return view_; }
+
+private:
+  void arrange();
+  void set_column(Index coordinate);
+  Vector after_resets(const Vector &before) const;
+
+  const ExactPhase &from_, &to_;
+  const std::vector<PhaseForms::Reset> &resets_;
+  long from_arrangement_ = -1, to_arrangement_ = -1;
+  ChangeView view_;
+  AlignedArray constant_, columns_, magnitudes_, constant_sizes_;
+};
+
+} // namespace vibroimpact::motion

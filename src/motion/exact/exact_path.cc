@@ -1,0 +1,404 @@
+#include "motion/exact/exact_path.h"
+
+#include "common/error.h"
+#include "common/signals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace vibroimpact::motion {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// Value of a guard of the next phase for each value of the guard passed, where the two are
+// proportional (up to the sign); 0 where they are not.
+double proportion(const LinearRow &form, const LinearRow &passed) {
+  const double constant = form.constant * form.constant;
+  const double square = passed.row.squaredNorm() + passed.constant * passed.constant;
+  const double product = form.row.dot(passed.row) + form.constant * passed.constant;
+  const double size = form.row.squaredNorm() + constant;
+  const bool parallel = product * product >= (1 - 64 * epsilon) * size * square;
+  return parallel && square > 0 ? std::abs(product) / square : 0;
+}
+
+const contact::AffineForm &indicator(const Equations &equations, const PhaseGuard &guard) {
+  const contact::ContactLaw &law = *equations.contacts().pairs()[guard.contact].law;
+  const auto mode = static_cast<std::size_t>(equations.modes()[guard.contact]);
+  return law.modes()[mode].guards[guard.guard].indicator;
+}
+
+void set_modes(const std::vector<int> &modes, Equations &equations) {
+  for (std::size_t c = 0; c < modes.size(); ++c)
+    equations.set_mode(c, modes[c]);
+}
+
+// What rounding may hide of a guard.
+double hidden_by_rounding(const PhaseView &view, std::size_t guard, const double *amplitudes,
+                          double noise) {
+  const auto n = static_cast<std::size_t>(view.n_padded);
+  const double *sizes = view.sizes + guard * n;
+  double sum = view.constant_sizes[guard];
+  for (std::size_t j = 0; j < n; ++j)
+    sum +=
+        sizes[j] * std::sqrt(amplitudes[j] * amplitudes[j] + amplitudes[n + j] * amplitudes[n + j]);
+  return guard_rounding * sum + noise;
+}
+
+// What the rounding of amplitudes makes of each guard.
+void guard_noise(const PhaseView &view, const AlignedArray &rounding, AlignedArray &noise) {
+  const auto n = static_cast<std::size_t>(view.n_padded);
+  for (std::size_t g = 0; g < static_cast<std::size_t>(view.n_guards); ++g) {
+    double sum = 0;
+    for (std::size_t j = 0; j < n; ++j)
+      sum += view.sizes[g * n + j] * rounding[j];
+    noise[g] = sum;
+  }
+}
+
+} // namespace
+
+ExactPath::ExactPath(Equations &equations, ExactStepper &stepper, double event_tolerance)
+    : equations_(equations), stepper_(stepper), kernel_(kernel()),
+      event_tolerance_(event_tolerance), longest_piece_(longest_piece()),
+      last_event_(-std::numeric_limits<double>::infinity()) {}
+
+// Beyond the slowest vibration of the bodies alone no piece is worth trying; where nothing vibrates
+// only the excitation asks for pieces at all.
+double ExactPath::longest_piece() const {
+  double slowest = std::numeric_limits<double>::infinity();
+  const Vector &mass = equations_.model().mass();
+  for (Index j = 0; j < mass.size(); ++j) {
+    const double stiffness = equations_.model().stiffness().dense()(j, j);
+    if (stiffness > 0)
+      slowest = std::min(slowest, std::sqrt(stiffness / mass[j]));
+  }
+  constexpr double whole = 1e3; // [s]
+  return std::isfinite(slowest) ? 8 / slowest : whole;
+}
+
+void ExactPath::begin() {
+  known_ = nullptr;
+  running_ = false;
+  last_event_ = -std::numeric_limits<double>::infinity();
+  for (auto &[modes, known] : phases_)
+    if (known.phase)
+      known.phase->forget();
+}
+
+double ExactPath::time_tolerance(double time) const {
+  return std::max(event_tolerance_, 8 * epsilon * std::abs(time));
+}
+
+// Of the present modes of the equations, under the present excitation.
+ExactPath::KnownPhase &ExactPath::known_phase() {
+  KnownPhase &known = phases_[equations_.modes()];
+  if (!known.asked && LinearSystem::holds(equations_)) {
+    known.forms = std::make_unique<PhaseForms>(equations_);
+    known.transitions.resize(known.forms->guards().size());
+    const LinearSystem system(equations_);
+    known.phase = std::make_unique<ExactPhase>(system.matrix(), system.constant(), system.loads(),
+                                               known.forms->guard_forms(), longest_piece_);
+  }
+  known.asked = true;
+  if (known.phase)
+    known.phase->take(excitation_);
+  return known;
+}
+
+// To the phase beyond a guard of the present one. None where it is left to others: impacts and rest
+// are for several contacts together.
+ExactPath::Transition *ExactPath::transition(std::size_t guard) {
+  const PhaseGuard passed = known_->forms->guards()[guard];
+  if (equations_.contacts().pairs()[passed.contact].law->rigid())
+    return nullptr;
+  std::unique_ptr<Transition> &known = known_->transitions[guard];
+  if (!known)
+    known = std::make_unique<Transition>(find_transition(passed));
+  if (!known->target->phase)
+    return nullptr;
+  if (known->excitation != excitation_.generation()) {
+    known->target->phase->take(excitation_);
+    if (known->change)
+      known->change->renew();
+  }
+  if (!known->change)
+    known->change = std::make_unique<ExactChange>(*known_->phase, known_->forms->resets(guard),
+                                                  *known->target->phase);
+  known->excitation = excitation_.generation();
+  return known.get();
+}
+
+ExactPath::Transition ExactPath::find_transition(const PhaseGuard &passed) {
+  const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
+  equations_.set_mode(passed.contact, passed.target);
+  Transition transition{.target = &known_phase(), .proportion = {}};
+  if (transition.target->forms)
+    for (const PhaseGuard &other : transition.target->forms->guards())
+      transition.proportion.push_back(
+          other.contact == passed.contact
+              ? proportion(linear_row(equations_, other.contact, indicator(equations_, other)),
+                           form)
+              : 0);
+  set_modes(known_->forms->contact_modes(), equations_);
+  return transition;
+}
+
+double ExactPath::rounding(std::size_t guard) const {
+  return hidden_by_rounding(known_->phase->view(), guard, walk_.turned, noise_[guard]);
+}
+
+// From walk_.amplitudes on, in the phase known_.
+void ExactPath::start_walk(const KnownPhase &known) {
+  walk_.noise = noise_.data();
+  walk_.order = order_.data();
+  walk_.time = 0;
+  walk_.pieces_of_phase = 0;
+  known_ = &phases_.at(known.forms->contact_modes());
+}
+
+// A guard that has just been passed is zero within what its location has left. False: it falls at
+// once.
+bool ExactPath::start_from(double time, const Vector &state, std::span<const ZeroGuard> zero) {
+  if (!stepper_.handles(time))
+    return false;
+  excitation_.take(stepper_.sources());
+  KnownPhase &known = known_phase();
+  if (!known.phase)
+    return false;
+  inputs_.resize(static_cast<std::size_t>(excitation_.size()));
+  excitation_.coordinates(time, inputs_.data());
+  const auto largest =
+      static_cast<std::size_t>(equations_.layout().physical_size()) + inputs_.size() + group_block;
+  for (AlignedArray *buffer : {&amplitudes_, &turned_, &next_, &between_, &part_})
+    buffer->resize(std::max(buffer->size(), 2 * largest));
+  for (AlignedArray *buffer : {&magnitudes_, &reach_, &next_rounding_})
+    buffer->resize(std::max(buffer->size(), largest));
+  physical_ = state.head(known.phase->n_modes());
+  Amplitudes start;
+  known.phase->amplitudes(physical_, inputs_.data(), start);
+  rounding_.assign(static_cast<std::size_t>(known.phase->view().n_padded), 0);
+  std::copy(start.begin(), start.end(), amplitudes_.begin());
+  walk_.amplitudes = amplitudes_.data();
+  walk_.turned = turned_.data();
+  walk_.between = between_.data();
+  walk_.magnitudes = magnitudes_.data();
+  walk_.reach = reach_.data();
+  const PhaseView &view = known.phase->view();
+  noise_.assign(static_cast<std::size_t>(view.n_guards), 0);
+  order_.assign(static_cast<std::size_t>(view.n_guards), 0);
+  guard_noise(view, rounding_, noise_);
+  const std::vector<PhaseGuard> &guards = known.forms->guards();
+  for (std::size_t g = 0; g < guards.size(); ++g) {
+    const bool was_zero = std::any_of(zero.begin(), zero.end(), [&](const ZeroGuard &passed) {
+      return passed.contact == guards[g].contact && passed.guard == guards[g].guard;
+    });
+    double f[4];
+    kernel_.derivatives(view, static_cast<int>(g), walk_.amplitudes, f);
+    const double hidden = hidden_by_rounding(view, g, walk_.amplitudes, noise_[g]);
+    if (was_zero ? !(f[1] > 0) : !(f[0] > hidden))
+      return false;
+    order_[g] = was_zero ? 1 : 0;
+  }
+  changes_ = 0;
+  origin_ = time;
+  start_walk(known);
+  return true;
+}
+
+// Makes what it takes to watch a phase, the modes of the equations being its. False: its energies
+// are not known in closed form.
+bool ExactPath::prepare_monitoring(KnownPhase &known) {
+  if (!known.powers)
+    known.powers = std::make_unique<PowerForms>(equations_);
+  if (!known.powers->known() || known.phase->has_dense())
+    return false;
+  if (!known.work)
+    known.work = std::make_unique<WorkIntegrals>(*known.powers, *known.phase, equations_.layout());
+  else if (known.work_excitation != excitation_.generation())
+    known.work->renew();
+  known.work_excitation = excitation_.generation();
+  if (known.monitored.monitor != observer_->monitor->identity()) {
+    std::vector<MonitoredForm> forms;
+    observer_->monitor->add_forms(equations_, forms);
+    known.outputs.reset();
+    known.monitored = {.monitor = observer_->monitor->identity(), .forms = MonitoredForms(forms)};
+  }
+  if (!known.outputs)
+    known.outputs = std::make_unique<ExactOutputs>(known.monitored.forms, *known.phase);
+  else if (known.outputs_excitation != excitation_.generation())
+    known.outputs->renew();
+  known.outputs_excitation = excitation_.generation();
+  return true;
+}
+
+// A part of a phase is reported as a whole. The error of pieces is chosen so that the quintics of
+// the outputs mostly need no division.
+bool ExactPath::begin_part(double time) {
+  constexpr double unobserved = 1e-4;
+  constexpr double observed = 1e-7;
+  walk_.outputs = nullptr;
+  walk_.tolerated = unobserved;
+  if (!observer_)
+    return true;
+  if (!prepare_monitoring(*known_))
+    return false;
+  if (!known_->monitored.forms.ranges.empty()) {
+    walk_.outputs = &known_->outputs->begin();
+    walk_.tolerated = observed;
+  }
+  std::copy_n(walk_.amplitudes, known_->phase->n_amplitudes(), part_.begin());
+  part_start_ = time;
+  return true;
+}
+
+void ExactPath::end_part(double time, const double *amplitudes) {
+  if (!observer_ || time <= part_start_)
+    return;
+  known_->outputs->end();
+  known_->work->add(part_.data(), amplitudes, time - part_start_, *state_);
+  observer_->monitor->part_done(equations_, part_start_, time);
+}
+
+// Reports a contact change, which takes the equations to the modes after it. False, and nothing
+// happens: the phase to come cannot be observed.
+bool ExactPath::report_change(double time, KnownPhase &next) {
+  set_modes(next.forms->contact_modes(), equations_);
+  const bool prepared = prepare_monitoring(next);
+  set_modes(known_->forms->contact_modes(), equations_);
+  if (!prepared)
+    return false;
+  const PhaseGuard &passed = known_->forms->guards()[static_cast<std::size_t>(walk_.guard)];
+  end_part(time, walk_.turned);
+  known_->phase->rows(walk_.turned, rows_);
+  state_->head(known_->phase->n_modes()) = rows_.head(known_->phase->n_modes());
+  observer_->change(time, passed.contact, passed.guard, *state_);
+  return true;
+}
+
+// The new phase's guards of the contact that changed may be zero, and must rise then; what those of
+// other contacts do, the kernel sees.
+bool ExactPath::begin_guards(const Transition &transition, std::size_t passed) {
+  const KnownPhase &target = *transition.target;
+  const PhaseView &view = target.phase->view();
+  const double tolerance = time_tolerance(origin_);
+  const double residual = std::abs(walk_.value / walk_.slope);
+  const std::vector<PhaseGuard> &guards = target.forms->guards();
+  const std::size_t contact = known_->forms->guards()[passed].contact;
+  noise_.resize(guards.size());
+  order_.assign(guards.size(), 0);
+  guard_noise(view, next_rounding_, noise_);
+  for (std::size_t g = 0; g < guards.size(); ++g) {
+    if (guards[g].contact != contact)
+      continue;
+    double f[4];
+    kernel_.derivatives(view, static_cast<int>(g), next_.data(), f);
+    const double noise = std::max({hidden_by_rounding(view, g, next_.data(), noise_[g]),
+                                   2 * std::max(tolerance, residual) * std::abs(f[1]),
+                                   transition.proportion[g] * std::abs(walk_.value)});
+    if (f[0] < -noise || (f[0] <= noise && f[1] <= 0))
+      return false;
+    order_[g] = f[0] <= noise ? 1 : 0;
+  }
+  return true;
+}
+
+// Rounding turns the inputs that are carried along from phase to phase, so that they are taken from
+// their closed form again and again. False: the change is left to others; the motion stands before
+// it.
+bool ExactPath::change_phase() {
+  const double time = origin_ + walk_.time + walk_.to_guard;
+  const auto passed = static_cast<std::size_t>(walk_.guard);
+  if (time - last_event_ <= time_tolerance(time))
+    return false;
+  Transition *next = transition(passed);
+  if (!next) {
+    note_pending();
+    return false;
+  }
+  kernel_.change(next->change->view(), walk_.turned, next_.data(), next_rounding_.data());
+  constexpr int carried_changes = 32;
+  if (changes_ >= carried_changes) {
+    const std::vector<int> &places = next->target->phase->places();
+    excitation_.coordinates(time, inputs_.data());
+    const auto first = static_cast<std::size_t>(next->target->phase->n_modes());
+    for (std::size_t k = 0; k < inputs_.size(); ++k)
+      next_[static_cast<std::size_t>(places[first + k])] = inputs_[k];
+  }
+  note_residual();
+  if (!begin_guards(*next, passed) || (observer_ && !report_change(time, *next->target))) {
+    guard_noise(known_->phase->view(), rounding_, noise_);
+    running_ = false;
+    return false;
+  }
+  ++tally_.events;
+  changes_ = changes_ < carried_changes ? changes_ + 1 : 0;
+  last_event_ = origin_ = time;
+  std::swap(rounding_, next_rounding_);
+  double *const before = walk_.amplitudes;
+  walk_.amplitudes = next_.data();
+  (before == amplitudes_.data() ? amplitudes_ : turned_).swap(next_);
+  start_walk(*next->target);
+  set_modes(known_->forms->contact_modes(), equations_);
+  begin_part(time);
+  return true;
+}
+
+void ExactPath::note_pending() {
+  const PhaseGuard &guard = known_->forms->guards()[static_cast<std::size_t>(walk_.guard)];
+  pending_ = {.contact = guard.contact,
+              .guard = guard.guard,
+              .residual = std::abs(walk_.value),
+              .rate = walk_.slope};
+  note_residual();
+}
+
+// Zero where the guard is below the rounding of its own evaluation: no instant is closer.
+void ExactPath::note_residual() {
+  if (std::abs(walk_.value) > rounding(static_cast<std::size_t>(walk_.guard)))
+    tally_.event_residual = std::max(tally_.event_residual, std::abs(walk_.value / walk_.slope));
+}
+
+void ExactPath::stand(double time, const double *amplitudes, Vector &state) {
+  end_part(time, amplitudes);
+  known_->phase->rows(amplitudes, rows_);
+  state.head(known_->phase->n_modes()) = rows_.head(known_->phase->n_modes());
+  if (!state.allFinite())
+    throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");
+}
+
+bool ExactPath::advance(double &time, Vector &state, double limit, long most_events,
+                        std::span<const ZeroGuard> zero, const PathObserver *observer) {
+  observer_ = observer;
+  state_ = &state;
+  pending_.reset();
+  if ((!running_ && !start_from(time, state, zero)) || !begin_part(time))
+    return false;
+  const double from = time;
+  if (observer_)
+    limit = std::min(limit, from + known_->work->longest());
+  WalkEnd end = WalkEnd::paused;
+  bool moving = true;
+  while (moving) {
+    const long before = walk_.pieces;
+    const long undecided = walk_.undecided;
+    end = kernel_.advance(known_->phase->view(), walk_, limit - origin_);
+    tally_.pieces += walk_.pieces - before;
+    tally_.undecided += walk_.undecided - undecided;
+    leave_if_stopped();
+    moving =
+        end == WalkEnd::paused || (end == WalkEnd::guard && most_events-- > 0 && change_phase());
+  }
+  running_ = end == WalkEnd::limit;
+  time = running_ ? limit : origin_ + walk_.time + (pending_ ? walk_.to_guard : 0);
+  stand(time, pending_ ? walk_.turned : walk_.amplitudes, state);
+  return time > from;
+}
+
+ExactPath::Tally ExactPath::take_tally() { return std::exchange(tally_, {}); }
+
+} // namespace vibroimpact::motion

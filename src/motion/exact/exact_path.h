@@ -1,0 +1,144 @@
+// A motion through linear phases, over any number of contact changes, in closed form.
+//
+// Who observes it sees the extreme values of linear forms of the motion, and every contact change.
+//
+// Where the kernel cannot prove what happens, where contacts change together or at once again, it
+// stops before and leaves the rest to the steps that every motion can take. At a change into a
+// phase that is not linear, and at an impact, it ends.
+#pragma once
+
+#include "motion/event/zero_guard.h"
+#include "motion/exact/exact_change.h"
+#include "motion/exact/exact_outputs.h"
+#include "motion/exact/exact_phase.h"
+#include "motion/exact/exact_stepper.h"
+#include "motion/exact/work_integrals.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vibroimpact::motion {
+
+/// Who observes, and does what a contact change takes: `state` is that just before, with its work
+/// integrals, in the modes before; the change is that of `contact` through `guard`.
+struct PathObserver {
+  OutputMonitor *monitor = nullptr;
+  std::function<void(double time, std::size_t contact, std::size_t guard, Vector &state)> change;
+};
+
+class ExactPath {
+public:
+  struct Tally {
+    long pieces = 0;
+    long events = 0;
+    long undecided = 0;        ///< touches that rounding hides
+    double event_residual = 0; ///< largest uncertainty of an event's instant [s]
+  };
+
+  /// Keeps references.
+  ExactPath(Equations &equations, ExactStepper &stepper, double event_tolerance);
+
+  /// Another motion begins, which must not depend on those before; the excitation may be another.
+  void begin();
+  /// The motion was moved on or changed by somebody else.
+  void leave() { running_ = false; }
+
+  /// A contact change at which the motion stands, and which is left to others.
+  struct PendingChange {
+    std::size_t contact = 0;
+    std::size_t guard = 0;
+    double residual = 0; ///< |indicator| left
+    double rate = 0;     ///< its rate [1/s]
+  };
+
+  /// Goes on from (time, state) in the present modes of the equations, to `limit` (no later than
+  /// the next break of the sources) and through `most_events` contact changes at most. The guards
+  /// in `zero` count as zero at first if they rise. True when that moved the motion on; pending()
+  /// then tells whether a contact changes there. Without observer the entries of the work integrals
+  /// stay as they are.
+  bool advance(double &time, Vector &state, double limit, long most_events,
+               std::span<const ZeroGuard> zero = {}, const PathObserver *observer = nullptr);
+  const std::optional<PendingChange> &pending() const { return pending_; }
+  /// False: nothing can be proven from where the motion stands, and a step must find out.
+  bool clear() const { return running_ || pending_; }
+  /// Since the last call.
+  Tally take_tally();
+  double last_event() const { return last_event_; }
+
+private:
+  struct KnownPhase;
+  struct Transition {
+    KnownPhase *target = nullptr;   ///< none: left to others
+    std::vector<double> proportion; ///< of the guards of the target to the one passed
+    std::unique_ptr<ExactChange> change{};
+    long excitation = -1; ///< that the change is for
+  };
+  // What an observer monitors of a phase.
+  struct MonitoredOutputs {
+    long monitor = -1;
+    MonitoredForms forms{{}};
+  };
+  // The forms belong to the modes; what depends on the excitation is renewed when it is asked for
+  // under another one.
+  struct KnownPhase {
+    bool asked = false;
+    std::unique_ptr<PhaseForms> forms; ///< none: not linear
+    std::unique_ptr<ExactPhase> phase;
+    std::vector<std::unique_ptr<Transition>> transitions;
+    std::unique_ptr<PowerForms> powers;
+    MonitoredOutputs monitored;
+    std::unique_ptr<WorkIntegrals> work;
+    long work_excitation = -1;
+    std::unique_ptr<ExactOutputs> outputs; ///< for the monitored forms
+    long outputs_excitation = -1;
+  };
+
+  KnownPhase &known_phase();
+  double longest_piece() const;
+  Transition *transition(std::size_t guard);
+  Transition find_transition(const PhaseGuard &passed);
+  bool start_from(double time, const Vector &state, std::span<const ZeroGuard> zero);
+  bool prepare_monitoring(KnownPhase &known);
+  bool begin_part(double time);
+  void end_part(double time, const double *amplitudes);
+  bool report_change(double time, KnownPhase &next);
+  void start_walk(const KnownPhase &known);
+  bool change_phase();
+  bool begin_guards(const Transition &transition, std::size_t passed);
+  double rounding(std::size_t guard) const;
+  double time_tolerance(double time) const;
+  void note_pending();
+  void note_residual();
+  void stand(double time, const double *amplitudes, Vector &state);
+
+  Equations &equations_;
+  ExactStepper &stepper_;
+  const Kernel &kernel_;
+  double event_tolerance_;
+  double longest_piece_ = 0;
+  std::map<std::vector<int>, KnownPhase> phases_;
+  Excitation excitation_;
+  std::vector<double> inputs_;
+  KnownPhase *known_ = nullptr;
+  Walk walk_;
+  Amplitudes amplitudes_, turned_, next_, between_;
+  AlignedArray magnitudes_, reach_, rounding_, next_rounding_, noise_;
+  std::vector<unsigned char> order_;
+  int changes_ = 0; ///< since the inputs were taken from the sources
+  Vector rows_, physical_;
+  double origin_ = 0; ///< when the walk began
+  double last_event_;
+  bool running_ = false;
+  std::optional<PendingChange> pending_;
+  Tally tally_;
+  const PathObserver *observer_ = nullptr; ///< of the present call
+  Vector *state_ = nullptr;                ///< of the present call
+  Amplitudes part_;                        ///< at the start of the part that is not reported yet
+  double part_start_ = 0;
+};
+
+} // namespace vibroimpact::motion

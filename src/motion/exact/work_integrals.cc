@@ -1,0 +1,143 @@
+#include "motion/exact/work_integrals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace vibroimpact::motion {
+
+WorkIntegrals::WorkIntegrals(const PowerForms &powers, const ExactPhase &phase,
+                             const StateLayout &layout)
+    : powers_(powers), phase_(phase), input_work_(layout.input_work()),
+      absolute_input_work_(layout.absolute_input_work()) {
+  for (std::size_t k = 0; k < powers_.size(); ++k) {
+    const auto known = std::find(entries_.begin(), entries_.end(), powers_.entry(k));
+    place_of_.push_back(static_cast<std::size_t>(known - entries_.begin()));
+    if (known == entries_.end())
+      entries_.push_back(powers_.entry(k));
+  }
+  arrange();
+}
+
+void WorkIntegrals::renew() {
+  if (arrangement_ != phase_.arrangement()) {
+    arrange();
+    return;
+  }
+  const std::vector<ExactPhase::Group> &groups = phase_.groups();
+  for (std::size_t j = 0; j < groups.size(); ++j)
+    if (groups[j].is_input)
+      set_forms(j);
+  longest_ = 2 * std::numbers::pi / slowest_vibration();
+  for (std::size_t k = 0; k < products_.size(); ++k)
+    if (groups[static_cast<std::size_t>(products_[k].first)].is_input ||
+        groups[static_cast<std::size_t>(products_[k].second)].is_input)
+      set_product(k);
+}
+
+// Without dense blocks each group stands at its own number.
+void WorkIntegrals::arrange() {
+  arrangement_ = phase_.arrangement();
+  list_products();
+  const std::size_t blocks = (entries_.size() + 7) / 8;
+  forms_.assign(2 * powers_.size() * phase_.groups().size(), 0);
+  coefficients_.assign(blocks * products_.size() * 16, 0);
+  integrals_.assign(blocks * 8, 0);
+  for (std::size_t j = 0; j < phase_.groups().size(); ++j)
+    set_forms(j);
+  longest_ = 2 * std::numbers::pi / slowest_vibration();
+  for (std::size_t k = 0; k < products_.size(); ++k)
+    set_product(k);
+  view_ = {.n_products = static_cast<int>(products_.size()),
+           .n_padded = phase_.view().n_padded,
+           .n_blocks = static_cast<int>(blocks),
+           .products = products_.data(),
+           .coefficients = coefficients_.data()};
+}
+
+void WorkIntegrals::list_products() {
+  products_.clear();
+  const std::vector<ExactPhase::Group> &groups = phase_.groups();
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    for (std::size_t j = i; j < groups.size(); ++j) {
+      products_.push_back({.first = static_cast<int>(i), .second = static_cast<int>(j)});
+      if (groups[i].kind == BlockKind::pair && groups[j].kind == BlockKind::pair)
+        products_.push_back(
+            {.first = static_cast<int>(i), .second = static_cast<int>(j), .conjugate = true});
+    }
+}
+
+// [rad/s]; the fastest exponent where nothing vibrates, and 0 where nothing moves at all.
+double WorkIntegrals::slowest_vibration() const {
+  double slowest = std::numeric_limits<double>::infinity();
+  double fastest = 0;
+  for (const ExactPhase::Group &group : phase_.groups()) {
+    fastest = std::max(fastest, std::abs(group.exponent));
+    if (group.kind == BlockKind::pair)
+      slowest = std::min(slowest, group.exponent.imag());
+  }
+  return std::min(slowest, fastest);
+}
+
+// What both factors of all powers see of a group: Re(c a), the constants with the number 1.
+void WorkIntegrals::set_forms(std::size_t j) {
+  const ExactPhase::Group &group = phase_.groups()[j];
+  const bool is_one = group.is_input && group.coordinates[0] == phase_.n_modes();
+  const Matrix &columns = phase_.columns();
+  for (Index row = 0; row < powers_.rows().rows(); ++row) {
+    Complex seen = powers_.rows().row(row).dot(columns.col(group.coordinates[0]));
+    if (group.kind == BlockKind::pair)
+      seen.imag(-powers_.rows().row(row).dot(columns.col(group.coordinates[1])));
+    if (is_one)
+      seen += powers_.constants()[row];
+    forms_[static_cast<std::size_t>(row) * phase_.groups().size() + j] = seen;
+  }
+}
+
+// Re(c z) Re(d w) = (Re(c d z w) + Re(c conj(d) z conj(w))) / 2, the two being one where z or w is
+// real.
+void WorkIntegrals::set_product(std::size_t k) {
+  ProductView &product = products_[k];
+  const auto i = static_cast<std::size_t>(product.first);
+  const auto j = static_cast<std::size_t>(product.second);
+  const ExactPhase::Group &first = phase_.groups()[i];
+  const ExactPhase::Group &second = phase_.groups()[j];
+  const Complex sum =
+      first.exponent + (product.conjugate ? std::conj(second.exponent) : second.exponent);
+  constexpr double slow = 1e-3; // times the longest part
+  product.sum_real = sum.real();
+  product.sum_imaginary = sum.imag();
+  product.is_slow = !(std::norm(sum) * longest_ * longest_ >= slow * slow);
+  const Complex inverse = product.is_slow ? Complex(1) : 1.0 / sum;
+  const bool both = first.kind == BlockKind::pair && second.kind == BlockKind::pair;
+  const std::size_t n_groups = phase_.groups().size();
+  const std::size_t blocks = (entries_.size() + 7) / 8;
+  for (std::size_t block = 0; block < blocks; ++block)
+    std::fill_n(coefficients_.begin() +
+                    static_cast<std::ptrdiff_t>((block * products_.size() + k) * 16),
+                16, 0.0);
+  for (std::size_t p = 0; p < powers_.size(); ++p) {
+    const Complex *c = forms_.data() + 2 * p * n_groups;
+    const Complex *d = c + n_groups;
+    Complex value = product.conjugate ? c[i] * std::conj(d[j]) : c[i] * d[j];
+    if (i != j)
+      value += product.conjugate ? std::conj(c[j]) * d[i] : c[j] * d[i];
+    value *= both ? 0.5 * inverse : inverse;
+    const std::size_t entry = place_of_[p];
+    double *into = coefficients_.data() + ((entry / 8) * products_.size() + k) * 16 + entry % 8;
+    into[0] += value.real();
+    into[8] += value.imag();
+  }
+}
+
+void WorkIntegrals::add(const double *start, const double *end, double h, Vector &state) {
+  kernel().integrate(view_, start, end, h, integrals_.data());
+  for (std::size_t entry = 0; entry < entries_.size(); ++entry) {
+    state[entries_[entry]] += integrals_[entry];
+    if (entries_[entry] == input_work_)
+      state[absolute_input_work_] += std::abs(integrals_[entry]);
+  }
+}
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,59 @@
+// Energies and impulses of a part of a linear phase in closed form.
+//
+// All powers are sums of products of two linear forms of the motion. With z_j the amplitudes of the
+// groups, a power is the sum over i <= j of Re(a_ij z_i z_j + b_ij z_i conj(z_j)), and
+//
+//   integral of z_i z_j over h = [z_i z_j] / (e_i + e_j)         ([] = end - start)
+//
+// likewise with conjugates. Where the sum of the exponents is next to zero that is lost in
+// rounding, and the integral is taken from both ends by the trapezoidal rule with its first
+// correction, which is exact to (|e_i + e_j| h)^4 / 720.
+#pragma once
+
+#include "motion/exact/exact_phase.h"
+#include "motion/segment/phase_forms.h"
+
+#include <vector>
+
+namespace vibroimpact::motion {
+
+class WorkIntegrals {
+public:
+  /// For a phase with these powers and without dense blocks; keeps references to both.
+  WorkIntegrals(const PowerForms &powers, const ExactPhase &phase, const StateLayout &layout);
+
+  /// The inputs of the phase are others.
+  void renew();
+
+  /// The longest part that is integrated to rounding [s].
+  double longest() const { return longest_; }
+
+  /// Adds the integrals over a part of length h to the entries of `state`. In place of the integral
+  /// of |power| stands the absolute value of the integral, which is never larger.
+  void add(const double *start, const double *end, double h, Vector &state);
+
+private:
+  struct Group {
+    Complex exponent;
+    bool is_pair = false, is_input = false;
+  };
+  void arrange();
+  void list_products();
+  void set_forms(std::size_t group);
+  void set_product(std::size_t k);
+  double slowest_vibration() const;
+
+  const PowerForms &powers_;
+  const ExactPhase &phase_;
+  long arrangement_ = -1;
+  Index input_work_, absolute_input_work_;
+  double longest_ = 0;
+  std::vector<Index> entries_;        ///< of the state
+  std::vector<std::size_t> place_of_; ///< of the powers, among the entries
+  std::vector<ProductView> products_;
+  std::vector<Complex> forms_; ///< 2 powers x groups
+  AlignedArray coefficients_, integrals_;
+  WorkView view_;
+};
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,26 @@
+// What laws see of a motion, as linear forms of what a linear phase computes.
+#pragma once
+
+#include "motion/system/linear_system.h"
+
+namespace vibroimpact::motion {
+
+/// constant + row * [y, then s, s', s'' of each source]
+struct LinearRow {
+  RowVector row; ///< physical size + 3 sources
+  double constant = 0;
+};
+
+/// A form of the local state of a contact.
+LinearRow linear_row(const Equations &equations, std::size_t contact,
+                     const contact::AffineForm &form);
+
+/// The guards of the contacts' present modes: constants + rows * [y, sources].
+struct GuardForms {
+  Matrix rows;      ///< guards x (physical size + 3 sources)
+  Vector constants; ///< guards
+};
+
+GuardForms guard_forms(const Equations &equations);
+
+} // namespace vibroimpact::motion

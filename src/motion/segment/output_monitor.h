@@ -1,0 +1,62 @@
+// What is observed of a motion that flies through its linear phases in closed form, instead of being
+// seen step by step: the extreme values of linear forms of the motion.
+#pragma once
+
+#include "motion/segment/guard_forms.h"
+#include "motion/segment/value_range.h"
+
+#include <vector>
+
+namespace vibroimpact::motion {
+
+/// A linear form of the motion, or its time derivative, whose extreme values are wanted.
+struct MonitoredForm {
+  LinearRow row;
+  bool differentiated = false;
+  ValueRange *range = nullptr; ///< lives as long as the monitor
+};
+
+/// Displacement and velocity seen by a projection, and the time derivative of the latter.
+MonitoredForm monitored_displacement(const Equations &equations,
+                                     const model::Projection &projection, ValueRange &range);
+MonitoredForm monitored_velocity(const Equations &equations, const model::Projection &projection,
+                                 ValueRange &range);
+MonitoredForm monitored_acceleration(const Equations &equations,
+                                     const model::Projection &projection, ValueRange &range);
+/// An affine form of the local state of a contact.
+MonitoredForm monitored_contact(const Equations &equations, std::size_t contact,
+                                const contact::AffineForm &form, ValueRange &range);
+/// An entry of the physical state plus a constant.
+MonitoredForm monitored_state(const Equations &equations, Index entry, double constant,
+                              ValueRange &range);
+
+/// The forms of a phase together: rows and constants one below the other.
+struct MonitoredForms {
+  explicit MonitoredForms(const std::vector<MonitoredForm> &forms);
+
+  Matrix rows; ///< forms x (physical size + 3 sources)
+  std::vector<double> constants;
+  std::vector<bool> differentiated;
+  std::vector<ValueRange *> ranges;
+};
+
+class OutputMonitor {
+public:
+  OutputMonitor();
+  virtual ~OutputMonitor() = default;
+  OutputMonitor(const OutputMonitor &) = delete;
+  OutputMonitor &operator=(const OutputMonitor &) = delete;
+
+  /// Adds the forms that are to be observed in the present modes of the equations.
+  virtual void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) = 0;
+  /// A part of the motion in the present modes is over; the ranges have grown by it.
+  virtual void part_done(const Equations & /*equations*/, double /*start*/, double /*end*/) {}
+
+  /// No two monitors have the same, so that forms need not be asked for again.
+  long identity() const { return identity_; }
+
+private:
+  long identity_;
+};
+
+} // namespace vibroimpact::motion

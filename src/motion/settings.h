@@ -1,0 +1,27 @@
+// The Integration section of the parameter file.
+#pragma once
+
+#include "parameters/values.h"
+
+#include <string>
+
+namespace vibroimpact::motion {
+
+struct Settings {
+  std::string method = "exact"; ///< "exact", "rk", "bdf", "theta" or "arkimex"
+  double relative_tolerance = 1e-9;
+  double absolute_tolerance = 0;  ///< of displacements at the points [m]; 0: none
+  double event_tolerance = 1e-12; ///< of the instant of a contact change [s]
+  double maximum_step = 0;        ///< [s]; 0: none
+  long maximum_steps = 0;         ///< per case; 0: none
+  long maximum_events = 0;        ///< per case; 0: none
+
+  /// What rigid contacts and guards that begin at zero take for touching, and what the output
+  /// between the ends of an exact step may be off by besides the relative tolerance [m].
+  double negligible_length() const { return absolute_tolerance > 0 ? absolute_tolerance : 1e-12; }
+};
+
+void declare_integration(parameters::Section &root);
+Settings read_integration(const parameters::Values &root);
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,58 @@
+#include "motion/steps/source_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vibroimpact::motion {
+
+SourceStep::SourceStep(const Equations &equations) : equations_(equations) {
+  for (std::size_t k = 0; k < equations.model().sources().size(); ++k) {
+    const auto moved_by = [k](const contact::ContactPair &pair) {
+      return k < pair.gap.base_coefficients.size() && pair.gap.base_coefficients[k] != 0;
+    };
+    const std::vector<contact::ContactPair> &pairs = equations.contacts().pairs();
+    if (std::any_of(pairs.begin(), pairs.end(), moved_by))
+      moving_.push_back(k);
+  }
+}
+
+double SourceStep::error(double time, double length, const Vector &tolerances) const {
+  double largest = 0;
+  for (const std::size_t k : moving_) {
+    const model::TimeFunction &function = *equations_.model().sources()[k].function;
+    const auto at = [&](double t) { return equations_.source_time(t); };
+    const double a = at(time);
+    const double b = at(time + length);
+    const double value[2] = {function.value(a), function.value(b)};
+    const double rate[2] = {length * function.rate(a), length * function.rate(b)};
+    const double bend[2] = {length * length * function.acceleration(a),
+                            length * length * function.acceleration(b)};
+    const double middle =
+        (value[0] + value[1]) / 2 + 5 * (rate[0] - rate[1]) / 32 + (bend[0] + bend[1]) / 64;
+    const double size = std::abs(value[0]) + std::abs(value[1]) + std::abs(rate[0]) +
+                        std::abs(rate[1]) + std::abs(bend[0]) + std::abs(bend[1]);
+    const double missed = std::abs(middle - function.value(at(time + length / 2)));
+    constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+    const double allowed = tolerances[static_cast<Index>(k)] + rounding * size;
+    largest = std::max(largest, missed > 0 ? missed / allowed : 0);
+  }
+  return largest;
+}
+
+// The error goes with the sixth power of the length where a source is smooth. Stock methods see
+// nothing of the work of a base that moves the gap of a body which a contact holds.
+double SourceStep::limited(double time, double length, const Vector &tolerances) const {
+  constexpr int most_trials = 30;
+  if (moving_.empty())
+    return length;
+  for (int i = 0; i < most_trials; ++i) {
+    const double too_large = error(time, length, tolerances);
+    if (too_large <= 1)
+      break;
+    length *= std::isfinite(too_large) ? std::max(0.2, 0.9 * std::pow(too_large, -1.0 / 6)) : 0.2;
+  }
+  return length;
+}
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,32 @@
+// How long a step may be for the sources that move gaps.
+//
+// Gaps are polynomials within a step, made of values, rates and accelerations at its ends. Error
+// control sees coordinates only; where a base moves the gap of a body that is held, no coordinate
+// tells how fast. The sources are known, so that the error of their polynomial is: in the middle of
+// the step, where (t - a)^3 (b - t)^3 is largest.
+#pragma once
+
+#include "motion/system/equations.h"
+
+#include <vector>
+
+namespace vibroimpact::motion {
+
+class SourceStep {
+public:
+  /// Keeps a reference.
+  explicit SourceStep(const Equations &equations);
+
+  /// `length`, or less where the polynomials would miss the sources by more than the tolerances
+  /// [m, one per source] in a step of that length from `time` on; both in s.
+  double limited(double time, double length, const Vector &tolerances) const;
+
+private:
+  /// Error over tolerance, the largest of all sources.
+  double error(double time, double length, const Vector &tolerances) const;
+
+  const Equations &equations_;
+  std::vector<std::size_t> moving_; ///< the sources that move a gap
+};
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,52 @@
+#include "motion/system/active_constraints.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+
+namespace vibroimpact::motion {
+
+struct ActiveConstraints::Factor {
+  Eigen::CompleteOrthogonalDecomposition<Matrix> of;
+};
+
+Matrix gap_rows(const contact::ContactSet &contacts, const std::vector<std::size_t> &list,
+                Index n) {
+  Matrix rows(static_cast<Index>(list.size()), n);
+  for (std::size_t k = 0; k < list.size(); ++k)
+    rows.row(static_cast<Index>(k)) = contacts.pairs()[list[k]].gap.row;
+  return rows;
+}
+
+// The two rates are of the size of the model's own, which any step resolves, and differ between the
+// contacts, so that none is repeated.
+ActiveConstraints::ActiveConstraints(const model::Model &model, const contact::ContactSet &contacts,
+                                     const std::vector<int> &modes) {
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (contacts.pairs()[c].law->modes()[static_cast<std::size_t>(modes[c])].holds_gap)
+      contacts_.push_back(c);
+  if (contacts_.empty())
+    return;
+  const double highest = model.highest_frequency() > 0 ? model.highest_frequency() : 1;
+  rates_.resize(size(), 2);
+  for (Index k = 0; k < size(); ++k) {
+    const double offset = 0.0713 * static_cast<double>(k);
+    rates_.row(k) << highest * (0.61 + offset), highest * (1.27 + offset);
+  }
+  rows_ = gap_rows(contacts, contacts_, model.size());
+  set_response(model.mass().cwiseInverse().asDiagonal() * rows_.transpose());
+}
+
+bool ActiveConstraints::holds(std::size_t contact) const {
+  return std::find(contacts_.begin(), contacts_.end(), contact) != contacts_.end();
+}
+
+void ActiveConstraints::set_response(const Matrix &response) {
+  response_ = response;
+  factor_ = std::make_shared<const Factor>(
+      Factor{Eigen::CompleteOrthogonalDecomposition<Matrix>(rows_ * response_)});
+}
+
+Matrix ActiveConstraints::forces(const Matrix &missing) const { return factor_->of.solve(missing); }
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,58 @@
+// The contacts whose present mode holds the gap, as constraints of the equations of motion.
+//
+// With q'' = q''_free + M^-1 W^T F, row k of W the gap row of the k-th held contact, the forces F
+// follow from
+//
+//   gap'' + (a + b) gap' + a b gap = 0        a, b > 0 two rates of the contact [1/s]
+//
+// A motion that starts with gap = gap' = 0 keeps both at zero, whatever a and b are; they make what
+// rounding leaves die out instead of grow, and the two being different keeps the equations
+// diagonalizable. Forces of contacts that hold the same gap twice are shared equally.
+#pragma once
+
+#include "contact/contact_set.h"
+#include "model/model.h"
+
+#include <memory>
+#include <vector>
+
+namespace vibroimpact::motion {
+
+class ActiveConstraints {
+public:
+  ActiveConstraints() = default;
+  /// For these modes of the contacts, and the model's constant mass matrix.
+  ActiveConstraints(const model::Model &model, const contact::ContactSet &contacts,
+                    const std::vector<int> &modes);
+
+  bool empty() const { return contacts_.empty(); }
+  Index size() const { return static_cast<Index>(contacts_.size()); }
+  /// Index of the held contact k among all contacts.
+  std::size_t contact(Index k) const { return contacts_[static_cast<std::size_t>(k)]; }
+  bool holds(std::size_t contact) const;
+
+  const Matrix &rows() const { return rows_; }         ///< W
+  const Matrix &response() const { return response_; } ///< M^-1 W^T
+  /// Where rotors change the mass matrix with the position.
+  void set_response(const Matrix &response);
+
+  double by_gap_rate(Index k) const { return rates_(k, 0) + rates_(k, 1); } ///< a + b [1/s]
+  double by_gap(Index k) const { return rates_(k, 0) * rates_(k, 1); }      ///< a b [1/s^2]
+
+  /// Forces for which the gaps' accelerations change by `missing`, column by column:
+  /// (W M^-1 W^T)^-1 missing.
+  Matrix forces(const Matrix &missing) const;
+
+private:
+  struct Factor; ///< of W M^-1 W^T
+
+  std::vector<std::size_t> contacts_;
+  Matrix rows_, response_;
+  Matrix rates_; ///< held contacts x 2
+  std::shared_ptr<const Factor> factor_;
+};
+
+/// The gap rows of some contacts, one below the other.
+Matrix gap_rows(const contact::ContactSet &contacts, const std::vector<std::size_t> &list, Index n);
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,137 @@
+// The equations of motion as a first-order system for one combination of contact modes.
+//
+// State x = [q (n), v (n), z (internal states of the contacts), torques of motors, integrals]. The
+// last part holds time integrals that are carried along for the energy balance and the impulses;
+// they do not act back.
+#pragma once
+
+#include "contact/contact_set.h"
+#include "model/model.h"
+#include "motion/segment/end_point.h"
+#include "motion/system/active_constraints.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace vibroimpact::motion {
+
+/// Where things stand in the state vector.
+struct StateLayout {
+  Index n = 0;          ///< coordinates
+  Index n_internal = 0; ///< internal states of all contacts
+  Index n_drive = 0;    ///< torques of motors
+  Index n_contacts = 0;
+
+  Index velocity() const { return n; }
+  Index internal() const { return 2 * n; }
+  Index drive() const { return 2 * n + n_internal; }
+  Index integrals() const { return drive() + n_drive; }
+  Index input_work() const { return integrals(); }              ///< by loads and moving bases [J]
+  Index absolute_input_work() const { return integrals() + 1; } ///< integral of |power| [J]
+  Index damping_work() const { return integrals() + 2; }        ///< dissipated by C [J]
+  Index impulse(Index contact) const { return integrals() + 3 + contact; }          ///< [N s]
+  Index contact_work(Index contact) const { return impulse(contact) + n_contacts; } ///< dissipated
+  Index physical_size() const { return integrals(); }
+  Index size() const { return integrals() + 3 + 2 * n_contacts; }
+};
+
+class Equations {
+public:
+  /// Keeps references: both must outlive it. The model's excitation may change between uses.
+  Equations(const model::Model &model, const contact::ContactSet &contacts);
+
+  const model::Model &model() const { return model_; }
+  const contact::ContactSet &contacts() const { return contacts_; }
+  const StateLayout &layout() const { return layout_; }
+
+  /// Mode of each contact, used by all evaluations below.
+  const std::vector<int> &modes() const { return modes_; }
+  void set_mode(std::size_t contact, int mode);
+  const contact::Mode &mode(std::size_t contact) const;
+  /// The contacts whose gap is held in the present modes.
+  const ActiveConstraints &holding() const { return constraints_; }
+
+  /// The phase ends at `instant`, a break of the sources (+infinity: none). There they have the
+  /// values from the right; all evaluations below see those from the left.
+  void set_source_break(double instant);
+  double source_break() const { return source_break_; }
+  /// Where to ask a source for its value at `time` in this phase.
+  double source_time(double time) const { return std::min(time, last_source_time_); }
+
+  /// s, s', s'' of all sources; no higher derivatives.
+  void source_values(double time, std::vector<SourceValues> &values) const;
+
+  /// In its present mode the contact has neither force nor internal states.
+  bool inactive(std::size_t contact) const;
+
+  /// Gap, its rate, and the force that holds it; the internal states refer into `x`.
+  contact::LocalState local_state(std::size_t contact, double time, ConstVectorView x) const;
+
+  /// dx/dt
+  void rates(double time, ConstVectorView x, VectorView dxdt) const;
+  /// d(dx/dt)/dx, row by row: size x size.
+  void jacobian(double time, ConstVectorView x, Matrix &jacobian) const;
+
+  /// Second derivative of a contact's gap from given accelerations.
+  double gap_acceleration(std::size_t contact, double time, ConstVectorView acceleration) const;
+
+  /// Bound of the rounding error of that.
+  double acceleration_rounding(std::size_t contact, double time, const Vector &x) const;
+
+  /// What a force along each row does: M^-1 rows^T at a position, n x rows.
+  Matrix response_to(const Matrix &rows, double time, ConstVectorView x) const;
+
+  /// Sum of the absolute values of the terms that an affine form of the local state is made of,
+  /// down to single coordinates.
+  double magnitude(std::size_t contact, const contact::AffineForm &form, double time,
+                   const Vector &x) const;
+
+  /// Bound of the rounding error with which such a form is evaluated: 64 eps times that sum.
+  double rounding(std::size_t contact, const contact::AffineForm &form, double time,
+                  const Vector &x) const;
+
+  /// Kinetic + elastic energy of the bodies + stored energy of the contacts [J].
+  double stored_energy(double time, ConstVectorView x) const;
+
+  /// Normal force of a contact at a local state in a mode.
+  double force(std::size_t contact, int mode, const contact::LocalState &state) const;
+  /// Energy a contact has stored [J].
+  double contact_energy(std::size_t contact, int mode, const contact::LocalState &state) const;
+
+private:
+  /// A contact that adds to the rates in the present modes.
+  struct Acting {
+    std::size_t contact = 0;
+    const contact::ContactPair *pair = nullptr;
+  };
+  struct BaseCoefficient {
+    std::size_t source = 0;
+    double factor = 0; ///< not zero
+  };
+  void list_acting();
+  double add_contact(const Acting &acting, double time, ConstVectorView x, VectorView dxdt) const;
+  double hold(double time, ConstVectorView x, VectorView dxdt) const;
+  void hold(Matrix &jacobian) const;
+  double force_magnitude(std::size_t contact, double time, const Vector &x) const;
+  double add_nonlinear_forces(double time, ConstVectorView x, VectorView dxdt) const;
+  void add_cubic_stiffness(double time, ConstVectorView x, Matrix &jacobian) const;
+  void couple_rotors(double time, ConstVectorView x, Matrix &jacobian) const;
+  Vector uncoupled_acceleration(double time, ConstVectorView x) const;
+
+  const model::Model &model_;
+  const contact::ContactSet &contacts_;
+  StateLayout layout_;
+  std::vector<int> modes_;
+  double source_break_ = std::numeric_limits<double>::infinity();
+  double last_source_time_ = std::numeric_limits<double>::infinity();
+  std::vector<std::vector<char>> inactive_; ///< per contact and mode: no force, no internal states
+  std::vector<Acting> acting_;
+  std::vector<std::vector<BaseCoefficient>> base_coefficients_; ///< of each contact's gap
+  mutable ActiveConstraints
+      constraints_; ///< its response follows the position where there are rotors
+  mutable contact::LawResponse response_;
+  mutable Vector load_, elastic_, damping_, held_rates_;
+};
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,165 @@
+// A motion: the phases between contact changes strung together, each change located in time.
+//
+// Every accepted step is a polynomial for each guard of the contacts' present modes (quintic in the
+// gap), so that the first fall of a guard through zero inside the step is found without sampling.
+// The step is then taken again up to that instant, and again after Newton corrections, until the
+// instant is within the event tolerance; there the mode changes and the method restarts. It also
+// restarts where an excitation is not smooth: no step reaches across such a break.
+#pragma once
+
+#include "motion/event/collision.h"
+#include "motion/event/zero_guard.h"
+#include "motion/observer.h"
+#include "motion/settings.h"
+#include "motion/stall.h"
+#include "motion/steps/steppers.h"
+
+#include <memory>
+#include <vector>
+
+namespace vibroimpact::motion {
+
+class ExactPath;
+
+/// How well a motion was integrated since start(), the energy since the last stretch that nobody
+/// observed.
+struct Accuracy {
+  long steps = 0;
+  long rejected_steps = 0;
+  long events = 0;
+  double energy_residual = 0; ///< |unaccounted energy| / (initial + |input|); NaN: not observed
+  /// What a sound motion stays below: 1e-10 where every step was exact, else a thousand times the
+  /// relative tolerance when that is more.
+  double energy_threshold = 0;
+  double event_residual = 0; ///< largest uncertainty of an event's instant [s]
+  /// Touches so shallow that rounding decides whether they were contacts; not counted as events.
+  long undecided_events = 0;
+  long chatters = 0; ///< infinite sequences of impacts that were completed at once
+
+  /// False when the energy balance does not close.
+  bool balanced() const { return !(energy_residual > energy_threshold); }
+};
+
+/// Where a motion stands, to start another one from.
+struct MotionState {
+  double time = 0;
+  Vector physical; ///< q, v, internal states of the contacts, torques of motors
+};
+
+class Trajectory {
+public:
+  /// Keeps references to the model and the contacts. Of these only the frequencies of the
+  /// excitation may change, between two motions.
+  Trajectory(const model::Model &model, const contact::ContactSet &contacts,
+             const Settings &settings);
+  ~Trajectory();
+
+  /// q, v given, contacts' internal states at rest, motors at their initial torque. InputError when
+  /// a contact that does not accept it starts penetrated.
+  void start(double time, const Vector &displacement, const Vector &velocity);
+  /// Goes on from an earlier state, whatever the contacts do there.
+  void start(const MotionState &from);
+
+  /// Integrates up to `end` exactly. NumericalError when that fails, Interrupted when the run is to
+  /// stop.
+  void advance(double end, Observer &observer);
+  /// The same without being observed, which some methods do faster. The energy balance is not kept:
+  /// it begins anew with the next motion that is observed.
+  void advance(double end);
+
+  double time() const { return steppers_.present().time(); }
+  const Vector &state() const { return steppers_.present().state(); }
+  MotionState motion_state() const;
+  const Equations &equations() const { return equations_; }
+  const StateLayout &layout() const { return equations_.layout(); }
+  Accuracy accuracy() const;
+
+private:
+  struct Crossing {
+    double tau = 0; ///< in the step
+    std::size_t contact = 0;
+    std::size_t guard = 0;
+    double residual = 0; ///< |indicator| left where it was located
+    double rate = 0;     ///< its rate there [1/s]
+  };
+
+  /// A form of a contact's local state that is zero but for an error.
+  struct KnownZero {
+    contact::AffineForm form;
+    double size = 0; ///< of the error
+  };
+
+  const contact::Guard &guard_of(std::size_t contact, std::size_t guard) const {
+    return equations_.mode(contact).guards[guard];
+  }
+  double negligible(std::size_t contact, const contact::AffineForm &form) const;
+  void forget_grown_guards();
+  Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
+  void begin_phase(double time, const Vector &state);
+  void integrate(double end, Observer &observer);
+  bool propagate(double limit, Observer &observer);
+  void take_over();
+  void begin_balance();
+  bool at_source_break() const;
+  void pass_source_break();
+  void choose_initial_modes(double time, const Vector &state);
+  void enter_contacts(double time, Vector &state) const;
+  void refuse_penetration(double time, const Vector &state) const;
+  bool changes_in_step(Crossing &crossing);
+  bool find_crossing(const StepView &view, Crossing &crossing) const;
+  bool locate(Crossing &crossing);
+  GuardStart guard_start(std::size_t contact, std::size_t guard) const;
+  bool find_fall(const GuardCurves &curves, Crossing &crossing);
+  void end_at_fall(Crossing &crossing);
+  void end_at_start(Crossing &crossing);
+  double event_uncertainty(const StepView &view, Crossing &crossing) const;
+  void change_modes(const Crossing &first, Observer &observer);
+  void collide(std::size_t first, Observer &observer);
+  void renew_zero_guards(const Vector &state);
+  void note_zero_guards(const Vector &state);
+  void note_zero_guards(std::size_t contact, const std::vector<KnownZero> &known, double delay,
+                        const Vector &state);
+  std::vector<ZeroGuard>::const_iterator find_zero_guard(std::size_t contact,
+                                                         std::size_t guard) const;
+  std::vector<KnownZero> known_zeros(const Crossing &first, bool stuck) const;
+  void pass_guard(const Crossing &first, bool stuck, Observer &observer);
+  void keep_modes();
+  bool keeps_modes() const;
+  void change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
+                   Observer &observer);
+  StepView view() const;
+  double time_tolerance() const;
+  double location_tolerance() const;
+  double horizon() const;
+  void note_change(std::size_t contact, bool at_once);
+  std::string stall_reason(const std::string &what) const;
+  double energy_threshold() const;
+
+  Settings settings_;
+  Equations equations_;
+  Collisions collisions_;
+  Steppers steppers_;
+  std::unique_ptr<ExactPath> path_; ///< none where the method is another
+  bool steps_outdated_ = false;     ///< the steppers must begin anew to take a step
+  bool observed_ = true;
+  bool exact_ = true; ///< every step since the balance began
+  double initial_energy_ = 0;
+  Vector initial_state_; ///< with the work integrals as it was when the balance began
+  long steps_ = 0;
+  long rejected_before_ = 0;
+  long events_ = 0;
+  long chatters_ = 0;
+  long events_at_once_ = 0; ///< events without progress in time
+  double last_event_time_ = 0;
+  StallBound progress_;
+  std::vector<std::size_t> changed_; ///< contacts, at the instant of the last event
+  /// Modes of all contacts at that instant, since the last impulse.
+  std::vector<std::vector<int>> tried_;
+  long undecided_ = 0;
+  double event_residual_ = 0;
+  /// Guards that were zero at the start of the phase and have not grown beyond that yet.
+  std::vector<ZeroGuard> zero_at_start_;
+  std::vector<double> touches_; ///< instants after the start of the step
+};
+
+} // namespace vibroimpact::motion

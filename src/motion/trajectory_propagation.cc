@@ -1,0 +1,55 @@
+// What a motion does without steps, and how steps take over.
+#include "motion/exact/exact_path.h"
+#include "motion/trajectory.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace vibroimpact::motion {
+
+// Goes on without steps as far as that is clear, and as all who watch can do without them. False: a
+// step is next, from where the flight has led.
+bool Trajectory::propagate(double limit, Observer &observer) {
+  if (!path_ || keeps_modes() || (observed_ && !observer.output_monitor()))
+    return false;
+  double instant = time();
+  Vector state = steppers_.present().state();
+  const long events_before = events_;
+  const PathObserver path_observer{
+      .monitor = observer.output_monitor(),
+      .change = [&](double when, std::size_t contact, std::size_t guard, Vector &changed) {
+        change_mode(when, contact, guard, changed, observer);
+      }};
+  const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - events_
+                                                        : std::numeric_limits<long>::max();
+  const bool moved = path_->advance(instant, state, limit, most_events, zero_at_start_,
+                                    observed_ ? &path_observer : nullptr);
+  const ExactPath::Tally tally = path_->take_tally();
+  steps_ += tally.pieces;
+  events_ = events_before + tally.events;
+  event_residual_ = std::max(event_residual_, tally.event_residual);
+  undecided_ += tally.undecided;
+  last_event_time_ = std::max(last_event_time_, path_->last_event());
+  if (!moved)
+    return false;
+  steppers_.place(instant, state);
+  steps_outdated_ = true;
+  zero_at_start_.clear();
+  if (const std::optional<ExactPath::PendingChange> &pending = path_->pending())
+    change_modes({.tau = 1,
+                  .contact = pending->contact,
+                  .guard = pending->guard,
+                  .residual = pending->residual,
+                  .rate = pending->rate},
+                 observer);
+  return path_->clear();
+}
+
+// A step begins where the flight has ended.
+void Trajectory::take_over() {
+  const Vector state = steppers_.present().state();
+  begin_phase(time(), state);
+  note_zero_guards(state);
+}
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,140 @@
+// Bounds and estimates of errors against the errors they stand for.
+#include "contact/laws/linear_penalty.h"
+#include "motion/exact/linear_phase.h"
+#include "motion/steps/high_order_stepper.h"
+#include "motion/trajectory.h"
+#include "support/lumped_models.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace vibroimpact::motion {
+namespace {
+
+using namespace contact;
+using namespace model;
+using testing::contact_along_x;
+using testing::single_mass;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// q = sin(w t) / w, of which the sixth derivative is -w^5 sin(w t): it begins at zero, and a bound
+// must hold up to the end of each interval.
+TEST(ErrorBoundsTest, SixthDerivativesOfGuards) {
+  constexpr double omega = 3;
+  const Model model({single_mass("block", 1, omega * omega, 0)});
+  const ContactSet none;
+  const Equations equations(model, none);
+  const LinearSystem system(equations);
+  const DenseTolerance tolerance{.relative = 1e-9, .absolute = Vector::Constant(2, 1e-12)};
+  const GuardForms position{.rows = RowVector::Unit(2, 0), .constants = Vector::Zero(1)};
+  for (auto make : {make_modal_motion, make_taylor_motion}) {
+    const std::unique_ptr<LinearMotion> motion = make(system, 1, tolerance);
+    motion->watch(position);
+    ASSERT_TRUE(motion->begin(Eigen::Vector2d(0, 1), {}));
+    const double end = 1 / omega; // the longest step of a Taylor series
+    const GuardCurves &curves = motion->guards(end);
+    for (const double from : {0.0, 0.25, 0.5, 0.9})
+      for (const double to : {from + 0.01, from + 0.1}) {
+        const double largest = std::pow(omega, 5) * std::sin(omega * to * end);
+        const double bound = curves.sixth_derivative(0, from * end, to * end);
+        EXPECT_GE(bound, largest * (1 - 1e-12)) << from << " to " << to;
+        EXPECT_LE(bound, 2 * std::pow(omega, 5)) << from << " to " << to;
+      }
+  }
+}
+
+// 64 eps times the sizes of all terms of a gap: clearance, displacement, and that of the base.
+TEST(ErrorBoundsTest, RoundingOfAnIndicatorCountsEveryTerm) {
+  Model model({single_mass("block", 1, 100, 0)});
+  model.add_base_motion(
+      "floor", std::make_shared<Harmonic>(Given::displacement, 0.3, 5, std::numbers::pi / 2), {0},
+      Vector3::UnitX());
+  const ContactSet contacts(
+      {contact_along_x(model, "block.head", "", 0.25, std::make_shared<LinearPenalty>(1e3))});
+  const Equations equations(model, contacts);
+  Vector x = Vector::Zero(equations.layout().size());
+  constexpr double unit = 64 * std::numeric_limits<double>::epsilon();
+  const auto rounding = [&](const AffineForm &form, double time) {
+    return equations.rounding(0, form, time, x) / unit;
+  };
+  EXPECT_NEAR(rounding({.gap = 1}, 0), 0.25 + 0.3, 1e-12);
+  EXPECT_NEAR(rounding({.constant = -2, .gap = -1}, 0), 2 + 0.25 + 0.3, 1e-12);
+  EXPECT_NEAR(rounding({.gap_rate = 3}, 0.1), 3 * 0.3 * 5 * std::sin(0.5), 1e-12);
+  x[0] = -0.5;
+  x[1] = 0.125;
+  EXPECT_NEAR(rounding({.gap = 2, .gap_rate = 4}, 0), 2 * (0.25 + 0.3 + 0.5) + 4 * 0.125, 1e-12);
+}
+
+// A linear oscillator whose third derivative is known: what limits the steps of order 8 falls with
+// the eighth power of their length, so that a million times the accuracy takes 10^(6/8) = 5.6 times
+// the steps.
+class Oscillator {
+public:
+  Oscillator() : model_({single_mass("mass", 1, 1, 0)}), equations_(model_, none_) {
+    equations_.set_source_break(infinity);
+  }
+  HighOrderStepper stepper(double tolerance) const {
+    Settings settings;
+    settings.relative_tolerance = tolerance;
+    settings.absolute_tolerance = 1e-3 * tolerance;
+    HighOrderStepper stepper(equations_, settings);
+    Vector x = Vector::Zero(equations_.layout().size());
+    x[0] = 1;
+    stepper.restart(0, x);
+    return stepper;
+  }
+
+private:
+  Model model_;
+  ContactSet none_;
+  Equations equations_;
+};
+
+TEST(ErrorBoundsTest, StepsOfOrderEight) {
+  const Oscillator oscillator;
+  const auto steps = [&](double tolerance) {
+    HighOrderStepper stepper = oscillator.stepper(tolerance);
+    long count = 0;
+    for (; stepper.time() < 40; ++count)
+      stepper.step(40);
+    return static_cast<double>(count);
+  };
+  EXPECT_LT(steps(1e-12) / steps(1e-6), 1.3 * std::pow(10, 6.0 / 8));
+}
+
+// The end of a step that is moved by little is as good as another step: cos t.
+TEST(ErrorBoundsTest, EndsThatAreMovedStayOnTheMotion) {
+  const Oscillator oscillator;
+  for (const double part : {-9e-6, -1e-6, 1e-6, 9e-6}) {
+    HighOrderStepper stepper = oscillator.stepper(1e-14);
+    stepper.step(1e-3);
+    stepper.step(0.3); // begins at 1e-3
+    const double end = stepper.time() + part * (stepper.time() - stepper.previous_time());
+    stepper.shorten(end);
+    ASSERT_EQ(stepper.time(), end);
+    EXPECT_NEAR(stepper.state()[0], std::cos(end), 1e-15) << part;
+    EXPECT_NEAR(stepper.state()[1], -std::sin(end), 1e-15) << part;
+  }
+}
+
+// However slowly a block comes to a stop, the instant is known better than the tolerance, or as
+// well as rounding lets it be, which counts as known.
+TEST(ErrorBoundsTest, UncertaintyOfSlowContacts) {
+  const Model model({single_mass("block", 1, 0, 0)});
+  const ContactSet contacts(
+      {contact_along_x(model, "block.head", "", 1e-3, std::make_shared<LinearPenalty>(1e3))});
+  Trajectory trajectory(model, contacts, Settings{});
+  for (double speed = 1e-2; speed > 1e-9; speed /= 3) {
+    trajectory.start(0, Vector::Constant(1, 1e-3 - 0.37 * speed), Vector::Constant(1, speed));
+    trajectory.advance(1); // half a period of the contact is 0.1 s
+    EXPECT_EQ(trajectory.accuracy().events, 2) << speed;
+    EXPECT_LE(trajectory.accuracy().event_residual, 1e-12) << speed;
+  }
+}
+
+} // namespace
+} // namespace vibroimpact::motion

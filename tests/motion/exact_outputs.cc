@@ -1,0 +1,140 @@
+// Extreme values of sums of exponentials: as dense samples show them, and in closed form.
+#include "motion/exact/exact_outputs.h"
+#include "exponential_sums.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace vibroimpact::motion {
+namespace {
+
+// One form of a phase made of given exponentials.
+struct Output {
+  std::vector<Complex> exponents, coefficients, amplitudes;
+  double constant = 0;
+  bool differentiated = false;
+
+  explicit Output(std::vector<Complex> list)
+      : exponents(std::move(list)), coefficients(exponents.size()), amplitudes(exponents.size()) {}
+
+  double operator()(double t) const {
+    double value = differentiated ? 0 : constant;
+    for (std::size_t j = 0; j < exponents.size(); ++j) {
+      const Complex factor = differentiated ? exponents[j] : Complex(1);
+      value += (coefficients[j] * factor * amplitudes[j] * std::exp(exponents[j] * t)).real();
+    }
+    return value;
+  }
+
+  // The guard is far away; what is watched is the sum of the products as amplitudes of 1.
+  ValueRange extent_over(double h) const {
+    Sum sum{.constant = 1e300, .coefficients = coefficients, .exponents = exponents};
+    for (std::size_t j = 0; j < exponents.size(); ++j)
+      sum.coefficients[j] *= amplitudes[j];
+    SumsPhase phase({sum});
+    ValueRange range;
+    MonitoredForm form{.row = {}, .differentiated = differentiated, .range = &range};
+    form.row.constant = constant;
+    form.row.row = RowVector::Zero(phase.phase->n_modes());
+    Index column = 0;
+    for (std::size_t j = 0; j < exponents.size(); ++j) {
+      form.row.row[column++] = sum.coefficients[j].real();
+      if (exponents[j].imag() != 0)
+        form.row.row[column++] = -sum.coefficients[j].imag();
+    }
+    const MonitoredForms forms({form});
+    ExactOutputs outputs(forms, *phase.phase);
+    phase.walk.outputs = &outputs.begin();
+    phase.walk.tolerated = 1e-7;
+    EXPECT_EQ(phase.advance(kernel(), h), WalkEnd::limit);
+    outputs.end();
+    return range;
+  }
+};
+
+// 1 + cos(3 t) over four and a half turns, and its derivative.
+TEST(ExactOutputsTest, Vibration) {
+  Output sum({Complex(0, 3)});
+  sum.amplitudes[0] = sum.coefficients[0] = 1;
+  sum.constant = 1;
+  const double h = 9.5;
+  ValueRange range = sum.extent_over(h);
+  EXPECT_NEAR(range.maximum, 2, 1e-14);
+  EXPECT_NEAR(range.minimum, 0, 1e-14);
+  sum.differentiated = true;
+  range = sum.extent_over(h);
+  EXPECT_NEAR(range.maximum, 3, 1e-14);
+  EXPECT_NEAR(range.minimum, -3, 1e-14);
+}
+
+// exp(-t) - exp(-3 t) has its largest value 2/3^1.5 at t = ln(3)/2 and none before.
+TEST(ExactOutputsTest, Decay) {
+  Output sum({-1.0, -3.0});
+  sum.amplitudes = {1, 1};
+  sum.coefficients = {1, -1};
+  EXPECT_NEAR(sum.extent_over(5).maximum, 2 / std::pow(3, 1.5), 1e-15);
+  EXPECT_NEAR(sum.extent_over(0.5).maximum, std::exp(-0.5) - std::exp(-1.5), 1e-15);
+}
+
+// A decay a million times faster than the vibration is over at once and costs nothing later.
+TEST(ExactOutputsTest, FastDecayBesideAVibration) {
+  Output sum({Complex(0, 1), -1e6});
+  sum.amplitudes = {1, 5};
+  sum.coefficients = {1, 1};
+  const ValueRange range = sum.extent_over(20);
+  EXPECT_NEAR(range.maximum, 6, 1e-14);
+  EXPECT_NEAR(range.minimum, -1, 1e-14);
+}
+
+TEST(ExactOutputsTest, AConstantOverAnyLength) {
+  Output sum({0.0});
+  sum.amplitudes[0] = 2;
+  sum.coefficients[0] = 1;
+  for (const double h : {1e-300, 1.0, 1e150}) {
+    const ValueRange range = sum.extent_over(h);
+    EXPECT_EQ(range.minimum, 2);
+    EXPECT_EQ(range.maximum, 2);
+  }
+}
+
+// Samples lie within the range, and the range within what samples can miss of it.
+TEST(ExactOutputsTest, RandomSumsAndSamples) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int trial = 0; trial < 300; ++trial) {
+    std::vector<Complex> exponents;
+    for (int j = 0; j < 1 + trial % 6; ++j)
+      exponents.emplace_back(-uniform(random) + (trial % 3 == 0 ? 0.5 : 0.0),
+                             j % 3 == 2 ? 0.0 : std::exp(3 * uniform(random)));
+    Output sum(exponents);
+    sum.differentiated = trial % 2 == 1;
+    sum.constant = normal(random);
+    double curvature = 0;
+    const double h = 3 * uniform(random);
+    for (std::size_t j = 0; j < exponents.size(); ++j) {
+      const bool pair = exponents[j].imag() != 0;
+      sum.amplitudes[j] = {normal(random), pair ? normal(random) : 0};
+      sum.coefficients[j] = {normal(random), pair ? normal(random) : 0};
+      curvature += 30 * std::pow(std::abs(exponents[j]), 3) + 1;
+    }
+    const ValueRange range = sum.extent_over(h);
+    double lowest = sum(0);
+    double highest = lowest;
+    constexpr int samples = 4000;
+    for (int i = 0; i <= samples; ++i) {
+      lowest = std::min(lowest, sum(h * i / samples));
+      highest = std::max(highest, sum(h * i / samples));
+    }
+    const double missed = curvature * 8 * (h / samples) * (h / samples);
+    EXPECT_LE(range.minimum, lowest + 1e-12 * (1 + std::abs(lowest))) << trial;
+    EXPECT_GE(range.maximum, highest - 1e-12 * (1 + std::abs(highest))) << trial;
+    EXPECT_GE(range.minimum, lowest - missed) << trial;
+    EXPECT_LE(range.maximum, highest + missed) << trial;
+  }
+}
+
+} // namespace
+} // namespace vibroimpact::motion

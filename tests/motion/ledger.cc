@@ -1,0 +1,103 @@
+// The energy balance of linear phases, however fast the damping of a contact eats the speed.
+#include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/piecewise_stop.h"
+#include "contact/laws/relaxing_stop.h"
+#include "motion/trajectory.h"
+#include "support/lumped_models.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace vibroimpact::motion {
+namespace {
+
+using namespace contact;
+using namespace model;
+using testing::contact_along_x;
+using testing::single_mass;
+
+class Nobody : public Observer {
+public:
+  void step(const StepView & /*view*/) override {}
+};
+
+Accuracy shaken(const std::shared_ptr<const ContactLaw> &law, double relative_tolerance) {
+  Model model({single_mass("block", 1, 100, 0.5)});
+  model.add_force("force", std::make_shared<Harmonic>(Given::displacement, 20, 7, 0),
+                  {.body = 0, .point = 0}, Vector3::UnitX());
+  const ContactSet contacts({contact_along_x(model, "block.head", "", 0.05, law)});
+  Trajectory trajectory(model, contacts, {.relative_tolerance = relative_tolerance});
+  Nobody nobody;
+  trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
+  trajectory.advance(10 * 2 * std::numbers::pi / 7, nobody);
+  return trajectory.accuracy();
+}
+
+// Damping ratios of the contact from 0.01 to 1000, at loose and tight tolerances.
+TEST(LedgerTest, ClosesHoweverStrongTheDamping) {
+  const double stiffness = 1e5;
+  for (const double tolerance : {1e-12, 1e-9, 1e-6, 1e-3})
+    for (double ratio = 0.01; ratio < 1500; ratio *= 3) {
+      const double damping = 2 * ratio * std::sqrt(stiffness);
+      for (const auto &law : std::vector<std::shared_ptr<const ContactLaw>>{
+               std::make_shared<KelvinVoigt>(stiffness, damping),
+               std::make_shared<PiecewiseStop>(stiffness, damping),
+               std::make_shared<RelaxingStop>(stiffness, damping)}) {
+        const Accuracy accuracy = shaken(law, tolerance);
+        EXPECT_GT(accuracy.events, 0);
+        EXPECT_LT(accuracy.energy_residual, 1e-10)
+            << law->name() << ", damping ratio " << ratio << ", tolerance " << tolerance;
+        EXPECT_EQ(accuracy.energy_threshold, 1e-10);
+        EXPECT_TRUE(accuracy.balanced());
+      }
+    }
+}
+
+// Two free masses with a dashpot between them: their relative speed v falls with exp(-c t / mu),
+// mu = m1 m2 / (m1 + m2), and what it loses of mu v^2 / 2 is the work of the damping.
+TEST(LedgerTest, ADashpotBetweenTwoBodies) {
+  Model model({single_mass("a", 2, 0, 0), single_mass("b", 3, 0, 0)});
+  Projection elongation = model.displacement({.body = 1, .point = 0}, Vector3::UnitX(), false);
+  elongation.row[0] = -1;
+  model.add_connection({.name = "dashpot",
+                        .side_a = "a.head",
+                        .side_b = "b.head",
+                        .elongation = elongation,
+                        .damping = 0.7});
+  const ContactSet none;
+  Trajectory trajectory(model, none, Settings{});
+  Nobody nobody;
+  trajectory.start(0, Vector::Zero(2), Eigen::Vector2d(1, -0.5));
+  trajectory.advance(1.5, nobody);
+  const double mu = 2 * 3 / 5.0;
+  const double lost = mu / 2 * 1.5 * 1.5 * (1 - std::exp(-2 * 0.7 / mu * 1.5));
+  EXPECT_NEAR(trajectory.state()[trajectory.layout().damping_work()], lost, 1e-12 * lost);
+  EXPECT_LT(trajectory.accuracy().energy_residual, 1e-12);
+}
+
+// Steps with an error of the tolerance may leave a thousand times that.
+TEST(LedgerTest, ThresholdFollowsTheToleranceWhereStepsAreNotExact) {
+  const Model model({single_mass("block", 1, 100, 0.5)});
+  const ContactSet none;
+  const auto threshold = [&](const Settings &settings) {
+    Trajectory trajectory(model, none, settings);
+    Nobody nobody;
+    trajectory.start(0, Vector::Constant(1, 0.1), Vector::Zero(1));
+    trajectory.advance(0.1, nobody);
+    return trajectory.accuracy().energy_threshold;
+  };
+  EXPECT_DOUBLE_EQ(threshold({.method = "rk", .relative_tolerance = 1e-7}), 1e-4);
+  EXPECT_DOUBLE_EQ(threshold({.method = "rk", .relative_tolerance = 1e-14}), 1e-10);
+  EXPECT_DOUBLE_EQ(threshold({.relative_tolerance = 1e-7}), 1e-10);
+}
+
+TEST(LedgerTest, ABalanceThatDoesNotCloseIsTold) {
+  Accuracy accuracy{.energy_residual = 2e-10, .energy_threshold = 1e-10};
+  EXPECT_FALSE(accuracy.balanced());
+  accuracy.energy_residual = std::numeric_limits<double>::quiet_NaN(); // nobody watched
+  EXPECT_TRUE(accuracy.balanced());
+}
+
+} // namespace
+} // namespace vibroimpact::motion

@@ -1,0 +1,199 @@
+// The variational equation: closed forms without contact, finite differences of the flow through
+// impacts with and without jumps of the force, resets and moving bases.
+#include "motion/variation/variation.h"
+
+#include "contact/laws/hertz.h"
+#include "contact/laws/hunt_crossley.h"
+#include "contact/laws/linear_penalty.h"
+#include "motion/trajectory.h"
+#include "support/lumped_models.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <numbers>
+
+namespace vibroimpact::motion {
+namespace {
+
+using namespace contact;
+using namespace model;
+using testing::contact_along_x;
+using testing::single_mass;
+
+constexpr double tolerance = 1e-11;
+
+class Nothing : public Observer {
+public:
+  void step(const StepView & /*view*/) override {}
+};
+
+// Counts contact changes beside the variation.
+class Counter : public Observer {
+public:
+  void step(const StepView & /*view*/) override {}
+  void event(const ContactEvent & /*event*/) override { ++events; }
+  int events = 0;
+};
+
+// A dashpot and a spring that begin and end with the overlap: the force jumps at both ends.
+class DampedStop : public ContactLaw {
+public:
+  DampedStop(double stiffness, double damping)
+      : ContactLaw(open_and_contact(AffineLaw{.force = {.gap = -stiffness, .gap_rate = -damping}}),
+                   {}),
+        stiffness_(stiffness), damping_(damping) {}
+  std::string name() const override { return "damped stop"; }
+  int initial_mode(const LocalState &state) const override { return open_or_contact(state); }
+  void evaluate(int mode, const LocalState &state, LawResponse &response) const override {
+    const double on = mode == 1 ? 1 : 0;
+    response.force = -on * (stiffness_ * state.gap + damping_ * state.gap_rate);
+    response.force_by_gap = -on * stiffness_;
+    response.force_by_gap_rate = -on * damping_;
+    response.stored_energy = on * 0.5 * stiffness_ * state.gap * state.gap;
+    response.dissipated_power = on * damping_ * state.gap_rate * state.gap_rate;
+  }
+
+private:
+  double stiffness_, damping_;
+};
+
+struct Case {
+  Model model;
+  ContactSet contacts{};
+  MotionState start{};
+  double end = 1;
+  int events = 0; ///< seen on the reference motion
+  double relative_tolerance = tolerance;
+
+  Settings settings() const {
+    return {.relative_tolerance = relative_tolerance,
+            .absolute_tolerance = 1e-13,
+            .event_tolerance = 1e-13};
+  }
+  Vector flow(const Vector &physical) const {
+    Trajectory trajectory(model, contacts, settings());
+    trajectory.start({.time = start.time, .physical = physical});
+    Nothing nothing;
+    trajectory.advance(end, nothing);
+    return trajectory.motion_state().physical;
+  }
+  Matrix by_variation() {
+    Trajectory trajectory(model, contacts, settings());
+    trajectory.start(start);
+    const Index size = trajectory.layout().physical_size();
+    Variation variation(trajectory.equations(), Vector::Ones(size), 1e-10);
+    variation.set_columns(Matrix::Identity(size, size));
+    Counter counter;
+    Observers observers({&variation, &counter});
+    trajectory.advance(end, observers);
+    EXPECT_EQ(variation.tangential_events(), 0);
+    events = counter.events;
+    return variation.columns();
+  }
+  // Central differences, the error of order epsilon^2 taken out by a second one.
+  Matrix by_differences(double epsilon) const {
+    const Index size = start.physical.size();
+    Matrix columns(size, size);
+    for (Index j = 0; j < size; ++j) {
+      const auto difference = [&](double e) -> Vector {
+        return (flow(start.physical + e * Vector::Unit(size, j)) -
+                flow(start.physical - e * Vector::Unit(size, j))) /
+               (2 * e);
+      };
+      columns.col(j) = (4 * difference(epsilon / 2) - difference(epsilon)) / 3;
+    }
+    return columns;
+  }
+};
+
+Vector state_of(std::initializer_list<double> values) {
+  Vector state(static_cast<Index>(values.size()));
+  std::copy(values.begin(), values.end(), state.begin());
+  return state;
+}
+
+double relative_difference(const Matrix &a, const Matrix &b) {
+  return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+}
+
+std::shared_ptr<const TimeFunction> sine(Given given, double amplitude, double omega) {
+  return std::make_shared<Harmonic>(given, amplitude, omega, 0.3);
+}
+
+TEST(VariationTest, DampedOscillatorHasItsExponential) {
+  const double omega = 3, zeta = 0.2;
+  Case free{.model = Model({single_mass("block", 2, 2 * omega * omega, 4 * zeta * omega)}),
+            .start = {.time = 0.5, .physical = state_of({0.3, -0.2})},
+            .end = 2.0};
+  const double t = free.end - free.start.time;
+  const double damped = omega * std::sqrt(1 - zeta * zeta);
+  const double decay = std::exp(-zeta * omega * t);
+  const double c = std::cos(damped * t), s = std::sin(damped * t);
+  Matrix exact(2, 2);
+  exact << c + zeta * omega / damped * s, s / damped, -omega * omega / damped * s,
+      c - zeta * omega / damped * s;
+  exact *= decay;
+  EXPECT_LT(relative_difference(free.by_variation(), exact), 1e-9);
+}
+
+// The force is continuous, so the variation is too; only the stiffness changes.
+TEST(VariationTest, BilinearOscillatorThroughManyImpacts) {
+  Case bilinear{.model = Model({single_mass("block", 1, 40, 0.1)}), .end = 6};
+  bilinear.contacts = ContactSet({contact_along_x(bilinear.model, "block.head", "", 0.05,
+                                                  std::make_shared<LinearPenalty>(2000))});
+  bilinear.start.physical = state_of({-0.2, 0.4});
+  const Matrix columns = bilinear.by_variation();
+  EXPECT_GE(bilinear.events, 8);
+  EXPECT_LT(relative_difference(columns, bilinear.by_differences(1e-4)), 1e-6);
+}
+
+TEST(VariationTest, JumpOfTheForceOnAMovingBase) {
+  Case stop{.model = Model({single_mass("block", 1, 40, 0.5)}), .end = 4};
+  stop.model.add_base_motion("shake", sine(Given::displacement, 0.05, 7), {0}, Vector3::UnitX());
+  stop.contacts = ContactSet(
+      {contact_along_x(stop.model, "block.head", "", 0.03, std::make_shared<DampedStop>(500, 12))});
+  stop.start.physical = state_of({-0.1, 0.3});
+  const Matrix columns = stop.by_variation();
+  EXPECT_GE(stop.events, 6);
+  EXPECT_LT(relative_difference(columns, stop.by_differences(1e-5)), 1e-6);
+}
+
+// This Hunt-Crossley contact keeps the approach speed as a state, reset where contact begins. Its
+// stiffness begins with a root of the penetration: there the rates of the variation depend on time
+// almost alone, and a method whose error estimate overlooks that is off by 1e-4.
+TEST(VariationTest, ResetOfAnInternalState) {
+  Case impact{.model = Model({single_mass("a", 1, 40, 0.5), single_mass("b", 2, 10, 0.1)}),
+              .end = 3};
+  impact.model.add_base_motion("shake", sine(Given::acceleration, 2, 9), {0}, Vector3::UnitX());
+  impact.contacts = ContactSet({contact_along_x(
+      impact.model, "a.head", "b.head", 0.02,
+      HuntCrossley::with_dimensionless_damping({.stiffness = 2e4, .exponent = 1.5}, 0.4, 1e-9))});
+  const Vector internal = impact.contacts.initial_internal();
+  impact.start.physical.resize(4 + internal.size());
+  impact.start.physical << state_of({-0.1, 0.05, 0.8, -0.2}), internal;
+  EXPECT_GE(internal.size(), 1);
+  const auto difference = [&impact](double tolerance) {
+    impact.relative_tolerance = tolerance;
+    return relative_difference(impact.by_variation(), impact.by_differences(1e-5));
+  };
+  EXPECT_LT(difference(1e-9), 1e-7);
+  EXPECT_LT(difference(1e-12), 1e-7);
+  EXPECT_GE(impact.events, 4);
+}
+
+// The product of the multipliers is exp(-c/m t) for any conservative contact (Liouville).
+TEST(VariationTest, DeterminantOfHertzContact) {
+  Case hertz{.model = Model({single_mass("block", 2, 50, 0.6)}), .end = 5};
+  hertz.contacts = ContactSet({contact_along_x(
+      hertz.model, "block.head", "", 0.01,
+      std::make_shared<Hertz>(HertzConstants{.stiffness = 1e5, .exponent = 1.5}))});
+  hertz.start.physical = state_of({-0.2, 0.0});
+  EXPECT_NEAR(hertz.by_variation().determinant() / std::exp(-0.3 * 5), 1, 1e-6);
+  EXPECT_GE(hertz.events, 4);
+}
+
+} // namespace
+} // namespace vibroimpact::motion
