@@ -21,13 +21,18 @@ public:
   const ChangeView &view() const { return view_; }
 
 private:
+  using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
   void arrange();
+  void set_constant();
   void set_column(Index coordinate);
-  Vector after_resets(const Vector &before) const;
+  void set_state(Index coordinate);
 
   const ExactPhase &from_, &to_;
   const std::vector<PhaseForms::Reset> &resets_;
   long from_arrangement_ = -1, to_arrangement_ = -1;
+  long generation_ = -1;
+  LongVector state_; ///< behind the change, of one coordinate
   ChangeView view_;
   AlignedArray constant_, columns_, magnitudes_, constant_sizes_;
 };

@@ -12,6 +12,7 @@ ExactOutputs::ExactOutputs(const MonitoredForms &forms, const ExactPhase &phase)
 
 void ExactOutputs::arrange() {
   arrangement_ = phase_.arrangement();
+  generation_ = phase_.generation();
   const std::size_t count = forms_.ranges.size();
   const std::size_t blocks = (count + 7) / 8;
   const auto n = static_cast<std::size_t>(phase_.view().n_padded);
@@ -25,9 +26,8 @@ void ExactOutputs::arrange() {
   minimum_.assign(8 * blocks, -std::numeric_limits<double>::infinity());
   maximum_.assign(8 * blocks, std::numeric_limits<double>::infinity());
   ends_.assign(blocks * 48, 0);
-  for (std::size_t f = 0; f < count; ++f)
-    for (const ExactPhase::Group &group : phase_.groups())
-      set_coordinate(f, group);
+  for (const PhaseGroup &group : phase_.groups())
+    set_group(group);
   view_ = {.n_blocks = static_cast<int>(blocks),
            .constants = constants_.data(),
            .rows = rows_.data(),
@@ -44,10 +44,10 @@ void ExactOutputs::renew() {
     arrange();
     return;
   }
-  for (std::size_t f = 0; f < forms_.ranges.size(); ++f)
-    for (const ExactPhase::Group &group : phase_.groups())
-      if (group.is_input)
-        set_coordinate(f, group);
+  for (const PhaseGroup &group : phase_.groups())
+    if (group.generation > generation_)
+      set_group(group);
+  generation_ = phase_.generation();
 }
 
 void ExactOutputs::store(std::size_t f, std::size_t j, Index order, double real, double imaginary) {
@@ -62,42 +62,56 @@ void ExactOutputs::store(std::size_t f, std::size_t j, Index order, double real,
   rows_[8 * (block + (2 * r + 1) * n + j) + f % 8] = imaginary;
 }
 
-// A derivative sees the generator times what the form sees.
-void ExactOutputs::set_coordinate(std::size_t f, const ExactPhase::Group &group) {
-  const auto n = static_cast<std::size_t>(phase_.view().n_padded);
-  const Matrix &columns = phase_.columns();
-  const auto row = forms_.rows.row(static_cast<Index>(f));
-  const bool differentiated = forms_.differentiated[f];
-  const std::size_t bounds = f / 8 * n;
+void ExactOutputs::set_group(const PhaseGroup &group) {
+  for (std::size_t f = 0; f < forms_.ranges.size(); ++f)
+    if (group.kind == BlockKind::dense)
+      set_dense(f, group);
+    else
+      set_pair(f, group);
+}
+
+double ExactOutputs::seen(std::size_t f, Index coordinate) const {
+  return forms_.rows.row(static_cast<Index>(f)).dot(phase_.columns().col(coordinate));
+}
+
+// A derivative sees the exponent times what the form sees. Real exponentials are bounded by their
+// ends, without the quintic.
+void ExactOutputs::set_pair(std::size_t f, const PhaseGroup &group) {
+  const bool is_pair = group.kind == BlockKind::pair;
+  Complex c(seen(f, group.coordinates[0]), is_pair ? -seen(f, group.coordinates[1]) : 0);
+  if (forms_.differentiated[f])
+    c *= group.exponent;
   const auto first = static_cast<std::size_t>(group.first);
-  if (group.kind != BlockKind::dense) {
-    Complex c = row.dot(columns.col(group.coordinates[0]));
-    if (group.kind == BlockKind::pair)
-      c.imag(-row.dot(columns.col(group.coordinates[1])));
-    if (differentiated)
-      c *= group.exponent;
-    // Real exponentials are bounded by their ends, without the quintic.
-    if (group.kind == BlockKind::pair)
-      sixth_[8 * (bounds + first) + f % 8] = std::abs(c) * std::pow(std::abs(group.exponent), 6);
-    sizes_[8 * (bounds + first) + f % 8] = std::abs(c);
-    for (Index r = 0; r < 4; ++r, c *= group.exponent)
-      store(f, first, r, c.real(), -c.imag());
-    return;
-  }
-  RowVector seen(static_cast<Index>(group.coordinates.size()));
+  const std::size_t place =
+      8 * (f / 8 * static_cast<std::size_t>(phase_.view().n_padded) + first) + f % 8;
+  const double size = std::sqrt(std::norm(c));
+  const double squared = std::norm(group.exponent);
+  sizes_[place] = size;
+  if (is_pair)
+    sixth_[place] = size * squared * squared * squared;
+  for (Index r = 0; r < 4; ++r, c *= group.exponent)
+    store(f, first, r, c.real(), -c.imag());
+}
+
+// A derivative sees the generator times what the form sees.
+void ExactOutputs::set_dense(std::size_t f, const PhaseGroup &group) {
+  const auto first = static_cast<std::size_t>(group.first);
+  const std::size_t place =
+      8 * (f / 8 * static_cast<std::size_t>(phase_.view().n_padded) + first) + f % 8;
+  RowVector row(static_cast<Index>(group.coordinates.size()));
   for (std::size_t c = 0; c < group.coordinates.size(); ++c)
-    seen[static_cast<Index>(c)] = row.dot(columns.col(group.coordinates[c]));
-  if (differentiated)
-    seen = seen * group.generator;
-  for (Index r = 0; r <= 6; ++r, seen = seen * group.generator)
+    row[static_cast<Index>(c)] = seen(f, group.coordinates[c]);
+  if (forms_.differentiated[f])
+    row = row * group.generator;
+  for (Index r = 0; r <= 6; ++r, row = row * group.generator)
     for (std::size_t c = 0; c < group.coordinates.size(); ++c) {
-      const double value = seen[static_cast<Index>(c)];
+      const double value = row[static_cast<Index>(c)];
       if (r < 4)
         store(f, first + c, r, value, 0);
       if (r == 0)
-        sizes_[8 * (bounds + first + c) + f % 8] = std::abs(value);
+        sizes_[place + 8 * c] = std::abs(value);
       if (r == 6)
-        sixth_[8 * (bounds + first + c) + f % 8] = std::abs(value);
+        sixth_[place + 8 * c] = std::abs(value);
     }
 }
 

@@ -23,12 +23,15 @@ public:
 
 private:
   void arrange();
-  void set_coordinate(std::size_t form, const ExactPhase::Group &group);
+  void set_group(const PhaseGroup &group);
+  void set_pair(std::size_t form, const PhaseGroup &group);
+  void set_dense(std::size_t form, const PhaseGroup &group);
+  double seen(std::size_t form, Index coordinate) const;
   void store(std::size_t form, std::size_t j, Index order, double real, double imaginary);
 
   const MonitoredForms &forms_;
   const ExactPhase &phase_;
-  long arrangement_ = -1;
+  long arrangement_ = -1, generation_ = -1;
   AlignedArray constants_, rows_, sixth_, sizes_, single_, minimum_, maximum_, ends_;
   OutputsView view_;
 };

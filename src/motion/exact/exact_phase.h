@@ -8,11 +8,9 @@
 #pragma once
 
 #include "motion/exact/aligned.h"
-#include "motion/exact/excitation.h"
+#include "motion/exact/exact_groups.h"
 #include "motion/exact/kernel.h"
 #include "motion/segment/guard_forms.h"
-
-#include "motion/exact/interpolation.h"
 
 #include <array>
 #include <memory>
@@ -22,6 +20,8 @@ namespace vibroimpact::motion {
 
 /// Amplitudes of the groups of a phase: real parts, then imaginary parts, both padded.
 using Amplitudes = AlignedArray;
+
+struct TabulatedExponential;
 
 class ExactPhase {
 public:
@@ -49,16 +49,10 @@ public:
   std::size_t n_amplitudes() const { return 2 * static_cast<std::size_t>(view_.n_padded); }
   const PhaseView &view() const { return view_; }
 
-  /// One group of equal exponent, or the columns of a dense block.
-  struct Group {
-    BlockKind kind = BlockKind::real;
-    Complex exponent{};
-    std::vector<Index> coordinates; ///< real and imaginary part of a pair
-    Matrix generator;               ///< of a dense block
-    int first = 0;                  ///< place among the groups
-    bool is_input = false;          ///< an input alone
-  };
-  const std::vector<Group> &groups() const { return groups_; }
+  const std::vector<PhaseGroup> &groups() const { return groups_; }
+  /// Of the excitation whose inputs it has; groups of the same generation are those that were
+  /// renewed for it.
+  long generation() const { return generation_; }
   bool has_dense() const { return view_.n_dense > 0; }
 
   /// y to amplitudes, whose inputs have the coordinates given; each is rounded once.
@@ -68,30 +62,54 @@ public:
 
 private:
   struct Level {
+    double length = 0;    ///< [s]
+    long generation = -1; ///< that it was last renewed for
     AlignedArray turn, growth, table, bounds;
     std::vector<double> dense, dense_growth;
   };
 
+  void set_loads(const Vector &constant, const std::vector<LinearSystem::Load> &loads);
   void arrange(const Excitation &excitation);
   void renew(const Excitation &excitation);
-  bool respond(const Excitation &excitation, bool couple);
-  bool respond(const ModalBlock &block, const Input &input, Index first, bool couple);
+  void forget_levels();
+
+  const LinearSystem::Load &loads_of(const Input &input) const;
+  bool is_driven(const ModalBlock &block, const Input &input) const;
+  bool respond(const Excitation &excitation, bool may_couple);
+  bool respond(std::size_t block, const Input &input, Index first, bool may_couple);
+  void respond_to_exponential(const ModalBlock &block, const Input &input, Index first);
+  void respond_to_polynomial(const ModalBlock &block, const Input &input, Index first);
+  void add_response(const ModalBlock &block, const Complex *response, Index first, bool pair);
+  void couple(const ModalBlock &block, const Input &input, Index first);
   void add_source_rows(const Input &input, Index first);
+
   void place_groups();
   void allocate();
-  void set_group(const Group &group);
-  void set_pair(const Group &group);
-  void set_dense(const Group &group);
+  void place_dense();
+  void show();
+  void set_group(PhaseGroup &group);
+  void set_pair(const PhaseGroup &group);
+  void set_pair_rows(std::size_t guard, const PhaseGroup &group);
+  Complex seen_by_guard(std::size_t guard, const PhaseGroup &group, double &size) const;
+  void set_dense(const PhaseGroup &group);
+  void set_norms();
   void set_weights();
-  void make_level(int level);
-  void set_level(Level &level, double h, const Group &group);
-  void set_level_pair(Level &level, double h, const Group &group);
-  void set_level_dense(Level &level, double h, const Group &group);
+  void make_level(int index);
+  Level &allocate_level(int index);
+  void show_level(int index);
+  void set_level_pair(Level &level, const PhaseGroup &group);
+  void set_level_rows(Level &level, std::size_t guard, const PhaseGroup &group,
+                      const TabulatedExponential &table);
+  void set_level_dense(Level &level, const PhaseGroup &group);
+  void set_dense_rows(Level &level, std::size_t guard, const PhaseGroup &group,
+                      const std::array<Matrix, 8> &data);
 
   ModalForm modal_;
   double h0_, radius_ = 0;
-  std::vector<LinearSystem::Load> modal_loads_; ///< W^-1 times the loads
-  Vector modal_constant_;
+  /// W^-1 times the loads of the sources, and behind these times the constant
+  std::vector<LinearSystem::Load> modal_loads_;
+  std::vector<std::array<double, 3>> load_sizes_; ///< their largest entries
+  std::vector<std::vector<Complex>> eigenvalues_; ///< of the blocks
   Matrix guard_rows_;
   Vector guard_constants_;
   Index n_rows_ = 0;
@@ -99,15 +117,16 @@ private:
   std::vector<Input> inputs_;
   long generation_ = -1, structure_ = -1, arrangement_ = 0;
   bool coupled_ = false;
-  std::vector<std::array<Index, 2>> couplings_; ///< block of modes, input
-  Matrix couples_;                              ///< modes x input coordinates, of the couplings
+  std::vector<Coupling> couplings_;
+  Matrix couples_; ///< modes x input coordinates, of the couplings
   Matrix columns_;
-  std::vector<Group> groups_;
+  std::vector<PhaseGroup> groups_;
   std::vector<int> places_;
 
   PhaseView view_;
   AlignedArray rate_, frequency_, rows_, sizes_, second_, third_, eighth_, magnitudes_, weights_;
-  std::vector<double> constants_, constant_sizes_;
+  std::vector<double> constants_, constant_sizes_, norms_;
+  double fastest_dense_ = 0;
   std::vector<DenseBlockView> dense_;
   std::vector<std::vector<double>> generators_;
   std::vector<std::unique_ptr<Level>> levels_;

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibroimpact::motion {
@@ -35,11 +36,50 @@ InterpolationMatrix make() {
   return result;
 }
 
+// Its columns, which are contiguous.
+InterpolationMatrix transposed() {
+  InterpolationMatrix result{};
+  for (std::size_t i = 0; i < 8; ++i)
+    for (std::size_t k = 0; k < 8; ++k)
+      result[k][i] = interpolation_matrix()[i][k];
+  return result;
+}
+
+// exp(z) without what the library does for infinities.
+std::complex<double> exponential(std::complex<double> z) {
+  const double size = std::exp(z.real());
+  return z.imag() == 0 ? std::complex<double>(size) : std::polar(size, z.imag());
+}
+
+void add_column(const std::array<double, 8> &column, double factor, double *sum) {
+  for (std::size_t i = 0; i < 8; ++i)
+    sum[i] += column[i] * factor;
+}
+
 } // namespace
 
 const InterpolationMatrix &interpolation_matrix() {
   static const InterpolationMatrix matrix = make();
   return matrix;
+}
+
+TabulatedExponential::TabulatedExponential(std::complex<double> z) {
+  static const InterpolationMatrix columns = transposed();
+  std::array<std::complex<double>, 8> data = {1.0, z, 0.5 * z * z};
+  for (std::size_t i = 0; i < 5; ++i)
+    data[3 + i] = exponential(z * interpolation_nodes[i]);
+  for (std::size_t k = 0; k < 8; ++k) {
+    add_column(columns[k], data[k].real(), real);
+    add_column(columns[k], data[k].imag(), imaginary);
+  }
+  double squared = 0;
+  for (std::size_t i = 0; i < 8; ++i)
+    squared = std::max(squared, real[i] * real[i] + imaginary[i] * imaginary[i]);
+  largest = std::sqrt(squared);
+  end = data[7];
+  growth = std::max(1.0, std::exp(std::min(z.real(), 600.0)));
+  const double size = std::norm(z);
+  eighth = size * size * size * size;
 }
 
 } // namespace vibroimpact::motion

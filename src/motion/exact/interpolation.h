@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <complex>
 
 namespace vibroimpact::motion {
 
@@ -16,5 +17,16 @@ constexpr std::array<double, 3> interpolation_error = {2.371e-9, 1.371e-8, 1.104
 /// Bernstein coefficients (rows) from value, slope, half the curvature and the five values.
 using InterpolationMatrix = std::array<std::array<double, 8>, 8>;
 const InterpolationMatrix &interpolation_matrix();
+
+/// exp(z tau), 0 <= tau <= 1, as such a polynomial.
+struct TabulatedExponential {
+  double real[8] = {}, imaginary[8] = {}; ///< Bernstein coefficients
+  double largest = 0;                     ///< bound of their magnitudes
+  std::complex<double> end;               ///< exp(z)
+  double growth = 1;                      ///< largest magnitude of exp(z tau), at most exp(600)
+  double eighth = 0;                      ///< |z|^8
+
+  explicit TabulatedExponential(std::complex<double> z);
+};
 
 } // namespace vibroimpact::motion

@@ -25,25 +25,29 @@ void WorkIntegrals::renew() {
     arrange();
     return;
   }
-  const std::vector<ExactPhase::Group> &groups = phase_.groups();
+  const std::vector<PhaseGroup> &groups = phase_.groups();
+  const auto is_new = [&](int group) {
+    return groups[static_cast<std::size_t>(group)].generation > generation_;
+  };
   for (std::size_t j = 0; j < groups.size(); ++j)
-    if (groups[j].is_input)
+    if (groups[j].generation > generation_)
       set_forms(j);
   longest_ = 2 * std::numbers::pi / slowest_vibration();
   for (std::size_t k = 0; k < products_.size(); ++k)
-    if (groups[static_cast<std::size_t>(products_[k].first)].is_input ||
-        groups[static_cast<std::size_t>(products_[k].second)].is_input)
+    if (is_new(products_[k].first) || is_new(products_[k].second) ||
+        products_[k].is_slow != is_slow(products_[k]))
       set_product(k);
+  generation_ = phase_.generation();
 }
 
 // Without dense blocks each group stands at its own number.
 void WorkIntegrals::arrange() {
   arrangement_ = phase_.arrangement();
+  generation_ = phase_.generation();
   list_products();
-  const std::size_t blocks = (entries_.size() + 7) / 8;
   forms_.assign(2 * powers_.size() * phase_.groups().size(), 0);
-  coefficients_.assign(blocks * products_.size() * 16, 0);
-  integrals_.assign(blocks * 8, 0);
+  coefficients_.assign(n_blocks() * products_.size() * 16, 0);
+  integrals_.assign(n_blocks() * 8, 0);
   for (std::size_t j = 0; j < phase_.groups().size(); ++j)
     set_forms(j);
   longest_ = 2 * std::numbers::pi / slowest_vibration();
@@ -51,14 +55,14 @@ void WorkIntegrals::arrange() {
     set_product(k);
   view_ = {.n_products = static_cast<int>(products_.size()),
            .n_padded = phase_.view().n_padded,
-           .n_blocks = static_cast<int>(blocks),
+           .n_blocks = static_cast<int>(n_blocks()),
            .products = products_.data(),
            .coefficients = coefficients_.data()};
 }
 
 void WorkIntegrals::list_products() {
   products_.clear();
-  const std::vector<ExactPhase::Group> &groups = phase_.groups();
+  const std::vector<PhaseGroup> &groups = phase_.groups();
   for (std::size_t i = 0; i < groups.size(); ++i)
     for (std::size_t j = i; j < groups.size(); ++j) {
       products_.push_back({.first = static_cast<int>(i), .second = static_cast<int>(j)});
@@ -72,7 +76,7 @@ void WorkIntegrals::list_products() {
 double WorkIntegrals::slowest_vibration() const {
   double slowest = std::numeric_limits<double>::infinity();
   double fastest = 0;
-  for (const ExactPhase::Group &group : phase_.groups()) {
+  for (const PhaseGroup &group : phase_.groups()) {
     fastest = std::max(fastest, std::abs(group.exponent));
     if (group.kind == BlockKind::pair)
       slowest = std::min(slowest, group.exponent.imag());
@@ -82,8 +86,8 @@ double WorkIntegrals::slowest_vibration() const {
 
 // What both factors of all powers see of a group: Re(c a), the constants with the number 1.
 void WorkIntegrals::set_forms(std::size_t j) {
-  const ExactPhase::Group &group = phase_.groups()[j];
-  const bool is_one = group.is_input && group.coordinates[0] == phase_.n_modes();
+  const PhaseGroup &group = phase_.groups()[j];
+  const bool is_one = group.is_input() && group.coordinates[0] == phase_.n_modes();
   const Matrix &columns = phase_.columns();
   for (Index row = 0; row < powers_.rows().rows(); ++row) {
     Complex seen = powers_.rows().row(row).dot(columns.col(group.coordinates[0]));
@@ -95,37 +99,46 @@ void WorkIntegrals::set_forms(std::size_t j) {
   }
 }
 
+// Does the trapezoidal rule take the place of a division by next to nothing?
+bool WorkIntegrals::is_slow(const ProductView &product) const {
+  constexpr double slow = 1e-3; // times the longest part
+  const double squared =
+      product.sum_real * product.sum_real + product.sum_imaginary * product.sum_imaginary;
+  return !(squared * longest_ * longest_ >= slow * slow);
+}
+
 // Re(c z) Re(d w) = (Re(c d z w) + Re(c conj(d) z conj(w))) / 2, the two being one where z or w is
 // real.
-void WorkIntegrals::set_product(std::size_t k) {
-  ProductView &product = products_[k];
+Complex WorkIntegrals::coefficient(std::size_t power, const ProductView &product) const {
   const auto i = static_cast<std::size_t>(product.first);
   const auto j = static_cast<std::size_t>(product.second);
-  const ExactPhase::Group &first = phase_.groups()[i];
-  const ExactPhase::Group &second = phase_.groups()[j];
+  const std::size_t n_groups = phase_.groups().size();
+  const Complex *c = forms_.data() + 2 * power * n_groups;
+  const Complex *d = c + n_groups;
+  Complex value = product.conjugate ? c[i] * std::conj(d[j]) : c[i] * d[j];
+  if (i != j)
+    value += product.conjugate ? std::conj(c[j]) * d[i] : c[j] * d[i];
+  return value;
+}
+
+void WorkIntegrals::set_product(std::size_t k) {
+  ProductView &product = products_[k];
+  const PhaseGroup &first = phase_.groups()[static_cast<std::size_t>(product.first)];
+  const PhaseGroup &second = phase_.groups()[static_cast<std::size_t>(product.second)];
   const Complex sum =
       first.exponent + (product.conjugate ? std::conj(second.exponent) : second.exponent);
-  constexpr double slow = 1e-3; // times the longest part
   product.sum_real = sum.real();
   product.sum_imaginary = sum.imag();
-  product.is_slow = !(std::norm(sum) * longest_ * longest_ >= slow * slow);
-  const Complex inverse = product.is_slow ? Complex(1) : 1.0 / sum;
+  product.is_slow = is_slow(product);
   const bool both = first.kind == BlockKind::pair && second.kind == BlockKind::pair;
-  const std::size_t n_groups = phase_.groups().size();
-  const std::size_t blocks = (entries_.size() + 7) / 8;
-  for (std::size_t block = 0; block < blocks; ++block)
-    std::fill_n(coefficients_.begin() +
-                    static_cast<std::ptrdiff_t>((block * products_.size() + k) * 16),
-                16, 0.0);
+  const Complex factor = (both ? 0.5 : 1.0) * (product.is_slow ? Complex(1) : 1.0 / sum);
+  const std::size_t stride = products_.size() * 16;
+  for (std::size_t block = 0; block < n_blocks(); ++block)
+    std::fill_n(coefficients_.data() + block * stride + k * 16, 16, 0.0);
   for (std::size_t p = 0; p < powers_.size(); ++p) {
-    const Complex *c = forms_.data() + 2 * p * n_groups;
-    const Complex *d = c + n_groups;
-    Complex value = product.conjugate ? c[i] * std::conj(d[j]) : c[i] * d[j];
-    if (i != j)
-      value += product.conjugate ? std::conj(c[j]) * d[i] : c[j] * d[i];
-    value *= both ? 0.5 * inverse : inverse;
+    const Complex value = coefficient(p, product) * factor;
     const std::size_t entry = place_of_[p];
-    double *into = coefficients_.data() + ((entry / 8) * products_.size() + k) * 16 + entry % 8;
+    double *into = coefficients_.data() + (entry / 8) * stride + k * 16 + entry % 8;
     into[0] += value.real();
     into[8] += value.imag();
   }

@@ -33,19 +33,18 @@ public:
   void add(const double *start, const double *end, double h, Vector &state);
 
 private:
-  struct Group {
-    Complex exponent;
-    bool is_pair = false, is_input = false;
-  };
   void arrange();
   void list_products();
   void set_forms(std::size_t group);
   void set_product(std::size_t k);
+  bool is_slow(const ProductView &product) const;
+  Complex coefficient(std::size_t power, const ProductView &product) const;
   double slowest_vibration() const;
+  std::size_t n_blocks() const { return (entries_.size() + 7) / 8; }
 
   const PowerForms &powers_;
   const ExactPhase &phase_;
-  long arrangement_ = -1;
+  long arrangement_ = -1, generation_ = -1;
   Index input_work_, absolute_input_work_;
   double longest_ = 0;
   std::vector<Index> entries_;        ///< of the state
