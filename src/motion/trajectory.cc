@@ -40,6 +40,7 @@ double Trajectory::location_tolerance() const {
 
 void Trajectory::begin_phase(double time, const Vector &state) {
   equations_.set_source_break(equations_.model().next_break(time));
+  list_guards();
   steppers_.restart(time, state);
   steps_outdated_ = false;
   if (path_)
@@ -128,16 +129,28 @@ void Trajectory::forget_grown_guards() {
   });
 }
 
+// Of guards that fall at the same instant an impact comes first: it decides with which velocities
+// the other contacts are entered.
+void Trajectory::list_guards() {
+  guards_.clear();
+  Index place = 0;
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
+    for (std::size_t g = 0; g < equations_.mode(c).guards.size(); ++g)
+      guards_.push_back({.contact = c, .guard = g, .place = place++});
+  std::stable_partition(guards_.begin(), guards_.end(), [&](const PresentGuard &at) {
+    return guard_of(at.contact, at.guard).action == contact::GuardAction::impact;
+  });
+}
+
 bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {
   bool found = false;
-  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
-    for (std::size_t g = 0; g < equations_.mode(c).guards.size(); ++g) {
-      const std::optional<double> tau = indicator(view, c, g).first_down_crossing();
-      if (tau && (!found || *tau < crossing.tau)) {
-        crossing = {.tau = *tau, .contact = c, .guard = g};
-        found = true;
-      }
+  for (const PresentGuard &at : guards_) {
+    const std::optional<double> tau = indicator(view, at.contact, at.guard).first_down_crossing();
+    if (tau && (!found || *tau < crossing.tau)) {
+      crossing = {.tau = *tau, .contact = at.contact, .guard = at.guard};
+      found = true;
     }
+  }
   return found;
 }
 
@@ -168,30 +181,32 @@ bool Trajectory::find_fall(const GuardCurves &curves, Crossing &crossing) {
   const double length = steppers_.present().time() - steppers_.present().previous_time();
   double end = length;
   bool found = false;
-  Index index = 0;
   touches_.clear();
-  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
-    for (std::size_t g = 0; g < equations_.mode(c).guards.size(); ++g) {
-      const FirstDownCrossing fall = first_down_crossing(curves, index++, end, guard_start(c, g));
-      if (fall.touch)
-        touches_.push_back(*fall.touch);
-      if (fall.time && (!found || *fall.time < end)) {
-        crossing = {.tau = *fall.time / length, .contact = c, .guard = g};
-        found = true;
-        end = *fall.time;
-      }
+  for (const PresentGuard &at : guards_) {
+    const FirstDownCrossing fall =
+        first_down_crossing(curves, at.place, end, guard_start(at.contact, at.guard));
+    if (fall.touch)
+      touches_.push_back(*fall.touch);
+    if (fall.time && (!found || *fall.time < end)) {
+      crossing = {.tau = *fall.time / length, .contact = at.contact, .guard = at.guard};
+      found = true;
+      end = *fall.time;
     }
+  }
   undecided_ += std::count_if(touches_.begin(), touches_.end(),
                               [&](double instant) { return !found || instant < end; });
   return found;
 }
 
-// The contact changes at the start of the step.
+// The contact changes at the start of the step. A guard that a jump has taken below zero was never
+// zero: it leaves no remainder, and its negative is no zero of the mode to come.
 void Trajectory::end_at_start(Crossing &crossing) {
   const Bernstein indicator =
       view().indicator(crossing.contact, guard_of(crossing.contact, crossing.guard).indicator);
   const double length = steppers_.present().time() - steppers_.present().previous_time();
-  crossing.residual = std::abs(indicator.start());
+  const bool jumped = indicator.start() < 0 &&
+                      find_zero_guard(crossing.contact, crossing.guard) == zero_at_start_.end();
+  crossing.residual = jumped ? 0 : std::abs(indicator.start());
   crossing.rate = std::abs(indicator.derivative().start() / length);
   steppers_.present().undo();
 }

@@ -83,6 +83,12 @@ private:
     double rate = 0;     ///< its rate there [1/s]
   };
 
+  struct PresentGuard {
+    std::size_t contact = 0;
+    std::size_t guard = 0;
+    Index place = 0; ///< among those of all contacts
+  };
+
   /// A form of a contact's local state that is zero but for an error.
   struct KnownZero {
     contact::AffineForm form;
@@ -106,6 +112,7 @@ private:
   void enter_contacts(double time, Vector &state) const;
   void refuse_penetration(double time, const Vector &state) const;
   bool changes_in_step(Crossing &crossing);
+  void list_guards();
   bool find_crossing(const StepView &view, Crossing &crossing) const;
   bool locate(Crossing &crossing);
   GuardStart guard_start(std::size_t contact, std::size_t guard) const;
@@ -157,6 +164,7 @@ private:
   std::vector<std::vector<int>> tried_;
   long undecided_ = 0;
   double event_residual_ = 0;
+  std::vector<PresentGuard> guards_; ///< of the phase, in the order in which they count
   /// Guards that were zero at the start of the phase and have not grown beyond that yet.
   std::vector<ZeroGuard> zero_at_start_;
   std::vector<double> touches_; ///< instants after the start of the step

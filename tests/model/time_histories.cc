@@ -289,5 +289,26 @@ TEST(TimeHistoriesTest, SplineIsSmoothAndOfFourthOrder) {
   EXPECT_NEAR(std::log2(error(20) / error(40)), 4, 0.2);
 }
 
+// Right after its start a pulse of a base's acceleration moves it by a power of the time t since
+// then, to all digits: A w t^3 / 6 of a half sine, A w^2 t^4 / 48 of a versed sine.
+TEST(TimeHistoriesTest, PulsesBeginLikePowersOfTime) {
+  constexpr double start = 0.4375, duration = 0.5, peak = 3;
+  for (const int exponent : {-50, -30, -20, -12}) {
+    const double t = std::ldexp(1, exponent);
+    const double half = pi / duration;
+    const auto half_sine =
+        make_pulse(Given::acceleration, PulseShape::half_sine, peak, start, duration);
+    const double x = half * t;
+    EXPECT_NEAR(half_sine->value(start + t) / (peak * half * t * t * t / 6), 1, x * x / 20 + 1e-14);
+    EXPECT_NEAR(half_sine->rate(start + t) / (peak * half * t * t / 2), 1, x * x / 12 + 1e-14);
+    const auto versed =
+        make_pulse(Given::acceleration, PulseShape::versed_sine, peak, start, duration);
+    const double y = 2 * x;
+    const double acceleration = peak * half * half * t * t;
+    EXPECT_NEAR(versed->acceleration(start + t) / acceleration, 1, y * y / 12 + 1e-14);
+    EXPECT_NEAR(versed->value(start + t) / (acceleration * t * t / 12), 1, y * y / 30 + 1e-14);
+  }
+}
+
 } // namespace
 } // namespace vibroimpact::model

@@ -232,6 +232,30 @@ TEST(HighOrderStepperTest, ForgetsTheAmplitudeOfLongAgo) {
   EXPECT_LT((at_the_end(1e-6) - state).norm(), 1e-5 * state.norm());
 }
 
+// Far beyond its stability a step ends in numbers whose squares overflow: no energy measures them.
+TEST(HighOrderStepperTest, StepsThatOverflowAreRejected) {
+  const Model model({testing::single_mass("mass", 2, 3, 0)});
+  const ContactSet contacts({testing::contact_along_x(model, "mass.head", "", -0.05,
+                                                      std::make_shared<Hertz>(constants))});
+  Equations equations(model, contacts);
+  equations.set_mode(0, 1);
+  const auto point = [&](double time, double size) {
+    EndPoint at{.time = time, .state = Vector::Constant(equations.layout().size(), size)};
+    at.rates = at.state;
+    return at;
+  };
+  ErrorMeasure measure(equations, 1e-9, 0);
+  measure.begin(point(0, 0));
+  const Vector ones = Vector::Ones(equations.layout().size());
+  for (const double size : {1e-3, 1e100, 1e160, 1e300}) {
+    measure.set_step(point(0, 0), point(0.01, size));
+    EXPECT_GT(measure.of_step(size * ones), 1) << size;
+    EXPECT_GT(measure.of_dense(size * Vector::Ones(1)), 1) << size;
+  }
+  measure.set_step(point(0, 0), point(0.01, 1e-3));
+  EXPECT_GT(measure.of_step(std::nan("") * ones), 1);
+}
+
 TEST(HighOrderStepperTest, MotionsDoNotDependOnEarlierOnes) {
   const auto law = std::make_shared<Hertz>(constants);
   const Motion once = two_masses("exact", 1e-9, law, 1.0);

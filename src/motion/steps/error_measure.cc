@@ -120,6 +120,7 @@ void ErrorMeasure::set_step(const EndPoint &start, const EndPoint &end) {
   present_.energy = recent_.energy.cwiseMax(at_end_.energy);
   const double work =
       end.state[layout.absolute_input_work()] - start.state[layout.absolute_input_work()];
+  possible_ = possible(end, recent_.turnover + work);
   present_.turnover = std::max(recent_.turnover, at_end_.turnover) + work;
   at_end_.turnover += work;
   for (std::size_t c = 0; c < mass_.size(); ++c) {
@@ -288,7 +289,29 @@ double ErrorMeasure::of_work(const Vector &error) const {
   return largest;
 }
 
+// Where a step is far beyond its stability, the energy of a contact, which grows like u^(n+1), does
+// so faster than its error, and overflows before the state does: measured against it any error
+// would be none. No contact holds more than there was, was put in, and moves. The elastic energy
+// q^T K q / 2 of n coordinates is at most n times the sum of the k_jj q_j^2 / 2 that are counted;
+// the rest of the factor leaves room for what is not counted, such as cubic springs.
+bool ErrorMeasure::possible(const EndPoint &end, double available) const {
+  const StateLayout &layout = equations_.layout();
+  const auto velocity = end.state.segment(layout.velocity(), layout.n);
+  const double kinetic = velocity.cwiseAbs2().dot(equations_.model().mass()) / 2;
+  constexpr double room = 1000;
+  const double most = room * static_cast<double>(layout.n) * (available + kinetic);
+  bool possible = std::isfinite(at_end_.turnover) && std::isfinite(most);
+  for (std::size_t c = 0; c < mass_.size(); ++c) {
+    const OfContact &of = at_end_.of[c];
+    const double relative = mass_[c] * of.gap_rate * of.gap_rate / 2; // part of of.energy
+    possible = possible && of.energy <= most + 2 * relative && std::isfinite(of.force);
+  }
+  return possible;
+}
+
 double ErrorMeasure::of_step(const Vector &error) const {
+  if (!possible_ || !error.allFinite())
+    return std::numeric_limits<double>::infinity();
   const StateLayout &layout = equations_.layout();
   double largest = 0;
   for (Index j = 0; j < layout.n; ++j) {
@@ -309,6 +332,8 @@ double ErrorMeasure::of_step(const Vector &error) const {
 }
 
 double ErrorMeasure::of_dense(const Vector &error) const {
+  if (!possible_ || !error.allFinite())
+    return std::numeric_limits<double>::infinity();
   double largest = 0;
   for (Index j = 0; j < error.size(); ++j)
     largest = std::max(largest, ratio(std::abs(error[j]), displacement_tolerance(j, length_)));

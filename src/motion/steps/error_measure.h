@@ -32,8 +32,8 @@ public:
   void begin(const EndPoint &start);
   /// The measure of a step between these ends.
   void set_step(const EndPoint &start, const EndPoint &end);
-  /// Error over tolerance, the largest of all; `error`: one entry per state, the work integrals
-  /// included.
+  /// Error over tolerance, the largest of all, infinite where the end has energy from nowhere;
+  /// `error`: one entry per state, the work integrals included.
   double of_step(const Vector &error) const;
   /// The same of the coordinates between the ends, n entries.
   double of_dense(const Vector &error) const;
@@ -57,6 +57,7 @@ private:
     double turnover = 0;       ///< energy and work
   };
 
+  bool possible(const EndPoint &end, double available) const;
   void read(const EndPoint &point, Scales &scales) const;
   void read_contact(std::size_t contact, const EndPoint &point, Scales &scales) const;
   bool acts(std::size_t contact) const;
@@ -89,6 +90,7 @@ private:
   Scales recent_, at_end_, present_;
   double largest_turnover_ = 0; ///< of the motion; what is below its rounding does not count
   double length_ = 0;
+  bool possible_ = true; ///< the step's end has no more energy than there can be
   Vector source_tolerances_;
 };
 
