@@ -48,22 +48,17 @@ bool zeros_within(Vector coefficients, double radius) {
   return true;
 }
 
-void SequenceLimit::add(const Vector &state) {
-  states_.push_front(state.cwiseProduct(scale_));
-  if (static_cast<Index>(states_.size()) > most_terms + 2)
-    states_.pop_back();
-}
-
-double SequenceLimit::last_change() const {
-  return (states_[0] - states_[1]).cwiseAbs().maxCoeff();
-}
+SequenceLimit::SequenceLimit(const Vector &scale)
+    : scale_(scale), states_(scale.size(), most_terms + 2), basis_(scale.size(), most_terms),
+      parts_(Matrix::Zero(most_terms, most_terms)), wanted_(most_terms), rest_(scale.size()),
+      direction_(scale.size()) {}
 
 // Of the newest states but one, the oldest of them first.
 std::optional<Vector> SequenceLimit::mean(const Vector &weights) const {
-  const Vector &newest = states_[0];
+  const auto newest = states_[0];
   Vector shift = Vector::Zero(scale_.size());
   for (Index i = 0; i < weights.size(); ++i)
-    shift += weights[i] * (states_[static_cast<std::size_t>(weights.size() - i)] - newest);
+    shift += weights[i] * (states_[weights.size() - i] - newest);
   if (!(shift.cwiseAbs().maxCoeff() <= reach * newest.cwiseAbs().maxCoeff()))
     return std::nullopt;
   return (newest + shift).cwiseQuotient(scale_);
@@ -77,33 +72,34 @@ std::optional<Vector> SequenceLimit::limit_of(const Vector &recurrence) const {
   return mean(weights / weights.sum());
 }
 
-// Each further term is one difference more of the past: Gram and Schmidt's way takes them in turn,
-// and what is left of the last difference tells when they are enough.
-std::optional<Vector> SequenceLimit::limit() const {
-  const auto most = std::min(static_cast<Index>(states_.size()) - 2, most_terms);
+// One difference more of the past, by Gram and Schmidt's way. False: it is made of those before.
+bool SequenceLimit::add_direction(Index k) {
+  direction_ = states_[k + 1] - states_[k + 2];
+  const double size = direction_.norm();
+  for (Index i = 0; i < k; ++i) {
+    parts_(i, k) = basis_.col(i).dot(direction_);
+    direction_ -= parts_(i, k) * basis_.col(i);
+  }
+  parts_(k, k) = direction_.norm();
+  if (!(parts_(k, k) > dependent * size))
+    return false;
+  basis_.col(k) = direction_ / parts_(k, k);
+  return true;
+}
+
+// Each further term is one difference more of the past; what is left of the last difference tells
+// when they are enough.
+std::optional<Vector> SequenceLimit::limit() {
+  const Index most = std::min(states_.count() - 2, most_terms);
   if (most < 1)
     return std::nullopt;
-  Matrix basis(scale_.size(), most);       // orthonormal
-  Matrix parts = Matrix::Zero(most, most); // of the differences in the basis
-  Vector wanted(most);                     // parts of the last difference
-  Vector rest = states_[0] - states_[1];
-  const double enough = unexplained * rest.norm();
-  for (Index k = 0; k < most; ++k) {
-    const auto age = static_cast<std::size_t>(k + 1);
-    Vector direction = states_[age] - states_[age + 1];
-    const double size = direction.norm();
-    for (Index i = 0; i < k; ++i) {
-      parts(i, k) = basis.col(i).dot(direction);
-      direction -= parts(i, k) * basis.col(i);
-    }
-    parts(k, k) = direction.norm();
-    if (!(parts(k, k) > dependent * size))
-      return std::nullopt;
-    basis.col(k) = direction / parts(k, k);
-    wanted[k] = basis.col(k).dot(rest);
-    rest -= wanted[k] * basis.col(k);
-    if (rest.norm() <= enough)
-      return limit_of(recurrence(parts, wanted, k + 1));
+  rest_ = states_[0] - states_[1];
+  const double enough = unexplained * rest_.norm();
+  for (Index k = 0; k < most && add_direction(k); ++k) {
+    wanted_[k] = basis_.col(k).dot(rest_);
+    rest_ -= wanted_[k] * basis_.col(k);
+    if (rest_.norm() <= enough)
+      return limit_of(recurrence(parts_, wanted_, k + 1));
   }
   return std::nullopt;
 }

@@ -11,9 +11,8 @@
 // unit circle.
 #pragma once
 
-#include "common/linear_algebra.h"
+#include "analyses/last_states.h"
 
-#include <deque>
 #include <optional>
 
 namespace vibroimpact::analyses {
@@ -21,24 +20,30 @@ namespace vibroimpact::analyses {
 class SequenceLimit {
 public:
   /// `scale`: what makes the entries of a state comparable.
-  explicit SequenceLimit(const Vector &scale) : scale_(scale) {}
+  explicit SequenceLimit(const Vector &scale);
 
-  void add(const Vector &state);
+  void add(const Eigen::Ref<const Vector> &state) { states_.add(state.cwiseProduct(scale_)); }
   /// Forgets all states.
   void clear() { states_.clear(); }
 
   /// The limit, from as few of the last states as describe the sequence; none where they do not, or
   /// where the limit is far away.
-  std::optional<Vector> limit() const;
+  std::optional<Vector> limit();
   /// Largest scaled entry of the last difference; two states are needed.
-  double last_change() const;
+  double last_change() const { return states_.change(0, 1); }
 
 private:
   std::optional<Vector> limit_of(const Vector &recurrence) const;
   std::optional<Vector> mean(const Vector &weights) const;
+  bool add_direction(Index k);
 
   Vector scale_;
-  std::deque<Vector> states_; ///< scaled, the newest first
+  LastStates states_; ///< scaled
+  Matrix basis_;      ///< orthonormal, of the differences before the last one
+  Matrix parts_;      ///< of these differences in the basis
+  Vector wanted_;     ///< parts of the last difference
+  Vector rest_;       ///< of the last difference
+  Vector direction_;
 };
 
 /// Are all zeros of z^n + c_{n-1} z^{n-1} + ... + c_0 nearer to the origin than `radius`?

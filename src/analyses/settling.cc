@@ -5,7 +5,6 @@
 #include "common/error.h"
 
 #include <algorithm>
-#include <deque>
 #include <optional>
 
 namespace vibroimpact::analyses {
@@ -14,9 +13,9 @@ using motion::Trajectory;
 
 namespace {
 
-void find_range(const std::deque<Vector> &states, std::size_t count, SettledMotion &motion) {
-  motion.lowest = motion.highest = states.front();
-  for (std::size_t i = 1; i < std::min(count, states.size()); ++i) {
+void find_range(const LastStates &states, Index count, SettledMotion &motion) {
+  motion.lowest = motion.highest = states[0];
+  for (Index i = 1; i < std::min(count, states.count()); ++i) {
     motion.lowest = motion.lowest.cwiseMin(states[i]);
     motion.highest = motion.highest.cwiseMax(states[i]);
   }
@@ -31,20 +30,21 @@ public:
   Settling(Trajectory &trajectory, double period, const Vector &scale, const SettlingRule &rule)
       : trajectory_(trajectory), period_(period), scale_(scale), rule_(rule),
         steadiness_(scale, rule.longest_multiple, rule.tolerance), sequence_(scale),
-        extrapolates_(rule.extrapolates) {
-    begin(trajectory.motion_state().physical);
+        states_(scale.size(), 2 * rule.longest_multiple + 1), extrapolates_(rule.extrapolates) {
+    begin(physical_state());
   }
 
   long cycles() const { return cycles_; }
   bool steady() const { return steadiness_.steady(); }
+  bool over() const;
   SettledMotion motion() const;
   void advance();
 
 private:
-  void begin(const Vector &state);
+  ConstVectorView physical_state() const;
+  void begin(const Eigen::Ref<const Vector> &state);
   void extrapolate();
   bool leap(const Vector &state);
-  std::size_t seen() const { return static_cast<std::size_t>(2 * rule_.longest_multiple + 1); }
 
   Trajectory &trajectory_;
   double period_;
@@ -52,15 +52,28 @@ private:
   const SettlingRule &rule_;
   Steadiness steadiness_;
   SequenceLimit sequence_;
-  std::deque<Vector> states_;
+  LastStates states_;
   long cycles_ = 0;
   bool extrapolates_;
   Vector left_;            ///< where the last leap began; empty after another period
   double left_change_ = 0; ///< over the last period before it
 };
 
-void Settling::begin(const Vector &state) {
-  states_ = {state};
+bool Settling::over() const {
+  if (cycles_ >= rule_.maximum)
+    return true;
+  const bool hopeless =
+      rule_.without_approach > 0 && steadiness_.without_approach() >= rule_.without_approach;
+  return cycles_ >= rule_.minimum && (steady() || hopeless);
+}
+
+ConstVectorView Settling::physical_state() const {
+  return {trajectory_.state().data(), trajectory_.layout().physical_size()};
+}
+
+void Settling::begin(const Eigen::Ref<const Vector> &state) {
+  states_.clear();
+  states_.add(state);
   sequence_.clear();
   sequence_.add(state);
 }
@@ -68,17 +81,15 @@ void Settling::begin(const Vector &state) {
 void Settling::advance() {
   ++cycles_;
   trajectory_.advance(static_cast<double>(cycles_) * period_);
-  states_.push_front(trajectory_.motion_state().physical);
-  steadiness_.add(states_.front());
-  if (states_.size() > seen())
-    states_.pop_back();
+  states_.add(physical_state());
+  steadiness_.add(physical_state());
   if (extrapolates_)
     extrapolate();
 }
 
 // A leap that does not bring the motion nearer is taken back, and is the last.
 void Settling::extrapolate() {
-  sequence_.add(states_.front());
+  sequence_.add(physical_state());
   if (left_.size() > 0 && !(sequence_.last_change() <= left_change_)) {
     extrapolates_ = false;
     leap(left_);
@@ -88,7 +99,7 @@ void Settling::extrapolate() {
   if (steady())
     return;
   if (const std::optional<Vector> limit = sequence_.limit()) {
-    left_ = states_.front();
+    left_ = states_[0];
     left_change_ = sequence_.last_change();
     if (!leap(*limit)) {
       extrapolates_ = false;
@@ -105,7 +116,7 @@ bool Settling::leap(const Vector &state) {
     return false;
   }
   begin(state);
-  steadiness_ = Steadiness(scale_, rule_.longest_multiple, rule_.tolerance);
+  steadiness_.clear();
   steadiness_.add(state);
   return true;
 }
@@ -113,9 +124,9 @@ bool Settling::leap(const Vector &state) {
 SettledMotion Settling::motion() const {
   SettledMotion motion;
   motion.cycles = cycles_;
-  motion.state = {.time = 0, .physical = states_.front()};
+  motion.state = {.time = 0, .physical = states_[0]};
   motion.multiple = steadiness_.multiple();
-  find_range(states_, motion.steady() ? static_cast<std::size_t>(motion.multiple) : seen(), motion);
+  find_range(states_, motion.steady() ? motion.multiple : states_.count(), motion);
   return motion;
 }
 
@@ -136,6 +147,10 @@ void declare_settling(parameters::Section &section) {
           "Go straight to the motion that the last periods lead to, once they tell where, and on "
           "from there. The motion that is recorded must be steady by itself as ever. Off, the "
           "motion goes through its whole transient as a real one does.")
+      .integer("Cycles without approach", "0", Range{.lower = 0, .upper = 1e9}, "",
+               "Periods that bring the motion no nearer to repeating itself, after which it is "
+               "recorded as not steady without waiting for all Settling cycles, since it is mostly "
+               "chaotic. One that would settle later is lost. 0: it always gets all of them.")
       .integer("Longest period", "4", Range{.lower = 1, .upper = 1000}, "",
                "Longest period looked for, in forcing periods.");
 }
@@ -150,15 +165,15 @@ SettlingRule read_settling(const parameters::Values &section) {
           .maximum = maximum,
           .tolerance = section.quantity("Steadiness tolerance"),
           .longest_multiple = section.integer("Longest period"),
-          .extrapolates = section.boolean("Extrapolate")};
+          .extrapolates = section.boolean("Extrapolate"),
+          .without_approach = section.integer("Cycles without approach")};
 }
 
 SettledMotion settle(Trajectory &trajectory, double period, const Vector &scale,
                      const SettlingRule &rule,
                      const std::function<void(long periods)> &after_period) {
   Settling settling(trajectory, period, scale, rule);
-  while (settling.cycles() < rule.maximum &&
-         !(settling.cycles() >= rule.minimum && settling.steady())) {
+  while (!settling.over()) {
     settling.advance();
     if (after_period)
       after_period(settling.cycles());

@@ -14,6 +14,9 @@ struct SettlingRule {
   double tolerance = 0;      ///< see Steadiness
   long longest_multiple = 1; ///< [periods]
   bool extrapolates = false; ///< goes to where the periods lead as soon as that is clear
+  /// Ends, not steady, after so many periods that bring the motion no nearer to a repetition; 0:
+  /// never [periods]
+  long without_approach = 0;
 };
 
 void declare_settling(parameters::Section &section);

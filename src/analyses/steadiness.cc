@@ -8,12 +8,11 @@ Steadiness::Steadiness(Vector scale, long longest, double tolerance)
     : scale_(std::move(scale)), longest_(longest), tolerance_(tolerance),
       states_(scale_.size(), 2 * longest + 1) {}
 
-auto Steadiness::state(Index periods) const {
-  return states_.col((seen_ - 1 - periods) % states_.cols());
-}
-
-double Steadiness::change(Index newer, Index older) const {
-  return (state(newer) - state(older)).cwiseAbs().maxCoeff();
+void Steadiness::clear() {
+  states_.clear();
+  multiple_ = 0;
+  nearest_ = std::numeric_limits<double>::infinity();
+  without_approach_ = 0;
 }
 
 // The states of the last k periods are no farther than `distance` from the motion that repeats
@@ -24,19 +23,30 @@ double Steadiness::change(Index newer, Index older) const {
 // vector that turns changes.
 long Steadiness::shortest(Index k, double distance) const {
   for (Index j = 1; j < k; ++j)
-    if (change(0, j) <= 4 * distance)
+    if (states_.change(0, j) <= 4 * distance)
       return j;
   return k;
 }
 
-void Steadiness::add(const Vector &physical) {
-  states_.col(seen_++ % states_.cols()) = physical.cwiseProduct(scale_);
-  const Index known = std::min(seen_, states_.cols());
+// Every approach to a motion that repeats brings the state nearer and nearer to one before it; a
+// chaotic motion comes as near as it ever will by chance, ever more rarely.
+void Steadiness::note_approach() {
+  ++without_approach_;
+  for (Index k = 1; k <= longest_ && k < states_.count(); ++k)
+    if (const double change = states_.change(0, k); change < nearest_) {
+      nearest_ = change;
+      without_approach_ = 0;
+    }
+}
+
+void Steadiness::add(const Eigen::Ref<const Vector> &physical) {
+  states_.add(physical.cwiseProduct(scale_));
+  note_approach();
   multiple_ = 0;
-  const double size = state(0).cwiseAbs().maxCoeff();
-  for (Index k = 1; k <= longest_ && 2 * k < known && multiple_ == 0; ++k) {
-    const double last = change(0, k);
-    const double before = change(k, 2 * k);
+  const double size = states_[0].cwiseAbs().maxCoeff();
+  for (Index k = 1; k <= longest_ && 2 * k < states_.count() && multiple_ == 0; ++k) {
+    const double last = states_.change(0, k);
+    const double before = states_.change(k, 2 * k);
     // Changes that shrink by the factor r leave last r / (1 - r) to go.
     const double factor = before > 0 ? last / before : 0;
     const double remaining = factor < 1 ? last * std::max(1.0, factor / (1 - factor)) : last;

@@ -1,7 +1,10 @@
 // Decides from states taken once per forcing period whether a motion has become periodic.
 #pragma once
 
+#include "analyses/last_states.h"
 #include "motion/trajectory.h"
+
+#include <limits>
 
 namespace vibroimpact::analyses {
 
@@ -10,26 +13,30 @@ public:
   /// `scale`: what makes the physical states comparable (1/m, s/m, ...); multiples up to `longest`.
   Steadiness(Vector scale, long longest, double tolerance);
 
+  /// Forgets all states.
+  void clear();
   /// Takes the state at the end of the next period.
-  void add(const Vector &physical);
+  void add(const Eigen::Ref<const Vector> &physical);
   /// Is the estimated distance to the periodic motion below the tolerance?
   bool steady() const { return multiple_ > 0; }
   /// The least number of periods after which the motion that it has come so near to repeats; 0 when
   /// it is not steady.
   long multiple() const { return multiple_; }
+  /// Periods since the state has last come nearer to one of those up to the longest multiple before
+  /// it than ever since the start.
+  long without_approach() const { return without_approach_; }
 
 private:
   long shortest(Index k, double distance) const;
-  /// The state of so many periods ago.
-  auto state(Index periods) const;
-  double change(Index newer, Index older) const;
+  void note_approach();
 
   Vector scale_;
   Index longest_;
   double tolerance_;
-  Matrix states_; ///< scaled, the newest ones in turn, one after the other
-  Index seen_ = 0;
+  LastStates states_; ///< scaled
   long multiple_ = 0;
+  double nearest_ = std::numeric_limits<double>::infinity();
+  long without_approach_ = 0;
 };
 
 /// Scales for the states of a model: displacements by the largest displacement of a point per unit

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibroimpact::analyses {
@@ -46,6 +47,55 @@ TEST(SteadinessTest, APeriodOfTwo) {
 TEST(SteadinessTest, WhatGrowsIsNotSteady) {
   const auto growing = [](int k) { return Vector::Constant(1, 1 + 1e-3 * std::pow(1.001, k)); };
   EXPECT_EQ(first_steady(growing, 1, 1000).first, -1);
+}
+
+// The longest stretch of periods without an approach.
+template <class State> long longest_without_approach(State state, long longest, int most) {
+  Steadiness steadiness(Vector::Ones(state(0).size()), longest, 0);
+  long found = 0;
+  for (int n = 0; n < most; ++n) {
+    steadiness.add(state(n));
+    found = n > 0 ? std::max(found, steadiness.without_approach()) : 0;
+  }
+  return found;
+}
+
+// However slowly: every period brings it nearer, also to one of several periods.
+TEST(SteadinessTest, AnApproachIsSeenInEveryPeriod) {
+  for (const double r : {0.3, 0.9, 0.999}) {
+    const int most = static_cast<int>(-20 / std::log(r));
+    EXPECT_EQ(longest_without_approach(
+                  [r](int k) { return Vector::Constant(1, 1 + std::pow(r, k)); }, 1, most),
+              0);
+    EXPECT_LE(longest_without_approach(
+                  [r](int k) { return Vector::Constant(1, k % 3 + std::pow(r, k)); }, 4, most),
+              3);
+  }
+}
+
+// A quarter of a turn in so many periods, inward: the largest entry of what turns grows again and
+// again for part of that, by no more than the root of two.
+TEST(SteadinessTest, ASpiralInwardIsSeenWithinItsTurn) {
+  constexpr double r = 0.98;
+  constexpr int quarter = 10;
+  const auto spiral = [](int k) {
+    const double angle = k * 1.5707963267948966 / quarter;
+    return Vector(std::pow(r, k) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  };
+  EXPECT_LE(longest_without_approach(spiral, 1, 500), 2 * quarter);
+}
+
+// x -> 4 x (1 - x) never comes to repeat.
+TEST(SteadinessTest, AChaoticSequenceComesNoNearerForLong) {
+  Steadiness steadiness(Vector::Ones(1), 4, tolerance);
+  double x = 0.3;
+  int n = 0;
+  for (; n < 1000 && steadiness.without_approach() < 20; ++n, x = 4 * x * (1 - x))
+    steadiness.add(Vector::Constant(1, x));
+  EXPECT_LT(n, 200);
+  EXPECT_FALSE(steadiness.steady());
+  steadiness.clear();
+  EXPECT_EQ(steadiness.without_approach(), 0);
 }
 
 } // namespace

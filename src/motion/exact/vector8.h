@@ -30,6 +30,7 @@ inline V8 all(double a) { return {_mm512_set1_pd(a)}; }
 inline V8 operator+(V8 a, V8 b) { return {_mm512_add_pd(a.v, b.v)}; }
 inline V8 operator-(V8 a, V8 b) { return {_mm512_sub_pd(a.v, b.v)}; }
 inline V8 operator*(V8 a, V8 b) { return {_mm512_mul_pd(a.v, b.v)}; }
+inline V8 operator/(V8 a, V8 b) { return {_mm512_div_pd(a.v, b.v)}; }
 /// a b + c and c - a b, rounded once
 inline V8 fused(V8 a, V8 b, V8 c) { return {_mm512_fmadd_pd(a.v, b.v, c.v)}; }
 inline V8 fused_minus(V8 a, V8 b, V8 c) { return {_mm512_fnmadd_pd(a.v, b.v, c.v)}; }
@@ -72,6 +73,7 @@ inline V8 all(double x) { return {_mm256_set1_pd(x), _mm256_set1_pd(x)}; }
 inline V8 operator+(V8 x, V8 y) { return {_mm256_add_pd(x.a, y.a), _mm256_add_pd(x.b, y.b)}; }
 inline V8 operator-(V8 x, V8 y) { return {_mm256_sub_pd(x.a, y.a), _mm256_sub_pd(x.b, y.b)}; }
 inline V8 operator*(V8 x, V8 y) { return {_mm256_mul_pd(x.a, y.a), _mm256_mul_pd(x.b, y.b)}; }
+inline V8 operator/(V8 x, V8 y) { return {_mm256_div_pd(x.a, y.a), _mm256_div_pd(x.b, y.b)}; }
 inline V8 fused(V8 x, V8 y, V8 z) {
   return {_mm256_fmadd_pd(x.a, y.a, z.a), _mm256_fmadd_pd(x.b, y.b, z.b)};
 }
@@ -142,6 +144,9 @@ inline V8 operator-(const V8 &a, const V8 &b) {
 inline V8 operator*(const V8 &a, const V8 &b) {
   return each([&](int i) { return a.v[i] * b.v[i]; });
 }
+inline V8 operator/(const V8 &a, const V8 &b) {
+  return each([&](int i) { return a.v[i] / b.v[i]; });
+}
 inline V8 fused(const V8 &a, const V8 &b, const V8 &c) {
   return each([&](int i) { return a.v[i] * b.v[i] + c.v[i]; });
 }
@@ -190,6 +195,15 @@ inline double sum(const V8 &a) {
 }
 
 #endif
+
+/// a b + c, rounded once where the vectors are
+inline double fused(double a, double b, double c) {
+#if defined(__FMA__)
+  return __builtin_fma(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
 
 // Adding and subtracting it rounds to the nearest integer, which then stands in the low bits.
 constexpr double rounder = 0x1.8p52;
