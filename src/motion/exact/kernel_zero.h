@@ -3,6 +3,7 @@
 #pragma once
 
 #include "motion/exact/kernel.h"
+#include "motion/exact/vector8.h"
 
 namespace vibroimpact::motion {
 namespace {
@@ -27,44 +28,81 @@ inline bool contiguous(unsigned mask) {
   return (mask & 0x80) != 0 && above == 0xff;
 }
 
-// a_k = C(n, k) sum over i <= k of (-1)^(k - i) C(k, i) b_i
-inline void power_form(const double *b, int degree, double *power) {
-  double difference[8];
-  for (int i = 0; i <= degree; ++i)
-    difference[i] = b[i];
-  double binomial = 1;
-  for (int k = 0; k <= degree; ++k) {
-    power[k] = binomial * difference[0];
-    for (int i = 0; i + k < degree; ++i)
-      difference[i] = difference[i + 1] - difference[i];
-    binomial = binomial * (degree - k) / (k + 1);
-  }
+constexpr double binomial(int n, int k) {
+  double value = 1;
+  for (int i = 1; i <= k; ++i)
+    value = value * (n - k + i) / i;
+  return value;
 }
+
+/// What each of the Bernstein coefficients b_r ... b_7 of a polynomial of degree n = 7 - r adds to
+/// its coefficients by powers: a_k = C(n, k) sum over i <= k of (-1)^(k - i) C(k, i) b_{i + r}.
+struct PowerColumns {
+  double column[largest_order + 1][8][8] = {};
+
+  constexpr PowerColumns() {
+    for (int r = 0; r <= largest_order; ++r)
+      for (int i = 0; i <= table_degree - r; ++i)
+        for (int k = i; k <= table_degree - r; ++k)
+          column[r][i + r][k] =
+              ((k - i) % 2 == 0 ? 1 : -1) * binomial(table_degree - r, k) * binomial(k, i);
+  }
+};
+constexpr PowerColumns power_columns;
+
+// Factors of the coefficients by powers in the derivative, and in half the second one.
+constexpr double slope_factors[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+constexpr double bend_factors[8] = {0, 0, 1, 3, 6, 10, 15, 21};
+
+/// A polynomial of degree 7 by powers, with its derivatives.
+class Polynomial {
+public:
+  Polynomial(const double *b, int r) {
+    V8 even = all(0);
+    V8 odd = all(0);
+    for (int i = r & ~1; i < 8; i += 2) {
+      even = fused(all(b[i]), load(power_columns.column[r][i]), even);
+      odd = fused(all(b[i + 1]), load(power_columns.column[r][i + 1]), odd);
+    }
+    const V8 powers = even + odd;
+    store(value_, powers);
+    store(slope_, powers * load(slope_factors));
+    store(bend_, powers * load(bend_factors));
+  }
+
+  /// Value, derivative and half the second derivative.
+  void operator()(double x, double &value, double &slope, double &bend) const {
+    const double x2 = x * x;
+    const double x4 = x2 * x2;
+    const double *a = value_;
+    const double *b = slope_;
+    const double *c = bend_;
+    value = fused(fused(fused(a[7], x, a[6]), x2, fused(a[5], x, a[4])), x4,
+                  fused(fused(a[3], x, a[2]), x2, fused(a[1], x, a[0])));
+    slope = fused(fused(b[7], x2, fused(b[6], x, b[5])), x4,
+                  fused(fused(b[4], x, b[3]), x2, fused(b[2], x, b[1])));
+    bend = fused(fused(c[7], x, c[6]), x4, fused(fused(c[5], x, c[4]), x2, fused(c[3], x, c[2])));
+  }
+
+private:
+  double value_[8], slope_[8], bend_[8];
+};
 
 // The only zero of a polynomial given by Bernstein coefficients of degree 7 - r: from where its
 // control polygon crosses, by Halley's method in a bracket.
 inline Zero polynomial_zero(int guard, int r, const double *b, unsigned low, double e) {
-  const int degree = table_degree - r;
   const int i0 = __builtin_ctz(low);
-  double x = (i0 - 1 - r + b[i0 - 1] / (b[i0 - 1] - b[i0])) / degree;
+  double x = (i0 - 1 - r + b[i0 - 1] / (b[i0 - 1] - b[i0])) / (table_degree - r);
   double lower = 0;
   double upper = 1;
   double slope = 0;
-  double power[8];
-  power_form(b + r, degree, power);
+  const Polynomial polynomial(b, r);
   for (int i = 0; i < 30; ++i) {
-    double p = power[degree];
-    double d = 0;
-    double s = 0; // half the second derivative
-    for (int j = degree - 1; j >= 0; --j) {
-      s = s * x + d;
-      d = d * x + p;
-      p = p * x + power[j];
-    }
-    slope = d;
+    double p = 0;
+    double bend = 0;
+    polynomial(x, p, slope, bend);
     (p > 0 ? lower : upper) = x;
-    const double step = p * d / (d * d - p * s);
-    double next = x - step;
+    double next = x - p * slope / (slope * slope - p * bend);
     if (!(next >= lower && next <= upper))
       next = 0.5 * (lower + upper);
     const double moved = next > x ? next - x : x - next;
