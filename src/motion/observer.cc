@@ -53,42 +53,47 @@ Bernstein StepView::displacement(const Projection &projection) const {
                             end_values(projection, layout, *end_).list());
 }
 
+namespace {
+
+// What differences of values as large as these lose in rounding.
+double lost(double a, double b) {
+  return 64 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
+}
+
+// Where errors of two Hermite polynomials or their derivatives do not vanish.
+bool differ(const Bernstein &a, const Bernstein &b, double by) {
+  return std::abs(a(0.25) - b(0.25)) > by;
+}
+
+} // namespace
+
 // Over a short step differences of positions are rounding alone; then the velocities at the ends
-// say more.
+// say more: where the two differ by no more than that rounding.
 Bernstein StepView::velocity(const Projection &projection) const {
   const EndValues start = end_values(projection, equations_->layout(), *start_);
   const EndValues end = end_values(projection, equations_->layout(), *end_);
-  const auto &a = start.values;
-  const auto &b = end.values;
   const double h = length();
-  const double rounding = 64 * std::numeric_limits<double>::epsilon();
-  if (rounding * std::max(std::abs(a[0]), std::abs(b[0])) >
-      1e-10 * h * std::max(std::abs(a[1]), std::abs(b[1])))
-    return Bernstein::hermite(h, start.list().subspan(1), end.list().subspan(1));
-  return Bernstein::hermite_rate(h, start.list(), end.list());
+  const Bernstein by_positions = Bernstein::hermite_rate(h, start.list(), end.list());
+  const Bernstein by_rates = Bernstein::hermite(h, start.list().subspan(1), end.list().subspan(1));
+  return differ(by_positions, by_rates, lost(start.values[0], end.values[0]) / h) ? by_positions
+                                                                                  : by_rates;
 }
 
-// Differences of positions over a short step say nothing of the acceleration any more; then those
-// of the velocities do, and at last the accelerations at the ends alone.
+// Likewise by the positions, the velocities, or at last the accelerations at the ends alone.
 Bernstein StepView::acceleration(const Projection &projection) const {
   const EndValues start = end_values(projection, equations_->layout(), *start_);
   const EndValues end = end_values(projection, equations_->layout(), *end_);
-  const auto &a = start.values;
-  const auto &b = end.values;
   const double h = length();
-  const double rounding = 64 * std::numeric_limits<double>::epsilon();
-  const double allowed = 1e-9 * std::max(std::abs(a[2]), std::abs(b[2]));
-  if (rounding * std::max(std::abs(a[1]), std::abs(b[1])) > allowed * h)
-    return Bernstein::hermite(h, start.list().subspan(2), end.list().subspan(2));
-  if (rounding * std::max(std::abs(a[0]), std::abs(b[0])) > allowed * h * h) {
-    Bernstein slope =
-        Bernstein::hermite(h, start.list().subspan(1), end.list().subspan(1)).derivative();
-    slope *= 1 / h;
-    return slope;
-  }
-  Bernstein second = Bernstein::hermite(h, start.list(), end.list()).derivative().derivative();
-  second *= 1 / (h * h);
-  return second;
+  Bernstein by_positions =
+      Bernstein::hermite(h, start.list(), end.list()).derivative().derivative();
+  by_positions *= 1 / (h * h);
+  Bernstein by_rates =
+      Bernstein::hermite(h, start.list().subspan(1), end.list().subspan(1)).derivative();
+  by_rates *= 1 / h;
+  if (differ(by_positions, by_rates, lost(start.values[0], end.values[0]) / (h * h)))
+    return by_positions;
+  const Bernstein by_ends = Bernstein::hermite(h, start.list().subspan(2), end.list().subspan(2));
+  return differ(by_rates, by_ends, lost(start.values[1], end.values[1]) / h) ? by_rates : by_ends;
 }
 
 Bernstein StepView::coordinate(Index j) const {
@@ -186,8 +191,10 @@ double StepView::force(std::size_t contact, double tau) const {
 
 Observers::Observers(std::vector<Observer *> list) : list_(std::move(list)) {
   for (Observer *observer : list_) {
-    monitors_.push_back(observer->output_monitor());
-    all_monitor_ = all_monitor_ && monitors_.back();
+    if (OutputMonitor *const monitor = observer->output_monitor())
+      monitors_.push_back(monitor);
+    if (Observer *const stepped = observer->step_observer())
+      stepped_.list.push_back(stepped);
   }
 }
 

@@ -100,9 +100,11 @@ public:
   virtual ~Observer() = default;
   virtual void step(const StepView &view) = 0;
   virtual void event(const ContactEvent & /*event*/) {}
-  /// What it wants to see of a motion that is not stepped but flies; its events are told all the
-  /// same. None: it must see every step.
+  /// Where a motion is known in closed form, some can do with extreme values and events instead of
+  /// steps: what they want to see there. None: it must see steps there too.
   virtual OutputMonitor *output_monitor() { return nullptr; }
+  /// Who must see steps where a motion is known in closed form; nullptr: nobody.
+  virtual Observer *step_observer() { return output_monitor() ? nullptr : this; }
 };
 
 /// Passes everything on to several observers.
@@ -117,15 +119,24 @@ public:
     for (Observer *observer : list_)
       observer->event(event);
   }
-  OutputMonitor *output_monitor() override { return all_monitor_ ? this : nullptr; }
+  OutputMonitor *output_monitor() override { return monitors_.empty() ? nullptr : this; }
+  Observer *step_observer() override { return stepped_.list.empty() ? nullptr : &stepped_; }
 
 private:
+  class Stepped : public Observer {
+  public:
+    void step(const StepView &view) override {
+      for (Observer *observer : list)
+        observer->step(view);
+    }
+    std::vector<Observer *> list;
+  };
   void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override;
   void part_done(const Equations &equations, double start, double end) override;
 
   std::vector<Observer *> list_;
   std::vector<OutputMonitor *> monitors_;
-  bool all_monitor_ = true;
+  Stepped stepped_;
 };
 
 } // namespace vibroimpact::motion

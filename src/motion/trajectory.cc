@@ -19,7 +19,8 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
     : settings_(settings), equations_(model, contacts), collisions_(equations_, settings_),
       steppers_(equations_, settings) {
   if (steppers_.exact())
-    path_ = std::make_unique<ExactPath>(equations_, *steppers_.exact(), settings.event_tolerance);
+    path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(),
+                                        settings.event_tolerance);
 }
 
 Trajectory::~Trajectory() = default;

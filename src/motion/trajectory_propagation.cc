@@ -7,16 +7,16 @@
 
 namespace vibroimpact::motion {
 
-// Goes on without steps as far as that is clear, and as all who watch can do without them. False: a
-// step is next, from where the flight has led.
+// Goes on in closed form as far as that is clear. False: a step is next.
 bool Trajectory::propagate(double limit, Observer &observer) {
-  if (!path_ || keeps_modes() || (observed_ && !observer.output_monitor()))
+  if (!path_ || keeps_modes())
     return false;
   double instant = time();
   Vector state = steppers_.present().state();
   const long events_before = events_;
   const PathObserver path_observer{
       .monitor = observer.output_monitor(),
+      .steps = observer.step_observer(),
       .change = [&](double when, std::size_t contact, std::size_t guard, Vector &changed) {
         change_mode(when, contact, guard, changed, observer);
       }};
@@ -25,7 +25,7 @@ bool Trajectory::propagate(double limit, Observer &observer) {
   const bool moved = path_->advance(instant, state, limit, most_events, zero_at_start_,
                                     observed_ ? &path_observer : nullptr);
   const ExactPath::Tally tally = path_->take_tally();
-  steps_ += tally.pieces;
+  steps_ += tally.pieces + tally.steps_shown;
   events_ = events_before + tally.events;
   event_residual_ = std::max(event_residual_, tally.event_residual);
   undecided_ += tally.undecided;
@@ -45,7 +45,7 @@ bool Trajectory::propagate(double limit, Observer &observer) {
   return path_->clear();
 }
 
-// A step begins where the flight has ended.
+// A step begins where the closed form has led.
 void Trajectory::take_over() {
   const Vector state = steppers_.present().state();
   begin_phase(time(), state);

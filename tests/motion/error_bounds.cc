@@ -1,6 +1,6 @@
 // Bounds and estimates of errors against the errors they stand for.
 #include "contact/laws/linear_penalty.h"
-#include "motion/exact/linear_phase.h"
+#include "motion/exact/exact_stepper.h"
 #include "motion/steps/high_order_stepper.h"
 #include "motion/trajectory.h"
 #include "support/lumped_models.h"
@@ -21,22 +21,22 @@ using testing::single_mass;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// q = sin(w t) / w, of which the sixth derivative is -w^5 sin(w t): it begins at zero, and a bound
-// must hold up to the end of each interval.
+// The gap 1 - sin(w t) / w, of which the sixth derivative is w^5 sin(w t): it begins at zero, and a
+// bound must hold up to the end of each interval. Once as a pair, once as a dense block.
 TEST(ErrorBoundsTest, SixthDerivativesOfGuards) {
-  constexpr double omega = 3;
-  const Model model({single_mass("block", 1, omega * omega, 0)});
-  const ContactSet none;
-  const Equations equations(model, none);
-  const LinearSystem system(equations);
-  const DenseTolerance tolerance{.relative = 1e-9, .absolute = Vector::Constant(2, 1e-12)};
-  const GuardForms position{.rows = RowVector::Unit(2, 0), .constants = Vector::Zero(1)};
-  for (auto make : {make_modal_motion, make_taylor_motion}) {
-    const std::unique_ptr<LinearMotion> motion = make(system, 1, tolerance);
-    motion->watch(position);
-    ASSERT_TRUE(motion->begin(Eigen::Vector2d(0, 1), {}));
-    const double end = 1 / omega; // the longest step of a Taylor series
-    const GuardCurves &curves = motion->guards(end);
+  for (const double omega : {3.0, 0.0}) {
+    const Model model({single_mass("block", 1, omega * omega, 0)});
+    const ContactSet contacts(
+        {contact_along_x(model, "block.head", "", 1, std::make_shared<LinearPenalty>(1e3))});
+    const Equations equations(model, contacts);
+    ExactStepper stepper(equations, Settings{});
+    Vector x = Vector::Zero(equations.layout().size());
+    x[1] = 1;
+    ASSERT_TRUE(stepper.handles(0));
+    stepper.restart(0, x);
+    stepper.step(0.3);
+    const GuardCurves &curves = *stepper.guard_curves();
+    const double end = stepper.time();
     for (const double from : {0.0, 0.25, 0.5, 0.9})
       for (const double to : {from + 0.01, from + 0.1}) {
         const double largest = std::pow(omega, 5) * std::sin(omega * to * end);
@@ -44,6 +44,8 @@ TEST(ErrorBoundsTest, SixthDerivativesOfGuards) {
         EXPECT_GE(bound, largest * (1 - 1e-12)) << from << " to " << to;
         EXPECT_LE(bound, 2 * std::pow(omega, 5)) << from << " to " << to;
       }
+    EXPECT_NEAR(curves.at(0, end).value, omega > 0 ? 1 - std::sin(omega * end) / omega : 1 - end,
+                1e-15);
   }
 }
 

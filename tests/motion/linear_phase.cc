@@ -1,14 +1,17 @@
 // Exact motions of linear phases against closed forms: free and forced oscillators with every kind
 // of damping, resonance, defective systems, internal states.
-#include "motion/exact/linear_phase.h"
 #include "contact/laws/piecewise_stop.h"
 #include "contact/laws/relaxing_stop.h"
+#include "model/piecewise_function.h"
+#include "motion/exact/exact_phases.h"
 #include "motion/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace vibroimpact::motion {
@@ -141,59 +144,96 @@ TEST(LinearPhaseTest, SeveralContactsWithInternalStates) {
 }
 
 // While a relaxing stop is pushed in, its compression follows the mass: an eigenvalue of zero,
-// which the constant of the clearance does not drive.
+// which the constant of the clearance does not drive, so that the response to it is a rest.
 TEST(LinearPhaseTest, ConstantThatDoesNotDriveAModeAtRest) {
   const Model model({single_mass("block", 1, 1, 0.2)});
   const ContactSet contacts(
       {contact_along_x(model, "block.head", "", 0.25, std::make_shared<RelaxingStop>(5, 1))});
   Equations equations(model, contacts);
   equations.set_mode(0, 1);
-  const LinearSystem system(equations);
-  ASSERT_FALSE(system.constant().isZero(0));
-  ComplexVector solution;
-  ASSERT_TRUE(system.response(0, system.constant().cast<Complex>(), solution));
-  EXPECT_LT((system.matrix() * solution.real() + system.constant()).norm(), 1e-14);
-  // A constant that does drive it has no steady solution.
-  ComplexVector load = ComplexVector::Zero(3);
-  load[2] = 1;
-  EXPECT_FALSE(system.response(0, load, solution));
+  ExactPhases phases(equations, Settings{});
+  ASSERT_TRUE(phases.take_sources(0));
+  LinearPhase &known = *phases.present();
+  ASSERT_FALSE(known.system().constant().isZero(0));
+  EXPECT_FALSE(known.phase().has_dense());
+  const Vector rest = known.phase().columns().col(known.phase().n_modes()).head(3);
+  EXPECT_LT((known.system().matrix() * rest + known.system().constant()).norm(), 1e-14);
 }
 
-// Dense output inside the steps: coordinates and internal states within the tolerance.
+// Between the ends of steps displacements, velocities, accelerations and internal states keep the
+// tolerance, relative to their own size.
 TEST(LinearPhaseTest, DenseOutputKeepsTheTolerance) {
   class Compare : public Observer {
   public:
+    explicit Compare(const Model &model)
+        : along_(model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), true)) {}
     void step(const StepView &view) override {
       ++steps;
+      const Bernstein acceleration = view.acceleration(along_);
+      const Bernstein velocity = view.velocity(along_);
       for (int i = 0; i <= 20; ++i) {
         const double tau = i / 20.0;
         const double t = view.start() + tau * view.length();
-        coordinate = std::max(coordinate,
-                              std::abs(view.coordinate(0)(tau) - free_motion(2, 400, 0.3, -1, t)));
-        internal = std::max(internal, std::abs(view.internal(0)(tau) - 0.3 * std::exp(-300 * t)));
+        const double q = free_motion(2, 400, 0.3, -1, t);
+        const double v = free_motion(2, 400, -1, -400 * 0.3 + 2, t);
+        largest[0] = std::max(largest[0], std::abs(view.coordinate(0)(tau) - q));
+        largest[1] = std::max(largest[1], std::abs(velocity(tau) - v));
+        largest[2] = std::max(largest[2], std::abs(acceleration(tau) + 2 * v + 400 * q));
+        largest[3] =
+            std::max(largest[3], std::abs(view.internal(0)(tau) - 0.3 * std::exp(-300 * t)));
       }
     }
-    double coordinate = 0;
-    double internal = 0;
+    std::array<double, 4> largest{};
     long steps = 0;
+
+  private:
+    Projection along_;
   };
   const Model model({single_mass("block", 1, 400, 2)});
   const ContactSet contacts(
       {contact_along_x(model, "block.head", "", 10.0, std::make_shared<RelaxingStop>(1500, 5))});
-  for (const double tolerance : {1e-5, 1e-7, 1e-9}) {
+  for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-12}) {
     Settings settings;
     settings.relative_tolerance = tolerance;
     Trajectory trajectory(model, contacts, settings);
     MotionState from{.time = 0, .physical = Vector::Zero(3)};
     from.physical << 0.3, -1, 0.3;
-    Compare compare;
+    Compare compare(model);
     trajectory.start(from);
     trajectory.advance(1, compare);
-    EXPECT_LT(compare.coordinate, tolerance * 0.31);
-    EXPECT_LT(compare.internal, tolerance * 0.31);
+    EXPECT_LT(compare.largest[0], tolerance * 0.31);
+    EXPECT_LT(compare.largest[1], tolerance * 6.2);
+    EXPECT_LT(compare.largest[2], tolerance * 124);
+    EXPECT_LT(compare.largest[3], tolerance * 0.31);
     // It is not bought by tiny steps: one second is 3 periods, and 300 decay times.
-    EXPECT_LT(compare.steps, 60);
+    EXPECT_LT(compare.steps, tolerance > 1e-10 ? 100 : 200);
   }
+}
+
+// Free bodies, critical damping and resonance with an observer that must see steps: energies by the
+// closed form of dense blocks, in few steps however fast another body vibrates.
+TEST(LinearPhaseTest, RecordedFreeBodyBesideAFastOne) {
+  class Count : public Observer {
+  public:
+    void step(const StepView & /*view*/) override { ++steps; }
+    long steps = 0;
+  };
+  Model model({single_mass("free", 2, 0, 0.3), single_mass("fast", 1, 1e8, 0)});
+  model.add_force("force", std::make_shared<Harmonic>(Given::displacement, 3, 7, 0),
+                  {.body = 0, .point = 0}, Vector3::UnitX());
+  model.add_force("load", make_constant(Given::displacement, 1), {.body = 0, .point = 0},
+                  Vector3::UnitX());
+  const ContactSet none;
+  Trajectory trajectory(model, none, {});
+  Count count;
+  trajectory.start(0, Eigen::Vector2d(0, 1e-9), Eigen::Vector2d(0.2, 0));
+  trajectory.advance(2, count);
+  const StateLayout &layout = trajectory.layout();
+  const double kinetic = trajectory.state()[2] * trajectory.state()[2];
+  const double work = trajectory.state()[layout.input_work()];
+  const double lost = trajectory.state()[layout.damping_work()];
+  EXPECT_NEAR(kinetic - 0.04, work - lost, 1e-12 * work);
+  EXPECT_LT(trajectory.accuracy().energy_residual, 1e-12);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "motion/segment/phase_forms.h"
 
 #include <optional>
+#include <stdexcept>
 
 namespace vibroimpact::motion {
 
@@ -115,10 +116,9 @@ void PowerForms::add_dissipation(const Equations &equations, std::size_t contact
         return response.dissipated_power;
       },
       static_cast<Index>(rows.size()));
-  if (!dissipated) {
-    known_ = false;
-    return;
-  }
+  if (!dissipated)
+    throw std::logic_error("the law '" + pair.law->name() +
+                           "' is linear, but the power it dissipates is no quadratic form");
   rows.push_back(constant_row(equations, 1));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     LinearRow force = constant_row(equations, 0);

@@ -62,32 +62,15 @@ void guard_noise(const PhaseView &view, const AlignedArray &rounding, AlignedArr
 
 } // namespace
 
-ExactPath::ExactPath(Equations &equations, ExactStepper &stepper, double event_tolerance)
-    : equations_(equations), stepper_(stepper), kernel_(kernel()),
-      event_tolerance_(event_tolerance), longest_piece_(longest_piece()),
-      last_event_(-std::numeric_limits<double>::infinity()) {}
-
-// Beyond the slowest vibration of the bodies alone no piece is worth trying; where nothing vibrates
-// only the excitation asks for pieces at all.
-double ExactPath::longest_piece() const {
-  double slowest = std::numeric_limits<double>::infinity();
-  const Vector &mass = equations_.model().mass();
-  for (Index j = 0; j < mass.size(); ++j) {
-    const double stiffness = equations_.model().stiffness().dense()(j, j);
-    if (stiffness > 0)
-      slowest = std::min(slowest, std::sqrt(stiffness / mass[j]));
-  }
-  constexpr double whole = 1e3; // [s]
-  return std::isfinite(slowest) ? 8 / slowest : whole;
-}
+ExactPath::ExactPath(Equations &equations, ExactPhases &phases, double event_tolerance)
+    : equations_(equations), exact_phases_(phases), kernel_(kernel()),
+      event_tolerance_(event_tolerance), last_event_(-std::numeric_limits<double>::infinity()) {}
 
 void ExactPath::begin() {
   known_ = nullptr;
   running_ = false;
   last_event_ = -std::numeric_limits<double>::infinity();
-  for (auto &[modes, known] : phases_)
-    if (known.phase)
-      known.phase->forget();
+  exact_phases_.forget();
 }
 
 double ExactPath::time_tolerance(double time) const {
@@ -97,39 +80,32 @@ double ExactPath::time_tolerance(double time) const {
 // Of the present modes of the equations, under the present excitation.
 ExactPath::KnownPhase &ExactPath::known_phase() {
   KnownPhase &known = phases_[equations_.modes()];
-  if (!known.asked && LinearSystem::holds(equations_)) {
-    known.forms = std::make_unique<PhaseForms>(equations_);
-    known.transitions.resize(known.forms->guards().size());
-    const LinearSystem system(equations_);
-    known.phase = std::make_unique<ExactPhase>(system.matrix(), system.constant(), system.loads(),
-                                               known.forms->guard_forms(), longest_piece_);
-  }
-  known.asked = true;
-  if (known.phase)
-    known.phase->take(excitation_);
+  known.linear = exact_phases_.present();
+  if (known.linear && known.transitions.empty())
+    known.transitions.resize(known.guards().size());
   return known;
 }
 
 // To the phase beyond a guard of the present one. None where it is left to others: impacts and rest
 // are for several contacts together.
 ExactPath::Transition *ExactPath::transition(std::size_t guard) {
-  const PhaseGuard passed = known_->forms->guards()[guard];
+  const PhaseGuard passed = known_->guards()[guard];
   if (equations_.contacts().pairs()[passed.contact].law->rigid())
     return nullptr;
   std::unique_ptr<Transition> &known = known_->transitions[guard];
   if (!known)
     known = std::make_unique<Transition>(find_transition(passed));
-  if (!known->target->phase)
+  if (!known->target->linear)
     return nullptr;
-  if (known->excitation != excitation_.generation()) {
-    known->target->phase->take(excitation_);
+  if (known->excitation != exact_phases_.excitation().generation()) {
+    known->target->phase().take(exact_phases_.excitation());
     if (known->change)
       known->change->renew();
   }
   if (!known->change)
-    known->change = std::make_unique<ExactChange>(*known_->phase, known_->forms->resets(guard),
-                                                  *known->target->phase);
-  known->excitation = excitation_.generation();
+    known->change = std::make_unique<ExactChange>(
+        known_->phase(), known_->linear->forms().resets(guard), known->target->phase());
+  known->excitation = exact_phases_.excitation().generation();
   return known.get();
 }
 
@@ -137,19 +113,19 @@ ExactPath::Transition ExactPath::find_transition(const PhaseGuard &passed) {
   const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
   equations_.set_mode(passed.contact, passed.target);
   Transition transition{.target = &known_phase(), .proportion = {}};
-  if (transition.target->forms)
-    for (const PhaseGuard &other : transition.target->forms->guards())
+  if (transition.target->linear)
+    for (const PhaseGuard &other : transition.target->guards())
       transition.proportion.push_back(
           other.contact == passed.contact
               ? proportion(linear_row(equations_, other.contact, indicator(equations_, other)),
                            form)
               : 0);
-  set_modes(known_->forms->contact_modes(), equations_);
+  set_modes(known_->linear->forms().contact_modes(), equations_);
   return transition;
 }
 
 double ExactPath::rounding(std::size_t guard) const {
-  return hidden_by_rounding(known_->phase->view(), guard, walk_.turned, noise_[guard]);
+  return hidden_by_rounding(known_->view(), guard, walk_.turned, noise_[guard]);
 }
 
 // From walk_.amplitudes on, in the phase known_.
@@ -158,41 +134,39 @@ void ExactPath::start_walk(const KnownPhase &known) {
   walk_.order = order_.data();
   walk_.time = 0;
   walk_.pieces_of_phase = 0;
-  known_ = &phases_.at(known.forms->contact_modes());
+  known_ = &phases_.at(known.linear->forms().contact_modes());
 }
 
 // A guard that has just been passed is zero within what its location has left. False: it falls at
 // once.
 bool ExactPath::start_from(double time, const Vector &state, std::span<const ZeroGuard> zero) {
-  if (!stepper_.handles(time))
+  if (!exact_phases_.linear() || !exact_phases_.take_sources(time))
     return false;
-  excitation_.take(stepper_.sources());
   KnownPhase &known = known_phase();
-  if (!known.phase)
-    return false;
-  inputs_.resize(static_cast<std::size_t>(excitation_.size()));
-  excitation_.coordinates(time, inputs_.data());
+  inputs_.resize(static_cast<std::size_t>(exact_phases_.excitation().size()));
+  exact_phases_.excitation().coordinates(time, inputs_.data());
   const auto largest =
       static_cast<std::size_t>(equations_.layout().physical_size()) + inputs_.size() + group_block;
-  for (AlignedArray *buffer : {&amplitudes_, &turned_, &next_, &between_, &part_})
+  for (AlignedArray *buffer :
+       {&amplitudes_, &turned_, &next_, &between_, &part_, &step_start_, &step_end_})
     buffer->resize(std::max(buffer->size(), 2 * largest));
   for (AlignedArray *buffer : {&magnitudes_, &reach_, &next_rounding_})
     buffer->resize(std::max(buffer->size(), largest));
-  physical_ = state.head(known.phase->n_modes());
+  physical_ = state.head(known.phase().n_modes());
   Amplitudes start;
-  known.phase->amplitudes(physical_, inputs_.data(), start);
-  rounding_.assign(static_cast<std::size_t>(known.phase->view().n_padded), 0);
+  known.phase().amplitudes(physical_, inputs_.data(), start);
+  rounding_.assign(static_cast<std::size_t>(known.view().n_padded), 0);
   std::copy(start.begin(), start.end(), amplitudes_.begin());
   walk_.amplitudes = amplitudes_.data();
   walk_.turned = turned_.data();
   walk_.between = between_.data();
   walk_.magnitudes = magnitudes_.data();
   walk_.reach = reach_.data();
-  const PhaseView &view = known.phase->view();
+  const PhaseView &view = known.view();
   noise_.assign(static_cast<std::size_t>(view.n_guards), 0);
   order_.assign(static_cast<std::size_t>(view.n_guards), 0);
   guard_noise(view, rounding_, noise_);
-  const std::vector<PhaseGuard> &guards = known.forms->guards();
+  const std::vector<PhaseGuard> &guards = known.guards();
   for (std::size_t g = 0; g < guards.size(); ++g) {
     const bool was_zero = std::any_of(zero.begin(), zero.end(), [&](const ZeroGuard &passed) {
       return passed.contact == guards[g].contact && passed.guard == guards[g].guard;
@@ -210,18 +184,11 @@ bool ExactPath::start_from(double time, const Vector &state, std::span<const Zer
   return true;
 }
 
-// Makes what it takes to watch a phase, the modes of the equations being its. False: its energies
-// are not known in closed form.
-bool ExactPath::prepare_monitoring(KnownPhase &known) {
-  if (!known.powers)
-    known.powers = std::make_unique<PowerForms>(equations_);
-  if (!known.powers->known() || known.phase->has_dense())
-    return false;
-  if (!known.work)
-    known.work = std::make_unique<WorkIntegrals>(*known.powers, *known.phase, equations_.layout());
-  else if (known.work_excitation != excitation_.generation())
-    known.work->renew();
-  known.work_excitation = excitation_.generation();
+// Makes what it takes to observe a phase, the modes of the equations being its.
+void ExactPath::prepare_monitoring(KnownPhase &known) {
+  if (!observer_->monitor)
+    return;
+  const long excitation = exact_phases_.excitation().generation();
   if (known.monitored.monitor != observer_->monitor->identity()) {
     std::vector<MonitoredForm> forms;
     observer_->monitor->add_forms(equations_, forms);
@@ -229,66 +196,96 @@ bool ExactPath::prepare_monitoring(KnownPhase &known) {
     known.monitored = {.monitor = observer_->monitor->identity(), .forms = MonitoredForms(forms)};
   }
   if (!known.outputs)
-    known.outputs = std::make_unique<ExactOutputs>(known.monitored.forms, *known.phase);
-  else if (known.outputs_excitation != excitation_.generation())
+    known.outputs = std::make_unique<ExactOutputs>(known.monitored.forms, known.phase());
+  else if (known.outputs_excitation != excitation)
     known.outputs->renew();
-  known.outputs_excitation = excitation_.generation();
-  return true;
+  known.outputs_excitation = excitation;
 }
 
 // A part of a phase is reported as a whole. The error of pieces is chosen so that the quintics of
 // the outputs mostly need no division.
-bool ExactPath::begin_part(double time) {
+void ExactPath::begin_part(double time) {
   constexpr double unobserved = 1e-4;
   constexpr double observed = 1e-7;
   walk_.outputs = nullptr;
   walk_.tolerated = unobserved;
   if (!observer_)
-    return true;
-  if (!prepare_monitoring(*known_))
-    return false;
-  if (!known_->monitored.forms.ranges.empty()) {
+    return;
+  prepare_monitoring(*known_);
+  if (observer_->monitor && !known_->monitored.forms.ranges.empty()) {
     walk_.outputs = &known_->outputs->begin();
     walk_.tolerated = observed;
   }
-  std::copy_n(walk_.amplitudes, known_->phase->n_amplitudes(), part_.begin());
+  std::copy_n(walk_.amplitudes, known_->phase().n_amplitudes(), part_.begin());
   part_start_ = time;
-  return true;
 }
 
+// The modes of the equations are those of the part.
 void ExactPath::end_part(double time, const double *amplitudes) {
   if (!observer_ || time <= part_start_)
     return;
+  if (observer_->steps)
+    show_steps(time, amplitudes);
+  else
+    known_->linear->work(equations_).add(part_.data(), amplitudes, time - part_start_, *state_);
+  if (!observer_->monitor)
+    return;
   known_->outputs->end();
-  known_->work->add(part_.data(), amplitudes, time - part_start_, *state_);
   observer_->monitor->part_done(equations_, part_start_, time);
 }
 
-// Reports a contact change, which takes the equations to the modes after it. False, and nothing
-// happens: the phase to come cannot be observed.
-bool ExactPath::report_change(double time, KnownPhase &next) {
-  set_modes(next.forms->contact_modes(), equations_);
-  const bool prepared = prepare_monitoring(next);
-  set_modes(known_->forms->contact_modes(), equations_);
-  if (!prepared)
-    return false;
-  const PhaseGuard &passed = known_->forms->guards()[static_cast<std::size_t>(walk_.guard)];
+// The part from part_start_ on as steps whose polynomials keep the tolerance, all of them from the
+// amplitudes at its start. Two halves rather than a step and a sliver.
+void ExactPath::show_steps(double time, const double *amplitudes) {
+  ExactSegment &segment = known_->linear->segment(equations_);
+  WorkIntegrals &work = known_->linear->work(equations_);
+  std::copy_n(part_.data(), known_->phase().n_amplitudes(), step_start_.begin());
+  start_point_.state = *state_;
+  segment.fill(part_start_, step_start_.data(), start_point_);
+  segment.begin(step_start_.data(), part_start_ == origin_);
+  while (start_point_.time < time) {
+    leave_if_stopped();
+    const double from = start_point_.time;
+    const double wanted = segment.step(step_start_.data());
+    const double rest = time - from;
+    if (!(from + wanted > from))
+      throw NumericalError("the motion is too fast for any step, at t = " + std::to_string(from) +
+                           " s");
+    const bool last = rest <= wanted * (1 + 1e-9);
+    const double to = last ? time : from + (rest < 2 * wanted ? 0.5 * rest : wanted);
+    if (last)
+      std::copy_n(amplitudes, known_->phase().n_amplitudes(), step_end_.begin());
+    else
+      kernel_.turn(known_->view(), part_.data(), to - part_start_, step_end_.data());
+    end_point_.state = start_point_.state;
+    work.add(step_start_.data(), step_end_.data(), to - from, end_point_.state);
+    segment.fill(to, step_end_.data(), end_point_);
+    observer_->steps->step(StepView(equations_, start_point_, end_point_));
+    ++tally_.steps_shown;
+    std::swap(start_point_, end_point_);
+    step_start_.swap(step_end_);
+  }
+  *state_ = start_point_.state;
+}
+
+// Reports a contact change, which takes the equations to the modes after it.
+void ExactPath::report_change(double time) {
+  const PhaseGuard &passed = known_->guards()[static_cast<std::size_t>(walk_.guard)];
   end_part(time, walk_.turned);
-  known_->phase->rows(walk_.turned, rows_);
-  state_->head(known_->phase->n_modes()) = rows_.head(known_->phase->n_modes());
+  known_->phase().rows(walk_.turned, rows_);
+  state_->head(known_->phase().n_modes()) = rows_.head(known_->phase().n_modes());
   observer_->change(time, passed.contact, passed.guard, *state_);
-  return true;
 }
 
 // The new phase's guards of the contact that changed may be zero, and must rise then; what those of
 // other contacts do, the kernel sees.
 bool ExactPath::begin_guards(const Transition &transition, std::size_t passed) {
   const KnownPhase &target = *transition.target;
-  const PhaseView &view = target.phase->view();
+  const PhaseView &view = target.view();
   const double tolerance = time_tolerance(origin_);
   const double residual = std::abs(walk_.value / walk_.slope);
-  const std::vector<PhaseGuard> &guards = target.forms->guards();
-  const std::size_t contact = known_->forms->guards()[passed].contact;
+  const std::vector<PhaseGuard> &guards = target.guards();
+  const std::size_t contact = known_->guards()[passed].contact;
   noise_.resize(guards.size());
   order_.assign(guards.size(), 0);
   guard_noise(view, next_rounding_, noise_);
@@ -323,18 +320,20 @@ bool ExactPath::change_phase() {
   kernel_.change(next->change->view(), walk_.turned, next_.data(), next_rounding_.data());
   constexpr int carried_changes = 32;
   if (changes_ >= carried_changes) {
-    const std::vector<int> &places = next->target->phase->places();
-    excitation_.coordinates(time, inputs_.data());
-    const auto first = static_cast<std::size_t>(next->target->phase->n_modes());
+    const std::vector<int> &places = next->target->phase().places();
+    exact_phases_.excitation().coordinates(time, inputs_.data());
+    const auto first = static_cast<std::size_t>(next->target->phase().n_modes());
     for (std::size_t k = 0; k < inputs_.size(); ++k)
       next_[static_cast<std::size_t>(places[first + k])] = inputs_[k];
   }
   note_residual();
-  if (!begin_guards(*next, passed) || (observer_ && !report_change(time, *next->target))) {
-    guard_noise(known_->phase->view(), rounding_, noise_);
+  if (!begin_guards(*next, passed)) {
+    guard_noise(known_->view(), rounding_, noise_);
     running_ = false;
     return false;
   }
+  if (observer_)
+    report_change(time);
   ++tally_.events;
   changes_ = changes_ < carried_changes ? changes_ + 1 : 0;
   last_event_ = origin_ = time;
@@ -343,13 +342,13 @@ bool ExactPath::change_phase() {
   walk_.amplitudes = next_.data();
   (before == amplitudes_.data() ? amplitudes_ : turned_).swap(next_);
   start_walk(*next->target);
-  set_modes(known_->forms->contact_modes(), equations_);
+  set_modes(known_->linear->forms().contact_modes(), equations_);
   begin_part(time);
   return true;
 }
 
 void ExactPath::note_pending() {
-  const PhaseGuard &guard = known_->forms->guards()[static_cast<std::size_t>(walk_.guard)];
+  const PhaseGuard &guard = known_->guards()[static_cast<std::size_t>(walk_.guard)];
   pending_ = {.contact = guard.contact,
               .guard = guard.guard,
               .residual = std::abs(walk_.value),
@@ -365,8 +364,8 @@ void ExactPath::note_residual() {
 
 void ExactPath::stand(double time, const double *amplitudes, Vector &state) {
   end_part(time, amplitudes);
-  known_->phase->rows(amplitudes, rows_);
-  state.head(known_->phase->n_modes()) = rows_.head(known_->phase->n_modes());
+  known_->phase().rows(amplitudes, rows_);
+  state.head(known_->phase().n_modes()) = rows_.head(known_->phase().n_modes());
   if (!state.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");
 }
@@ -376,17 +375,18 @@ bool ExactPath::advance(double &time, Vector &state, double limit, long most_eve
   observer_ = observer;
   state_ = &state;
   pending_.reset();
-  if ((!running_ && !start_from(time, state, zero)) || !begin_part(time))
+  if (!running_ && !start_from(time, state, zero))
     return false;
+  begin_part(time);
   const double from = time;
   if (observer_)
-    limit = std::min(limit, from + known_->work->longest());
+    limit = std::min(limit, from + known_->linear->work(equations_).longest());
   WalkEnd end = WalkEnd::paused;
   bool moving = true;
   while (moving) {
     const long before = walk_.pieces;
     const long undecided = walk_.undecided;
-    end = kernel_.advance(known_->phase->view(), walk_, limit - origin_);
+    end = kernel_.advance(known_->view(), walk_, limit - origin_);
     tally_.pieces += walk_.pieces - before;
     tally_.undecided += walk_.undecided - undecided;
     leave_if_stopped();

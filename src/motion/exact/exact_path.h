@@ -1,6 +1,7 @@
 // A motion through linear phases, over any number of contact changes, in closed form.
 //
-// Who observes it sees the extreme values of linear forms of the motion, and every contact change.
+// Who observes it sees the extreme values of linear forms of the motion or its parts as steps, and
+// every contact change.
 //
 // Where the kernel cannot prove what happens, where contacts change together or at once again, it
 // stops before and leaves the rest to the steps that every motion can take. At a change into a
@@ -10,9 +11,8 @@
 #include "motion/event/zero_guard.h"
 #include "motion/exact/exact_change.h"
 #include "motion/exact/exact_outputs.h"
-#include "motion/exact/exact_phase.h"
-#include "motion/exact/exact_stepper.h"
-#include "motion/exact/work_integrals.h"
+#include "motion/exact/exact_phases.h"
+#include "motion/observer.h"
 
 #include <functional>
 #include <map>
@@ -26,7 +26,8 @@ namespace vibroimpact::motion {
 /// Who observes, and does what a contact change takes: `state` is that just before, with its work
 /// integrals, in the modes before; the change is that of `contact` through `guard`.
 struct PathObserver {
-  OutputMonitor *monitor = nullptr;
+  OutputMonitor *monitor = nullptr; ///< none: nobody wants extreme values
+  Observer *steps = nullptr;        ///< none: nobody must see steps
   std::function<void(double time, std::size_t contact, std::size_t guard, Vector &state)> change;
 };
 
@@ -34,13 +35,14 @@ class ExactPath {
 public:
   struct Tally {
     long pieces = 0;
+    long steps_shown = 0;
     long events = 0;
     long undecided = 0;        ///< touches that rounding hides
     double event_residual = 0; ///< largest uncertainty of an event's instant [s]
   };
 
   /// Keeps references.
-  ExactPath(Equations &equations, ExactStepper &stepper, double event_tolerance);
+  ExactPath(Equations &equations, ExactPhases &phases, double event_tolerance);
 
   /// Another motion begins, which must not depend on those before; the excitation may be another.
   void begin();
@@ -82,30 +84,28 @@ private:
     long monitor = -1;
     MonitoredForms forms{{}};
   };
-  // The forms belong to the modes; what depends on the excitation is renewed when it is asked for
-  // under another one.
+  // What depends on the excitation is renewed when it is asked for under another one.
   struct KnownPhase {
-    bool asked = false;
-    std::unique_ptr<PhaseForms> forms; ///< none: not linear
-    std::unique_ptr<ExactPhase> phase;
-    std::vector<std::unique_ptr<Transition>> transitions;
-    std::unique_ptr<PowerForms> powers;
-    MonitoredOutputs monitored;
-    std::unique_ptr<WorkIntegrals> work;
-    long work_excitation = -1;
-    std::unique_ptr<ExactOutputs> outputs; ///< for the monitored forms
+    LinearPhase *linear = nullptr; ///< none: not linear
+    std::vector<std::unique_ptr<Transition>> transitions{};
+    MonitoredOutputs monitored{};
+    std::unique_ptr<ExactOutputs> outputs{}; ///< for the monitored forms
     long outputs_excitation = -1;
+
+    const std::vector<PhaseGuard> &guards() const { return linear->forms().guards(); }
+    ExactPhase &phase() const { return linear->phase(); }
+    const PhaseView &view() const { return linear->phase().view(); }
   };
 
   KnownPhase &known_phase();
-  double longest_piece() const;
   Transition *transition(std::size_t guard);
   Transition find_transition(const PhaseGuard &passed);
   bool start_from(double time, const Vector &state, std::span<const ZeroGuard> zero);
-  bool prepare_monitoring(KnownPhase &known);
-  bool begin_part(double time);
+  void prepare_monitoring(KnownPhase &known);
+  void begin_part(double time);
   void end_part(double time, const double *amplitudes);
-  bool report_change(double time, KnownPhase &next);
+  void show_steps(double time, const double *amplitudes);
+  void report_change(double time);
   void start_walk(const KnownPhase &known);
   bool change_phase();
   bool begin_guards(const Transition &transition, std::size_t passed);
@@ -116,12 +116,10 @@ private:
   void stand(double time, const double *amplitudes, Vector &state);
 
   Equations &equations_;
-  ExactStepper &stepper_;
+  ExactPhases &exact_phases_;
   const Kernel &kernel_;
   double event_tolerance_;
-  double longest_piece_ = 0;
   std::map<std::vector<int>, KnownPhase> phases_;
-  Excitation excitation_;
   std::vector<double> inputs_;
   KnownPhase *known_ = nullptr;
   Walk walk_;
@@ -139,6 +137,8 @@ private:
   Vector *state_ = nullptr;                ///< of the present call
   Amplitudes part_;                        ///< at the start of the part that is not reported yet
   double part_start_ = 0;
+  Amplitudes step_start_, step_end_;
+  EndPoint start_point_, end_point_; ///< of a step that is shown
 };
 
 } // namespace vibroimpact::motion

@@ -1,93 +1,143 @@
 #include "motion/exact/exact_stepper.h"
 
-#include "common/signals.h"
-#include "motion/system/tolerances.h"
+#include "common/error.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace vibroimpact::motion {
 
-ExactStepper::ExactStepper(const Equations &equations, const Settings &settings)
-    : equations_(equations),
-      maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
-                                              : std::numeric_limits<double>::infinity()),
-      tolerance_{.relative = settings.relative_tolerance,
-                 .absolute = absolute_tolerances(equations, settings.negligible_length())},
-      work_(equations) {}
-
-ExactStepper::CachedPhase &ExactStepper::cached_phase() {
-  for (CachedPhase &cached : phases_)
-    if (cached.modes == equations_.modes())
-      return cached;
-  CachedPhase &cached =
-      phases_.emplace_back(CachedPhase{.modes = equations_.modes(), .phase = nullptr});
-  if (LinearSystem::holds(equations_))
-    cached.phase = std::make_unique<LinearPhase>(equations_, tolerance_);
-  return cached;
-}
-
-bool ExactStepper::handles(double time) {
-  if (!cached_phase().phase)
-    return false;
-  sources_.clear();
-  for (const model::Source &source : equations_.model().sources()) {
-    std::optional<model::ExponentialForm> form = source.function->exponential_form(time);
-    if (!form)
-      return false;
-    sources_.push_back(*std::move(form));
+// The guards of the phase during a step. The sixth derivative of a group is bounded by the size of
+// its amplitude and the growth since then; of a dense block by |c B^6| exp(|B| t) |x|.
+class ExactStepper::Guards : public GuardCurves {
+public:
+  void start(const LinearPhase &known, ExactPhase &phase, const Amplitudes &amplitudes) {
+    forms_ = &known.forms().guard_forms();
+    phase_ = &phase;
+    amplitudes_ = &amplitudes;
+    turned_.resize(amplitudes.size());
   }
-  return true;
-}
+
+  Index size() const override { return forms_->constants.size(); }
+
+  Jet at(Index guard, double time) const override {
+    const double *amplitudes = amplitudes_->data();
+    if (time != 0) {
+      kernel().turn(phase_->view(), amplitudes, time, turned_.data());
+      amplitudes = turned_.data();
+    }
+    double f[4];
+    kernel().derivatives(phase_->view(), static_cast<int>(guard), amplitudes, f);
+    return {.value = f[0], .rate = f[1], .acceleration = f[2]};
+  }
+
+  double sixth_derivative(Index guard, double from, double to) const override {
+    double bound = 0;
+    for (const PhaseGroup &group : phase_->groups())
+      bound += group.kind == BlockKind::dense ? of_dense(guard, group, to)
+                                              : of_group(guard, group, from, to);
+    return bound;
+  }
+
+  double rounding(Index guard) const override {
+    const PhaseView &view = phase_->view();
+    const auto n = static_cast<std::size_t>(view.n_padded);
+    const auto g = static_cast<std::size_t>(guard);
+    double sum = view.constant_sizes[g];
+    for (std::size_t j = 0; j < n; ++j)
+      sum += view.sizes[g * n + j] * std::hypot((*amplitudes_)[j], (*amplitudes_)[n + j]);
+    return guard_rounding * sum;
+  }
+
+private:
+  RowVector seen(Index guard, const PhaseGroup &group) const {
+    RowVector row(static_cast<Index>(group.coordinates.size()));
+    for (std::size_t c = 0; c < group.coordinates.size(); ++c)
+      row[static_cast<Index>(c)] =
+          forms_->rows.row(guard).dot(phase_->columns().col(group.coordinates[c]));
+    return row;
+  }
+
+  double of_group(Index guard, const PhaseGroup &group, double from, double to) const {
+    const auto j = static_cast<std::size_t>(group.first);
+    const double size = std::hypot((*amplitudes_)[j], (*amplitudes_)[j + amplitudes_->size() / 2]);
+    const double rate = group.exponent.real();
+    return seen(guard, group).norm() * size * std::pow(std::abs(group.exponent), 6) *
+           std::exp(rate * (rate > 0 ? to : from));
+  }
+
+  double of_dense(Index guard, const PhaseGroup &group, double to) const {
+    RowVector row = seen(guard, group);
+    for (int order = 0; order < 6; ++order)
+      row = row * group.generator;
+    Vector x(row.size());
+    for (Index c = 0; c < x.size(); ++c)
+      x[c] = std::abs((*amplitudes_)[static_cast<std::size_t>(group.first + c)]);
+    const double growth = group.generator.cwiseAbs().rowwise().sum().maxCoeff();
+    constexpr double beyond_any_use = 200;
+    return row.cwiseAbs().sum() * x.maxCoeff() * std::exp(std::min(growth * to, beyond_any_use));
+  }
+
+  const GuardForms *forms_ = nullptr;
+  const ExactPhase *phase_ = nullptr;
+  const Amplitudes *amplitudes_ = nullptr;
+  mutable Amplitudes turned_;
+};
+
+ExactStepper::ExactStepper(const Equations &equations, const Settings &settings)
+    : equations_(equations), phases_(equations, settings), guards_(std::make_unique<Guards>()) {}
+
+ExactStepper::~ExactStepper() = default;
+
+bool ExactStepper::handles(double time) { return phases_.linear() && phases_.take_sources(time); }
 
 void ExactStepper::restart(double time, const Vector &x) {
   place(time, x);
   start_.time = time;
   start_.state = x;
-  motion_ = nullptr;
+  phase_ = nullptr;
 }
 
+// What is zero at the start comes out as zero from the state and the equations, not from a sum of
+// amplitudes.
 void ExactStepper::begin() {
-  physical_ = end_.state.head(equations_.layout().physical_size());
-  phase_ = cached_phase().phase.get();
-  motion_ = &phase_->begin(physical_, sources_);
-  motion_->initial_derivatives(rows_);
-  fill(end_);
-}
-
-// Everything but the state from the rows.
-void ExactStepper::fill(EndPoint &point) const {
+  phase_ = phases_.present();
   const Index size = equations_.layout().physical_size();
-  point.rates.resize(equations_.layout().size());
-  point.rates.head(size) = rows_.col(1).head(size);
-  point.higher = rows_.block(0, 2, size, 2);
-  point.sources.resize(sources_.size());
-  for (std::size_t k = 0; k < sources_.size(); ++k) {
-    const Index row = size + 3 * static_cast<Index>(k);
-    point.sources[k] = {rows_(row, 0), rows_(row, 1), rows_(row, 2), rows_(row, 3),
-                        rows_(row + 2, 2)};
-  }
+  const Vector y = end_.state.head(size);
+  Vector inputs(phases_.excitation().size());
+  phases_.excitation().coordinates(end_.time, inputs.data());
+  phase_->phase().amplitudes(y, inputs.data(), from_);
+  to_.resize(from_.size());
+  phase_->segment(equations_).fill(end_.time, from_.data(), end_);
+  Matrix rows(size + 3 * static_cast<Index>(end_.sources.size()), 4);
+  rows.col(0).head(size) = y;
+  for (std::size_t k = 0; k < end_.sources.size(); ++k)
+    for (Index order = 0; order < 3; ++order)
+      for (Index of = 0; of < 3; ++of)
+        rows(size + 3 * static_cast<Index>(k) + of, order) =
+            end_.sources[k][static_cast<std::size_t>(order + of)];
+  phase_->system().differentiate(rows);
+  phase_->segment(equations_).begin(from_.data(), true);
+  end_.state.head(size) = y;
+  end_.rates.head(size) = rows.col(1).head(size);
+  end_.higher = rows.block(0, 2, size, 2);
 }
 
 void ExactStepper::take(double end) {
-  const Index size = equations_.layout().physical_size();
-  motion_->derivatives(end - start_.time, rows_);
+  kernel().turn(phase_->phase().view(), from_.data(), end - start_.time, to_.data());
   end_.state = start_.state;
-  end_.state.head(size) = rows_.col(0).head(size);
+  phase_->segment(equations_).fill(end, to_.data(), end_);
   if (!end_.state.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(end) + " s");
-  end_.time = end;
-  fill(end_);
   pending_ = true;
 }
 
 void ExactStepper::step(double limit) {
-  if (!motion_)
+  if (!phase_)
     begin();
   std::swap(start_, end_);
-  const double wanted = std::min(motion_->natural_step(), maximum_step_);
+  const double wanted = phase_->segment(equations_).step(from_.data());
   const double rest = limit - start_.time;
   if (!(start_.time + wanted > start_.time))
     throw NumericalError(
@@ -99,10 +149,9 @@ void ExactStepper::step(double limit) {
     take(start_.time + (rest < 2 * wanted ? 0.5 * rest : wanted));
 }
 
-void ExactStepper::shorten(double time) { take(time); }
-
 const GuardCurves *ExactStepper::guard_curves() {
-  return &motion_->guards(end_.time - start_.time);
+  guards_->start(*phase_, phase_->phase(), from_);
+  return guards_.get();
 }
 
 void ExactStepper::undo() {
@@ -114,18 +163,9 @@ void ExactStepper::accept(bool keep_work) {
   if (!pending_)
     return;
   pending_ = false;
-  const double h = end_.time - start_.time;
-  double part = 0;
-  for (double from = 0; keep_work && from < h; from += part) {
-    leave_if_stopped();
-    part = motion_->quadrature_length(from, h - from);
-    if (!(from + part > from))
-      throw NumericalError("the energies of the motion can no longer be followed, at t = " +
-                           std::to_string(start_.time) + " s");
-    motion_->values(WorkQuadrature::instants(from, part), nodes_);
-    work_.add(part, nodes_, phase_->system().constraint_forces(), end_.state);
-  }
-  motion_->move(h);
+  if (keep_work)
+    phase_->work(equations_).add(from_.data(), to_.data(), end_.time - start_.time, end_.state);
+  from_.swap(to_);
 }
 
 void ExactStepper::place(double time, const Vector &x) {

@@ -10,7 +10,8 @@ namespace vibroimpact::motion {
 WorkIntegrals::WorkIntegrals(const PowerForms &powers, const ExactPhase &phase,
                              const StateLayout &layout)
     : powers_(powers), phase_(phase), input_work_(layout.input_work()),
-      absolute_input_work_(layout.absolute_input_work()) {
+      absolute_input_work_(layout.absolute_input_work()), dense_(powers, phase),
+      of_dense_(powers.size()) {
   for (std::size_t k = 0; k < powers_.size(); ++k) {
     const auto known = std::find(entries_.begin(), entries_.end(), powers_.entry(k));
     place_of_.push_back(static_cast<std::size_t>(known - entries_.begin()));
@@ -21,6 +22,7 @@ WorkIntegrals::WorkIntegrals(const PowerForms &powers, const ExactPhase &phase,
 }
 
 void WorkIntegrals::renew() {
+  dense_.renew();
   if (arrangement_ != phase_.arrangement()) {
     arrange();
     return;
@@ -40,7 +42,7 @@ void WorkIntegrals::renew() {
   generation_ = phase_.generation();
 }
 
-// Without dense blocks each group stands at its own number.
+// Groups stand at their own numbers up to the dense blocks, which come last.
 void WorkIntegrals::arrange() {
   arrangement_ = phase_.arrangement();
   generation_ = phase_.generation();
@@ -65,6 +67,8 @@ void WorkIntegrals::list_products() {
   const std::vector<PhaseGroup> &groups = phase_.groups();
   for (std::size_t i = 0; i < groups.size(); ++i)
     for (std::size_t j = i; j < groups.size(); ++j) {
+      if (groups[j].kind == BlockKind::dense)
+        break;
       products_.push_back({.first = static_cast<int>(i), .second = static_cast<int>(j)});
       if (groups[i].kind == BlockKind::pair && groups[j].kind == BlockKind::pair)
         products_.push_back(
@@ -77,6 +81,8 @@ double WorkIntegrals::slowest_vibration() const {
   double slowest = std::numeric_limits<double>::infinity();
   double fastest = 0;
   for (const PhaseGroup &group : phase_.groups()) {
+    if (group.kind == BlockKind::dense)
+      continue;
     fastest = std::max(fastest, std::abs(group.exponent));
     if (group.kind == BlockKind::pair)
       slowest = std::min(slowest, group.exponent.imag());
@@ -146,6 +152,12 @@ void WorkIntegrals::set_product(std::size_t k) {
 
 void WorkIntegrals::add(const double *start, const double *end, double h, Vector &state) {
   kernel().integrate(view_, start, end, h, integrals_.data());
+  if (phase_.has_dense()) {
+    std::fill(of_dense_.begin(), of_dense_.end(), 0.0);
+    dense_.add(start, end, h, of_dense_);
+    for (std::size_t p = 0; p < of_dense_.size(); ++p)
+      integrals_[place_of_[p]] += of_dense_[p];
+  }
   for (std::size_t entry = 0; entry < entries_.size(); ++entry) {
     state[entries_[entry]] += integrals_[entry];
     if (entries_[entry] == input_work_)

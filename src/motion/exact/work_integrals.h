@@ -7,10 +7,10 @@
 //
 // likewise with conjugates. Where the sum of the exponents is next to zero that is lost in
 // rounding, and the integral is taken from both ends by the trapezoidal rule with its first
-// correction, which is exact to (|e_i + e_j| h)^4 / 720.
+// correction, which is exact to (|e_i + e_j| h)^4 / 720. Coordinates of dense blocks: dense_work.h.
 #pragma once
 
-#include "motion/exact/exact_phase.h"
+#include "motion/exact/dense_work.h"
 #include "motion/segment/phase_forms.h"
 
 #include <vector>
@@ -19,7 +19,7 @@ namespace vibroimpact::motion {
 
 class WorkIntegrals {
 public:
-  /// For a phase with these powers and without dense blocks; keeps references to both.
+  /// For a phase with these powers; keeps references to both.
   WorkIntegrals(const PowerForms &powers, const ExactPhase &phase, const StateLayout &layout);
 
   /// The inputs of the phase are others.
@@ -51,6 +51,8 @@ private:
   std::vector<std::size_t> place_of_; ///< of the powers, among the entries
   std::vector<ProductView> products_;
   std::vector<Complex> forms_; ///< 2 powers x groups
+  DenseWork dense_;
+  std::vector<double> of_dense_; ///< powers
   AlignedArray coefficients_, integrals_;
   WorkView view_;
 };

@@ -1,5 +1,5 @@
-// What is observed of a motion that flies through its linear phases in closed form, instead of being
-// seen step by step: the extreme values of linear forms of the motion.
+// What is observed of a motion that flies through its linear phases in closed form, instead of
+// being seen step by step: the extreme values of linear forms of the motion.
 #pragma once
 
 #include "motion/segment/guard_forms.h"

@@ -45,11 +45,9 @@ private:
 /// work integrals.
 class PowerForms {
 public:
-  /// For the present modes of the equations, which must be linear in them.
+  /// For the present modes of the equations, which must be linear in them. std::logic_error when a
+  /// law dissipates in another way than by a quadratic form of its local state.
   explicit PowerForms(const Equations &equations);
-
-  /// False when some law dissipates in another way than by a quadratic form of its local state.
-  bool known() const { return known_; }
 
   std::size_t size() const { return entries_.size(); }
   /// Entry of the state whose rate the k-th product is a part of.
@@ -65,7 +63,6 @@ private:
   void add_contact(const Equations &equations, std::size_t contact);
   void add_dissipation(const Equations &equations, std::size_t contact);
 
-  bool known_ = true;
   std::vector<Index> entries_;
   Matrix rows_;
   Vector constants_;

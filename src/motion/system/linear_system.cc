@@ -1,12 +1,5 @@
 #include "motion/system/linear_system.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/SVD>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace vibroimpact::motion {
@@ -14,51 +7,6 @@ namespace vibroimpact::motion {
 using contact::ContactPair;
 
 namespace {
-
-// Beyond this condition of the balanced and normalised eigenvectors more than five digits are lost.
-constexpr double largest_condition = 1e5;
-// Eigenvectors A v = e v whose residual is larger, relative to A, are not taken for eigenvectors.
-constexpr double largest_residual = 1e-12;
-// Nearer to an eigenvalue (relatively) the particular solution loses more than five digits.
-constexpr double resonance_distance = 1e-5;
-// Eigenvalues below this part of the largest are as good as zero for a constant input.
-constexpr double slow = 1e-8;
-constexpr double rounding = 1e-13;
-
-// Powers of two d with D^-1 A D of rows and columns of similar size (Osborne 1960).
-Vector balance(const Matrix &matrix) {
-  const Index n = matrix.rows();
-  Vector scale = Vector::Ones(n);
-  for (int sweep = 0; sweep < 20; ++sweep)
-    for (Index i = 0; i < n; ++i) {
-      double row = 0;
-      double column = 0;
-      for (Index j = 0; j < n; ++j)
-        if (j != i) {
-          row += std::abs(matrix(i, j)) * scale[j] / scale[i];
-          column += std::abs(matrix(j, i)) * scale[i] / scale[j];
-        }
-      if (row > 0 && column > 0)
-        scale[i] *= std::exp2(std::round(0.5 * std::log2(row / column)));
-    }
-  return scale;
-}
-
-double condition(const Eigen::MatrixXcd &vectors) {
-  const Eigen::MatrixXcd normalised = vectors.colwise().normalized();
-  const Eigen::JacobiSVD<Eigen::MatrixXcd, Eigen::NoQRPreconditioner> svd(normalised);
-  const auto &values = svd.singularValues();
-  const double smallest = values[values.size() - 1];
-  return smallest > 0 ? values[0] / smallest : std::numeric_limits<double>::infinity();
-}
-
-// Of a defective pair the solver may return two vectors that are none (Eigen does so when the two
-// eigenvalues come out equal to the last digit).
-double residual(const Matrix &matrix, const ComplexVector &eigenvalues,
-                const Eigen::MatrixXcd &vectors) {
-  const Eigen::MatrixXcd normalised = vectors.colwise().normalized();
-  return (matrix * normalised - normalised * eigenvalues.asDiagonal()).colwise().norm().maxCoeff();
-}
 
 const std::optional<contact::AffineLaw> &affine_law(const Equations &equations,
                                                     std::size_t contact) {
@@ -81,7 +29,6 @@ LinearSystem::LinearSystem(const Equations &equations) {
   if (!holds(equations))
     throw std::logic_error("this phase of the motion is not linear");
   assemble(equations);
-  decompose();
 }
 
 LinearSystem::ConstraintForces LinearSystem::constraint_forces(const Equations &equations) {
@@ -199,61 +146,6 @@ void LinearSystem::differentiate(Matrix &rows) const {
       next += s[0] * loads_[k].value + s[1] * loads_[k].rate + s[2] * loads_[k].acceleration;
     }
   }
-}
-
-void LinearSystem::decompose() {
-  scale_ = balance(matrix_);
-  const Matrix balanced = scale_.cwiseInverse().asDiagonal() * matrix_ * scale_.asDiagonal();
-  spectral_radius_ = balanced.norm(); // an upper bound, if nothing better is found
-  const Eigen::EigenSolver<Matrix> solver(balanced);
-  if (solver.info() != Eigen::Success)
-    return;
-  eigenvalues_ = solver.eigenvalues();
-  spectral_radius_ = eigenvalues_.size() > 0 ? eigenvalues_.cwiseAbs().maxCoeff() : 0;
-  const Eigen::MatrixXcd vectors = solver.eigenvectors();
-  diagonalizable_ = eigenvalues_.size() > 0 && condition(vectors) <= largest_condition &&
-                    residual(balanced, eigenvalues_, vectors) <= largest_residual * balanced.norm();
-  if (!diagonalizable_)
-    return;
-  eigenvectors_ = scale_.cast<Complex>().asDiagonal() * vectors;
-  left_ = vectors.inverse();
-  left_sizes_ = left_.rowwise().norm();
-  left_ = left_ * scale_.cwiseInverse().cast<Complex>().asDiagonal();
-  basis_.resize(size(), size());
-  // EigenSolver puts conjugate eigenvalues side by side, the one with positive imaginary part
-  // first.
-  for (Index k = 0; k < size(); ++k) {
-    const bool is_pair = eigenvalues_[k].imag() != 0;
-    modes_.push_back({.eigenvalue = eigenvalues_[k], .column = k, .is_pair = is_pair});
-    basis_.col(k) = (is_pair ? 2 : 1) * eigenvectors_.col(k).real();
-    if (is_pair) {
-      ++k;
-      basis_.col(k) = -2 * eigenvectors_.col(k - 1).imag();
-    }
-  }
-  inverse_ = basis_.inverse();
-}
-
-bool LinearSystem::response(Complex exponent, const ComplexVector &input,
-                            ComplexVector &solution) const {
-  ComplexVector amplitude = left_ * input;
-  // What is below the rounding of a product with the whole (balanced) row is nothing: a mode at
-  // rest whose entry for the loaded coordinate vanishes does not take part.
-  const double size_of_input = scale_.cwiseInverse().cwiseProduct(input.cwiseAbs()).norm();
-  for (Index k = 0; k < size(); ++k) {
-    const Complex distance = exponent - eigenvalues_[k];
-    const bool near =
-        std::abs(distance) <=
-        (exponent == 0.0 ? slow * spectral_radius_ : resonance_distance * std::abs(exponent));
-    if (!near)
-      amplitude[k] /= distance;
-    else if (std::abs(amplitude[k]) > rounding * left_sizes_[k] * size_of_input)
-      return false;
-    else
-      amplitude[k] = 0;
-  }
-  solution = eigenvectors_ * amplitude;
-  return true;
 }
 
 } // namespace vibroimpact::motion
