@@ -159,8 +159,9 @@ TEST(FlownWindowsTest, AreTakenByThoseWhoCan) {
   Observers none({});
   testing::Nobody nobody;
   Observers one({&nobody});
-  EXPECT_NE(none.output_monitor(), nullptr);
+  EXPECT_EQ(none.step_observer(), nullptr);
   EXPECT_EQ(one.output_monitor(), nullptr);
+  EXPECT_NE(one.step_observer(), nullptr);
 }
 
 } // namespace
