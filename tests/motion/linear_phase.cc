@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -208,6 +209,35 @@ TEST(LinearPhaseTest, DenseOutputKeepsTheTolerance) {
     // It is not bought by tiny steps: one second is 3 periods, and 300 decay times.
     EXPECT_LT(compare.steps, tolerance > 1e-10 ? 100 : 200);
   }
+}
+
+// A free mass and two stops that relax alike: three zeros and a double decay, for which pieces of
+// the length of free flight overflow. The touch is found, observed or not.
+TEST(LinearPhaseTest, FreeMassBetweenStopsThatRelaxAlike) {
+  const Model model({single_mass("block", 3, 0, 0)});
+  const auto stop = std::make_shared<RelaxingStop>(3e5, 285);
+  ContactPair right = contact_along_x(model, "block.head", "", 0.01, stop);
+  ContactPair left = right;
+  left.gap.row *= -1;
+  const ContactSet contacts({right, left});
+  for (const bool observed : {true, false}) {
+    Trajectory trajectory(model, contacts, {});
+    NoObserver nobody;
+    trajectory.start(0, Vector::Zero(1), Vector::Constant(1, 0.4));
+    if (observed)
+      trajectory.advance(0.026, nobody);
+    else
+      trajectory.advance(0.026);
+    EXPECT_EQ(trajectory.accuracy().events, 1);
+    // m q'' + c q' + k (q - clearance) = 0 since t = clearance / speed
+    EXPECT_NEAR(trajectory.state()[0], 0.01 + free_motion(285.0 / 3, 1e5, 0, 0.4, 1e-3), 1e-14);
+  }
+  // Equal real exponents do not need each other.
+  Equations equations(model, contacts);
+  const ModalForm form(LinearSystem(equations).matrix());
+  EXPECT_EQ(std::count_if(form.blocks().begin(), form.blocks().end(),
+                          [](const ModalBlock &block) { return block.kind == BlockKind::real; }),
+            2);
 }
 
 // Free bodies, critical damping and resonance with an observer that must see steps: energies by the

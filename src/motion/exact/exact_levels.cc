@@ -102,12 +102,19 @@ void ExactPhase::set_level_dense(Level &level, const PhaseGroup &group) {
   data[2] = 0.5 * b * b;
   for (std::size_t i = 0; i < 5; ++i)
     data[3 + i] = (interpolation_nodes[i] * b).eval().exp();
-  const Matrix growth = b.cwiseAbs().eval().exp();
+  for (Matrix &part : data)
+    if (!part.allFinite())
+      part.setZero();
+  Matrix growth = b.cwiseAbs().eval().exp();
+  // Of lengths for which that overflows nothing is known.
+  constexpr double no_bound = 1e100;
+  growth = growth.allFinite() ? Matrix(growth.cwiseMin(no_bound))
+                              : Matrix::Constant(size, size, no_bound);
   for (Index i = 0; i < size; ++i) {
     level.turn[static_cast<std::size_t>(group.first + i)] = 1;
     for (Index k = 0; k < size; ++k) {
       level.dense.push_back(data[7](i, k));
-      level.dense_growth.push_back(std::min(growth(i, k), 1e100));
+      level.dense_growth.push_back(growth(i, k));
     }
   }
   for (std::size_t g = 0; g < constants_.size(); ++g)

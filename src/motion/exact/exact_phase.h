@@ -39,8 +39,6 @@ public:
 
   /// Counts the arrangements of the groups; amplitudes of another one mean nothing.
   long arrangement() const { return arrangement_; }
-  /// Of the excitation it was renewed for.
-  long generation() const { return generation_; }
   Index n_modes() const { return modal_.basis().cols(); }
   Index n_coordinates() const { return columns_.cols(); }
   /// r = columns x: (size of y + 3 sources) x coordinates.

@@ -47,7 +47,12 @@ Vector balance(const Matrix &matrix) {
 // eigenvector of the second to the first place (Golub and Van Loan 2013, section 7.6.2).
 void exchange(LongComplex &t, LongComplex &u, Index k) {
   Eigen::JacobiRotation<LongComplexScalar> rotation;
-  rotation.makeGivens(t(k, k + 1), t(k + 1, k + 1) - t(k, k));
+  const LongComplexScalar difference = t(k + 1, k + 1) - t(k, k);
+  if (t(k, k + 1) == 0.0L && difference == 0.0L)
+    rotation = {0.0L,
+                1.0L}; // equal and independent: any rotation would do, but is to exchange them
+  else
+    rotation.makeGivens(t(k, k + 1), difference);
   t.applyOnTheLeft(k, k + 1, rotation.adjoint());
   t.applyOnTheRight(k, k + 1, rotation);
   u.applyOnTheRight(k, k + 1, rotation);
@@ -92,8 +97,9 @@ std::vector<std::vector<Index>> clusters(const LongComplex &vectors, const LongC
       const bool same = distance <= 1e-7L * radius ||
                         distance <= 1e-3L * std::max(std::abs(values(i)), std::abs(values(j)));
       const bool along = std::abs(vectors.col(i).dot(vectors.col(j))) >= parallel;
-      const bool conjugate = std::abs(values(i) - std::conj(values(j))) <=
-                             1e-12L * (std::abs(values(i)) + std::abs(values(j)));
+      const Real size = std::abs(values(i)) + std::abs(values(j));
+      const bool conjugate = std::abs(values(i).imag()) > 1e-12L * size &&
+                             std::abs(values(i) - std::conj(values(j))) <= 1e-12L * size;
       if ((along && (same || parallel < 0.99L)) || conjugate)
         unite(i, j);
     }
