@@ -84,7 +84,7 @@ struct Case {
     Trajectory trajectory(model, contacts, settings());
     trajectory.start(start);
     const Index size = trajectory.layout().physical_size();
-    Variation variation(trajectory.equations(), Vector::Ones(size), 1e-10);
+    Variation variation(trajectory, Vector::Ones(size), 1e-10);
     variation.set_columns(Matrix::Identity(size, size));
     Counter counter;
     Observers observers({&variation, &counter});

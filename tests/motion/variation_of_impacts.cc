@@ -72,7 +72,7 @@ TEST(VariationOfImpactsTest, PeriodicBallOnATable) {
     const ContactSet contacts({stop_on_base(model, "ball.head", 0, newton(e))});
     Trajectory trajectory(model, contacts, {});
     trajectory.start(table.start());
-    Variation variation(trajectory.equations(), Vector::Ones(2), 1e-11);
+    Variation variation(trajectory, Vector::Ones(2), 1e-11);
     variation.set_columns(Matrix::Identity(2, 2));
     Events events;
     Observers observers({&events, &variation});
@@ -118,7 +118,7 @@ void compare_with_differences(const Model &model, const ContactSet &contacts,
   Trajectory trajectory(model, contacts, settings);
   trajectory.start(start);
   const Index size = start.physical.size();
-  Variation variation(trajectory.equations(), Vector::Ones(size), 1e-11);
+  Variation variation(trajectory, Vector::Ones(size), 1e-11);
   variation.set_columns(Matrix::Identity(size, size));
   Events events;
   Observers observers({&events, &variation});
@@ -179,7 +179,7 @@ TEST(VariationOfImpactsTest, ImpactsAtTheSameInstantHaveNoDerivative) {
                              contact_along_x(model, "b.head", "c.head", 0.1, newton(1))});
   Trajectory trajectory(model, contacts, {});
   trajectory.start(0, Vector::Zero(3), vector_of({1, 0, -1}));
-  Variation variation(trajectory.equations(), Vector::Ones(6), 1e-9);
+  Variation variation(trajectory, Vector::Ones(6), 1e-9);
   variation.set_columns(Matrix::Identity(6, 6));
   trajectory.advance(0.2, variation);
   EXPECT_EQ(variation.tangential_events(), 1);

@@ -35,7 +35,7 @@ Vector usable_scale(const Trajectory &trajectory, double period) {
 void LyapunovExponent::begin(const Window &window, const Trajectory &trajectory) {
   const Vector scale = usable_scale(trajectory, window.period);
   growth_ = Growth(settings_.discarded_share);
-  variation_.emplace(trajectory.equations(), scale, settings_.tolerance);
+  variation_.emplace(trajectory, scale, settings_.tolerance);
   variation_->set_columns(generic_deviation(scale));
   variation_->normalise(0);
   interval_start_ = trajectory.time();

@@ -1,196 +1,138 @@
 #include "motion/variation/variation.h"
 
 #include "common/error.h"
-#include "motion/segment/dense_state.h"
+#include "motion/trajectory.h"
+#include "motion/variation/start_projection.h"
 
-#include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
-#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
+#include <string>
 
 namespace vibroimpact::motion {
 
-using contact::AffineForm;
-
 namespace {
 
-namespace odeint = boost::numeric::odeint;
-// Not one of Fehlberg's pairs: their error estimates vanish where the rates depend on time alone,
-// as they nearly do where a stiffness grows with the root of a short penetration.
-using Stepper = odeint::runge_kutta_dopri5<std::vector<double>>;
-using Checker =
-    odeint::default_error_checker<double, Stepper::algebra_type, Stepper::operations_type>;
-using Controlled = odeint::controlled_runge_kutta<Stepper>;
+// Of two delays at one instant, relative to the larger: below, deviating motions have both events
+// at one instant too.
+constexpr double equal_delays = 1e-6;
 
-// d(scaled deviations)/d(tau) for odeint.
-class LinearRates {
-public:
-  LinearRates(const StepView &view, const Equations &equations, const Vector &scale)
-      : view_(view), equations_(equations), scale_(scale), motion_(view) {}
-
-  void operator()(const std::vector<double> &x, std::vector<double> &dxdtau, double tau) {
-    motion_.at(tau, state_);
-    equations_.jacobian(view_.start() + tau * view_.length(),
-                        ConstVectorView(state_.data(), state_.size()), jacobian_);
-    const Index rows = scale_.size();
-    const Index columns = static_cast<Index>(x.size()) / rows;
-    const Eigen::Map<const Matrix> scaled(x.data(), rows, columns);
-    Eigen::Map<Matrix> rates(dxdtau.data(), rows, columns);
-    rates = view_.length() *
-            (scale_.asDiagonal() * (jacobian_.topLeftCorner(rows, rows) *
-                                    (scale_.cwiseInverse().asDiagonal() * scaled).eval()));
-  }
-
-private:
-  const StepView &view_;
-  const Equations &equations_;
-  const Vector &scale_;
-  DenseState motion_;
-  Vector state_;
-  Matrix jacobian_;
-};
+bool same_instant(double one, double other) {
+  return std::abs(one - other) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(other);
+}
 
 } // namespace
 
-Variation::Variation(const Equations &equations, Vector scale, double tolerance)
-    : equations_(equations), scale_(std::move(scale)), tolerance_(tolerance) {
-  if (scale_.size() != equations.layout().physical_size())
+double Determinant::value() const { return sign * std::exp(logarithm); }
+
+Variation::Variation(const Trajectory &trajectory, Vector scale, double tolerance,
+                     std::vector<KeyTangent *> keys)
+    : equations_(trajectory.equations()),
+      keys_(std::move(keys)), accuracy_{.scale = std::move(scale), .tolerance = tolerance},
+      saltations_(equations_, keys_, accuracy_.scale), start_(trajectory.time()) {
+  if (accuracy_.scale.size() != equations_.layout().physical_size())
     throw std::logic_error("a variation needs one scale for each physical state");
+  for (KeyTangent *key : keys_)
+    key->enter(trajectory.time(), equations_.source_break());
+  projection_ = start_projection(equations_, keys_, trajectory.time(), trajectory.state());
+  columns_ = projection_.by_key;
 }
 
-void Variation::set_columns(const Matrix &columns) { scaled_ = scale_.asDiagonal() * columns; }
+void Variation::set_columns(const Matrix &columns) {
+  Matrix all(columns.rows(), columns.cols() + n_keys());
+  all << projection_.by_state * columns, columns_.rightCols(n_keys());
+  columns_ = std::move(all);
+}
 
-Matrix Variation::columns() const { return scale_.cwiseInverse().asDiagonal() * scaled_; }
+double Variation::size(Index column) const {
+  return accuracy_.scale.cwiseProduct(columns_.col(column)).cwiseAbs().maxCoeff();
+}
 
-void Variation::step(const StepView &view) {
+void Variation::apply(const LinearMap &map) {
+  columns_ = (map.by_state * columns_).eval();
+  columns_.rightCols(n_keys()) += map.by_key;
+}
+
+// The modes and the interval between breaks that hold during a step.
+void Variation::follow(const StepView &view) {
   const auto &modes = view.equations().modes();
   for (std::size_t c = 0; c < modes.size(); ++c)
     equations_.set_mode(c, modes[c]);
-  // Columns of equal size, so that one tolerance serves all. A reset can wipe a deviation out.
-  RowVector sizes = scaled_.cwiseAbs().colwise().maxCoeff();
-  sizes = (sizes.array() > 0).select(sizes, 1);
-  const Matrix equal = scaled_ * sizes.cwiseInverse().asDiagonal();
-  std::vector<double> x(equal.data(), equal.data() + equal.size());
-  LinearRates rates(view, equations_, scale_);
-  odeint::integrate_adaptive(Controlled(Checker(tolerance_, tolerance_)), std::ref(rates), x, 0.0,
-                             1.0, 1.0);
-  scaled_ = Eigen::Map<const Matrix>(x.data(), equal.rows(), equal.cols()) * sizes.asDiagonal();
-  if (!scaled_.allFinite())
+  const double next = view.equations().source_break();
+  if (next != equations_.source_break())
+    pass_break(view.start_state(), view.start(), next);
+}
+
+void Variation::pass_break(const Vector &state, double time, double next) {
+  if (!keys_.empty())
+    columns_.rightCols(n_keys()) += saltations_.at_break(state, next);
+  equations_.set_source_break(next);
+  for (KeyTangent *key : keys_)
+    key->enter(time, next);
+}
+
+// False: the sources have no closed form, which the keys need.
+bool Variation::step_linear(const StepView &view) {
+  auto known = flows_.find(equations_.modes());
+  if (known == flows_.end())
+    known = flows_.emplace(equations_.modes(), LinearFlow(equations_)).first;
+  LinearFlow &flow = known->second;
+  std::optional<Matrix> forced;
+  if (!keys_.empty()) {
+    forced = flow.forced(equations_, keys_, view.start(), view.start_state(), view.length());
+    if (!forced)
+      return false;
+  }
+  columns_ = (flow.propagator(view.length()) * columns_).eval();
+  if (forced)
+    columns_.rightCols(n_keys()) += *forced;
+  determinant_.logarithm += flow.divergence() * view.length();
+  return true;
+}
+
+void Variation::step(const StepView &view) {
+  follow(view);
+  if (!LinearSystem::holds(equations_) || !step_linear(view))
+    determinant_.logarithm += integrate_beside(view, equations_, keys_, accuracy_, columns_);
+  if (!columns_.allFinite())
     throw NumericalError("the variation of the motion is no longer finite at t = " +
                          std::to_string(view.end()) + " s");
 }
 
-RowVector Variation::gradient(std::size_t contact, const AffineForm &form) const {
-  const StateLayout &layout = equations_.layout();
-  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
-  RowVector gradient = RowVector::Zero(layout.physical_size());
-  gradient.head(layout.n) = form.gap * pair.gap.row;
-  gradient.segment(layout.velocity(), layout.n) = form.gap_rate * pair.gap.row;
-  for (std::size_t i = 0; i < form.internal.size(); ++i)
-    gradient[layout.internal() + pair.internal_offset + static_cast<Index>(i)] = form.internal[i];
-  return gradient;
-}
-
-double Variation::rate_along(std::size_t contact, const AffineForm &form, const ContactEvent &event,
-                             const Vector &rates) const {
-  const StateLayout &layout = equations_.layout();
-  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
-  double rate = form.gap * event.gap_rate;
-  if (form.gap_rate != 0)
-    rate += form.gap_rate *
-            equations_.gap_acceleration(
-                contact, event.time, ConstVectorView(rates.data() + layout.velocity(), layout.n));
-  for (std::size_t i = 0; i < form.internal.size(); ++i)
-    rate +=
-        form.internal[i] * rates[layout.internal() + pair.internal_offset + static_cast<Index>(i)];
-  return rate;
-}
-
-Vector Variation::rates(double time, const Vector &state) const {
-  Vector rates(state.size());
-  equations_.rates(time, ConstVectorView(state.data(), state.size()),
-                   VectorView(rates.data(), rates.size()));
-  return rates;
-}
-
-// Only internal states of the contact itself are reset.
-void Variation::reset(const ContactEvent &event, const Vector &before, Matrix &deviations,
-                      Vector &reset_rates) const {
-  const Matrix old = deviations;
-  const Index first =
-      equations_.layout().internal() + equations_.contacts().pairs()[event.contact].internal_offset;
-  for (std::size_t i = 0; i < event.guard->reset.size(); ++i) {
-    const AffineForm &form = event.guard->reset[i];
-    const Index row = first + static_cast<Index>(i);
-    deviations.row(row) = gradient(event.contact, form) * old;
-    reset_rates[row] = rate_along(event.contact, form, event, before);
+// At one instant: do deviating motions have this event at another time than those before?
+bool Variation::contradicts(const Saltation &saltation, double time) {
+  const bool again = same_instant(instant_.time, time);
+  bool apart = false;
+  if (again && instant_.jumps && saltation.jumps) {
+    const RowVector delay = saltation.delay * instant_.map;
+    const auto size = [&](const RowVector &row) {
+      return row.cwiseQuotient(accuracy_.scale.transpose()).cwiseAbs().maxCoeff();
+    };
+    apart =
+        size(delay - instant_.delay) > equal_delays * std::max(size(delay), size(instant_.delay));
   }
+  if (!again)
+    instant_ = {.time = time,
+                .map = Matrix::Identity(columns_.rows(), columns_.rows()),
+                .delay = saltation.delay,
+                .jumps = saltation.jumps};
+  instant_.jumps = instant_.jumps || saltation.jumps;
+  instant_.map = (saltation.map.by_state * instant_.map).eval();
+  return apart;
 }
 
-// The velocities alone are reset, by all contacts that take an impulse.
-void Variation::collide(const ContactEvent &event) {
-  if (!equations_.model().rotors().empty())
-    throw NumericalError("the growth of deviations through rigid impacts is not known for models "
-                         "with rotors, whose inertia changes with the position");
-  const Collision &collision = *event.collision;
-  const StateLayout &layout = equations_.layout();
-  for (std::size_t c = 0; c < collision.modes_before.size(); ++c)
-    equations_.set_mode(c, collision.modes_before[c]);
-  const Vector before = rates(event.time, *event.before);
-  Matrix deviations = columns();
-  const RowVector guard = gradient(event.contact, event.guard->indicator) * deviations;
-  const double guard_rate = rate_along(event.contact, event.guard->indicator, event, before);
-  Vector accelerations(static_cast<Index>(collision.contacts.size()));
-  for (Index k = 0; k < accelerations.size(); ++k)
-    accelerations[k] =
-        equations_.gap_acceleration(collision.contacts[static_cast<std::size_t>(k)], event.time,
-                                    ConstVectorView(before.data() + layout.velocity(), layout.n));
-  for (std::size_t c = 0; c < collision.modes_after.size(); ++c)
-    equations_.set_mode(c, collision.modes_after[c]);
-  Vector change = rates(event.time, *event.state) - before;
-  if (!collision.contacts.empty()) {
-    const Matrix impulses = collision.response * collision.impulse_by_rate;
-    auto velocities = deviations.middleRows(layout.velocity(), layout.n);
-    velocities += impulses * (collision.rows * velocities).eval();
-    change.segment(layout.velocity(), layout.n) -= impulses * accelerations;
-  }
-  jump(change, deviations, guard, guard_rate);
-  tangential_events_ += collision.unique ? 0 : 1;
-}
-
-// d+ = R_x d- + (f+ - R') (g_x d-) / g'; `deviations` is R_x d-, `change` f+ - R'.
-void Variation::jump(const Vector &change, Matrix &deviations, const RowVector &guard,
-                     double guard_rate) {
-  if (guard_rate != 0)
-    deviations += change.head(deviations.rows()) * (guard / guard_rate);
-  else
-    ++tangential_events_;
-  set_columns(deviations);
-}
-
-// A collision of several contacts comes as several events, of which the first tells all.
 void Variation::event(const ContactEvent &event) {
-  if (event.guard->action == contact::GuardAction::impact) {
-    if (event.collision)
-      collide(event);
+  const std::optional<Saltation> saltation = saltations_.of(event, start_);
+  if (!saltation)
     return;
-  }
-  equations_.set_mode(event.contact, event.from);
-  const Vector before = rates(event.time, *event.before);
-  equations_.set_mode(event.contact, event.to);
-  const Vector after = rates(event.time, *event.state);
-  if (event.guard->indicator.normal_force != 0)
-    return; // let go without force: nothing jumps
-
-  Matrix deviations = columns();
-  const RowVector guard = gradient(event.contact, event.guard->indicator) * deviations;
-  const double guard_rate = rate_along(event.contact, event.guard->indicator, event, before);
-  Vector reset_rates = before;
-  reset(event, before, deviations, reset_rates);
-  jump(after - reset_rates, deviations, guard, guard_rate);
+  const bool apart = contradicts(*saltation, event.time);
+  tangential_events_ += apart || !saltation->differentiable ? 1 : 0;
+  apply(saltation->map);
+  const double determinant = saltation->map.by_state.partialPivLu().determinant();
+  determinant_.logarithm += std::log(std::abs(determinant));
+  determinant_.sign *= determinant < 0 ? -1 : 1;
 }
 
 } // namespace vibroimpact::motion

@@ -1,63 +1,98 @@
-// The variational equation along a motion: how small deviations of the state grow, through contact
-// changes too.
+// The variational equation along a motion: how small deviations of the state, and changes of keys,
+// grow, through every event.
 //
-// Between contact changes d' = J(x, t) d with the Jacobian J of the equations along the dense
-// output. Where guard g(x, t) ends a mode and the state is reset to R(x, t), the deviating motion
-// changes earlier or later than the reference by -g_x d / g', so that (Mueller 1995)
+// Between events d' = J(x, t) d (+ df/dp for a key p), in closed form where the phase is linear
+// (linear_flow) and integrated beside the state elsewhere (joint_integration). Events map
+// deviations by their saltation matrices (saltation). Since flow and events are a product of
+// matrices, its determinant is that of the whole: exp(int tr J) times the determinants of the
+// events.
 //
-//   d+ = R_x d- + (f+ - R') (g_x d-) / g'         f  dx/dt before (-) and after (+) the change
-//                                                 ' total time derivatives along f-
-//
-// Time-dependent gaps (moving bases) stand in g' and R'. A rigid impact resets the velocities, v+ =
-// v- + M^-1 W^T p with impulses p that are linear in the gap rates before it. Where several
-// contacts approach at one instant, deviating motions meet one after the other and there is no
-// derivative; such collisions are passed by the first contact's guard and counted as tangential.
+// A key keeps the time, the phase of the sources at t = 0, and the state at the start as they are.
+// Where the period T = 2 pi / omega of a stroboscopic map changes with the key, the derivative of
+// the map is that of the state at the fixed time plus f dT/dp, f = dx/dt at the end.
 #pragma once
 
-#include "motion/observer.h"
+#include "motion/variation/joint_integration.h"
+#include "motion/variation/linear_flow.h"
+#include "motion/variation/saltation.h"
 
+#include <limits>
+#include <map>
 #include <vector>
 
 namespace vibroimpact::motion {
+
+class Trajectory;
+
+/// A determinant that may be far from one.
+struct Determinant {
+  double logarithm = 0; ///< of the absolute value; -infinity: zero
+  double sign = 1;
+  double value() const;
+};
 
 /// Carries deviations of the physical state (coordinates, velocities, internal states, torques)
 /// along, column by column.
 class Variation : public Observer {
 public:
-  /// `equations` with the modes that hold at the start. `scale`: physical_size() factors that make
-  /// deviations comparable; the error of a step stays below `tolerance` times the largest scaled
-  /// entry of a column.
-  Variation(const Equations &equations, Vector scale, double tolerance);
+  /// From where the trajectory stands, which must not have been moved since its start or be at a
+  /// state to start from. Keeps references to the keys. `scale`: physical_size() factors that make
+  /// deviations comparable; `tolerance`: error of a step that is not in closed form, relative to
+  /// the largest scaled entry of the state and of each column.
+  Variation(const Trajectory &trajectory, Vector scale, double tolerance,
+            std::vector<KeyTangent *> keys = {});
+  Variation(const Variation &) = delete;
+  Variation &operator=(const Variation &) = delete;
 
-  /// physical_size() rows, any number of columns.
+  /// Deviations at the start: physical_size() rows, any number of columns. They are projected onto
+  /// those with which the motion can start (start_projection).
   void set_columns(const Matrix &columns);
-  Matrix columns() const;
+  /// Those that they have become.
+  Matrix columns() const { return columns_.leftCols(columns_.cols() - n_keys()); }
+  /// Derivatives of the state by the keys, at the present time and for the state at the start:
+  /// physical_size() x keys.
+  Matrix key_columns() const { return columns_.rightCols(n_keys()); }
   /// Largest scaled entry of a column.
-  double size(Index column) const { return scaled_.col(column).cwiseAbs().maxCoeff(); }
+  double size(Index column) const;
   /// Divides a column by its size.
-  void normalise(Index column) { scaled_.col(column) /= size(column); }
+  void normalise(Index column) { columns_.col(column) /= size(column); }
 
   void step(const StepView &view) override;
   void event(const ContactEvent &event) override;
 
-  /// Contact changes without a derivative: their guard had no rate at all, and they were passed as
-  /// if their instant did not depend on the deviation; or several rigid contacts met at once.
+  /// What deviations at the start were projected by, and what that gives to the derivatives.
+  const LinearMap &projection() const { return projection_; }
+  /// Of the map from the start to here, behind the projection.
+  const Determinant &determinant() const { return determinant_; }
+  /// Events without a derivative: the guard had no rate, though something jumped; several contacts
+  /// met or jumped at one instant, which deviating motions do one after the other.
   long tangential_events() const { return tangential_events_; }
 
 private:
-  RowVector gradient(std::size_t contact, const contact::AffineForm &form) const;
-  double rate_along(std::size_t contact, const contact::AffineForm &form, const ContactEvent &event,
-                    const Vector &rates) const;
-  Vector rates(double time, const Vector &state) const;
-  void collide(const ContactEvent &event);
-  void jump(const Vector &change, Matrix &deviations, const RowVector &guard, double guard_rate);
-  void reset(const ContactEvent &event, const Vector &before, Matrix &deviations,
-             Vector &reset_rates) const;
+  struct Instant {
+    double time = -std::numeric_limits<double>::infinity();
+    Matrix map; ///< of the events so far
+    RowVector delay;
+    bool jumps = false;
+  };
 
-  Equations equations_; ///< a copy: its modes follow the events
-  Vector scale_;
-  double tolerance_;
-  Matrix scaled_; ///< scale * deviation
+  Index n_keys() const { return static_cast<Index>(keys_.size()); }
+  void follow(const StepView &view);
+  void pass_break(const Vector &state, double time, double next);
+  bool step_linear(const StepView &view);
+  void apply(const LinearMap &map);
+  bool contradicts(const Saltation &saltation, double time);
+
+  Equations equations_; ///< a copy: its modes follow the motion
+  std::vector<KeyTangent *> keys_;
+  VariationAccuracy accuracy_;
+  Saltations saltations_;
+  double start_; ///< of the motion [s]
+  std::map<std::vector<int>, LinearFlow> flows_;
+  Matrix columns_; ///< of deviations, then of keys
+  LinearMap projection_;
+  Determinant determinant_;
+  Instant instant_; ///< of the last event
   long tangential_events_ = 0;
 };
 

@@ -1,0 +1,29 @@
+// Deviations in a phase that is not linear: integrated together with the motion.
+//
+//   x' = f(x, t),   d' = J(x, t) d,   d' = J d + df/dp for the derivative by a key,   (int tr J)'
+//
+// all under one error control. The state is integrated again from the start of each step, since the
+// dense output of a step is less accurate than its ends, which the Jacobian of a stiff contact
+// would make worse.
+#pragma once
+
+#include "motion/observer.h"
+#include "motion/variation/key_tangent.h"
+
+namespace vibroimpact::motion {
+
+/// What deviations are measured by and how exactly.
+struct VariationAccuracy {
+  Vector scale; ///< physical_size() factors that make entries of the state comparable
+  /// Error of a step, relative to the largest scaled entry of each column; a hundred times that for
+  /// derivatives by keys, a thirtieth for the state.
+  double tolerance = 1e-10;
+};
+
+/// Takes the columns from the start of the step to its end; the last ones belong to `keys`. Returns
+/// the integral of the divergence tr J over the step.
+double integrate_beside(const StepView &view, const Equations &equations,
+                        const std::vector<KeyTangent *> &keys, const VariationAccuracy &accuracy,
+                        Matrix &columns);
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,348 @@
+#include "motion/variation/key_tangent.h"
+
+#include "common/error.h"
+#include "motion/observer.h"
+#include "motion/variation/key_stencil.h"
+
+#include <cmath>
+
+namespace vibroimpact::motion {
+
+using contact::ContactPair;
+using contact::LawResponse;
+using contact::LocalState;
+
+namespace {
+
+ConstVectorView view(const Vector &vector) { return {vector.data(), vector.size()}; }
+
+// Velocities behind coordinates.
+auto velocities(const Vector &state, Index n) { return state.segment(n, n); }
+
+} // namespace
+
+KeyTangent::KeyTangent(std::string key, const model::Model &model,
+                       const contact::ContactSet &contacts, std::vector<KeyNeighbour> neighbours)
+    : key_(std::move(key)), model_(model), contacts_(contacts) {
+  std::vector<double> offsets;
+  for (const KeyNeighbour &neighbour : neighbours)
+    offsets.push_back(neighbour.offset);
+  const Vector weights = derivative_weights(offsets);
+  near_.reserve(neighbours.size()); // the equations refer to the models
+  std::vector<const model::Model *> models;
+  for (KeyNeighbour &neighbour : neighbours) {
+    const double weight = weights[static_cast<Index>(near_.size())];
+    near_.push_back({.data = std::move(neighbour), .equations = nullptr, .weight = weight});
+    models.push_back(&near_.back().data.model);
+  }
+  check_structure();
+  check_smoothness();
+  for (Near &near : near_)
+    near.equations = std::make_unique<Equations>(near.data.model, near.data.contacts);
+  sources_ = std::make_unique<SourceTangent>(model_, std::move(models), weights);
+}
+
+void KeyTangent::check_structure() const {
+  for (const Near &near : near_)
+    if (structure_of(near.data.model, near.data.contacts) != structure_of(model_, contacts_))
+      throw NumericalError("the key " + key_ +
+                           " changes which coordinates, contacts or excitations there are: the "
+                           "motion has no derivative by it");
+}
+
+void KeyTangent::check_smoothness() const {
+  std::vector<double> offsets;
+  std::vector<std::vector<Vector>> data;
+  for (const Near &near : near_) {
+    offsets.push_back(near.data.offset);
+    data.push_back(data_of(near.data.model, near.data.contacts));
+  }
+  if (!is_smooth(offsets, data_of(model_, contacts_), data))
+    throw NumericalError("the model does not change smoothly with the key " + key_ +
+                         ": the motion has no derivative by it");
+}
+
+double KeyTangent::gap(std::size_t contact, double time, const Vector &state) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  double change = 0;
+  for (const Near &near : near_) {
+    const ContactPair &other = near.data.contacts.pairs()[contact];
+    double difference = other.clearance - pair.clearance +
+                        (other.gap.row - pair.gap.row).dot(state.head(model_.size()));
+    for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k)
+      if (const double by = other.gap.base_coefficients[k] - pair.gap.base_coefficients[k]; by != 0)
+        difference += by * model_.sources()[k].function->value(time);
+    change += near.weight * difference;
+  }
+  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k)
+    if (pair.gap.base_coefficients[k] != 0)
+      change += pair.gap.base_coefficients[k] * sources_->at(k, time)[0];
+  return change;
+}
+
+double KeyTangent::gap_rate(std::size_t contact, double time, const Vector &state) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  const Index n = model_.size();
+  double change = 0;
+  for (const Near &near : near_) {
+    const ContactPair &other = near.data.contacts.pairs()[contact];
+    double difference = (other.gap.row - pair.gap.row).dot(velocities(state, n));
+    for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k)
+      if (const double by = other.gap.base_coefficients[k] - pair.gap.base_coefficients[k]; by != 0)
+        difference += by * model_.sources()[k].function->rate(time);
+    change += near.weight * difference;
+  }
+  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k)
+    if (pair.gap.base_coefficients[k] != 0)
+      change += pair.gap.base_coefficients[k] * sources_->at(k, time)[1];
+  return change;
+}
+
+double KeyTangent::form(const Equations &equations, std::size_t contact, const Pick &pick,
+                        double time, const Vector &state) const {
+  const LocalState local = equations.local_state(contact, time, view(state));
+  const contact::AffineForm &own = pick(*contacts_.pairs()[contact].law);
+  const double value = own(local);
+  double change = 0;
+  for (const Near &near : near_)
+    change += near.weight * (pick(*near.data.contacts.pairs()[contact].law)(local) - value);
+  if (own.gap != 0)
+    change += own.gap * gap(contact, time, state);
+  if (own.gap_rate != 0)
+    change += own.gap_rate * gap_rate(contact, time, state);
+  return change;
+}
+
+// dF/dp, and into `change` that of the rates of internal states.
+KeyTangent::Forces KeyTangent::forces(const Equations &equations, double time, const Vector &state,
+                                      const Vector &rates, Vector &change) const {
+  const StateLayout &layout = equations.layout();
+  Forces forces{.present = rates.segment(layout.impulse(0), layout.n_contacts),
+                .change = Vector::Zero(layout.n_contacts)};
+  LawResponse own;
+  LawResponse other;
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    if (equations.inactive(c) || equations.mode(c).holds_gap)
+      continue;
+    const ContactPair &pair = contacts_.pairs()[c];
+    const LocalState local = equations.local_state(c, time, view(state));
+    const double by_gap = gap(c, time, state);
+    const double by_rate = gap_rate(c, time, state);
+    const int mode = equations.modes()[c];
+    pair.law->evaluate(mode, local, own);
+    double force = own.force_by_gap * by_gap + own.force_by_gap_rate * by_rate;
+    auto internal = change.segment(layout.internal() + pair.internal_offset, pair.n_internal());
+    for (Index i = 0; i < pair.n_internal(); ++i) {
+      const auto place = static_cast<std::size_t>(i);
+      internal[i] +=
+          own.internal_rate_by_gap[place] * by_gap + own.internal_rate_by_gap_rate[place] * by_rate;
+    }
+    for (const Near &near : near_) {
+      near.data.contacts.pairs()[c].law->evaluate(mode, local, other);
+      force += near.weight * (other.force - own.force);
+      for (Index i = 0; i < pair.n_internal(); ++i) {
+        const auto place = static_cast<std::size_t>(i);
+        internal[i] += near.weight * (other.internal_rate[place] - own.internal_rate[place]);
+      }
+    }
+    forces.change[static_cast<Index>(c)] = force;
+  }
+  return forces;
+}
+
+// Of a neighbouring model, or the present one, at the forces of the contacts and the values of the
+// sources that the present one has. What is equal in both cancels to the last digit.
+Vector KeyTangent::acceleration(const model::Model &model, const contact::ContactSet &contacts,
+                                double time, const Vector &state,
+                                const std::vector<SourceValues> &sources,
+                                const Vector &forces) const {
+  const Index n = model.size();
+  const ConstVectorView q(state.data(), n);
+  const ConstVectorView velocity(state.data() + n, n);
+  Vector elastic;
+  Vector damping;
+  model.stiffness().apply(q, elastic);
+  model.damping().apply(velocity, damping);
+  Vector force = -elastic - damping;
+  for (std::size_t k = 0; k < sources.size(); ++k)
+    force += sources[k][0] * model.sources()[k].load +
+             sources[k][1] * model.sources()[k].rate_load +
+             sources[k][2] * model.sources()[k].inertial_load;
+  for (const model::Connection &spring : model.connections()) {
+    double elongation = spring.elongation.row.dot(q);
+    for (std::size_t k = 0; k < sources.size(); ++k)
+      elongation += spring.elongation.base_coefficients[k] * sources[k][0];
+    force -= spring.cubic_stiffness * elongation * elongation * elongation *
+             spring.elongation.row.transpose();
+  }
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (forces[static_cast<Index>(c)] != 0)
+      force += forces[static_cast<Index>(c)] * contacts.pairs()[c].gap.row.transpose();
+  const model::RotorSet &rotors = model.rotors();
+  if (rotors.empty())
+    return force.cwiseQuotient(model.mass());
+  const Index drive = 2 * n + contacts.n_internal();
+  const VectorView acceleration(force.data(), n);
+  rotors.add_torques(ConstVectorView(state.data() + drive, rotors.n_drive()), acceleration);
+  force = force.cwiseQuotient(model.mass()).eval();
+  rotors.couple(model.mass(), q, velocity, model.rotor_frame(time), acceleration);
+  return force;
+}
+
+// What the changes of the sources add, as a force: by loads and by cubic springs to moving bases.
+Vector KeyTangent::force_of_sources(const Equations &equations, double time, const Vector &state,
+                                    const std::vector<SourceValues> &sources) const {
+  const model::Model &model = equations.model();
+  Vector force = Vector::Zero(model.size());
+  std::vector<double> moved;
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    const std::array<double, 3> change = sources_->at(k, time);
+    force += change[0] * model.sources()[k].load + change[1] * model.sources()[k].rate_load +
+             change[2] * model.sources()[k].inertial_load;
+    moved.push_back(change[0]);
+  }
+  for (const model::Connection &spring : model.connections()) {
+    if (spring.cubic_stiffness == 0)
+      continue;
+    double elongation = spring.elongation.row.dot(state.head(model.size()));
+    double change = 0;
+    for (std::size_t k = 0; k < sources.size(); ++k) {
+      elongation += spring.elongation.base_coefficients[k] * sources[k][0];
+      change += spring.elongation.base_coefficients[k] * moved[k];
+    }
+    force -= 3 * spring.cubic_stiffness * elongation * elongation * change *
+             spring.elongation.row.transpose();
+  }
+  return force;
+}
+
+// The forces that hold gaps change so that these stay what they are:
+//   d(gap'' + (a + b) gap' + a b gap)/dp = 0
+void KeyTangent::hold(const Equations &equations, double time, const Vector &state,
+                      const std::vector<SourceValues> &sources, const Vector &rates,
+                      Vector &change) const {
+  const ActiveConstraints &holding = equations.holding();
+  const Index n = model_.size();
+  auto accelerations = change.segment(n, n);
+  Vector missing = -holding.rows() * accelerations;
+  for (Index k = 0; k < holding.size(); ++k) {
+    const std::size_t c = holding.contact(k);
+    const ContactPair &pair = contacts_.pairs()[c];
+    for (const Near &near : near_) {
+      const ContactPair &other = near.data.contacts.pairs()[c];
+      missing[k] -= near.weight * (other.gap.row - pair.gap.row).dot(velocities(rates, n));
+      for (std::size_t s = 0; s < sources.size(); ++s)
+        missing[k] -= near.weight *
+                      (other.gap.base_coefficients[s] - pair.gap.base_coefficients[s]) *
+                      sources[s][2];
+    }
+    for (std::size_t s = 0; s < sources.size(); ++s)
+      if (pair.gap.base_coefficients[s] != 0)
+        missing[k] -= pair.gap.base_coefficients[s] * sources_->at(s, time)[2];
+    missing[k] -=
+        holding.by_gap_rate(k) * gap_rate(c, time, state) + holding.by_gap(k) * gap(c, time, state);
+  }
+  accelerations += holding.response() * holding.forces(missing);
+}
+
+Vector KeyTangent::rates(const Equations &equations, double time, const Vector &state) const {
+  const StateLayout &layout = equations.layout();
+  const Index n = layout.n;
+  Vector rates(layout.size());
+  equations.rates(time, view(state), VectorView(rates.data(), rates.size()));
+  std::vector<SourceValues> sources;
+  equations.source_values(time, sources);
+  Vector change = Vector::Zero(layout.physical_size());
+  const Forces forces = this->forces(equations, time, state, rates, change);
+  Vector force = force_of_sources(equations, time, state, sources);
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    force += forces.change[static_cast<Index>(c)] * contacts_.pairs()[c].gap.row.transpose();
+  auto accelerations = change.segment(layout.velocity(), n);
+  accelerations = equations.response_to(force.transpose(), time, view(state));
+  const Vector present = acceleration(model_, contacts_, time, state, sources, forces.present);
+  for (const Near &near : near_) {
+    accelerations += near.weight * (acceleration(near.data.model, near.data.contacts, time, state,
+                                                 sources, forces.present) -
+                                    present);
+    if (layout.n_drive > 0) {
+      Vector drive(layout.n_drive);
+      near.data.model.rotors().drive_rates(
+          ConstVectorView(state.data() + n, n),
+          ConstVectorView(state.data() + layout.drive(), layout.n_drive),
+          VectorView(drive.data(), drive.size()));
+      change.segment(layout.drive(), layout.n_drive) +=
+          near.weight * (drive - rates.segment(layout.drive(), layout.n_drive));
+    }
+  }
+  if (!equations.holding().empty())
+    hold(equations, time, state, sources, rates, change);
+  return change;
+}
+
+// v+ - v- = -M^-1 W^T (W M^-1 W^T)^-1 (1 + e) gap_rate-, of the contacts that take an impulse. One
+// whose restitution counts as zero (1 + e = 1) keeps that.
+Vector KeyTangent::jump(const Equations &equations, const Collision &collision, double time,
+                        const Vector &before) const {
+  const Index n = model_.size();
+  const auto size = static_cast<Index>(collision.contacts.size());
+  Vector change = Vector::Zero(n);
+  if (size == 0)
+    return change;
+  Vector gap_rates(size);
+  Vector moved(size);
+  for (Index k = 0; k < size; ++k) {
+    const std::size_t c = collision.contacts[static_cast<std::size_t>(k)];
+    gap_rates[k] = equations.local_state(c, time, view(before)).gap_rate;
+    moved[k] = gap_rate(c, time, before);
+  }
+  change = collision.response * (collision.impulse_by_rate * moved);
+  const Vector present = collision.response * (collision.impulse_by_rate * gap_rates);
+  const Vector factor =
+      -(collision.rows * collision.response * collision.impulse_by_rate).diagonal();
+  for (const Near &near : near_) {
+    const Matrix rows = gap_rows(near.data.contacts, collision.contacts, n);
+    const Matrix response = near.equations->response_to(rows, time, view(before));
+    Vector wanted(size);
+    for (Index k = 0; k < size; ++k) {
+      const std::size_t c = collision.contacts[static_cast<std::size_t>(k)];
+      const double speed = -gap_rates[k];
+      const double other = near.data.contacts.pairs()[c].law->restitution(speed);
+      const double own = contacts_.pairs()[c].law->restitution(speed);
+      const bool bounces = factor[k] > 1 + 1e-9;
+      wanted[k] = (factor[k] + (bounces || own == 0 ? other - own : 0)) * gap_rates[k];
+    }
+    // At fixed velocities: what other rows do to the gap rates is in `moved`.
+    const Vector jump =
+        -response * (rows * response).completeOrthogonalDecomposition().solve(wanted);
+    change += near.weight * (jump - present);
+  }
+  return change;
+}
+
+KeyTangent::LinearTangent KeyTangent::linear(const std::vector<int> &modes) const {
+  const auto system_of = [&](const model::Model &model, const contact::ContactSet &contacts) {
+    Equations equations(model, contacts);
+    for (std::size_t c = 0; c < modes.size(); ++c)
+      equations.set_mode(c, modes[c]);
+    return LinearSystem(equations);
+  };
+  const LinearSystem own = system_of(model_, contacts_);
+  const Vector zero = Vector::Zero(own.size());
+  LinearTangent tangent{.matrix = Matrix::Zero(own.size(), own.size()),
+                        .constant = zero,
+                        .loads = {own.loads().size(), {zero, zero, zero}}};
+  for (const Near &near : near_) {
+    const LinearSystem other = system_of(near.data.model, near.data.contacts);
+    tangent.matrix += near.weight * (other.matrix() - own.matrix());
+    tangent.constant += near.weight * (other.constant() - own.constant());
+    for (std::size_t k = 0; k < own.loads().size(); ++k) {
+      tangent.loads[k].value += near.weight * (other.loads()[k].value - own.loads()[k].value);
+      tangent.loads[k].rate += near.weight * (other.loads()[k].rate - own.loads()[k].rate);
+      tangent.loads[k].acceleration +=
+          near.weight * (other.loads()[k].acceleration - own.loads()[k].acceleration);
+    }
+  }
+  return tangent;
+}
+
+} // namespace vibroimpact::motion

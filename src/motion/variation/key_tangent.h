@@ -1,0 +1,97 @@
+// The derivative by one key of all that a motion is made of, at a fixed time and state.
+//
+// A key of the parameter file (a clearance, a stiffness, a mass, an amplitude, a frequency, a
+// variable) changes the assembled model. The model is smooth in it and has nothing to do with
+// motion, so that its derivative follows from models assembled at a few neighbouring values,
+//
+//   df/dp = sum over i of w_i (f(p + d_i) - f(p)),   sum of w_i d_i^m = 1 for m = 1, 0 for m = 2
+//   ... 4
+//
+// exact but for d^4 f^(5): with d = 1e-3 |p| to about 1e-12. Motions are never differenced. Forces
+// of contacts, which are not smooth where a contact begins, are differenced at fixed gap, gap rate
+// and internal states; what the key does to the gap enters by the chain rule.
+#pragma once
+
+#include "motion/observer.h"
+#include "motion/system/linear_system.h"
+#include "motion/variation/source_tangent.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vibroimpact::motion {
+
+/// Model and contacts at the value p + offset of a key.
+struct KeyNeighbour {
+  double offset = 0; ///< not zero [unit of the key]
+  model::Model model;
+  contact::ContactSet contacts;
+};
+
+class KeyTangent {
+public:
+  /// Keeps references to the model and the contacts. Four neighbours, on one side of the present
+  /// value or on both. NumericalError when they have other coordinates, contacts or sources, or
+  /// when they do not change smoothly.
+  KeyTangent(std::string key, const model::Model &model, const contact::ContactSet &contacts,
+             std::vector<KeyNeighbour> neighbours);
+
+  const std::string &key() const { return key_; }
+  const SourceTangent &sources() const { return *sources_; }
+  /// The motion comes into an interval between two breaks of the sources [s].
+  void enter(double from, double to) { sources_->enter(from, to); }
+
+  /// d(dx/dt)/dp of the physical state in the present modes of `equations`.
+  Vector rates(const Equations &equations, double time, const Vector &state) const;
+  /// d(gap, gap rate)/dp of a contact.
+  double gap(std::size_t contact, double time, const Vector &state) const;
+  double gap_rate(std::size_t contact, double time, const Vector &state) const;
+
+  /// Picks an affine form of a law.
+  using Pick = std::function<const contact::AffineForm &(const contact::ContactLaw &)>;
+  /// Of the value that such a form has at a state; the force that holds a gap counts as fixed.
+  double form(const Equations &equations, std::size_t contact, const Pick &pick, double time,
+              const Vector &state) const;
+  /// Of the jump of the velocities in a collision: n entries.
+  Vector jump(const Equations &equations, const Collision &collision, double time,
+              const Vector &before) const;
+
+  /// Of a linear phase, y' = A y + b + loads.
+  struct LinearTangent {
+    Matrix matrix;
+    Vector constant;
+    std::vector<LinearSystem::Load> loads;
+  };
+  LinearTangent linear(const std::vector<int> &modes) const;
+
+private:
+  struct Near {
+    KeyNeighbour data;
+    std::unique_ptr<Equations> equations;
+    double weight = 0;
+  };
+  struct Forces {
+    Vector present, change; ///< of all contacts: F, and dF/dp of those that do not hold their gap
+  };
+  void check_structure() const;
+  void check_smoothness() const;
+  Forces forces(const Equations &equations, double time, const Vector &state, const Vector &rates,
+                Vector &change) const;
+  Vector acceleration(const model::Model &model, const contact::ContactSet &contacts, double time,
+                      const Vector &state, const std::vector<SourceValues> &sources,
+                      const Vector &forces) const;
+  Vector force_of_sources(const Equations &equations, double time, const Vector &state,
+                          const std::vector<SourceValues> &sources) const;
+  void hold(const Equations &equations, double time, const Vector &state,
+            const std::vector<SourceValues> &sources, const Vector &rates, Vector &change) const;
+
+  std::string key_;
+  const model::Model &model_;
+  const contact::ContactSet &contacts_;
+  std::vector<Near> near_;
+  std::unique_ptr<SourceTangent> sources_;
+};
+
+} // namespace vibroimpact::motion

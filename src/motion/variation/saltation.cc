@@ -1,0 +1,238 @@
+#include "motion/variation/saltation.h"
+
+#include "common/error.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace vibroimpact::motion {
+
+using contact::AffineForm;
+using contact::ContactLaw;
+
+namespace {
+
+// A jump below this part of the rates themselves is their rounding.
+constexpr double negligible_jump = 1e-11;
+
+// The guard of a neighbouring law that corresponds to the one that was passed.
+class SameGuard {
+public:
+  SameGuard(const ContactEvent &event, const ContactLaw &law)
+      : mode_(static_cast<std::size_t>(event.from)) {
+    for (const contact::Guard &guard : law.modes()[mode_].guards) {
+      if (&guard == event.guard)
+        return;
+      ++index_;
+    }
+    throw std::logic_error("a contact has changed through a guard that its mode does not have");
+  }
+  const contact::Guard &operator()(const ContactLaw &law) const {
+    return law.modes()[mode_].guards[index_];
+  }
+
+private:
+  std::size_t mode_;
+  std::size_t index_ = 0;
+};
+
+} // namespace
+
+struct Saltations::Crossing {
+  RowVector by_state; ///< g_x
+  RowVector by_key;   ///< g_p
+  double rate = 0;    ///< g'
+};
+
+struct Saltations::Reset {
+  LinearMap map; ///< R_x, R_p
+  Vector rates;  ///< R'
+};
+
+Vector Saltations::rates(double time, const Vector &state) const {
+  Vector rates(state.size());
+  equations_.rates(time, ConstVectorView(state.data(), state.size()),
+                   VectorView(rates.data(), rates.size()));
+  return rates.head(equations_.layout().physical_size());
+}
+
+RowVector Saltations::gradient(std::size_t contact, const AffineForm &form) const {
+  const StateLayout &layout = equations_.layout();
+  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
+  RowVector gradient = RowVector::Zero(layout.physical_size());
+  gradient.head(layout.n) = form.gap * pair.gap.row;
+  gradient.segment(layout.velocity(), layout.n) = form.gap_rate * pair.gap.row;
+  for (std::size_t i = 0; i < form.internal.size(); ++i)
+    gradient[layout.internal() + pair.internal_offset + static_cast<Index>(i)] = form.internal[i];
+  return gradient;
+}
+
+double Saltations::rate_along(std::size_t contact, const AffineForm &form,
+                              const ContactEvent &event, const Vector &rates) const {
+  const StateLayout &layout = equations_.layout();
+  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
+  double rate = form.gap * event.gap_rate;
+  if (form.gap_rate != 0)
+    rate += form.gap_rate *
+            equations_.gap_acceleration(
+                contact, event.time, ConstVectorView(rates.data() + layout.velocity(), layout.n));
+  for (std::size_t i = 0; i < form.internal.size(); ++i)
+    rate +=
+        form.internal[i] * rates[layout.internal() + pair.internal_offset + static_cast<Index>(i)];
+  return rate;
+}
+
+Saltations::Crossing Saltations::crossing(const ContactEvent &event, const Vector &before) const {
+  const AffineForm &guard = event.guard->indicator;
+  Crossing crossing{.by_state = gradient(event.contact, guard),
+                    .by_key = RowVector::Zero(static_cast<Index>(keys_.size())),
+                    .rate = rate_along(event.contact, guard, event, before)};
+  if (keys_.empty())
+    return crossing;
+  if (event.guard->action == contact::GuardAction::impact) { // it is the gap itself
+    for (std::size_t k = 0; k < keys_.size(); ++k)
+      crossing.by_key[static_cast<Index>(k)] =
+          guard.gap * keys_[k]->gap(event.contact, event.time, *event.before);
+    return crossing;
+  }
+  const SameGuard same(event, *equations_.contacts().pairs()[event.contact].law);
+  for (std::size_t k = 0; k < keys_.size(); ++k)
+    crossing.by_key[static_cast<Index>(k)] = keys_[k]->form(
+        equations_, event.contact,
+        [&](const ContactLaw &law) -> const AffineForm & { return same(law).indicator; },
+        event.time, *event.before);
+  return crossing;
+}
+
+Saltations::Reset Saltations::no_reset(const Vector &before) const {
+  return {.map = {.by_state = Matrix::Identity(before.size(), before.size()),
+                  .by_key = Matrix::Zero(before.size(), static_cast<Index>(keys_.size()))},
+          .rates = before};
+}
+
+// Only internal states of the contact itself are reset.
+Saltations::Reset Saltations::internal_reset(const ContactEvent &event,
+                                             const Vector &before) const {
+  Reset reset = no_reset(before);
+  const contact::ContactPair &pair = equations_.contacts().pairs()[event.contact];
+  const Index first = equations_.layout().internal() + pair.internal_offset;
+  const SameGuard same(event, *pair.law);
+  for (std::size_t i = 0; i < event.guard->reset.size(); ++i) {
+    const AffineForm &form = event.guard->reset[i];
+    const Index row = first + static_cast<Index>(i);
+    reset.map.by_state.row(row) = gradient(event.contact, form);
+    reset.rates[row] = rate_along(event.contact, form, event, before);
+    for (std::size_t k = 0; k < keys_.size(); ++k)
+      reset.map.by_key(row, static_cast<Index>(k)) = keys_[k]->form(
+          equations_, event.contact,
+          [&](const ContactLaw &law) -> const AffineForm & { return same(law).reset[i]; },
+          event.time, *event.before);
+  }
+  return reset;
+}
+
+// The velocities alone jump, by all contacts that take an impulse.
+Saltations::Reset Saltations::impact(const ContactEvent &event, const Vector &before) const {
+  Reset reset = no_reset(before);
+  const Collision &collision = *event.collision;
+  if (collision.contacts.empty())
+    return reset;
+  const StateLayout &layout = equations_.layout();
+  const Matrix impulses = collision.response * collision.impulse_by_rate;
+  reset.map.by_state.block(layout.velocity(), layout.velocity(), layout.n, layout.n) +=
+      impulses * collision.rows;
+  Vector accelerations(static_cast<Index>(collision.contacts.size()));
+  for (Index k = 0; k < accelerations.size(); ++k)
+    accelerations[k] =
+        equations_.gap_acceleration(collision.contacts[static_cast<std::size_t>(k)], event.time,
+                                    ConstVectorView(before.data() + layout.velocity(), layout.n));
+  reset.rates.segment(layout.velocity(), layout.n) += impulses * accelerations;
+  for (std::size_t k = 0; k < keys_.size(); ++k)
+    reset.map.by_key.col(static_cast<Index>(k)).segment(layout.velocity(), layout.n) =
+        keys_[k]->jump(equations_, collision, event.time, *event.before);
+  return reset;
+}
+
+Saltation Saltations::join(const Crossing &crossing, const Reset &reset,
+                           const Vector &after) const {
+  Saltation saltation{.map = reset.map, .delay = RowVector::Zero(after.size())};
+  const Vector jump = after - reset.rates;
+  const Vector size = scale_.cwiseProduct(after.cwiseAbs() + reset.rates.cwiseAbs());
+  const bool shifts =
+      scale_.cwiseProduct(jump).cwiseAbs().maxCoeff() > negligible_jump * size.maxCoeff();
+  saltation.jumps = shifts || !reset.map.by_state.isIdentity(0);
+  if (crossing.rate == 0) {
+    saltation.differentiable = !shifts;
+    return saltation;
+  }
+  saltation.delay = -crossing.by_state / crossing.rate;
+  saltation.map.by_state += jump * (crossing.by_state / crossing.rate);
+  saltation.map.by_key += jump * (crossing.by_key / crossing.rate);
+  return saltation;
+}
+
+// Of its guard, by more than rounding and the location of an event leave.
+bool Saltations::below_zero(const ContactEvent &event) const {
+  const Vector &state = *event.before;
+  const AffineForm &guard = event.guard->indicator;
+  const double value = guard(equations_.local_state(event.contact, event.time,
+                                                    ConstVectorView(state.data(), state.size())));
+  return value < -16 * equations_.rounding(event.contact, guard, event.time, state);
+}
+
+Saltation Saltations::change(const ContactEvent &event, bool at_start) {
+  equations_.set_mode(event.contact, event.from);
+  const Vector before = rates(event.time, *event.before);
+  Crossing crossing = this->crossing(event, before);
+  if (at_start && below_zero(event)) { // no deviation moves the instant
+    crossing.by_state.setZero();
+    crossing.by_key.setZero();
+    crossing.rate = 1;
+  }
+  const Reset reset = internal_reset(event, before);
+  equations_.set_mode(event.contact, event.to);
+  return join(crossing, reset, rates(event.time, *event.state));
+}
+
+Saltation Saltations::collide(const ContactEvent &event) {
+  if (!equations_.model().rotors().empty())
+    throw NumericalError("the growth of deviations through rigid impacts is not known for models "
+                         "with rotors, whose inertia changes with the position");
+  const Collision &collision = *event.collision;
+  for (std::size_t c = 0; c < collision.modes_before.size(); ++c)
+    equations_.set_mode(c, collision.modes_before[c]);
+  const Vector before = rates(event.time, *event.before);
+  const Crossing crossing = this->crossing(event, before);
+  const Reset reset = impact(event, before);
+  for (std::size_t c = 0; c < collision.modes_after.size(); ++c)
+    equations_.set_mode(c, collision.modes_after[c]);
+  Saltation saltation = join(crossing, reset, rates(event.time, *event.state));
+  saltation.differentiable = saltation.differentiable && collision.unique;
+  return saltation;
+}
+
+std::optional<Saltation> Saltations::of(const ContactEvent &event, double start) {
+  if (event.guard->action == contact::GuardAction::impact) {
+    if (!event.collision)
+      return std::nullopt;
+    return collide(event);
+  }
+  if (event.guard->indicator.normal_force != 0) { // let go without force
+    equations_.set_mode(event.contact, event.to);
+    return std::nullopt;
+  }
+  return change(event, event.time == start);
+}
+
+Matrix Saltations::at_break(const Vector &state, double next) {
+  const double instant = equations_.source_break();
+  const Vector before = rates(instant, state);
+  equations_.set_source_break(next);
+  const Vector after = rates(instant, state);
+  Matrix added(before.size(), static_cast<Index>(keys_.size()));
+  for (std::size_t k = 0; k < keys_.size(); ++k)
+    added.col(static_cast<Index>(k)) = (before - after) * keys_[k]->sources().break_rate();
+  return added;
+}
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,75 @@
+// The linear map that an event makes of deviations.
+//
+// Where the guard g(x, t; p) ends a mode and the state is reset to R(x, t; p), the deviating motion
+// arrives later by dt = -(g_x d + g_p) / g', so that (Mueller 1995)
+//
+//   d+ = R_x d- + R_p + (f+ - R') (g_x d- + g_p) / g'     f  dx/dt before (-) and after (+)
+//                                                         ' total time derivatives along f-
+//
+// with d the derivative of the state by a key p; for deviations of the state alone g_p = R_p = 0.
+// Time-dependent gaps (moving bases) stand in g' and R'. A rigid impact resets the velocities, v+ =
+// v- + M^-1 W^T i with impulses i that are linear in the gap rates before it. A contact that is let
+// go from rest has no force at that instant: nothing jumps. At a break of the sources, whose
+// instant t_b no state changes, d+ = d- + (f- - f+) dt_b/dp.
+#pragma once
+
+#include "motion/observer.h"
+#include "motion/variation/key_tangent.h"
+
+#include <optional>
+
+namespace vibroimpact::motion {
+
+/// d+ = by_state d- of deviations, and by_state d- + by_key of the derivatives by keys.
+struct LinearMap {
+  Matrix by_state; ///< physical_size() squared
+  Matrix by_key;   ///< physical_size() x keys
+};
+
+/// An event as a map, with what is needed to judge it beside others at the same instant.
+struct Saltation {
+  LinearMap map;
+  RowVector delay;            ///< dt by a deviation before the event, -g_x / g'
+  bool jumps = false;         ///< the map depends on the delay or resets something
+  bool differentiable = true; ///< false: there is no derivative, and the map is one of several
+};
+
+class Saltations {
+public:
+  /// Keeps references. `equations` are changed to the modes on both sides of an event and left in
+  /// those after it.
+  Saltations(Equations &equations, const std::vector<KeyTangent *> &keys, const Vector &scale)
+      : equations_(equations), keys_(keys), scale_(scale) {}
+
+  /// Nothing where deviations pass unchanged. A collision of several contacts comes as several
+  /// events, of which the first says all. `start`: of the motion; a mode that does not hold there
+  /// is left at that instant by deviating motions too. NumericalError for collisions with rotors.
+  std::optional<Saltation> of(const ContactEvent &event, double start);
+
+  /// At a break of the sources, where the next one is `next`: physical_size() x keys to be added to
+  /// the derivatives by the keys.
+  Matrix at_break(const Vector &state, double next);
+
+private:
+  struct Crossing; // of a guard
+  struct Reset;    // of the state
+
+  Vector rates(double time, const Vector &state) const;
+  RowVector gradient(std::size_t contact, const contact::AffineForm &form) const;
+  double rate_along(std::size_t contact, const contact::AffineForm &form, const ContactEvent &event,
+                    const Vector &rates) const;
+  Crossing crossing(const ContactEvent &event, const Vector &before) const;
+  Reset no_reset(const Vector &before) const;
+  Reset internal_reset(const ContactEvent &event, const Vector &before) const;
+  Reset impact(const ContactEvent &event, const Vector &before) const;
+  Saltation join(const Crossing &crossing, const Reset &reset, const Vector &after) const;
+  bool below_zero(const ContactEvent &event) const;
+  Saltation change(const ContactEvent &event, bool at_start);
+  Saltation collide(const ContactEvent &event);
+
+  Equations &equations_;
+  const std::vector<KeyTangent *> &keys_;
+  const Vector &scale_;
+};
+
+} // namespace vibroimpact::motion

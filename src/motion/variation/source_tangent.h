@@ -1,0 +1,68 @@
+// How the sources of a model change with a key.
+//
+// The derivative at a fixed time is taken from the sources of neighbouring models, with weights
+// that make it exact for polynomials of the key. Where the key changes the frequency, as long as
+// the phase theta = omega t is not small differences at a fixed time would be useless; so the
+// neighbours are compared at the same phase, and
+//
+//   ds/dp at t  =  ds/dp at omega t  +  s'(t) t (d omega/dp) / omega
+//
+// Between two breaks each source is continued by its closed form, so that it does not matter on
+// which side of an instant a break of a neighbour lies.
+#pragma once
+
+#include "model/model.h"
+#include "motion/exact/excitation.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace vibroimpact::motion {
+
+class SourceTangent {
+public:
+  /// Keeps references. `weights`: of the difference of each neighbour to the model.
+  SourceTangent(const model::Model &model, std::vector<const model::Model *> neighbours,
+                Vector weights);
+
+  /// From now on times lie between `from` and the next break `to` (+infinity: none). NumericalError
+  /// when a neighbour has its break elsewhere.
+  void enter(double from, double to);
+
+  /// d(s, s', s'')/dp of a source at a time.
+  std::array<double, 3> at(std::size_t source, double time) const;
+  /// d(to)/dp, of the break that ends the interval [s].
+  double break_rate() const { return break_rate_; }
+
+  /// How the inputs of a linear phase change: the exponents' generator and the coordinates.
+  struct InputTangent {
+    Matrix generator;   ///< m x m [1/s]
+    Vector coordinates; ///< m
+  };
+  /// For inputs whose sources have closed forms; `generator` is that of the inputs themselves.
+  /// NumericalError when a neighbour has inputs of other kinds.
+  InputTangent inputs(double time, const Excitation &excitation, const Matrix &generator) const;
+
+private:
+  struct Interval {
+    std::optional<model::ExponentialForm> form;
+    std::vector<std::optional<model::ExponentialForm>> neighbours;
+    double stretch = 0;               ///< (d omega/dp) / omega
+    std::vector<double> time_factors; ///< of each neighbour: the time at which it has the phase
+  };
+  double inside() const;
+  void find_break_rate();
+
+  const model::Model &model_;
+  std::vector<const model::Model *> neighbours_;
+  Vector weights_;
+  std::vector<Interval> intervals_; ///< per source
+  double from_ = 0, to_ = 0;
+  double break_rate_ = 0;
+};
+
+/// w' = G w of the coordinates of inputs.
+Matrix generator_of(const Excitation &excitation);
+
+} // namespace vibroimpact::motion

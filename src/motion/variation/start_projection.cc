@@ -1,0 +1,85 @@
+#include "motion/variation/start_projection.h"
+
+namespace vibroimpact::motion {
+
+using contact::AffineForm;
+using contact::ContactLaw;
+
+namespace {
+
+// That of the guards into a mode, when all that lead there have the same one.
+const std::vector<AffineForm> *reset_into(const ContactLaw &law, int mode) {
+  const std::vector<AffineForm> *found = nullptr;
+  for (const contact::Mode &from : law.modes())
+    for (const contact::Guard &guard : from.guards) {
+      if (guard.target != mode)
+        continue;
+      if (guard.reset.empty() || found)
+        return nullptr;
+      found = &guard.reset;
+    }
+  return found;
+}
+
+// z = a gap with z' = a gap_rate
+bool follows_gap(const AffineForm &reset, const AffineForm &rate) {
+  return reset.gap != 0 && reset.gap_rate == 0 && reset.internal.empty() && rate.gap == 0 &&
+         rate.constant == 0 && rate.internal.empty() && rate.gap_rate == reset.gap;
+}
+
+void hold(const Equations &equations, const std::vector<KeyTangent *> &keys, double time,
+          const Vector &state, LinearMap &map) {
+  const ActiveConstraints &holding = equations.holding();
+  const StateLayout &layout = equations.layout();
+  const auto n_keys = static_cast<Index>(keys.size());
+  Matrix gaps(holding.size(), n_keys);
+  Matrix gap_rates(holding.size(), n_keys);
+  for (Index k = 0; k < n_keys; ++k)
+    for (Index i = 0; i < holding.size(); ++i) {
+      KeyTangent &key = *keys[static_cast<std::size_t>(k)];
+      gaps(i, k) = key.gap(holding.contact(i), time, state);
+      gap_rates(i, k) = key.gap_rate(holding.contact(i), time, state);
+    }
+  const Matrix &response = holding.response();
+  const Matrix projection = response * holding.forces(holding.rows());
+  map.by_state.block(0, 0, layout.n, layout.n) -= projection;
+  map.by_state.block(layout.velocity(), layout.velocity(), layout.n, layout.n) -= projection;
+  map.by_key.topRows(layout.n) -= response * holding.forces(gaps);
+  map.by_key.middleRows(layout.velocity(), layout.n) -= response * holding.forces(gap_rates);
+}
+
+void slave(const Equations &equations, const std::vector<KeyTangent *> &keys, double time,
+           const Vector &state, std::size_t c, LinearMap &map) {
+  const contact::ContactPair &pair = equations.contacts().pairs()[c];
+  const int mode = equations.modes()[c];
+  const std::vector<AffineForm> *reset = reset_into(*pair.law, mode);
+  if (!reset || !equations.mode(c).affine)
+    return;
+  const std::vector<AffineForm> &rates = equations.mode(c).affine->internal_rate;
+  for (std::size_t i = 0; i < reset->size() && i < rates.size(); ++i) {
+    if (!follows_gap((*reset)[i], rates[i]))
+      continue;
+    const Index row = equations.layout().internal() + pair.internal_offset + static_cast<Index>(i);
+    const Index n = equations.layout().n;
+    map.by_state.row(row) = (*reset)[i].gap * pair.gap.row * map.by_state.topRows(n);
+    map.by_key.row(row) = (*reset)[i].gap * pair.gap.row * map.by_key.topRows(n);
+    for (std::size_t k = 0; k < keys.size(); ++k)
+      map.by_key(row, static_cast<Index>(k)) += (*reset)[i].gap * keys[k]->gap(c, time, state);
+  }
+}
+
+} // namespace
+
+LinearMap start_projection(const Equations &equations, const std::vector<KeyTangent *> &keys,
+                           double time, const Vector &state) {
+  const Index size = equations.layout().physical_size();
+  LinearMap map{.by_state = Matrix::Identity(size, size),
+                .by_key = Matrix::Zero(size, static_cast<Index>(keys.size()))};
+  if (!equations.holding().empty())
+    hold(equations, keys, time, state, map);
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+    slave(equations, keys, time, state, c, map);
+  return map;
+}
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,47 @@
+// Deviations over the first or last instants of a nonlinear contact.
+//
+// Where a contact begins or ends at gap = 0 the slope of its force may be infinite there (of
+// Kuwabara-Kono u^(-1/2), of Tsuji u^(-3/4) at the penetration u), and what rounding makes of the
+// gap would show in the integral of J d. A deviation is therefore split into a shift of time and a
+// rest,
+//
+//   d = a f + e,   a = (row d_q + d gap/dp) / gap',   f = dx/dt
+//
+// The shift, whose a f only takes the rates at both ends, takes all of the deviation of the gap, so
+// that e meets the slope with a gap deviation of zero that grows with the time from there. Over a
+// time so short that this is negligible, (dt / duration)^(5/4) at worst, the slope at the contact
+// is left out for e.
+#pragma once
+
+#include "motion/variation/key_tangent.h"
+
+#include <optional>
+
+namespace vibroimpact::motion {
+
+struct VanishingGap {
+  std::size_t contact = 0;
+  double duration = 0; ///< for which cross() is made [s]
+};
+
+/// A contact that acts, has no affine law, and whose gap is as good as zero at `time`, one end of a
+/// step of the given duration [s].
+std::optional<VanishingGap> vanishing_gap(const Equations &equations, double time,
+                                          const Vector &state, double duration);
+
+struct ShortInterval {
+  std::size_t contact = 0; ///< whose gap vanishes at one end
+  double zero = 0;         ///< when it does [s]
+  double other = 0;        ///< the other end [s]
+  Vector state_at_zero;    ///< with work integrals
+};
+
+/// The state at the other end, to second order in the length.
+Vector state_at_other(const Equations &equations, const ShortInterval &interval);
+
+/// Takes the columns from one end to the other, forward in time: from the instant at which the gap
+/// vanishes where that is the earlier one. The last columns belong to `keys`.
+void cross(const Equations &equations, const std::vector<KeyTangent *> &keys,
+           const ShortInterval &interval, Matrix &columns);
+
+} // namespace vibroimpact::motion
