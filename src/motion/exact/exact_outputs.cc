@@ -26,6 +26,7 @@ void ExactOutputs::arrange() {
   minimum_.assign(8 * blocks, -std::numeric_limits<double>::infinity());
   maximum_.assign(8 * blocks, std::numeric_limits<double>::infinity());
   ends_.assign(blocks * 48, 0);
+  middles_.assign(static_cast<std::size_t>(most_halvings) * 2 * n, 0);
   for (const PhaseGroup &group : phase_.groups())
     set_group(group);
   view_ = {.n_blocks = static_cast<int>(blocks),
@@ -36,7 +37,8 @@ void ExactOutputs::arrange() {
            .single = single_.data(),
            .minimum = minimum_.data(),
            .maximum = maximum_.data(),
-           .ends = ends_.data()};
+           .ends = ends_.data(),
+           .middles = middles_.data()};
 }
 
 void ExactOutputs::renew() {

@@ -32,7 +32,7 @@ private:
   const MonitoredForms &forms_;
   const ExactPhase &phase_;
   long arrangement_ = -1, generation_ = -1;
-  AlignedArray constants_, rows_, sixth_, sizes_, single_, minimum_, maximum_, ends_;
+  AlignedArray constants_, rows_, sixth_, sizes_, single_, minimum_, maximum_, ends_, middles_;
   OutputsView view_;
 };
 

@@ -1,5 +1,7 @@
 #include "motion/exact/interpolation.h"
 
+#include "motion/exact/kernel.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -45,10 +47,24 @@ InterpolationMatrix transposed() {
   return result;
 }
 
-// exp(z) without what the library does for infinities.
-std::complex<double> exponential(std::complex<double> z) {
-  const double size = std::exp(z.real());
-  return z.imag() == 0 ? std::complex<double>(size) : std::polar(size, z.imag());
+// exp(z tau_i) of the five values.
+void exponentials(std::complex<double> z, std::complex<double> *values) {
+  double x[8] = {};
+  double y[8] = {};
+  double size[8];
+  double sine[8];
+  double cosine[8];
+  for (std::size_t i = 0; i < 5; ++i) {
+    x[i] = z.real() * interpolation_nodes[i];
+    y[i] = z.imag() * interpolation_nodes[i];
+  }
+  kernel().exponential(x, size);
+  if (std::abs(z.imag()) <= largest_angle)
+    kernel().sine_cosine(y, sine, cosine);
+  for (std::size_t i = 0; i < 5; ++i)
+    values[i] = std::abs(z.imag()) <= largest_angle
+                    ? std::complex<double>(size[i] * cosine[i], size[i] * sine[i])
+                    : std::polar(size[i], y[i]);
 }
 
 void add_column(const std::array<double, 8> &column, double factor, double *sum) {
@@ -66,8 +82,7 @@ const InterpolationMatrix &interpolation_matrix() {
 TabulatedExponential::TabulatedExponential(std::complex<double> z) {
   static const InterpolationMatrix columns = transposed();
   std::array<std::complex<double>, 8> data = {1.0, z, 0.5 * z * z};
-  for (std::size_t i = 0; i < 5; ++i)
-    data[3 + i] = exponential(z * interpolation_nodes[i]);
+  exponentials(z, &data[3]);
   for (std::size_t k = 0; k < 8; ++k) {
     add_column(columns[k], data[k].real(), real);
     add_column(columns[k], data[k].imag(), imaginary);

@@ -30,6 +30,8 @@ constexpr int group_block = 8;
 constexpr int largest_order = 2;
 constexpr int table_degree = 7;
 constexpr int n_levels = 96;
+/// How often a piece is halved in the search for extreme values.
+constexpr int most_halvings = 60;
 /// Pieces of a phase whose length is remembered.
 constexpr int n_hints = 8;
 
@@ -37,6 +39,9 @@ constexpr int n_hints = 8;
 /// what sums of hundreds of terms, in blocks of eight, and of their exponentials lose (Higham 2002,
 /// section 4.2).
 constexpr double guard_rounding = 32 * 0x1p-52;
+
+/// Of sines and cosines that the kernel takes.
+constexpr double largest_angle = 1e5;
 
 /// Consecutive groups that form one block, x' = B x.
 struct DenseBlockView {
@@ -91,6 +96,7 @@ struct OutputsView {
   const double *single = nullptr;
   double *minimum = nullptr, *maximum = nullptr; ///< outputs; grow
   double *ends = nullptr;                        ///< scratch: blocks x 6 x 8
+  double *middles = nullptr;                     ///< scratch: most_halvings x 2 x groups
   bool continued = false;                        ///< `ends` are those of the present amplitudes
 };
 

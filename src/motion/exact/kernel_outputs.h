@@ -1,13 +1,22 @@
 // Extreme values of linear forms over pieces, eight side by side; included by the kernel_*.cc only.
 //
-// The bounds are those of kernel_search.h. What they leave open is searched: forms that have one
-// turning point in the piece by Newton's and Halley's method, all others by halving the piece.
+// What oscillates in a form, f_P, lies within h^6 M / 46080 of the quintic q with its values,
+// slopes and curvatures at both ends of a piece, the slope within sqrt(5) h^5 M / 30000 and the
+// curvature within h^4 M / 1920 of that quintic's, M being a bound of the sixth derivative. Real
+// exponentials are monotone, and so are their derivatives: they lie between their values at the
+// ends. Forms that these bounds leave open are searched: those with one turning point in the piece
+// by Newton's and Halley's method, all others by halving the piece.
 #pragma once
 
 #include "motion/exact/kernel_search.h"
 
 namespace vibroimpact::motion {
 namespace {
+
+constexpr double value_error = 1.0 / 46080;
+constexpr double slope_error = 2.23606797749979 / 30000;
+constexpr double curvature_error = 1.0 / 1920;
+constexpr double output_rounding = 16 * epsilon;
 
 /// Value, slope and curvature of eight forms at one instant, without their constants.
 struct Output8 {
@@ -113,54 +122,77 @@ template <int count> void differences(const V8 *b, V8 *d) {
 /// Eight forms over one piece.
 class BlockSearch {
 public:
-  BlockSearch(const PhaseView &phase, OutputsView &outputs, int block, const double *start,
-              const double *end, double h, const double *reach)
-      : p_(phase), o_(outputs), block_(block), start_(start), end_(end), h_(h),
+  BlockSearch(const PhaseView &phase, OutputsView &outputs, int block, const double *reach,
+              double *scratch)
+      : p_(phase), o_(outputs), block_(block), scratch_(scratch),
         rows_(outputs.rows + 48 * block * phase.n_padded) {
-    sum_ends();
     bound_outputs(phase, outputs, block, reach, sixth_, rounding_);
   }
 
-  void include(double *scratch) {
-    include_ends();
-    unsigned open = beyond();
-    open = open != 0 ? open & ~monotone() : 0;
-    if (open == 0)
-      return;
-    const unsigned turning = open & bending();
-    if ((turning & turns()) != 0)
-      include_turns(turning & turns(), scratch);
-    for (unsigned left = open & ~turning; left != 0; left &= left - 1)
-      search(__builtin_ctz(left), scratch).include(0, h_, 0);
+  void include(const double *start, const double *end, double h) {
+    double *ends = o_.ends + 48 * block_;
+    End a;
+    End z;
+    a.amplitudes = start;
+    z.amplitudes = end;
+    if (o_.continued)
+      recall(ends, a.values);
+    else
+      sum_output(p_, rows_, start, a.values);
+    sum_output(p_, rows_, end, z.values);
+    keep(ends, z.values);
+    include(a, z, h, 0xff, 0);
   }
 
 private:
-  void sum_ends() {
-    double *ends = o_.ends + 48 * block_;
-    if (o_.continued)
-      recall(ends, a_);
-    else
-      sum_output(p_, rows_, start_, a_);
-    sum_output(p_, rows_, end_, z_);
-    keep(ends, z_);
+  struct End {
+    const double *amplitudes;
+    Output8 values;
+  };
+
+  // Of the forms `which`.
+  void include(const End &start, const End &end, double h, unsigned which, int halvings) {
+    a_ = &start;
+    z_ = &end;
+    h_ = h;
+    include_ends();
+    unsigned open = which & beyond();
+    open = open != 0 ? open & ~monotone() : 0;
+    if (open == 0)
+      return;
+    const unsigned bends = bending();
+    if (const unsigned turning = open & bends & turns(); turning != 0)
+      include_turns(turning);
+    if ((open & ~bends) != 0 && halvings < most_halvings)
+      halve(start, end, h, open & ~bends, halvings);
+  }
+
+  void halve(const End &start, const End &end, double h, unsigned which, int halvings) {
+    double *middle = o_.middles + 2 * p_.n_padded * halvings;
+    turn(p_, start.amplitudes, 0.5 * h, middle);
+    End between;
+    between.amplitudes = middle;
+    sum_output(p_, rows_, middle, between.values);
+    include(start, between, 0.5 * h, which, halvings + 1);
+    include(between, end, 0.5 * h, which, halvings + 1);
   }
 
   void include_ends() {
     double *maximum = o_.maximum + 8 * block_;
     double *minimum = o_.minimum + 8 * block_;
     const V8 constant = load(o_.constants + 8 * block_);
-    const V8 at_start = constant + a_.oscillating[0] + a_.decaying[0];
-    const V8 at_end = constant + z_.oscillating[0] + z_.decaying[0];
+    const V8 at_start = constant + a_->values.oscillating[0] + a_->values.decaying[0];
+    const V8 at_end = constant + z_->values.oscillating[0] + z_->values.decaying[0];
     store(maximum, upper(load(maximum), upper(at_start, at_end)));
     store(minimum, lower(load(minimum), lower(at_start, at_end)));
   }
 
   // Forms that may exceed the extremes so far.
   unsigned beyond() {
-    quintic(a_.oscillating, z_.oscillating, h_, b_);
+    quintic(a_->values.oscillating, z_->values.oscillating, h_, b_);
     V8 low;
     V8 high;
-    decaying_range(p_, rows_, 0, start_, end_, low, high);
+    decaying_range(p_, rows_, 0, a_->amplitudes, z_->amplitudes, low, high);
     const V8 constant = load(o_.constants + 8 * block_);
     const V8 error = sixth_ * all(value_error * h_ * h_ * h_ * h_ * h_ * h_);
     return below(load(o_.maximum + 8 * block_) + rounding_,
@@ -184,7 +216,7 @@ private:
   unsigned one_sign(int r, V8 least, V8 most, double bound) const {
     V8 low;
     V8 high;
-    decaying_range(p_, rows_, r, start_, end_, low, high);
+    decaying_range(p_, rows_, r, a_->amplitudes, z_->amplitudes, low, high);
     const V8 unit = all(r == 1 ? h_ : h_ * h_);
     const V8 error = sixth_ * all(bound * h_ * h_ * h_ * h_ * h_ * h_);
     return below(all(0), fused(low, unit, least - error)) |
@@ -193,8 +225,8 @@ private:
 
   // Forms whose slope differs in sign at the ends.
   unsigned turns() const {
-    const V8 s = a_.oscillating[1] + a_.decaying[1];
-    const V8 t = z_.oscillating[1] + z_.decaying[1];
+    const V8 s = a_->values.oscillating[1] + a_->values.decaying[1];
+    const V8 t = z_->values.oscillating[1] + z_->values.decaying[1];
     return below(all(0), s) ^ below(all(0), t);
   }
 
@@ -204,8 +236,8 @@ private:
     V8 start[3];
     V8 end[3];
     for (int r = 0; r < 3; ++r) {
-      start[r] = a_.oscillating[r] + a_.decaying[r];
-      end[r] = z_.oscillating[r] + z_.decaying[r];
+      start[r] = a_->values.oscillating[r] + a_->values.decaying[r];
+      end[r] = z_->values.oscillating[r] + z_->values.decaying[r];
     }
     V8 b[6];
     V8 d[5];
@@ -226,33 +258,29 @@ private:
     return x;
   }
 
-  void include_turns(unsigned which, double *scratch) {
+  void include_turns(unsigned which) {
     double x[8];
     double slope[8];
+    double noise[8];
     store(x, turning_points());
-    store(slope, a_.oscillating[1] + a_.decaying[1]);
+    store(slope, a_->values.oscillating[1] + a_->values.decaying[1]);
+    store(noise, rounding_);
     for (; which != 0; which &= which - 1) {
       const int i = __builtin_ctz(which);
-      search(i, scratch).include_turn(0, h_, x[i] * h_, slope[i] > 0);
+      TurningPoint(p_, o_, 8 * block_ + i, a_->amplitudes, scratch_, noise[i])
+          .include(h_, x[i] * h_, slope[i] > 0);
     }
-  }
-
-  OutputSearch search(int i, double *scratch) const {
-    double m6[8];
-    double noise[8];
-    store(m6, sixth_);
-    store(noise, rounding_);
-    return {p_, o_, 8 * block_ + i, start_, scratch, m6[i], noise[i]};
   }
 
   const PhaseView &p_;
   OutputsView &o_;
   int block_;
-  const double *start_, *end_;
-  double h_;
+  double *scratch_;
   const double *rows_;
-  Output8 a_, z_;
   V8 sixth_, rounding_;
+  // Of the present piece:
+  const End *a_ = nullptr, *z_ = nullptr;
+  double h_ = 0;
   V8 b_[6], slope_[5]; ///< of what oscillates
 };
 
@@ -260,7 +288,7 @@ private:
 inline void include_piece(const PhaseView &p, OutputsView &o, const double *start,
                           const double *end, double h, const double *reach, double *scratch) {
   for (int block = 0; block < o.n_blocks; ++block)
-    BlockSearch(p, o, block, start, end, h, reach).include(scratch);
+    BlockSearch(p, o, block, reach, scratch).include(start, end, h);
   o.continued = true;
 }
 

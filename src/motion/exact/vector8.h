@@ -228,16 +228,14 @@ inline V8 exponential(V8 x) {
   return fused(part, power_of_two(exponent), power_of_two(exponent));
 }
 
-/// Beyond this the reduction by multiples of pi / 2 loses digits.
-constexpr double largest_angle = 1e5;
-
 struct SineCosine8 {
   V8 sine, cosine;
 };
 
-/// For |x| <= largest_angle to a unit of the last place of one: x = n pi / 2 + r, pi / 2 in three
-/// parts of 33 bits and the rest, so that their products with n are exact without fused operations
-/// too; Taylor polynomials to r^17 and r^16, |r| <= pi / 4, whose remainders are below 1e-18.
+/// To a unit of the last place of one for |x| <= 1e5, beyond which the reduction loses digits: x =
+/// n pi / 2 + r, pi / 2 in three parts of 33 bits and the rest, so that their products with n are
+/// exact without fused operations too; Taylor polynomials to r^17 and r^16, |r| <= pi / 4, whose
+/// remainders are below 1e-18.
 inline SineCosine8 sine_cosine(V8 x) {
   const V8 shifted = fused(x, all(0x1.45f306dc9c883p-1), all(rounder));
   const V8 n = shifted - all(rounder);

@@ -46,12 +46,12 @@ void WorkIntegrals::renew() {
 void WorkIntegrals::arrange() {
   arrangement_ = phase_.arrangement();
   generation_ = phase_.generation();
-  list_products();
   forms_.assign(2 * powers_.size() * phase_.groups().size(), 0);
-  coefficients_.assign(n_blocks() * products_.size() * 16, 0);
   integrals_.assign(n_blocks() * 8, 0);
   for (std::size_t j = 0; j < phase_.groups().size(); ++j)
     set_forms(j);
+  list_products();
+  coefficients_.assign(n_blocks() * products_.size() * 16, 0);
   longest_ = 2 * std::numbers::pi / slowest_vibration();
   for (std::size_t k = 0; k < products_.size(); ++k)
     set_product(k);
@@ -62,6 +62,7 @@ void WorkIntegrals::arrange() {
            .coefficients = coefficients_.data()};
 }
 
+// Products that no power sees are left out; what is seen of an input may change with its frequency.
 void WorkIntegrals::list_products() {
   products_.clear();
   const std::vector<PhaseGroup> &groups = phase_.groups();
@@ -69,11 +70,25 @@ void WorkIntegrals::list_products() {
     for (std::size_t j = i; j < groups.size(); ++j) {
       if (groups[j].kind == BlockKind::dense)
         break;
+      if (!is_seen(i, j))
+        continue;
       products_.push_back({.first = static_cast<int>(i), .second = static_cast<int>(j)});
       if (groups[i].kind == BlockKind::pair && groups[j].kind == BlockKind::pair)
         products_.push_back(
             {.first = static_cast<int>(i), .second = static_cast<int>(j), .conjugate = true});
     }
+}
+
+// Does a power see one of the groups in one of its factors and the other in the other?
+bool WorkIntegrals::is_seen(std::size_t i, std::size_t j) const {
+  const std::size_t n = phase_.groups().size();
+  const auto sees = [&](std::size_t form, std::size_t group) {
+    return phase_.groups()[group].is_input() || forms_[form * n + group] != 0.0;
+  };
+  for (std::size_t p = 0; p < powers_.size(); ++p)
+    if ((sees(2 * p, i) && sees(2 * p + 1, j)) || (sees(2 * p, j) && sees(2 * p + 1, i)))
+      return true;
+  return false;
 }
 
 // [rad/s]; the fastest exponent where nothing vibrates, and 0 where nothing moves at all.
