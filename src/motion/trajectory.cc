@@ -165,9 +165,10 @@ double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) c
   crossing.residual = std::abs(plain.end());
   crossing.rate = plain.derivative().end() / view.length();
   const double distance = std::abs(indicator(view, crossing.contact, crossing.guard).end());
-  if (distance <= equations_.rounding(crossing.contact, form, view.end(), view.end_state()))
-    return 0;
-  return std::abs(distance / crossing.rate);
+  const double rounding =
+      equations_.rounding(crossing.contact, form, view.end(), view.end_state());
+  crossing.hidden = distance <= rounding ? rounding / std::abs(crossing.rate) : 0;
+  return distance <= rounding ? 0 : std::abs(distance / crossing.rate);
 }
 
 GuardStart Trajectory::guard_start(std::size_t contact, std::size_t guard) const {
@@ -245,7 +246,7 @@ bool Trajectory::locate(Crossing &crossing) {
   int extensions = 0;
   for (int i = 0; i < maximum_corrections; ++i) {
     // Where rounding keeps the tolerance of the step's own length out of reach, that of events
-    // does.
+    // does; at the end of the step, too, what rounding makes of the instant.
     const double tolerance = i < maximum_corrections / 2 ? own : time_tolerance();
     const double start = steppers_.present().previous_time();
     const double instant = start + crossing.tau * (steppers_.present().time() - start);
@@ -260,7 +261,8 @@ bool Trajectory::locate(Crossing &crossing) {
     const bool inside = find_crossing(shorter, earlier);
     Crossing &candidate = inside ? earlier : crossing;
     const double uncertainty = event_uncertainty(shorter, candidate);
-    const bool at_end = !inside || (1 - earlier.tau) * shorter.length() <= tolerance;
+    const double same = i < maximum_corrections / 2 ? own : std::max(tolerance, candidate.hidden);
+    const bool at_end = !inside || (1 - earlier.tau) * shorter.length() <= same;
     if (at_end && uncertainty <= tolerance) {
       event_residual_ = std::max(event_residual_, uncertainty);
       crossing = candidate;

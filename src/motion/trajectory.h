@@ -81,6 +81,7 @@ private:
     std::size_t guard = 0;
     double residual = 0; ///< |indicator| left where it was located
     double rate = 0;     ///< its rate there [1/s]
+    double hidden = 0;   ///< what rounding makes of the instant, where it hides the residual [s]
   };
 
   struct PresentGuard {

@@ -226,5 +226,41 @@ TEST_P(SettlingOnContactsTest, CompliantContactLeftByItsBase) {
   EXPECT_EQ(events.list.back().to, 0);
 }
 
+// A mass put down without speed on a contact with the damping of its lowest approach speed, 1e-6
+// m/s, sinks for seconds, without inertia: m g = k u^1.5 (1 + d u'), so that w = u^2.5 follows w'
+// = 2.5 (m g / k - w^0.6) / d. Its decay is 1e5 times faster than the motion.
+TEST(SettlingOnContactsOnceTest, SinksIntoAStiffDampingInFewSteps) {
+  const double mass = 0.14, stiffness = 9e5, damping = 0.3, lowest = 1e-6;
+  Model model({single_mass("block", mass, 0, 0)});
+  add_weight(model, gravity, {0});
+  const auto force = std::make_shared<Harmonic>(Given::displacement, 0.5, 40, 0);
+  model.add_force("force", force, {.body = 0, .point = 0}, Vector3::UnitX());
+  const ContactSet contacts(
+      {contact_along_x(model, "block.head", "", 0,
+                       contact::HuntCrossley::with_dimensionless_damping(
+                           {.stiffness = stiffness, .exponent = 1.5}, damping, lowest))});
+  Trajectory trajectory(model, contacts, {.relative_tolerance = 1e-10});
+  ImpactLog log(contacts, 0);
+  trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
+  const double end = 5;
+  trajectory.advance(end, log);
+  const auto rate = [&](double time, double w) {
+    const double pressing = mass * gravity + force->value(time);
+    return 2.5 * (pressing / stiffness - std::pow(w, 0.6)) * lowest / damping;
+  };
+  double w = 0;
+  constexpr int intervals = 20000;
+  const double h = end / intervals;
+  for (int i = 0; i < intervals; ++i) {
+    const double time = i * h;
+    const double k1 = rate(time, w);
+    const double k2 = rate(time + h / 2, w + h / 2 * k1);
+    const double k3 = rate(time + h / 2, w + h / 2 * k2);
+    w += h / 6 * (k1 + 2 * k2 + 2 * k3 + rate(time + h, w + h * k3));
+  }
+  EXPECT_NEAR(trajectory.state()[0] / std::pow(w, 0.4), 1, 1e-5);
+  EXPECT_LT(trajectory.accuracy().steps, 2000);
+}
+
 } // namespace
 } // namespace vibroimpact::motion

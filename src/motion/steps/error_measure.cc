@@ -129,11 +129,14 @@ void ErrorMeasure::set_step(const EndPoint &start, const EndPoint &end) {
     const OfContact &before = recent_.of[c];
     const Index place = layout.impulse(static_cast<Index>(c));
     there.impulse = fading * before.impulse + std::abs(end.state[place] - start.state[place]);
+    const Index work_place = layout.contact_work(static_cast<Index>(c));
+    there.work = fading * before.work + std::abs(end.state[work_place] - start.state[work_place]);
     now = {.gap = std::max(before.gap, there.gap),
            .gap_rate = std::max(before.gap_rate, there.gap_rate),
            .energy = std::max(before.energy, there.energy),
            .force = std::max(before.force, there.force),
            .impulse = there.impulse,
+           .work = there.work,
            .rounding = std::max(before.rounding, there.rounding)};
   }
 }
@@ -152,6 +155,7 @@ void ErrorMeasure::accept() {
           .energy = std::max(fading * of.energy, there.energy),
           .force = std::max(fading * of.force, there.force),
           .impulse = there.impulse,
+          .work = there.work,
           .rounding = there.rounding};
   }
 }
@@ -278,13 +282,13 @@ double ErrorMeasure::of_work(const Vector &error) const {
     const OfContact &of = present_.of[c];
     const auto contact = static_cast<Index>(c);
     const double momentum = mass_[c] * speed(c);
-    largest =
-        std::max({largest,
-                  ratio(std::abs(error[layout.contact_work(contact)]),
-                        relative_ * energy_at(c) + length_ * noise(c) * of.gap_rate + negligible),
-                  ratio(std::abs(error[layout.impulse(contact)]),
-                        contact_part * relative_ * std::max(of.impulse, momentum) +
-                            length_ * noise(c) + negligible_impulse(c))});
+    largest = std::max({largest,
+                        ratio(std::abs(error[layout.contact_work(contact)]),
+                              relative_ * (energy_at(c) + of.work) +
+                                  length_ * noise(c) * of.gap_rate + negligible),
+                        ratio(std::abs(error[layout.impulse(contact)]),
+                              contact_part * relative_ * std::max(of.impulse, momentum) +
+                                  length_ * noise(c) + negligible_impulse(c))});
   }
   return largest;
 }

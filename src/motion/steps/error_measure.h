@@ -48,6 +48,7 @@ private:
     double gap = 0, gap_rate = 0, gap_acceleration = 0; ///< absolute values
     double energy = 0; ///< stored, and kinetic of the mass that meets
     double force = 0, impulse = 0;
+    double work = 0;     ///< dissipated
     double rounding = 0; ///< of the gap
   };
   struct Scales {

@@ -18,6 +18,10 @@ Settings for_stiff_phases(Settings settings) {
   return settings;
 }
 
+// At the tolerances of a motion, 1e-9 and less, steps of order 3 would hardly be longer than those
+// that stability leaves to the explicit method.
+constexpr int implicit_order = 5;
+
 } // namespace
 
 Steppers::Steppers(Equations &equations, const Settings &settings)
@@ -57,7 +61,8 @@ void Steppers::choose() {
       go_on_with(*general_);
   } else if (stiffness_.explicit_step(equations_, present_->time(), present_->state(), length)) {
     if (!implicit_)
-      implicit_ = std::make_unique<TsStepper>(equations_, for_stiff_phases(settings_), "arkimex");
+      implicit_ = std::make_unique<TsStepper>(equations_, for_stiff_phases(settings_), "arkimex",
+                                              implicit_order);
     go_on_with(*implicit_);
   }
 }

@@ -64,7 +64,8 @@ void default_to_maximum_norm() {
 
 } // namespace
 
-TsStepper::TsStepper(Equations &equations, const Settings &settings, const std::string &method)
+TsStepper::TsStepper(Equations &equations, const Settings &settings, const std::string &method,
+                     int order)
     : equations_(equations),
       maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()),
@@ -80,7 +81,7 @@ TsStepper::TsStepper(Equations &equations, const Settings &settings, const std::
   check_petsc(TSSetRHSJacobian(ts_, jacobian_, jacobian_, evaluate_jacobian, &equations_),
               "TSSetRHSJacobian");
   check_petsc(TSSetSolution(ts_, solution_), "TSSetSolution");
-  set_method(method);
+  set_method(method, order);
   set_tolerances(settings);
   default_to_maximum_norm();
   check_petsc(TSSetFromOptions(ts_), "TSSetFromOptions");
@@ -93,12 +94,14 @@ TsStepper::~TsStepper() {
   VecDestroy(&solution_);
 }
 
-void TsStepper::set_method(const std::string &method) {
+void TsStepper::set_method(const std::string &method, int order) {
   check_petsc(TSSetType(ts_, method.c_str()), "TSSetType");
   if (method == TSRK)
     check_petsc(TSRKSetType(ts_, TSRK5DP), "TSRKSetType");
   if (method == TSARKIMEX)
     check_petsc(TSARKIMEXSetFullyImplicit(ts_, PETSC_TRUE), "TSARKIMEXSetFullyImplicit");
+  if (order > 0)
+    check_petsc(TSARKIMEXSetType(ts_, std::to_string(order).c_str()), "TSARKIMEXSetType");
   if (method == TSTHETA)
     check_petsc(TSThetaSetTheta(ts_, 0.5), "TSThetaSetTheta");
   TSAdapt adapt = nullptr;

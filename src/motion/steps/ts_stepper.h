@@ -29,7 +29,9 @@ namespace vibroimpact::motion {
 class TsStepper : public Stepper {
 public:
   /// `method`: one of the types of a stock TS.
-  TsStepper(Equations &equations, const Settings &settings, const std::string &method);
+  /// `order`: of the method, where it is "arkimex"; 0: as PETSc has it.
+  TsStepper(Equations &equations, const Settings &settings, const std::string &method,
+            int order = 0);
   ~TsStepper() override;
   TsStepper(const TsStepper &) = delete;
   TsStepper &operator=(const TsStepper &) = delete;
@@ -43,7 +45,7 @@ public:
 
 private:
   void set_tolerances(const Settings &settings);
-  void set_method(const std::string &method);
+  void set_method(const std::string &method, int order);
   double first_step() const;
   void attempt(double end);
   void take(double end);
