@@ -4,6 +4,7 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "common/petsc_error.h"
+#include "common/petsc_stage.h"
 #include "common/signals.h"
 #include "run_information.h"
 #include "simulation.h"
@@ -142,6 +143,7 @@ int guarded(int argc, char **argv, int rank) {
   try {
     const CommandLine line = parse_command_line(argc, argv);
     PetscOptionsInsertString(nullptr, line.petsc_options.c_str());
+    begin_petsc_log();
     return perform(line);
   } catch (const InputError &error) {
     if (rank == 0)

@@ -3,6 +3,7 @@
 #include "analyses/cost.h"
 #include "common/error.h"
 #include "common/log.h"
+#include "common/petsc_stage.h"
 #include "common/signals.h"
 #include "common/work_limit.h"
 #include "contact/contact_set.h"
@@ -350,7 +351,10 @@ RunSummary Simulation::run(const RunOptions &options) {
     resumed_folder_ = options.folder;
   const std::vector<Job> all = jobs();
   derived::DerivedQuantities derived = derived_quantities(all);
-  reduce_all(all);
+  {
+    const PetscStage bodies("Bodies");
+    reduce_all(all);
+  }
   for (const Job &job : all)
     check_cases(job);
   const DeferSignals results_at_stake;
@@ -370,6 +374,7 @@ RunSummary Simulation::run(const RunOptions &options) {
     output::write_mode_files(folder, reduced);
   warn_of_unused_laws(all);
   try {
+    const PetscStage motions("Analyses");
     const RunSummary total = run_jobs(all, sink);
     sink.check_written();
     return total;

@@ -17,7 +17,7 @@ using contact::LocalState;
 Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &contacts,
                        const Settings &settings)
     : settings_(settings), equations_(model, contacts), collisions_(equations_, settings_),
-      steppers_(equations_, settings) {
+      steppers_(equations_, settings), ts_(MotionTs::create(settings, equations_.layout().size())) {
   if (steppers_.exact())
     path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(),
                                         settings.event_tolerance);
@@ -305,6 +305,17 @@ void Trajectory::advance(double end) {
 }
 
 void Trajectory::integrate(double end, Observer &observer) {
+  if (!ts_) {
+    move(end, observer);
+    return;
+  }
+  ts_->step(time(), state(), end, [&]() -> const Vector & {
+    move(end, observer);
+    return state();
+  });
+}
+
+void Trajectory::move(double end, Observer &observer) {
   while (steppers_.present().time() < end) {
     leave_if_stopped();
     progress_.note(time(), horizon());

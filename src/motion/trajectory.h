@@ -12,6 +12,7 @@
 #include "motion/observer.h"
 #include "motion/settings.h"
 #include "motion/stall.h"
+#include "motion/steps/motion_ts.h"
 #include "motion/steps/steppers.h"
 
 #include <memory>
@@ -104,6 +105,7 @@ private:
   Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
   void begin_phase(double time, const Vector &state);
   void integrate(double end, Observer &observer);
+  void move(double end, Observer &observer);
   bool propagate(double limit, Observer &observer);
   void take_over();
   void begin_balance();
@@ -147,6 +149,7 @@ private:
   Equations equations_;
   Collisions collisions_;
   Steppers steppers_;
+  std::unique_ptr<MotionTs> ts_;    ///< none: nobody looks at it by PETSc's means
   std::unique_ptr<ExactPath> path_; ///< none where the method is another
   bool steps_outdated_ = false;     ///< the steppers must begin anew to take a step
   bool observed_ = true;

@@ -240,8 +240,9 @@ TEST(HighOrderStepperTest, StepsThatOverflowAreRejected) {
   Equations equations(model, contacts);
   equations.set_mode(0, 1);
   const auto point = [&](double time, double size) {
-    EndPoint at{.time = time, .state = Vector::Constant(equations.layout().size(), size)};
-    at.rates = at.state;
+    EndPoint at;
+    at.time = time;
+    at.state = at.rates = Vector::Constant(equations.layout().size(), size);
     return at;
   };
   ErrorMeasure measure(equations, 1e-9, 0);

@@ -57,9 +57,9 @@ PetscErrorCode evaluate_jacobian(TS /*ts*/, PetscReal time, Vec x, Mat jacobian,
 // dilute it.
 void default_to_maximum_norm() {
   PetscBool given = PETSC_FALSE;
-  PetscOptionsHasName(nullptr, nullptr, "-ts_adapt_wnormtype", &given);
+  PetscOptionsHasName(nullptr, nullptr, "-sub_ts_adapt_wnormtype", &given);
   if (!given)
-    PetscOptionsSetValue(nullptr, "-ts_adapt_wnormtype", "INFINITY");
+    PetscOptionsSetValue(nullptr, "-sub_ts_adapt_wnormtype", "INFINITY");
 }
 
 } // namespace
@@ -74,6 +74,7 @@ TsStepper::TsStepper(Equations &equations, const Settings &settings, const std::
   const PetscInt size = static_cast<PetscInt>(equations.layout().size());
   check_petsc(VecCreateSeq(PETSC_COMM_SELF, size, &solution_), "VecCreateSeq");
   check_petsc(TSCreate(PETSC_COMM_SELF, &ts_), "TSCreate");
+  check_petsc(TSSetOptionsPrefix(ts_, "sub_"), "TSSetOptionsPrefix");
   check_petsc(TSSetProblemType(ts_, TS_NONLINEAR), "TSSetProblemType");
   check_petsc(TSSetRHSFunction(ts_, nullptr, evaluate_rates, &equations_), "TSSetRHSFunction");
   check_petsc(MatCreateSeqDense(PETSC_COMM_SELF, size, size, nullptr, &jacobian_),
