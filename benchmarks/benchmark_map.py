@@ -1,13 +1,14 @@
 #!/usr/bin/python3
 """The map of a mass between two bumpers, as large as wanted, on one rank and on several.
 
-  benchmark_map.py PROGRAM [--gaps 100] [--stiffnesses 60] [--frequencies 300] [--ranks 1 2]
-                   [--set SECTION/KEY=VALUE ...]
+  benchmark_map.py PROGRAM [--gaps 100] [--stiffnesses 60] [--frequencies 150] [--ranks 1 2]
+                   [--file FILE] [--set SECTION/KEY=VALUE ...]
 
-Runs sweep.prm over gaps x stiffnesses x frequencies x both directions with all response measures
-recorded, once for each number of ranks, and tells points, forcing periods, time, processor time,
-memory, and the efficiency of several ranks: time on one over ranks times time on so many, without
-the start of the program and the writing of the results, which rank 0 does alone.
+Runs the analysis map of params/bumpers-map.prm over gaps x stiffnesses x frequencies x both
+directions, once for each number of ranks, and tells points, forcing periods, time, processor time
+with all that belongs to the run, memory, and the efficiency of several ranks: time on one over ranks
+times time on so many, without the start of the program and the writing of the results, which rank 0
+does alone. PROGRAM may be of another version, with the parameter file of that version as --file.
 """
 import argparse
 import os
@@ -21,8 +22,16 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-PARAMETERS = Path(__file__).with_name("sweep.prm")
+PARAMETERS = Path(__file__).parent.parent / "params/bumpers-map.prm"
 GRID = "Analysis map/Parameter grid"
+
+
+def stiffnesses(count):
+    """From 0.1 to 100, with those among them that the derived quantities ask for."""
+    numbers = np.logspace(-1, 2, count)
+    for wanted in (1, 10):
+        numbers[np.abs(numbers - wanted).argmin()] = wanted
+    return numbers
 
 
 def values(numbers):
@@ -30,14 +39,16 @@ def values(numbers):
 
 
 def command(program, ranks, arguments, output):
-    grid = ["--set", f"{GRID}/Key gap/Values={values(np.linspace(0, 1, arguments.gaps))}",
+    grid = ["--set", "Analyses=map",
+            "--set", f"{GRID}/Key gap/Values={values(np.linspace(0, 1, arguments.gaps))}",
             "--set", f"{GRID}/Key stiffness/Values="
-            + values(np.logspace(-1, 2, arguments.stiffnesses)),
+            + values(stiffnesses(arguments.stiffnesses)),
             "--set", f"Analysis curve/Stepped sweep/Points={arguments.frequencies}"]
     for override in arguments.set:
         grid += ["--set", override]
     launcher = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
-    return [*launcher, program, *grid, "--output", str(output), "--overwrite", str(PARAMETERS)]
+    return [*launcher, program, *grid, "--output", str(output), "--overwrite",
+            str(arguments.file)]
 
 
 def run(program, ranks, arguments, output):
@@ -66,8 +77,9 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--gaps", type=int, default=100)
     parser.add_argument("--stiffnesses", type=int, default=60)
-    parser.add_argument("--frequencies", type=int, default=300)
+    parser.add_argument("--frequencies", type=int, default=150)
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--file", type=Path, default=PARAMETERS)
     parser.add_argument("--set", action="append", default=[], metavar="SECTION/KEY=VALUE")
     arguments = parser.parse_args()
     program = os.path.abspath(arguments.program)
