@@ -4,9 +4,12 @@
 
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
+#include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/linear_penalty.h"
+#include "contact/laws/tsuji.h"
 #include "motion/trajectory.h"
 #include "support/lumped_models.h"
+#include "support/motion_derivative.h"
 
 #include <gtest/gtest.h>
 
@@ -182,6 +185,33 @@ TEST(VariationTest, ResetOfAnInternalState) {
   EXPECT_LT(difference(1e-9), 1e-7);
   EXPECT_LT(difference(1e-12), 1e-7);
   EXPECT_GE(impact.events, 4);
+}
+
+// Where these contacts begin the slope of the force is infinite, u^(-1/2) and u^(-3/4).
+TEST(VariationTest, SlopesThatAreInfiniteWhereContactBegins) {
+  const std::vector<std::shared_ptr<const contact::ContactLaw>> laws = {
+      std::make_shared<contact::KuwabaraKono>(1e5, 1e-3),
+      std::make_shared<contact::Tsuji>(1e5, 40)};
+  for (const auto &law : laws) {
+    Case impact{.model = Model({single_mass("block", 1, 40, 0.1)}),
+                .end = 0.8,
+                .relative_tolerance = 1e-12};
+    impact.contacts = ContactSet({contact_along_x(impact.model, "block.head", "", 0.03, law)});
+    impact.start.physical = state_of({-0.1, 0.3});
+    const Matrix columns = impact.by_variation();
+    EXPECT_GE(impact.events, 2);
+    for (Index j = 0; j < 2; ++j) {
+      const testing::NumericalDerivative differences = testing::numerical_derivative(
+          [&](double by) {
+            return std::optional<Vector>(
+                impact.flow(impact.start.physical + by * Vector::Unit(2, j)));
+          },
+          1e-2);
+      EXPECT_LT(differences.error, 1e-8) << law->name();
+      EXPECT_LT((columns.col(j) - differences.value).norm(), 2e-8 * differences.value.norm())
+          << law->name();
+    }
+  }
 }
 
 // The product of the multipliers is exp(-c/m t) for any conservative contact (Liouville).

@@ -22,8 +22,11 @@ namespace odeint = boost::numeric::odeint;
 // short penetration.
 using Extrapolation = odeint::bulirsch_stoer<std::vector<double>>;
 
-// The state is taken more exactly than its columns, since slopes of contacts magnify its error.
-constexpr double state_weight = 30;
+// Of the state, relative to itself: what changes less is near equilibrium, and its rates are
+// differences of larger terms.
+constexpr double least_change = 1e-3;
+// A step that takes more evaluations of the rates finds no end.
+constexpr long most_evaluations = 300000;
 // Rates by keys have the rounding of differences of models, of about 1e-12, which is no error that
 // shorter steps would make smaller.
 constexpr double key_weight = 0.01;
@@ -40,8 +43,9 @@ struct Interval {
   double length() const { return end - start; }
 };
 
-// Entries: the scaled state in units of its largest entry, the scaled columns in units of theirs,
-// and the integral of the divergence.
+// Entries: the scaled change of the state since the start, in units of its size, so that a short
+// contact is not lost in the rounding of the whole; the scaled columns in units of theirs; and the
+// integral of the divergence.
 class JointRates {
 public:
   JointRates(const Interval &interval, const Vector &end_state, const Equations &equations,
@@ -49,9 +53,13 @@ public:
       : interval_(interval), equations_(equations), keys_(keys), scale_(scale),
         full_(interval.state), full_rates_(equations.layout().size()) {
     const Index n = scale.size();
-    state_size_ = std::max(scale.cwiseProduct(interval.state.head(n)).cwiseAbs().maxCoeff(),
-                           scale.cwiseProduct(end_state.head(n)).cwiseAbs().maxCoeff()) /
-                  state_weight;
+    equations.rates(interval.start, ConstVectorView(full_.data(), full_.size()),
+                    VectorView(full_rates_.data(), full_rates_.size()));
+    const Vector change = (end_state - interval.state).head(n).cwiseAbs() +
+                          interval.length() * full_rates_.head(n).cwiseAbs();
+    state_size_ =
+        std::max(scale.cwiseProduct(change).maxCoeff(),
+                 least_change * scale.cwiseProduct(interval.state.head(n)).cwiseAbs().maxCoeff());
     state_size_ = state_size_ > 0 ? state_size_ : 1;
     sizes_ = (scale.asDiagonal() * columns).cwiseAbs().colwise().maxCoeff();
     for (std::size_t k = 0; k < keys.size(); ++k) {
@@ -67,7 +75,6 @@ public:
   std::vector<double> pack(const Matrix &columns) const {
     const Index n = scale_.size();
     std::vector<double> x(static_cast<std::size_t>(n * (columns.cols() + 1) + 1), 0.0);
-    Eigen::Map<Vector>(x.data(), n) = scale_.cwiseProduct(interval_.state.head(n)) / state_size_;
     Eigen::Map<Matrix>(x.data() + n, n, columns.cols()) =
         scale_.asDiagonal() * columns * sizes_.cwiseInverse().asDiagonal();
     return x;
@@ -81,11 +88,15 @@ public:
 
   void operator()(const std::vector<double> &x, std::vector<double> &dxdtau, double s) {
     leave_if_stopped();
+    if (++evaluations_ > most_evaluations)
+      throw NumericalError("the variation of the motion takes too many steps at t = " +
+                           std::to_string(interval_.start) + " s");
     const Index n = scale_.size();
     const double h = interval_.length() * (interval_.smooth ? smooth_rate(s) : 1);
     const double time =
         interval_.start + interval_.length() * (interval_.smooth ? smooth_course(s) : s);
     full_.head(n) =
+        interval_.state.head(n) +
         state_size_ * scale_.cwiseInverse().cwiseProduct(Eigen::Map<const Vector>(x.data(), n));
     const ConstVectorView state(full_.data(), full_.size());
     equations_.rates(time, state, VectorView(full_rates_.data(), full_rates_.size()));
@@ -109,6 +120,7 @@ private:
   const Equations &equations_;
   const std::vector<KeyTangent *> &keys_;
   const Vector &scale_;
+  long evaluations_ = 0;
   double state_size_ = 1;
   RowVector sizes_; ///< of the columns
   Vector full_, full_rates_;
@@ -155,27 +167,29 @@ double integrate_beside(const StepView &view, const Equations &equations,
                     .state = view.start_state(),
                     .smooth = near_contact(equations, view.start(), view.start_state(), h) ||
                               near_contact(equations, view.end(), view.end_state(), h)};
-  if (const auto gap = vanishing_gap(equations, view.start(), view.start_state(), h)) {
-    interval.start += gap->duration;
-    const ShortInterval first{.contact = gap->contact,
-                              .zero = view.start(),
-                              .other = interval.start,
-                              .state_at_zero = view.start_state()};
-    interval.state = state_at_other(equations, first);
-    cross(equations, keys, first, columns);
+  double divergence = 0;
+  const auto first = vanishing_gap(equations, view.start(), view.start_state(), h);
+  if (first) {
+    interval.start = first->duration < h ? view.start() + first->duration : view.end();
+    const ShortInterval part{.contact = first->contact,
+                             .zero = view.start(),
+                             .other = interval.start,
+                             .state_at_zero = view.start_state()};
+    interval.state = state_at_other(equations, part);
+    divergence += cross(equations, keys, part, columns);
   }
   const auto last = vanishing_gap(equations, view.end(), view.end_state(), h);
   if (last)
-    interval.end -= last->duration;
-  const double divergence =
-      integrate(interval, view.end_state(), equations, keys, accuracy, columns);
-  if (last)
-    cross(equations, keys,
-          {.contact = last->contact,
-           .zero = view.end(),
-           .other = interval.end,
-           .state_at_zero = view.end_state()},
-          columns);
+    interval.end = std::max(interval.start, view.end() - last->duration);
+  if (interval.end > interval.start)
+    divergence += integrate(interval, view.end_state(), equations, keys, accuracy, columns);
+  if (last && view.end() > interval.end)
+    divergence += cross(equations, keys,
+                        {.contact = last->contact,
+                         .zero = view.end(),
+                         .other = interval.end,
+                         .state_at_zero = view.end_state()},
+                        columns);
   return divergence;
 }
 

@@ -16,7 +16,7 @@ namespace vibroimpact::motion {
 struct VariationAccuracy {
   Vector scale; ///< physical_size() factors that make entries of the state comparable
   /// Error of a step, relative to the largest scaled entry of each column; a hundred times that for
-  /// derivatives by keys, a thirtieth for the state.
+  /// derivatives by keys; of the state relative to its change in the step.
   double tolerance = 1e-10;
 };
 

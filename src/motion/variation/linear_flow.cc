@@ -54,8 +54,7 @@ std::optional<std::vector<ExponentialForm>> closed_forms(const Equations &equati
 
 } // namespace
 
-LinearFlow::LinearFlow(const Equations &equations)
-    : system_(equations), modal_(system_.matrix()) {
+LinearFlow::LinearFlow(const Equations &equations) : system_(equations), modal_(system_.matrix()) {
   for (const ModalBlock &block : modal_.blocks())
     radius_ = std::max(radius_, radius_of(block));
 }
