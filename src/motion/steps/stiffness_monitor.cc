@@ -12,11 +12,8 @@ namespace {
 
 constexpr long steps_between_looks = 100;
 constexpr double stability_bound = 6;
-// A decay l that is alive keeps steps h of order 8 and a tolerance of 1e-9 or less to h l < 0.5,
-// (h l)^9 / 9! being the error. Longer ones over 200 steps, in which it falls by exp(-100), are
-// ruled by their stability alone: near its bound, or well below it where the errors of a step are
-// large against a tight tolerance there.
-constexpr double explicit_share = 0.1;
+// Steps that error control shortens and lengthens again have half of the bound on average.
+constexpr double explicit_share = 0.4;
 // Stages, their Newton iterations and the matrices of these cost about so much more.
 constexpr double implicit_cost = 5;
 constexpr int looks_in_a_row = 2;
@@ -43,15 +40,18 @@ bool StiffnessMonitor::due(double length) {
 
 bool StiffnessMonitor::explicit_step(const Equations &equations, double time, const Vector &x,
                                      double length) {
-  if (trials_ >= most_trials || !due(length))
+  if (!due(length))
     return false;
   const double mean = std::exchange(sum_, 0) / steps_between_looks;
+  if (wait_ > 0) {
+    --wait_;
+    return false;
+  }
   const bool bound = mean * fastest_decay(equations, time, x) > explicit_share * stability_bound;
   stiff_ = bound ? stiff_ + 1 : 0;
   if (stiff_ < looks_in_a_row)
     return false;
   stiff_ = 0;
-  ++trials_;
   return true;
 }
 
@@ -60,7 +60,11 @@ bool StiffnessMonitor::implicit_step(const Equations &equations, double time, co
   if (!due(length))
     return false;
   const double mean = std::exchange(sum_, 0) / steps_between_looks;
-  return mean * fastest_decay(equations, time, x) < implicit_cost * stability_bound;
+  const bool short_steps =
+      mean * fastest_decay(equations, time, x) < implicit_cost * stability_bound;
+  if (short_steps)
+    wait(pause_);
+  return short_steps;
 }
 
 } // namespace vibroimpact::motion

@@ -22,18 +22,22 @@ public:
   bool explicit_step(const Equations &equations, double time, const Vector &x, double length);
   /// An implicit one. True: it does not pay here.
   bool implicit_step(const Equations &equations, double time, const Vector &x, double length);
-  /// The implicit method has failed in this phase.
-  void give_up() { trials_ = most_trials; }
+  /// The implicit method has failed.
+  void give_up() { wait(16 * pause_); }
 
 private:
-  static constexpr int most_trials = 3; ///< of the implicit method in one phase
-
   bool due(double length);
+  // Each time twice as long, so that trials in vain cost a share that vanishes.
+  void wait(long looks) {
+    wait_ = looks;
+    pause_ = 2 * looks;
+  }
 
   long steps_ = 0;
   double sum_ = 0; ///< of the lengths since the last look [s]
   int stiff_ = 0;  ///< looks in a row that found stability at its bound
-  int trials_ = 0;
+  long wait_ = 0;  ///< looks before the implicit method is tried again
+  long pause_ = 2; ///< and after the next trial
 };
 
 } // namespace vibroimpact::motion
