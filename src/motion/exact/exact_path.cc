@@ -155,7 +155,8 @@ bool ExactPath::start_from(double time, const Vector &state, std::span<const Zer
   physical_ = state.head(known.phase().n_modes());
   Amplitudes start;
   known.phase().amplitudes(physical_, inputs_.data(), start);
-  rounding_.assign(static_cast<std::size_t>(known.view().n_padded), 0);
+  rounding_.assign(largest,
+                   0); // it changes places with that of the next phase, which may be larger
   std::copy(start.begin(), start.end(), amplitudes_.begin());
   walk_.amplitudes = amplitudes_.data();
   walk_.turned = turned_.data();
