@@ -67,10 +67,11 @@ private:
     const double one = 1;
     phase->amplitudes(y, &one, amplitudes_);
     magnitudes_.assign(amplitudes_.size(), 0);
-    turned_ = between_ = amplitudes_;
+    turned_ = between_ = origin_ = amplitudes_;
     reach_ = magnitudes_;
     noise_.assign(sums.size(), 0);
     walk.amplitudes = amplitudes_.data();
+    walk.origin = origin_.data();
     walk.turned = turned_.data();
     walk.between = between_.data();
     walk.magnitudes = magnitudes_.data();
@@ -98,7 +99,7 @@ private:
     return matrix;
   }
 
-  Amplitudes amplitudes_, turned_, between_;
+  Amplitudes amplitudes_, origin_, turned_, between_;
   AlignedArray magnitudes_, reach_, noise_;
 };
 

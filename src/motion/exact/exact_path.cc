@@ -130,6 +130,8 @@ double ExactPath::rounding(std::size_t guard) const {
 
 // From walk_.amplitudes on, in the phase known_.
 void ExactPath::start_walk(const KnownPhase &known) {
+  std::copy_n(walk_.amplitudes, known.phase().n_amplitudes(), start_.begin());
+  walk_.origin = start_.data();
   walk_.noise = noise_.data();
   walk_.order = order_.data();
   walk_.time = 0;
@@ -148,7 +150,7 @@ bool ExactPath::start_from(double time, const Vector &state, std::span<const Zer
   const auto largest =
       static_cast<std::size_t>(equations_.layout().physical_size()) + inputs_.size() + group_block;
   for (AlignedArray *buffer :
-       {&amplitudes_, &turned_, &next_, &between_, &part_, &step_start_, &step_end_})
+       {&amplitudes_, &turned_, &next_, &between_, &part_, &step_start_, &step_end_, &start_})
     buffer->resize(std::max(buffer->size(), 2 * largest));
   for (AlignedArray *buffer : {&magnitudes_, &reach_, &next_rounding_})
     buffer->resize(std::max(buffer->size(), largest));

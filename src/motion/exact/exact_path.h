@@ -137,6 +137,7 @@ private:
   Vector *state_ = nullptr;                ///< of the present call
   Amplitudes part_;                        ///< at the start of the part that is not reported yet
   double part_start_ = 0;
+  Amplitudes start_; ///< when the walk began
   Amplitudes step_start_, step_end_;
   EndPoint start_point_, end_point_; ///< of a step that is shown
 };

@@ -102,6 +102,7 @@ struct OutputsView {
 
 struct Walk {
   double *amplitudes = nullptr;   ///< real, then imaginary parts
+  const double *origin = nullptr; ///< the same when `time` was 0
   double *turned = nullptr;       ///< the same a little later; scratch, and those at a crossing
   double *magnitudes = nullptr;   ///< scratch: groups, |real| + |imaginary|
   double *reach = nullptr;        ///< scratch: groups, bound of that within a piece

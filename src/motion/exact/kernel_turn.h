@@ -30,8 +30,10 @@ inline void factors(const PhaseView &p, int b, double t, V8 &real, V8 &imaginary
   const V8 angle = load(p.frequency + b) * all(t);
   if (below(all(largest_angle), magnitude(angle)) == 0) {
     const SineCosine8 turned = sine_cosine(angle);
-    real = size * turned.cosine;
-    imaginary = size * turned.sine;
+    // What rounding has taken from the angle, which counts after many periods.
+    const V8 lost = all(0) - fused_minus(load(p.frequency + b), all(t), angle);
+    real = size * fused_minus(turned.sine, lost, turned.cosine);
+    imaginary = size * fused(turned.cosine, lost, turned.sine);
     return;
   }
   double x[8];

@@ -180,6 +180,10 @@ private:
     else
       turn_by(l, w_.amplitudes, w_.turned);
     const double h = all_the_way ? rest : l.length;
+    // The factor of a length is rounded, always the same way: so many pieces in a row, and the
+    // amplitudes are taken from those at the start again.
+    if (!all_the_way && w_.pieces_of_phase % pieces_in_a_row == 0)
+      turn(p_, w_.origin, w_.time + h, w_.turned);
     if (w_.outputs)
       include_piece(p_, *w_.outputs, w_.amplitudes, w_.turned, h, w_.reach, w_.between);
     double *const before = w_.amplitudes;
@@ -427,6 +431,7 @@ private:
   }
 
   static constexpr int pieces_at_once = 10000;
+  static constexpr int pieces_in_a_row = 16;
   static constexpr int trials_before_touch = 2;
   static constexpr int most_corrections = 60;
 
