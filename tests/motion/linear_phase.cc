@@ -240,6 +240,31 @@ TEST(LinearPhaseTest, FreeMassBetweenStopsThatRelaxAlike) {
             2);
 }
 
+// Six masses of which one meets a dashpot that leaves it no vibration: eight groups before, nine
+// after the change, beyond the block of eight that arrays are padded to.
+TEST(LinearPhaseTest, AChangeToAPhaseOfMoreGroups) {
+  std::vector<std::shared_ptr<const reduction::ReducedBody>> bodies;
+  for (int i = 0; i < 6; ++i)
+    bodies.push_back(single_mass("block" + std::to_string(i), 1, 100 + 37 * i, 0.5));
+  Model model(std::move(bodies));
+  model.add_force("force", std::make_shared<Harmonic>(Given::displacement, 20, 7, 0),
+                  {.body = 0, .point = 0}, Vector3::UnitX());
+  const ContactSet contacts(
+      {contact_along_x(model, "block0.head", "", 0.05, std::make_shared<PiecewiseStop>(1e3, 1e3))});
+  Vector end[2];
+  for (const bool exact : {true, false}) {
+    Settings settings;
+    settings.method = exact ? "exact" : "rk";
+    settings.relative_tolerance = 1e-11;
+    Trajectory trajectory(model, contacts, settings);
+    trajectory.start(0, Vector::Constant(6, 0.01), Vector::Zero(6));
+    trajectory.advance(3);
+    EXPECT_GT(trajectory.accuracy().events, 2);
+    end[exact ? 0 : 1] = trajectory.state().head(12);
+  }
+  EXPECT_LT((end[0] - end[1]).norm(), 1e-8);
+}
+
 // Free bodies, critical damping and resonance with an observer that must see steps: energies by the
 // closed form of dense blocks, in few steps however fast another body vibrates.
 TEST(LinearPhaseTest, RecordedFreeBodyBesideAFastOne) {

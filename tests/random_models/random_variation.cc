@@ -31,7 +31,7 @@ constexpr double hopeless = 1e-4;
 // A motion that takes more steps in its window is stiff and followed by an implicit method of low
 // order, whose error cannot be made as small as differences need.
 constexpr long most_steps = 4000;
-constexpr double most_seconds = 5; // of processor time, for one model
+constexpr int most_motions = 400; // for one model
 
 // Builds the system of one random model at other values of its keys.
 class Builder {
@@ -347,8 +347,9 @@ private:
   }
 
   std::optional<Vector> scaled_flow(const System &system, const Vector &deviation) const {
-    if (static_cast<double>(std::clock() - begin_) > most_seconds * CLOCKS_PER_SEC)
-      throw NumericalError("the differences take too long");
+    if (++motions_ > most_motions)
+      throw NumericalError("the differences take more than " + std::to_string(most_motions) +
+                           " motions");
     MotionState start = window_.start;
     start.physical += deviation;
     std::optional<Vector> end = flow(system, start, window_.end, events_);
@@ -407,7 +408,7 @@ private:
     }
   }
 
-  std::clock_t begin_ = std::clock();
+  mutable int motions_ = 0; ///< for the differences
   Builder builder_;
   std::optional<System> system_;
   Window window_;
