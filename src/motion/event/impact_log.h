@@ -69,7 +69,7 @@ private:
     std::size_t pulses_begun = 0;
     bool complete = false; ///< its beginning was seen
     Impact current;
-    ValueRange force, gap; ///< of the present impact, in flight
+    ValueRange force, gap; ///< of the present impact, in closed form
   };
   void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override;
   void part_done(const Equations &equations, double start, double end) override;

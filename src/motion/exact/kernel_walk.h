@@ -399,8 +399,14 @@ private:
     const int g = zero.guard;
     double t = zero.tau * l.length;
     double f[4];
-    if (!settle(g, t, f))
-      return Step::unclear;
+    // Where the guard is flat, Halley's method may leave the piece for another zero.
+    if (!settle(g, t, f) || t > l.length) {
+      t = zero.tau * l.length;
+      turn(p_, w_.amplitudes, t, w_.turned);
+      derivatives(p_, g, w_.turned, f);
+      if (__builtin_fabs(f[0]) > margin(g))
+        return Step::unclear;
+    }
     const double error_there = error(l, g, w_.order[g]);
     const double second = weighted(p_.second + g * p_.n_padded, w_.reach);
     double zone = error_there;
@@ -430,8 +436,7 @@ private:
     return pass(whole, rest);
   }
 
-  static constexpr int pieces_at_once = 10000;
-  static constexpr int pieces_in_a_row = 16;
+  static constexpr int pieces_at_once = 10000, pieces_in_a_row = 16;
   static constexpr int trials_before_touch = 2;
   static constexpr int most_corrections = 60;
 

@@ -64,6 +64,10 @@ namespace {
 constexpr const char *type = "motion";
 
 bool wanted() {
+  PetscBool ready = PETSC_FALSE;
+  PetscInitialized(&ready);
+  if (!ready) // motions by the exact method need no PETSc
+    return false;
   char *all = nullptr;
   check_petsc(PetscOptionsGetAll(nullptr, &all), "PetscOptionsGetAll");
   const bool found = all && std::strstr(all, "-ts_") != nullptr;
