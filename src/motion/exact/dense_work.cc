@@ -92,7 +92,8 @@ void DenseWork::list_products() {
 bool DenseWork::integrate_mixed(std::size_t group, std::size_t block) {
   const PhaseGroup &of = phase_.groups()[group];
   const Matrix &b = phase_.groups()[block].generator;
-  const double size = std::abs(of.exponent) + radius(phase_.groups()[block]);
+  // By its norm: rounding makes of the double zero of a free body a pair next to zero.
+  const double size = std::abs(of.exponent) + b.norm();
   const ComplexVector sums = (b.eigenvalues().array() + of.exponent).matrix();
   if (!(sums.cwiseAbs().minCoeff() > next_to_singular * size))
     return false;
