@@ -130,17 +130,25 @@ void Trajectory::forget_grown_guards() {
   });
 }
 
-// Of guards that fall at the same instant an impact comes first: it decides with which velocities
-// the other contacts are entered.
+// Of guards that fall at the same instant those come first by which a contact ends, which an impact
+// would close again; then impacts, which decide with which velocities other contacts are entered.
 void Trajectory::list_guards() {
   guards_.clear();
   Index place = 0;
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
     for (std::size_t g = 0; g < equations_.mode(c).guards.size(); ++g)
       guards_.push_back({.contact = c, .guard = g, .place = place++});
-  std::stable_partition(guards_.begin(), guards_.end(), [&](const PresentGuard &at) {
-    return guard_of(at.contact, at.guard).action == contact::GuardAction::impact;
-  });
+  const auto rank = [&](const PresentGuard &at) {
+    const contact::Guard &guard = guard_of(at.contact, at.guard);
+    const auto &modes = equations_.contacts().pairs()[at.contact].law->modes();
+    if (guard.action == contact::GuardAction::impact)
+      return 1;
+    const bool ends = equations_.mode(at.contact).in_contact &&
+                      !modes[static_cast<std::size_t>(guard.target)].in_contact;
+    return ends ? 0 : 2;
+  };
+  std::stable_sort(guards_.begin(), guards_.end(),
+                   [&](const PresentGuard &a, const PresentGuard &b) { return rank(a) < rank(b); });
 }
 
 bool Trajectory::find_crossing(const StepView &view, Crossing &crossing) const {
@@ -165,8 +173,7 @@ double Trajectory::event_uncertainty(const StepView &view, Crossing &crossing) c
   crossing.residual = std::abs(plain.end());
   crossing.rate = plain.derivative().end() / view.length();
   const double distance = std::abs(indicator(view, crossing.contact, crossing.guard).end());
-  const double rounding =
-      equations_.rounding(crossing.contact, form, view.end(), view.end_state());
+  const double rounding = equations_.rounding(crossing.contact, form, view.end(), view.end_state());
   crossing.hidden = distance <= rounding ? rounding / std::abs(crossing.rate) : 0;
   return distance <= rounding ? 0 : std::abs(distance / crossing.rate);
 }
