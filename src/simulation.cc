@@ -175,7 +175,7 @@ void Simulation::keep_bodies(output::RunFolder &folder) const {
 }
 
 // Every distinct body of the run that is known beforehand, those of grid points and of swept keys
-// included, is reduced by all ranks together before the work is dealt out.
+// included, is reduced by all ranks together before the work is distributed.
 void Simulation::reduce_all(const std::vector<Job> &jobs) {
   reduce_bodies(parameters_->root());
   for (const Job &job : jobs) {

@@ -50,7 +50,7 @@ private:
 
 enum : int { next_line = 0, points_done = 1 };
 
-// Points done, told to the others now and then only: a message for each would cost more than a
+// Points done, reported to the others only now and then: a message for each would cost more than a
 // cheap point itself. The clock decides when, for the display alone. Of the points at hand only
 // the share of this rank's is known.
 class PointCounter {

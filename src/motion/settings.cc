@@ -24,9 +24,9 @@ void declare_integration(parameters::Section &root) {
       .quantity("Maximum step", "", dimension::time, range::positive, "",
                 "Longest time step; empty means no limit.")
       .integer("Maximum steps", "0", Range{.lower = 0}, "",
-               "Steps after which a case is given up as failed; 0 means no limit.")
+               "Steps after which a case ends as failed; 0 means no limit.")
       .integer("Maximum events", "10000000", Range{.lower = 0}, "",
-               "Contact changes after which a case is given up as failed; 0 means no limit.");
+               "Contact changes after which a case ends as failed; 0 means no limit.");
 }
 
 Settings read_integration(const parameters::Values &root) {

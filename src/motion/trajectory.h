@@ -1,10 +1,10 @@
 // A motion: the phases between contact changes strung together, each change located in time.
 //
-// Every accepted step is a polynomial for each guard of the contacts' present modes (quintic in the
-// gap), so that the first fall of a guard through zero inside the step is found without sampling.
-// The step is then taken again up to that instant, and again after Newton corrections, until the
-// instant is within the event tolerance; there the mode changes and the method restarts. It also
-// restarts where an excitation is not smooth: no step reaches across such a break.
+// Linear phases are propagated in closed form (exact/). Elsewhere every accepted step is a
+// polynomial for each guard of the present modes, whose first down-crossing is found without
+// sampling; the step is taken again up to that instant, and again after Newton corrections, until
+// the instant is within the event tolerance. There the mode changes and the method restarts, as it
+// does where an excitation is not smooth: no step reaches across such a break.
 #pragma once
 
 #include "motion/event/collision.h"

@@ -28,7 +28,7 @@ struct Output {
     return value;
   }
 
-  // The guard is far away; what is watched is the sum of the products as amplitudes of 1.
+  // The guard is far away; the output is the sum of the products as amplitudes of 1.
   ValueRange extent_over(double h) const {
     Sum sum{.constant = 1e300, .coefficients = coefficients, .exponents = exponents};
     for (std::size_t j = 0; j < exponents.size(); ++j)

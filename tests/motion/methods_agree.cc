@@ -28,7 +28,7 @@ struct Result {
 };
 
 Result integrate(const std::string &method, const std::shared_ptr<const ContactLaw> &law,
-                 double clearance, double frequency, long periods, bool watched = true) {
+                 double clearance, double frequency, long periods, bool observed = true) {
   Model model({testing::single_mass("mass", 1, 1, 2 * damping_ratio)});
   model.add_force("force", std::make_shared<Harmonic>(Given::displacement, 0.2, frequency, 0),
                   {.body = 0, .point = 0}, Vector3::UnitX());
@@ -43,7 +43,7 @@ Result integrate(const std::string &method, const std::shared_ptr<const ContactL
   ImpactLog log(contacts, 0);
   trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
   const double end = static_cast<double>(periods) * 2 * std::numbers::pi / frequency;
-  if (watched)
+  if (observed)
     trajectory.advance(end, log);
   else
     trajectory.advance(end);

@@ -51,17 +51,17 @@ struct End {
   double displacement = 0, velocity = 0, energy_residual = 0;
 };
 
-End integrated(const Model &model, double q, double v, double time, bool watched) {
+End integrated(const Model &model, double q, double v, double time, bool observed) {
   const ContactSet none;
   Trajectory trajectory(model, none, {});
   Nobody nobody;
   trajectory.start(0, Vector::Constant(1, q), Vector::Constant(1, v));
-  if (watched)
+  if (observed)
     trajectory.advance(time, nobody);
   else
     trajectory.advance(time);
   return {trajectory.state()[0], trajectory.state()[1],
-          watched ? trajectory.accuracy().energy_residual : 0};
+          observed ? trajectory.accuracy().energy_residual : 0};
 }
 
 void expect_closed_form(const TrueMode &mode, const TrueForce &force, double q, double v,
@@ -74,8 +74,8 @@ void expect_closed_form(const TrueMode &mode, const TrueForce &force, double q, 
   const TrueMotion<long double> truth({mode}, force, force.phase, {q}, {v});
   const auto expected = truth.at(time);
   const auto size = static_cast<double>(truth.size(time));
-  for (const bool watched : {true, false}) {
-    const End end = integrated(model, q, v, time, watched);
+  for (const bool observed : {true, false}) {
+    const End end = integrated(model, q, v, time, observed);
     EXPECT_NEAR(end.displacement, static_cast<double>(expected[0]), 1e-12 * size);
     EXPECT_LT(end.energy_residual, 1e-10);
   }

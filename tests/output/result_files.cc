@@ -29,7 +29,7 @@ struct Ranks {
   }
 };
 
-/// Points are dealt out to the ranks after a shuffle that all ranks do alike.
+/// Points are distributed to the ranks after a shuffle that all ranks do alike.
 void run_analysis(FileSink &sink, const Example &example, MPI_Comm communicator, unsigned seed) {
   const Ranks ranks(communicator);
   std::vector<std::size_t> order(example.points.size());

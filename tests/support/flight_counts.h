@@ -1,4 +1,4 @@
-// Runs random flights through Trajectory, watched and unobserved, and judges the first contact of
+// Runs random flights through Trajectory, observed and not, and judges the first contact of
 // each by the closed form.
 #pragma once
 
@@ -114,7 +114,7 @@ struct FlightCounts {
     long reported_outside = 0; ///< of them those without a touch within the band
     double worst_instant = 0;  ///< [s], of contacts outside it
   };
-  std::array<Path, 2> path; ///< watched, unobserved
+  std::array<Path, 2> path; ///< observed, not observed
 
   long wrong() const {
     long sum = 0;

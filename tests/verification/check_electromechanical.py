@@ -11,9 +11,9 @@ from systems import Table, nearest
 FILE = "electromechanical.prm"
 CASING = "point/machine.casing/absolute_displacement_y/peak_to_peak_excursion"
 SIDES = ("lower", "upper")
-WATCHED = ("rotor/rotor/speed/mean", *(f"contact/{side}/{name}" for side in SIDES for name in
-                                       ("impacts_per_period", "normal_force/maximum",
-                                        "gap/minimum")))
+RECORDED = ("rotor/rotor/speed/mean", *(f"contact/{side}/{name}" for side in SIDES for name in
+                                        ("impacts_per_period", "normal_force/maximum",
+                                         "gap/minimum")))
 
 # Clearance in mm, peak-to-peak of the casing, what it may differ by: in mm where the motion is
 # chaotic, relative elsewhere.
@@ -37,7 +37,7 @@ def clearances(table, grids=((1, 40, 40),)):
         for i, c in enumerate(round(c * 1e3) for c in sweep["Variables.c"][:]):
             travel[c] = sweep[CASING][i, 0, 0] * 1e3
             struck[c] = any(sweep[f"contact/{side}/impacts"][i, 0, 0] for side in SIDES)
-            motions[c] = {name: sweep[name][i, 0, 0] for name in WATCHED}
+            motions[c] = {name: sweep[name][i, 0, 0] for name in RECORDED}
     for c, wanted, tolerance, name in TRAVEL:
         if c in travel:
             table.add(f"peak-to-peak of the casing, c = {c} mm{name}", wanted, travel[c], tolerance,

@@ -14,7 +14,7 @@ import check_bumpers
 from studies import Study
 
 GAP, STIFFNESS, RATIO, BETA = 0.0657506, 50.0, 5.0, 0.5
-PERIODS, WATCHED = 60, 8
+PERIODS, RECORDED = 60, 8
 
 
 def by_central_differences(steps_per_period):
@@ -24,7 +24,7 @@ def by_central_differences(steps_per_period):
     relaxation = math.exp(-STIFFNESS / bumper * step)
     position, before = 0.0, 0.0
     pushed, touching = [0.0, 0.0], [False, False]  # right, left, along their own normals
-    watched = []
+    recorded = []
     for count in range(PERIODS * steps_per_period):
         ground = check_bumpers.GROUND * math.sin(BETA * count * step)
         load, damping, stiffness = -ground, 2 * check_bumpers.XI, 1.0
@@ -38,7 +38,7 @@ def by_central_differences(steps_per_period):
                   - (1 / step**2 - damping / (2 * step)) * before)
                  / (1 / step**2 + damping / (2 * step)))
         velocity = (after - before) / (2 * step)
-        watched.append((after - 2 * position + before) / step**2 + ground)
+        recorded.append((after - 2 * position + before) / step**2 + ground)
         for side, sign in ((0, 1), (1, -1)):
             reach = sign * position - GAP
             if touching[side] and STIFFNESS * reach + bumper * sign * velocity > 0:
@@ -47,8 +47,8 @@ def by_central_differences(steps_per_period):
                 touching[side] = False
                 pushed[side] *= relaxation
         position, before = after, position
-    watched = watched[-WATCHED * steps_per_period:]
-    return (max(watched) - min(watched)) / check_bumpers.ACCELERATION
+    recorded = recorded[-RECORDED * steps_per_period:]
+    return (max(recorded) - min(recorded)) / check_bumpers.ACCELERATION
 
 
 def main():
@@ -68,8 +68,8 @@ def located(study):
                         f"Variables/lambda={STIFFNESS}", f"{sweep}First frequency={BETA} rad/s",
                         f"{sweep}Last frequency={BETA} rad/s", f"{sweep}Points=1",
                         f"{sweep}Direction=forward", f"{sweep}Steadiness tolerance=0",
-                        f"{sweep}Settling cycles={PERIODS - WATCHED}",
-                        f"{sweep}Recorded cycles={WATCHED}")
+                        f"{sweep}Settling cycles={PERIODS - RECORDED}",
+                        f"{sweep}Recorded cycles={RECORDED}")
     return float(numpy.squeeze(check_bumpers.measures(results["analysis/curve"])[0]))
 
 

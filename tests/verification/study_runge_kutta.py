@@ -14,7 +14,7 @@ from studies import Study
 
 MASS, DAMPING = numpy.array([1.80, 2.46]), numpy.array([31.14, 19.13])
 STIFFNESS, PENALTY, BASE, GAP = numpy.array([430.00, 417.78]), 1e5, 0.010, 0.002
-DURATION, WATCHED = 60.0, 4.0  # seconds; the watched part holds four periods of 1 Hz
+DURATION, RECORDED = 60.0, 4.0  # seconds; the recorded part holds four periods of 1 Hz
 
 
 def slope(time, state, omega):
@@ -39,7 +39,7 @@ def amplitudes(omega, step):
         third = slope(time + step / 2, state + step / 2 * second, omega)
         fourth = slope(time + step, state + step * third, omega)
         state = state + step / 6 * (first + 2 * second + 2 * third + fourth)
-        if time > DURATION - WATCHED:
+        if time > DURATION - RECORDED:
             highest, lowest = numpy.maximum(highest, state[:2]), numpy.minimum(lowest, state[:2])
     return (highest - lowest) * 500
 

@@ -49,7 +49,7 @@ Label ratio_label(const std::string &path, const std::string &meaning) {
 
 } // namespace
 
-Forces::Watched::Watched(ObservedQuantity observed)
+Forces::ObservedForce::ObservedForce(ObservedQuantity observed)
     : quantity(std::move(observed)), range_labels(quantity),
       average_labels(quantity.path, quantity.unit) {}
 
@@ -102,7 +102,7 @@ RecorderFactory Forces::create(const parameters::Values & /*analysis*/) {
 }
 
 void Forces::begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) {
-  for (Watched &force : forces_) {
+  for (ObservedForce &force : forces_) {
     force.range = {};
     force.average = {};
   }
@@ -111,7 +111,7 @@ void Forces::begin(const Window & /*window*/, const motion::Trajectory & /*traje
 }
 
 void Forces::step(const StepView &view) {
-  for (Watched &force : forces_) {
+  for (ObservedForce &force : forces_) {
     const motion::Bernstein curve = force.quantity.curve(view);
     force.range.include(curve);
     force.average.add(curve, view.length());
@@ -123,7 +123,7 @@ void Forces::step(const StepView &view) {
 }
 
 void Forces::add_fields(PointResult &result) const {
-  for (const Watched &force : forces_) {
+  for (const ObservedForce &force : forces_) {
     add_range(result, force.range_labels, force.range);
     add_average(result, force.average_labels, force.average);
   }

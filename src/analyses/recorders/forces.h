@@ -25,8 +25,8 @@ public:
   void add_fields(PointResult &result) const override;
 
 private:
-  struct Watched {
-    explicit Watched(ObservedQuantity observed);
+  struct ObservedForce {
+    explicit ObservedForce(ObservedQuantity observed);
     ObservedQuantity quantity;
     ExcursionLabels range_labels;
     AverageLabels average_labels;
@@ -42,7 +42,7 @@ private:
   void add_ratios_of_points(const model::Model &model);
   void add_ratios_of_forces(const model::Model &model);
 
-  std::vector<Watched> forces_;
+  std::vector<ObservedForce> forces_;
   std::vector<Ratio> ratios_;
 };
 

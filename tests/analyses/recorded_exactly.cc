@@ -1,4 +1,4 @@
-// The same window recorded in flight, in closed form, and step by step: the same excursions,
+// The same window recorded in closed form and step by step: the same excursions,
 // impacts and energies.
 #include "analyses/recorders/excursions.h"
 #include "analyses/recorders/impacts.h"
@@ -105,7 +105,7 @@ void compare(const std::shared_ptr<const ContactLaw> &law, double frequency) {
   EXPECT_LE(part_done.state[layout.absolute_input_work()], turnover * (1 + 1e-9)) << where;
 }
 
-TEST(FlownWindowsTest, AreTheSteppedOnes) {
+TEST(RecordedExactlyTest, AreTheSteppedOnes) {
   for (const auto &law : std::vector<std::shared_ptr<const ContactLaw>>{
            std::make_shared<LinearPenalty>(20), std::make_shared<KelvinVoigt>(5, 0.4),
            std::make_shared<PiecewiseStop>(8, 0.5), std::make_shared<RelaxingStop>(10, 1),
@@ -117,7 +117,7 @@ TEST(FlownWindowsTest, AreTheSteppedOnes) {
         compare(law, frequency);
 }
 
-// Counts the steps with no contact closed; flies otherwise.
+// Counts the steps it is shown with no contact closed; needs extreme values only.
 class StepsApart : public Observer, private OutputMonitor {
 public:
   void step(const StepView &view) override {
@@ -137,8 +137,8 @@ private:
   }
 };
 
-// A flight ends where a contact begins that it cannot pass, and the next one begins at its end.
-TEST(FlownWindowsTest, ReachFromContactToContact) {
+// Where a contact is not linear, exact propagation ends with its beginning and goes on behind it.
+TEST(RecordedExactlyTest, ReachFromContactToContact) {
   for (const auto &law : std::vector<std::shared_ptr<const ContactLaw>>{
            std::make_shared<Hertz>(HertzConstants{.stiffness = 50, .exponent = 1.5}),
            std::make_shared<NewtonRestitution>(0.6)}) {
@@ -152,8 +152,8 @@ TEST(FlownWindowsTest, ReachFromContactToContact) {
   }
 }
 
-// Flights take far fewer pieces than steps would be; a recorder that must see steps takes them.
-TEST(FlownWindowsTest, AreTakenByThoseWhoCan) {
+// One recorder that must see steps makes them for all; recorders of extreme values need none.
+TEST(RecordedExactlyTest, OneRecorderThatNeedsStepsMakesThemForAll) {
   const System system = between_stops(std::make_shared<LinearPenalty>(20), 1.2);
   const Excursions excursions(ObservedSelection{}, system);
   Observers none({});

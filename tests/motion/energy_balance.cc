@@ -35,7 +35,7 @@ Accuracy shaken(const std::shared_ptr<const ContactLaw> &law, double relative_to
 }
 
 // Damping ratios of the contact from 0.01 to 1000, at loose and tight tolerances.
-TEST(LedgerTest, ClosesHoweverStrongTheDamping) {
+TEST(EnergyBalanceTest, ClosesHoweverStrongTheDamping) {
   const double stiffness = 1e5;
   for (const double tolerance : {1e-12, 1e-9, 1e-6, 1e-3})
     for (double ratio = 0.01; ratio < 1500; ratio *= 3) {
@@ -56,7 +56,7 @@ TEST(LedgerTest, ClosesHoweverStrongTheDamping) {
 
 // Two free masses with a dashpot between them: their relative speed v falls with exp(-c t / mu),
 // mu = m1 m2 / (m1 + m2), and what it loses of mu v^2 / 2 is the work of the damping.
-TEST(LedgerTest, ADashpotBetweenTwoBodies) {
+TEST(EnergyBalanceTest, ADashpotBetweenTwoBodies) {
   Model model({single_mass("a", 2, 0, 0), single_mass("b", 3, 0, 0)});
   Projection elongation = model.displacement({.body = 1, .point = 0}, Vector3::UnitX(), false);
   elongation.row[0] = -1;
@@ -77,7 +77,7 @@ TEST(LedgerTest, ADashpotBetweenTwoBodies) {
 }
 
 // Steps with an error of the tolerance may leave a thousand times that.
-TEST(LedgerTest, ThresholdFollowsTheToleranceWhereStepsAreNotExact) {
+TEST(EnergyBalanceTest, ThresholdFollowsTheToleranceWhereStepsAreNotExact) {
   const Model model({single_mass("block", 1, 100, 0.5)});
   const ContactSet none;
   const auto threshold = [&](const Settings &settings) {
@@ -92,10 +92,10 @@ TEST(LedgerTest, ThresholdFollowsTheToleranceWhereStepsAreNotExact) {
   EXPECT_DOUBLE_EQ(threshold({.relative_tolerance = 1e-7}), 1e-10);
 }
 
-TEST(LedgerTest, ABalanceThatDoesNotCloseIsTold) {
+TEST(EnergyBalanceTest, ABalanceThatDoesNotCloseIsReported) {
   Accuracy accuracy{.energy_residual = 2e-10, .energy_threshold = 1e-10};
   EXPECT_FALSE(accuracy.balanced());
-  accuracy.energy_residual = std::numeric_limits<double>::quiet_NaN(); // nobody watched
+  accuracy.energy_residual = std::numeric_limits<double>::quiet_NaN(); // not observed
   EXPECT_TRUE(accuracy.balanced());
 }
 
