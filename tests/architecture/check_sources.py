@@ -14,10 +14,11 @@ import tempfile
 import defined_names
 
 # In the order data flows: a folder may include itself and what stands before it.
-ORDER = ["common", "parameters", "structure", "modes", "reduction", "model", "contact",
-         "motion", "analyses", "derived", "output"]
-# These two stand beside the flow; they know nothing of what the others do.
-ALLOWED = {"common": {"common"}, "parameters": {"common", "parameters"}}
+ORDER = ["common", "parameters", "continuation", "structure", "modes", "reduction", "model",
+         "contact", "motion", "analyses", "derived", "output"]
+# These stand beside the flow; they know nothing of what the others do.
+ALLOWED = {"common": {"common"}, "parameters": {"common", "parameters"},
+           "continuation": {"common", "continuation"}}
 # The files above all folders, each with those of its kind that it may include.
 PROGRAM = {"command_line": set(), "run_information": set(), "simulation": {"run_information"},
            "simulation_checks": {"simulation"},
@@ -239,6 +240,8 @@ SOUND_TREE = {
 VIOLATIONS = [
     ("src/common/a.h", '#include "parameters/values.h"', "common/ may not include parameters/"),
     ("src/parameters/a.h", '#include "reduction/body.h"', "parameters/ may not include reduction/"),
+    ("src/continuation/a.h", '#include "parameters/values.h"',
+     "continuation/ may not include parameters/"),
     ("src/structure/a.h", '#include "reduction/body.h"', "structure/ may not include reduction/"),
     ("src/contact/a.h", '#include "motion/steps/stepper.cc"', "contact/ may not include"),
     ("src/analyses/a.h", '  #  include "output/vtu_writer.cc"', "analyses/ may not include"),
