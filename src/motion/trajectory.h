@@ -107,6 +107,7 @@ private:
   void integrate(double end, Observer &observer);
   void move(double end, Observer &observer);
   bool propagate(double limit, Observer &observer);
+  void note_path_events();
   void take_over();
   void begin_balance();
   bool at_source_break() const;

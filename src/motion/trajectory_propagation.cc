@@ -29,7 +29,8 @@ bool Trajectory::propagate(double limit, Observer &observer) {
   events_ = events_before + tally.events;
   event_residual_ = std::max(event_residual_, tally.event_residual);
   undecided_ += tally.undecided;
-  last_event_time_ = std::max(last_event_time_, path_->last_event());
+  if (tally.events > 0)
+    note_path_events();
   if (!moved)
     return false;
   steppers_.place(instant, state);
@@ -43,6 +44,16 @@ bool Trajectory::propagate(double limit, Observer &observer) {
                   .rate = pending->rate},
                  observer);
   return path_->clear();
+}
+
+// What is known of an earlier instant says nothing of this one.
+void Trajectory::note_path_events() {
+  if (path_->last_event() - last_event_time_ > time_tolerance()) {
+    events_at_once_ = 0;
+    changed_.clear();
+    tried_.clear();
+  }
+  last_event_time_ = path_->last_event();
 }
 
 // A step begins where the closed form has led.

@@ -99,7 +99,29 @@ TEST_P(IndeterminateModesTest, NoPlayBetweenRigidStops) {
   }
 }
 
-// As before, but one side gives way: leaving the rigid one begins a contact without any speed.
+// Between two springs without play each change is one of both contacts. One after the other in
+// time they are all determined: as many as one likes are no sign of a standstill.
+TEST_P(IndeterminateModesTest, NoPlayBetweenTwoSprings) {
+  const double mass = 0.2, ahead = 1.95e5, behind = 1.3e5, speed = 0.4;
+  const int periods = 150;
+  const Model model({single_mass("block", mass, 0, 0)});
+  const ContactSet contacts(
+      {contact_along_x(model, "block.head", "", 0, std::make_shared<contact::LinearPenalty>(ahead)),
+       turned(contact_along_x(model, "block.head", "", 0,
+                              std::make_shared<contact::LinearPenalty>(behind)))});
+  const Settings settings = settings_of(GetParam());
+  Trajectory trajectory(model, contacts, settings);
+  Events events;
+  trajectory.start(0, vector_of({0}), vector_of({speed}));
+  const double half = pi * std::sqrt(mass / ahead);
+  const double period = half + pi * std::sqrt(mass / behind);
+  trajectory.advance(periods * period + half / 2, events);
+  EXPECT_NEAR(trajectory.state()[0], speed * std::sqrt(mass / ahead), 1e-8);
+  EXPECT_EQ(events.list.size(), 4U * periods + 1);
+  EXPECT_EQ(trajectory.accuracy().undecided_events, 0);
+}
+
+// One side is rigid, the other gives way: leaving the rigid one begins a contact without any speed.
 TEST_P(IndeterminateModesTest, NoPlayBetweenARigidAndACompliantStop) {
   const double mass = 1.3, load = 3, omega = 7;
   Model model({single_mass("block", mass, 0, 0)});
