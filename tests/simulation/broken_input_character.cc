@@ -95,6 +95,8 @@ TEST(BrokenInputCharacterTest, Regime) {
 TEST(BrokenInputCharacterTest, Lyapunov) {
   expect_message("Blocks = 5", "Blocks = 1", "Blocks", "2");
   expect_message("Blocks = 5", "Discarded share = 1", "Discarded share", "1");
+  expect_message("Blocks = 5", "Exponents = 3", "Exponents", "at most 2");
+  expect_message("Blocks = 5", "Exponents = -1", "Exponents", "0");
 }
 
 TEST(BrokenInputCharacterTest, Spectrum) {

@@ -3,7 +3,9 @@
 #include "analyses/fields.h"
 #include "analyses/steadiness.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace vibroimpact::analyses {
@@ -15,12 +17,15 @@ namespace {
 constexpr const char *section_name = "Lyapunov";
 constexpr double intervals_without_periods = 200;
 
-// Some deviation that lies in no plane of symmetry: unequal parts of every state.
-Vector generic_deviation(const Vector &scale) {
-  Vector deviation(scale.size());
-  for (Index j = 0; j < scale.size(); ++j)
-    deviation[j] = std::cos(1 + static_cast<double>(j)) / scale[j];
-  return deviation;
+// Deviations that lie in no plane of symmetry: unequal parts of every state, independent of each
+// other.
+Matrix generic_deviations(const Vector &scale, Index count) {
+  Matrix deviations(scale.size(), count);
+  for (Index k = 0; k < count; ++k)
+    for (Index j = 0; j < scale.size(); ++j)
+      deviations(j, k) =
+          std::cos(1 + static_cast<double>(j) * static_cast<double>(k + 1)) / scale[j];
+  return deviations;
 }
 
 // Where a coordinate moves no point, its own unit is as good as any.
@@ -30,41 +35,86 @@ Vector usable_scale(const Trajectory &trajectory, double period) {
   return (scale.array() > 0).select(scale, 1);
 }
 
+// The dimension of Kaplan and Yorke: with the sum S_j of the first j exponents, the largest j with
+// S_j >= 0, plus S_j / |lambda_(j+1)|. NaN when that exponent is not known.
+double kaplan_yorke_dimension(const std::vector<double> &exponents, bool all) {
+  double sum = 0;
+  for (std::size_t j = 0; j < exponents.size(); ++j) {
+    if (sum + exponents[j] < 0)
+      return static_cast<double>(j) - sum / exponents[j];
+    sum += exponents[j];
+  }
+  return all ? static_cast<double>(exponents.size()) : std::numeric_limits<double>::quiet_NaN();
+}
+
 } // namespace
 
-void LyapunovExponent::begin(const Window &window, const Trajectory &trajectory) {
+void LyapunovExponents::begin(const Window &window, const Trajectory &trajectory) {
   const Vector scale = usable_scale(trajectory, window.period);
-  growth_ = Growth(settings_.discarded_share);
+  const Index count = settings_.exponents > 0
+                          ? std::min(static_cast<Index>(settings_.exponents), scale.size())
+                          : scale.size();
+  growths_.assign(static_cast<std::size_t>(count), Growth(settings_.discarded_share));
+  divergence_ = Growth(settings_.discarded_share);
   variation_.emplace(trajectory, scale, settings_.tolerance);
-  variation_->set_columns(generic_deviation(scale));
-  variation_->normalise(0);
+  variation_->set_columns(generic_deviations(scale, count));
+  variation_->orthonormalise();
+  logarithms_ = Vector::Zero(count);
+  determinant_ = 0;
   interval_start_ = trajectory.time();
   interval_ = window.cycles > 0 ? 0 : (window.end - window.start) / intervals_without_periods;
 }
 
-void LyapunovExponent::end_interval(double time) {
-  growth_.add(time - interval_start_, std::log(variation_->size(0)));
-  variation_->normalise(0);
+void LyapunovExponents::end_interval(double time) {
+  for (std::size_t k = 0; k < growths_.size(); ++k)
+    growths_[k].add(time - interval_start_, logarithms_[static_cast<Index>(k)]);
+  logarithms_.setZero();
+  const double determinant = variation_->determinant().logarithm;
+  divergence_.add(time - interval_start_,
+                  std::isinf(determinant) ? determinant : determinant - determinant_);
+  determinant_ = determinant;
   interval_start_ = time;
 }
 
-void LyapunovExponent::step(const motion::StepView &view) {
+void LyapunovExponents::step(const motion::StepView &view) {
   variation_->step(view);
+  logarithms_ += variation_->orthonormalise();
   if (interval_ > 0 && view.end() - interval_start_ >= interval_)
     end_interval(view.end());
 }
 
-void LyapunovExponent::period_end(double time) { end_interval(time); }
+void LyapunovExponents::event(const motion::ContactEvent &event) {
+  variation_->event(event);
+  logarithms_ += variation_->orthonormalise();
+}
+
+std::vector<double> LyapunovExponents::exponents() const {
+  std::vector<double> exponents;
+  for (const Growth &growth : growths_)
+    exponents.push_back(growth.exponent());
+  return exponents;
+}
+
+std::vector<double> LyapunovExponents::standard_errors() const {
+  std::vector<double> errors;
+  for (const Growth &growth : growths_)
+    errors.push_back(growth.standard_error(static_cast<std::size_t>(settings_.blocks)));
+  return errors;
+}
 
 void LyapunovRecorder::declare(parameters::Section &analysis) {
   using namespace parameters;
   analysis
-      .subsection(section_name, "Largest Lyapunov exponent, by the variational equation through "
-                                "the contacts.")
-      .quantity("Discarded share", "0.1", dimension::none,
-                Range{.lower = 0, .upper = 1, .upper_open = true}, "",
-                "Share of the window at its start that lets the deviation turn into the direction "
-                "of largest growth and does not count.")
+      .subsection(section_name, "The largest Lyapunov exponents, by the variational equation "
+                                "through the contacts.")
+      .integer("Exponents", "1", Range{.lower = 0, .upper = 1e6}, "n",
+               "Number of exponents, the largest first; 0: one for each physical state "
+               "(coordinates, velocities, internal states of contacts, torques).")
+      .quantity(
+          "Discarded share", "0.1", dimension::none,
+          Range{.lower = 0, .upper = 1, .upper_open = true}, "",
+          "Share of the window at its start that lets the deviations turn into the directions "
+          "of largest growth and does not count.")
       .integer("Blocks", "10", Range{.lower = 2, .upper = 1e6}, "",
                "Blocks whose means give the standard error; each should be longer than the motion "
                "remembers.")
@@ -74,45 +124,73 @@ void LyapunovRecorder::declare(parameters::Section &analysis) {
 
 RecorderFactory LyapunovRecorder::create(const parameters::Values &analysis) {
   const parameters::Values values = analysis.subsection(section_name);
-  const LyapunovSettings settings{.discarded_share = values.quantity("Discarded share"),
+  const LyapunovSettings settings{.exponents = values.integer("Exponents"),
+                                  .discarded_share = values.quantity("Discarded share"),
                                   .blocks = values.integer("Blocks"),
                                   .tolerance = values.quantity("Tolerance")};
-  return [settings](const System & /*system*/) -> std::unique_ptr<Recorder> {
+  return [settings, values](const System &system) -> std::unique_ptr<Recorder> {
+    const auto states =
+        2 * system.model.size() + system.contacts.n_internal() + system.model.n_drive();
+    if (settings.exponents > states)
+      values.reject("Exponents", "at most " + std::to_string(states) +
+                                     ", the number of physical states of the system.");
     return std::make_unique<LyapunovRecorder>(settings);
   };
 }
 
 void LyapunovRecorder::begin(const Window &window, const Trajectory &trajectory) {
   period_ = window.period;
-  exponent_.begin(window, trajectory);
+  exponents_.begin(window, trajectory);
+  all_ = static_cast<Index>(exponents_.exponents().size()) == trajectory.layout().physical_size();
 }
 
 void LyapunovRecorder::period_end(long /*cycle*/, const Trajectory &trajectory) {
-  exponent_.period_end(trajectory.time());
+  exponents_.period_end(trajectory.time());
 }
 
 void LyapunovRecorder::add_fields(PointResult &result) const {
+  const double exponent = exponents_.exponents().front();
   std::vector<Field> scalars = {
-      scalar_field("lyapunov/exponent", exponent_.exponent(), "1/s", "largest Lyapunov exponent"),
-      scalar_field("lyapunov/standard_error", exponent_.standard_error(), "1/s",
+      scalar_field("lyapunov/exponent", exponent, "1/s", "largest Lyapunov exponent"),
+      scalar_field("lyapunov/standard_error", exponents_.standard_errors().front(), "1/s",
                    "of the exponent, from the means of blocks"),
-      scalar_field("lyapunov/tangential_events", static_cast<double>(exponent_.tangential_events()),
-                   "1", "contact changes whose instant has no derivative; passed as if fixed")};
+      scalar_field("lyapunov/tangential_events",
+                   static_cast<double>(exponents_.tangential_events()), "1",
+                   "contact changes whose instant has no derivative; passed as if fixed"),
+      scalar_field(
+          "lyapunov/mean_divergence", exponents_.mean_divergence(), "1/s",
+          "mean growth of the volume of all deviations, which is the sum of all exponents")};
   if (period_ > 0)
-    scalars.push_back(scalar_field("lyapunov/exponent_per_period", exponent_.exponent() * period_,
-                                   "1", "largest Lyapunov exponent times the forcing period"));
+    scalars.push_back(scalar_field("lyapunov/exponent_per_period", exponent * period_, "1",
+                                   "largest Lyapunov exponent times the forcing period"));
+  if (exponents_.exponents().size() > 1)
+    scalars.push_back(scalar_field(
+        "lyapunov/kaplan_yorke_dimension", kaplan_yorke_dimension(exponents_.exponents(), all_),
+        "1", "dimension of Kaplan and Yorke; NaN when more exponents are needed"));
   for (const Field &field : scalars) {
     result.summary.push_back(
         scalar_line("lyapunov." + field.name().substr(field.name().find('/') + 1), field.values[0],
                     field.unit()));
     result.fields.push_back(field);
   }
+  add_spectrum(result);
   result.fields.push_back(series_field("lyapunov/elapsed", "lyapunov_interval",
-                                       exponent_.growth().elapsed(), "s",
+                                       exponents_.growth().elapsed(), "s",
                                        "time since the window began"));
   result.fields.push_back(series_field("lyapunov/running_exponent", "lyapunov_interval",
-                                       exponent_.growth().running_exponent(), "1/s",
+                                       exponents_.growth().running_exponent(), "1/s",
                                        "exponent from the intervals up to this one"));
+}
+
+void LyapunovRecorder::add_spectrum(PointResult &result) const {
+  if (exponents_.exponents().size() < 2)
+    return;
+  result.fields.push_back(series_field(
+      "lyapunov/spectrum", "lyapunov_exponent", exponents_.exponents(), "1/s",
+      "Lyapunov exponents, the largest first; -infinity where deviations end in an event"));
+  result.fields.push_back(series_field("lyapunov/spectrum_error", "lyapunov_exponent",
+                                       exponents_.standard_errors(), "1/s",
+                                       "standard errors of the exponents"));
 }
 
 } // namespace vibroimpact::analyses

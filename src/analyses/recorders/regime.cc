@@ -29,7 +29,7 @@ void put(PointResult &result, const std::string &name, double value, const std::
 RegimeRecorder::RegimeRecorder(const System &system, RegimeSettings settings)
     : system_(system), settings_(std::move(settings)), impacts_(system.contacts.size(), 0) {
   if (settings_.exponent)
-    exponent_.emplace(LyapunovSettings{});
+    exponents_.emplace(LyapunovSettings{});
 }
 
 void RegimeRecorder::declare(parameters::Section &analysis) {
@@ -80,29 +80,29 @@ void RegimeRecorder::begin(const Window &window, const motion::Trajectory &traje
   states_ = {trajectory.motion_state().physical};
   std::fill(impacts_.begin(), impacts_.end(), 0);
   smallest_ = largest_ = states_.front();
-  if (exponent_)
-    exponent_->begin(window, trajectory);
+  if (exponents_)
+    exponents_->begin(window, trajectory);
 }
 
 void RegimeRecorder::step(const motion::StepView &view) {
   const auto physical = view.end_state().head(layout_.physical_size());
   smallest_ = smallest_.cwiseMin(physical);
   largest_ = largest_.cwiseMax(physical);
-  if (exponent_)
-    exponent_->step(view);
+  if (exponents_)
+    exponents_->step(view);
 }
 
 void RegimeRecorder::event(const motion::ContactEvent &event) {
   if (event.onset)
     ++impacts_[event.contact];
-  if (exponent_)
-    exponent_->event(event);
+  if (exponents_)
+    exponents_->event(event);
 }
 
 void RegimeRecorder::period_end(long /*cycle*/, const motion::Trajectory &trajectory) {
   states_.push_back(trajectory.motion_state().physical);
-  if (exponent_)
-    exponent_->period_end(trajectory.time());
+  if (exponents_)
+    exponents_->period_end(trajectory.time());
 }
 
 // A component at rest has no range of its own; what it does is then judged by the largest range of
@@ -135,13 +135,13 @@ StroboscopicPoints RegimeRecorder::points() const {
 Regime RegimeRecorder::classify(const Repetition &repetition, const Approach &approach) const {
   if (repetition.multiple > 0)
     return Regime::periodic;
-  const double growth = exponent_ ? exponent_->exponent() * period_ : 0;
-  if (exponent_ && growth > settings_.exponent_threshold)
+  const double growth = exponents_ ? exponents_->exponents().front() * period_ : 0;
+  if (exponents_ && growth > settings_.exponent_threshold)
     return Regime::chaotic;
   // Deviations that shrink leave nothing but a motion that repeats.
-  if (approach.multiple > 0 || (exponent_ && growth < -settings_.exponent_threshold))
+  if (approach.multiple > 0 || (exponents_ && growth < -settings_.exponent_threshold))
     return Regime::settling;
-  return exponent_ ? Regime::quasi_periodic : Regime::aperiodic;
+  return exponents_ ? Regime::quasi_periodic : Regime::aperiodic;
 }
 
 // Impacts at the very end of a period may fall on either side of it: the mean over all repetitions
@@ -182,9 +182,10 @@ void RegimeRecorder::add_fields(PointResult &result) const {
       "forcing periods of the repetition the motion approaches; 0 when none is recognised");
   put(result, "remaining", approach.multiple > 0 ? approach.remaining : 0, "1",
       "estimated relative distance to that motion at the end of the window");
-  if (exponent_) {
-    put(result, "exponent", exponent_->exponent(), "1/s", "largest Lyapunov exponent");
-    put(result, "exponent_error", exponent_->standard_error(), "1/s", "standard error of it");
+  if (exponents_) {
+    put(result, "exponent", exponents_->exponents().front(), "1/s", "largest Lyapunov exponent");
+    put(result, "exponent_error", exponents_->standard_errors().front(), "1/s",
+        "standard error of it");
   }
   add_impacts(result, repetition.multiple);
 }

@@ -56,7 +56,7 @@ private:
   Vector smallest_, largest_;  ///< of the physical state over the window
   std::vector<Vector> states_; ///< at the period ends, the window's start included
   std::vector<long> impacts_;  ///< begun in the window, per contact
-  std::optional<LyapunovExponent> exponent_;
+  std::optional<LyapunovExponents> exponents_;
 };
 
 } // namespace vibroimpact::analyses

@@ -5,6 +5,7 @@
 #include "motion/variation/start_projection.h"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,9 @@ namespace {
 // Of two delays at one instant, relative to the larger: below, deviating motions have both events
 // at one instant too.
 constexpr double equal_delays = 1e-6;
+
+// Of what is left of a column beside those before it: below, it is the rounding of the column.
+constexpr double dependent_column = 1e-14;
 
 bool same_instant(double one, double other) {
   return std::abs(one - other) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(other);
@@ -46,8 +50,20 @@ void Variation::set_columns(const Matrix &columns) {
   columns_ = std::move(all);
 }
 
-double Variation::size(Index column) const {
-  return accuracy_.scale.cwiseProduct(columns_.col(column)).cwiseAbs().maxCoeff();
+Vector Variation::orthonormalise() {
+  const Index count = columns_.cols() - n_keys();
+  const Matrix scaled = accuracy_.scale.asDiagonal() * columns_.leftCols(count);
+  const Eigen::HouseholderQR<Matrix> qr(scaled);
+  Vector growth(count);
+  for (Index k = 0; k < count; ++k) {
+    const double left = std::abs(qr.matrixQR()(k, k));
+    growth[k] = left > dependent_column * scaled.col(k).norm()
+                    ? std::log(left)
+                    : -std::numeric_limits<double>::infinity();
+  }
+  const Matrix basis = qr.householderQ() * Matrix::Identity(scaled.rows(), count);
+  columns_.leftCols(count) = accuracy_.scale.cwiseInverse().asDiagonal() * basis;
+  return growth;
 }
 
 void Variation::apply(const LinearMap &map) {

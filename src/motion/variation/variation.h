@@ -52,10 +52,10 @@ public:
   /// Derivatives of the state by the keys, at the present time and for the state at the start:
   /// physical_size() x keys.
   Matrix key_columns() const { return columns_.rightCols(n_keys()); }
-  /// Largest scaled entry of a column.
-  double size(Index column) const;
-  /// Divides a column by its size.
-  void normalise(Index column) { columns_.col(column) /= size(column); }
+  /// Makes the scaled columns of deviations orthonormal so that the first k span what they did, by
+  /// a QR decomposition. Returns ln |R_kk|, by which the volume of k columns was larger than that
+  /// of k - 1; -infinity where a column depends on those before it, up to rounding.
+  Vector orthonormalise();
 
   void step(const StepView &view) override;
   void event(const ContactEvent &event) override;
