@@ -55,7 +55,16 @@ struct SpecialPoint {
       unstable_after = 0; ///< multipliers outside the unit circle, at the sides
 };
 
-enum class End { lower_bound, upper_bound, closed, shorter_return, least_step, most_points, graze };
+enum class End {
+  lower_bound,
+  upper_bound,
+  closed,
+  far,            ///< the state grows beyond Settings::largest_state
+  shorter_return, ///< on solutions of a lower multiple of the map
+  least_step,
+  most_points,
+  graze ///< that the branch returns to again and again
+};
 
 struct Branch {
   std::vector<BranchPoint> points;

@@ -19,13 +19,14 @@ struct Settings {
   double least_step = 1e-9;  ///< shorter steps end the branch
   double first_step = 0.01;
   int most_points = 10000;
+  double largest_state = 100; ///< scaled; branches to infinity end there
 
   // Newton's method on a hyperplane.
   double tolerance = 1e-12; ///< of a correction that is the last
   /// A correction below this is the last too if its successor, by quadratic convergence, is below
   /// rounding.
   double quadratic = 1e-7;
-  int most_iterations = 7;
+  int most_iterations = 7;         ///< three more where rounding is wanted
   double largest_correction = 0.5; ///< of the step; longer ones lead to other branches
 
   // Length of steps.

@@ -1,0 +1,80 @@
+#include "continuation/newton.h"
+
+#include "common/signals.h"
+
+#include <Eigen/LU>
+
+namespace vibroimpact::continuation {
+
+namespace {
+
+// With quadratic convergence |d_next| = c |d|^2 and |d| = c |d_before|^2; below a tenth of rounding
+// of unknowns of size one it changes nothing.
+bool next_is_rounding(double length, double before) {
+  const double ratio = length / before;
+  return length * ratio * ratio < 1e-17;
+}
+
+// Corrections that are only rounding do not become smaller.
+bool is_last(double length, double before, Until until, const Settings &settings) {
+  if (until == Until::tolerance)
+    return length <= settings.tolerance;
+  constexpr double smaller = 0.25;
+  return length == 0 || (length <= settings.tolerance && length >= smaller * before);
+}
+
+} // namespace
+
+Vector solve_dense(const Matrix &a, const Vector &b) {
+  const Vector x = a.partialPivLu().solve(b);
+  if (!x.allFinite())
+    throw NumericalError("a matrix of the continuation is singular");
+  return x;
+}
+
+Converged newton(const std::function<SquareSystem(const Vector &)> &system, Vector u,
+                 double largest, const Settings &settings, Until until) {
+  double before = std::numeric_limits<double>::infinity();
+  const int most = settings.most_iterations + (until == Until::rounding ? 3 : 0);
+  for (int iteration = 1; iteration <= most; ++iteration) {
+    leave_if_stopped();
+    const SquareSystem at = system(u);
+    const Vector correction = solve_dense(at.slope, -at.residual);
+    const double length = correction.norm();
+    if (length > largest)
+      throw NumericalError("Newton's method leaves the neighbourhood of its start");
+    // What rounding leaves may double.
+    if (length > 2 * before && length > 100 * settings.tolerance)
+      throw NumericalError("Newton's method diverges");
+    u += correction;
+    if (is_last(length, before, until, settings))
+      return {u, iteration};
+    if (until == Until::tolerance && length <= settings.quadratic &&
+        next_is_rounding(length, before)) {
+      system(u);
+      return {u, iteration};
+    }
+    before = length;
+  }
+  throw NumericalError("Newton's method does not converge within " + std::to_string(most) +
+                       " iterations");
+}
+
+Corrected correct(const ScaledProblem &problem, const Vector &guess, double chart,
+                  const Vector &normal, double largest, const Settings &settings, Until until) {
+  Corrected result;
+  const Index n = problem.states();
+  const auto system = [&](const Vector &u) {
+    result.at = problem.evaluate(u, chart);
+    SquareSystem at{Vector(n + 1), Matrix(n + 1, n + 1)};
+    at.residual << result.at.residual, normal.dot(u - guess);
+    at.slope << result.at.slope, normal.transpose();
+    return at;
+  };
+  const Converged converged = newton(system, guess, largest, settings, until);
+  result.u = converged.u;
+  result.iterations = converged.iterations;
+  return result;
+}
+
+} // namespace vibroimpact::continuation

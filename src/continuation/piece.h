@@ -1,0 +1,47 @@
+// Part of a branch between two nodes, on which F is smooth: the points on it and the zeros of
+// tests.
+//
+// The point at the distance s from the beginning along the chord lies on the hyperplane normal to
+// the chord; a zero of a test in s is found by the method of Alefeld, Potra and Shi (1995). Nothing
+// is interpolated: what is located is a solution, accurate to rounding where the derivatives are.
+#pragma once
+
+#include "continuation/newton.h"
+#include "continuation/node.h"
+
+namespace vibroimpact::continuation {
+
+/// At an end where a guard touches zero, derivatives run as the square root of the distance from
+/// it.
+enum class Root { none, at_begin, at_end };
+
+class Piece {
+public:
+  /// Both nodes have the same chart, and tangents that point forward.
+  Piece(const ScaledProblem &problem, const Settings &settings, Node begin, Node end,
+        Root root = Root::none);
+
+  const Node &begin() const { return begin_; }
+  const Node &end() const { return end_; }
+  double length() const { return length_; }
+  /// NumericalError where Newton's method fails. `way`: 0 at the beginning, 1 at the end; evenly
+  /// along the chord, or such that the distance from a root grows as the square.
+  Node at(double way) const;
+  /// The key turns twice although its slope has one sign at both ends, by the cubic through both.
+  bool key_turns_twice() const;
+  /// The zero of a test of opposite signs at the ends; none where the sign changes by a jump.
+  std::optional<Node> zero_of(const std::function<double(const Node &)> &test) const;
+
+private:
+  double distance(double way) const;
+  Vector guess(double distance) const;
+
+  const ScaledProblem &problem_;
+  const Settings &settings_;
+  Node begin_, end_;
+  Root root_;
+  Vector chord_; ///< of length 1
+  double length_;
+};
+
+} // namespace vibroimpact::continuation

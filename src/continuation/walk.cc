@@ -1,0 +1,295 @@
+#include "continuation/walk.h"
+
+#include "common/signals.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace vibroimpact::continuation {
+
+namespace {
+
+Vector first_direction(const ScaledProblem &problem, const Start &start) {
+  if (start.direction.size() > 0)
+    return start.direction.normalized();
+  const Index m = problem.unknowns();
+  return (start.forward ? 1.0 : -1.0) * Vector::Unit(m, m - 1);
+}
+
+double angle(const Node &a, const Node &b) {
+  return std::acos(std::clamp(a.tangent.dot(b.tangent), -1.0, 1.0));
+}
+
+std::string text(double number) {
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
+
+} // namespace
+
+Walk::Walk(Problem &problem, const Start &start, const Settings &settings, const Listener &listener)
+    : problem_{problem, start.point}, settings_{settings}, listener_{listener},
+      step_{std::min(settings.first_step, settings.longest_step)} {
+  if (problem_.unknowns() != problem_.states() + 1)
+    throw std::logic_error("a branch has one key");
+  const Vector direction = first_direction(problem_, start);
+  Corrected corrected = correct(problem_, problem_.scaled(start.point), start.point.chart,
+                                direction, settings_.longest_step, settings_);
+  here_ = make_node(problem_, corrected.u, start.point.chart, std::move(corrected.at), direction);
+  move_chart(settings_.least_margin);
+  first_ = here_;
+  add(branch_point(problem_, here_), {});
+}
+
+Branch Walk::run() {
+  if (const auto bound = bound_passed(here_))
+    end(bound->end, "the start lies outside the bounds of the key");
+  while (!ended_) {
+    leave_if_stopped();
+    if (static_cast<int>(branch_.points.size()) >= settings_.most_points)
+      end(End::most_points,
+          "the limit of " + std::to_string(settings_.most_points) + " points is reached");
+    else
+      step();
+  }
+  return std::move(branch_);
+}
+
+void Walk::step() {
+  Node next;
+  std::vector<SpecialPoint> special;
+  try {
+    take_chart_of_start();
+    next = next_node();
+    if (move_for_pattern(next))
+      return;
+    special = examine(next);
+  } catch (const NumericalError &error) {
+    shorten(error.what());
+    return;
+  }
+  choose_step(next);
+  accept(std::move(next), std::move(special));
+}
+
+void Walk::shorten(const std::string &why) {
+  if (step_ < settings_.graze_step && cross())
+    return;
+  step_ /= 2;
+  if (step_ < settings_.least_step)
+    end(End::least_step, "steps fall below " + text(settings_.least_step) + ": " + why);
+}
+
+bool Walk::cross() {
+  constexpr double same = 1e-7;
+  constexpr int most_returns = 3;
+  auto crossing = cross_graze(problem_, here_, settings_);
+  if (!crossing)
+    return false;
+  const Vector &at = crossing->graze.u;
+  const auto returns = std::count_if(crossed_.begin(), crossed_.end(),
+                                     [&](const Vector &u) { return (u - at).norm() < same; });
+  if (returns >= most_returns) {
+    end(End::graze,
+        "the branch returns to the graze of " + crossing->graze.graze.name + " again and again");
+    return true;
+  }
+  std::vector<SpecialPoint> special;
+  try {
+    special = special_points_across(problem_, here_, crossing->graze, crossing->beyond, settings_);
+  } catch (const NumericalError &) {
+    return false;
+  }
+  crossed_.push_back(at);
+  step_ = crossing->step;
+  bound_ = std::nullopt;
+  closes_ = false;
+  accept(std::move(crossing->beyond), std::move(special));
+  return true;
+}
+
+Node Walk::next_node() {
+  Node next = attempt();
+  bound_ = bound_passed(next);
+  closes_ = passes_start(next);
+  if (closes_)
+    next = first_;
+  else if (bound_)
+    next = at_bound(next, *bound_);
+  next.arclength = here_.arclength + (next.u - here_.u).norm();
+  return next;
+}
+
+Node Walk::attempt() {
+  Corrected corrected = correct(problem_, here_.u + step_ * here_.tangent, here_.chart,
+                                here_.tangent, settings_.largest_correction * step_, settings_);
+  Node next = make_node(problem_, corrected.u, here_.chart, std::move(corrected.at), here_.tangent);
+  next.iterations = corrected.iterations;
+  if (angle(here_, next) > settings_.largest_angle)
+    throw NumericalError("the tangent turns too far");
+  return next;
+}
+
+Node Walk::at_bound(const Node &beyond, const Bound &bound) const {
+  const Index key = problem_.states();
+  const double share = (bound.value - here_.u(key)) / (beyond.u(key) - here_.u(key));
+  Vector guess = here_.u + share * (beyond.u - here_.u);
+  guess(key) = bound.value;
+  Corrected corrected = correct(problem_, guess, here_.chart, Vector::Unit(key + 1, key),
+                                settings_.largest_correction * step_, settings_);
+  return make_node(problem_, corrected.u, here_.chart, std::move(corrected.at), here_.tangent);
+}
+
+std::vector<SpecialPoint> Walk::examine(const Node &next) {
+  const Piece piece(problem_, settings_, here_, next);
+  check_turns(piece);
+  if (next.at.pattern == here_.at.pattern)
+    return special_points(problem_, piece, settings_);
+  const auto grazes = grazes_between(problem_, here_, next, settings_);
+  if (grazes.size() > 1)
+    throw NumericalError("several guards touch zero within a step");
+  if (grazes.size() == 1)
+    return special_points_across(problem_, here_, grazes.front(), next, settings_);
+  auto special = special_points(problem_, piece, settings_);
+  special.push_back(make_special(problem_, Special::pattern_change, next, here_, next));
+  return special;
+}
+
+void Walk::check_turns(const Piece &piece) {
+  if (halvings_ >= settings_.halvings || !piece.key_turns_twice())
+    return;
+  ++halvings_;
+  throw NumericalError("the key may turn twice within a step");
+}
+
+void Walk::accept(Node next, std::vector<SpecialPoint> special) {
+  if (ends_at_shorter(special, next))
+    return;
+  here_ = std::move(next);
+  add(branch_point(problem_, here_), std::move(special));
+  halvings_ = 0;
+  moved_ = false;
+  const Index key = problem_.states();
+  turned_back_ = turned_back_ || here_.tangent(key) * first_.tangent(key) <= 0;
+  if (closes_)
+    end(End::closed, "the branch closes on itself");
+  else if (bound_)
+    end(bound_->end, bound_->end == End::upper_bound ? "the key reaches its upper bound"
+                                                     : "the key reaches its lower bound");
+  else if (here_.u.head(key).norm() > settings_.largest_state)
+    end(End::far, "the state exceeds " + text(settings_.largest_state) + " times its scale");
+  else
+    move_chart(settings_.least_margin);
+}
+
+// A branch of a power of the map ends where it crosses solutions of a lower multiple, at a flip of
+// theirs: its other half is the same solutions begun elsewhere.
+bool Walk::ends_at_shorter(std::vector<SpecialPoint> special, const Node &next) {
+  constexpr double at_crossing = 1e-6; // which is located to rounding
+  for (auto point = special.begin(); point != special.end(); ++point) {
+    if (point->kind != Special::branch_point)
+      continue;
+    const Point &at = point->at.point;
+    const auto [distance, multiple] = problem_.nearest_return(problem_.scaled(at), at.chart);
+    if (distance > at_crossing)
+      continue;
+    const BranchPoint last = point->at;
+    special.erase(point, special.end());
+    add(last, std::move(special));
+    end(End::shorter_return, "the branch ends on solutions of multiple " +
+                                 std::to_string(multiple) + ", where these have a flip");
+    return true;
+  }
+  const auto [distance, multiple] = problem_.nearest_return(next.u, next.chart);
+  if (distance >= settings_.shorter_return)
+    return false;
+  end(End::shorter_return, "the next point is a solution of multiple " + std::to_string(multiple));
+  return true;
+}
+
+void Walk::end(End end, const std::string &reason) {
+  ended_ = true;
+  branch_.end = end;
+  branch_.reason = reason;
+}
+
+void Walk::choose_step(const Node &next) {
+  const double turn = angle(here_, next);
+  const double factor = turn > 0 ? std::clamp(settings_.wanted_angle / turn, 0.5, 2.0) : 2.0;
+  step_ *= factor * (next.iterations > settings_.many_iterations ? 0.7 : 1.0);
+  step_ = std::min(step_, settings_.longest_step);
+}
+
+void Walk::add(BranchPoint point, std::vector<SpecialPoint> special) {
+  for (SpecialPoint &found : special) {
+    found.after = branch_.points.size() - 1;
+    if (listener_.special)
+      listener_.special(found);
+    branch_.special.push_back(std::move(found));
+  }
+  if (listener_.point)
+    listener_.point(point);
+  branch_.points.push_back(std::move(point));
+}
+
+std::optional<Walk::Bound> Walk::bound_passed(const Node &node) const {
+  const Index key = problem_.states();
+  const double scale = problem_.scales()(key);
+  if (node.u(key) < settings_.first_key.lower / scale)
+    return Bound{End::lower_bound, settings_.first_key.lower / scale};
+  if (node.u(key) > settings_.first_key.upper / scale)
+    return Bound{End::upper_bound, settings_.first_key.upper / scale};
+  return std::nullopt;
+}
+
+// On a closed curve the key comes back, so that its slope changes sign somewhere.
+bool Walk::passes_start(const Node &next) const {
+  constexpr double agreement = 0.8; // cosine of the largest angle between the tangents
+  if (!turned_back_ || next.chart != first_.chart)
+    return false;
+  const auto ahead = [&](const Node &node) { return (node.u - first_.u).dot(first_.tangent); };
+  return ahead(here_) < 0 && ahead(next) >= 0 && (next.u - first_.u).norm() < 1.5 * step_ &&
+         next.tangent.dot(first_.tangent) > agreement;
+}
+
+// Close to the start the walk must be in its chart to see it.
+void Walk::take_chart_of_start() {
+  const Index key = problem_.states();
+  if (!turned_back_ || here_.chart == first_.chart ||
+      std::abs(here_.u(key) - first_.u(key)) > 2 * step_)
+    return;
+  const Node moved = in_chart(here_, first_.chart);
+  if ((moved.u - first_.u).norm() < 2 * step_)
+    here_ = moved;
+}
+
+bool Walk::move_for_pattern(const Node &next) {
+  if (moved_ || next.at.pattern == here_.at.pattern ||
+      next.at.chart_margin >= settings_.margin_at_changes)
+    return false;
+  moved_ = true;
+  return move_chart(settings_.margin_at_changes);
+}
+
+bool Walk::move_chart(double least_margin) {
+  if (here_.at.chart_margin >= least_margin)
+    return false;
+  const double chart = problem_.problem().best_chart(problem_.point(here_.u, here_.chart));
+  if (chart == here_.chart)
+    return false;
+  here_ = in_chart(here_, chart);
+  return true;
+}
+
+Node Walk::in_chart(const Node &node, double chart) const {
+  Matrix tangent = node.tangent;
+  const Vector u = problem_.transfer(node.u, node.chart, chart, tangent);
+  tangent.col(0).normalize();
+  Corrected corrected = correct(problem_, u, chart, tangent, settings_.longest_step, settings_);
+  Node moved = make_node(problem_, corrected.u, chart, std::move(corrected.at), tangent);
+  moved.arclength = node.arclength;
+  return moved;
+}
+
+} // namespace vibroimpact::continuation

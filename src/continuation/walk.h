@@ -1,0 +1,59 @@
+// The walk along a branch: prediction, correction, length of steps, and the checks after each step.
+#pragma once
+
+#include "continuation/grazes.h"
+
+namespace vibroimpact::continuation {
+
+class Walk {
+public:
+  Walk(Problem &problem, const Start &start, const Settings &settings, const Listener &listener);
+  Branch run();
+
+private:
+  struct Bound {
+    End end;
+    double value; ///< scaled
+  };
+
+  /// One accepted step or one that is shortened.
+  void step();
+  void shorten(const std::string &why);
+  /// True if the branch goes on behind a graze, or ends there.
+  bool cross();
+  /// The point at the distance of a step, or the start or a bound where that lies before it.
+  Node next_node();
+  Node attempt();
+  Node at_bound(const Node &beyond, const Bound &bound) const;
+  std::vector<SpecialPoint> examine(const Node &next);
+  void check_turns(const Piece &piece);
+
+  void accept(Node next, std::vector<SpecialPoint> special);
+  void end(End end, const std::string &reason);
+  bool ends_at_shorter(std::vector<SpecialPoint> special, const Node &next);
+  void choose_step(const Node &next);
+  void add(BranchPoint point, std::vector<SpecialPoint> special);
+
+  std::optional<Bound> bound_passed(const Node &node) const;
+  bool passes_start(const Node &next) const;
+  void take_chart_of_start();
+  bool move_for_pattern(const Node &next);
+  bool move_chart(double least_margin);
+  Node in_chart(const Node &node, double chart) const;
+
+  ScaledProblem problem_;
+  Settings settings_;
+  Listener listener_;
+  Branch branch_;
+  Node here_, first_;
+  bool ended_ = false;
+  double step_;
+  int halvings_ = 0;            ///< of the step at hand, for suspected pairs of folds
+  bool turned_back_ = false;    ///< the key has gone against its direction at the start
+  bool moved_ = false;          ///< the chart was chosen for the step at hand
+  std::optional<Bound> bound_;  ///< that ends the step at hand
+  bool closes_ = false;         ///< the step at hand ends at the start
+  std::vector<Vector> crossed_; ///< grazes
+};
+
+} // namespace vibroimpact::continuation

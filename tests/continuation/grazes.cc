@@ -1,0 +1,175 @@
+#include "piecewise.h"
+
+#include "continuation/branch.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+namespace vibroimpact::continuation {
+namespace {
+
+Settings within(double lower, double upper) {
+  Settings settings;
+  settings.first_key = {lower, upper};
+  return settings;
+}
+
+Start open_start(double a, double p) { return {{vector({p / (1 - a)}), vector({p})}, {}, true}; }
+
+// Fixed points p / (1 - a) while p < 0 and p / (1 - a - c) behind: they go on where both divisors
+// have one sign.
+TEST(GrazesTest, AreCrossedAtACornerThatGoesOn) {
+  for (const bool tells_jump : {true, false})
+    for (const double c : {-1.0, -2.5, -1e4}) {
+      const double a = 0.5;
+      PiecewiseMap map = scalar_map(a, c, Touch::corner);
+      map.tells_jump = tells_jump;
+      const Branch branch = follow(map, open_start(a, -0.5), within(-1, 1));
+      EXPECT_EQ(branch.end, End::upper_bound) << branch.reason << " at " << c;
+      EXPECT_NEAR(branch.points.back().point.state(0), 1 / (1 - a - c), 1e-14);
+      ASSERT_EQ(branch.special.size(), 1u) << c;
+      const SpecialPoint &graze = branch.special[0];
+      EXPECT_EQ(graze.kind, Special::graze);
+      ASSERT_TRUE(graze.graze);
+      EXPECT_EQ(graze.graze->name, "the stop");
+      EXPECT_NEAR(graze.at.point.state(0), 0, 1e-15);
+      EXPECT_NEAR(graze.at.point.keys(0), 0, 1e-15);
+      EXPECT_EQ(graze.unstable_before, 0);
+      EXPECT_EQ(graze.unstable_after, a + c < -1 ? 1 : 0);
+    }
+}
+
+// Where they have opposite signs the branch turns back: both fixed points are at p < 0.
+TEST(GrazesTest, AreFoldsAtACornerThatTurns) {
+  for (const double c : {1.0, 1e3}) {
+    const double a = 0.5;
+    PiecewiseMap map = scalar_map(a, c, Touch::corner);
+    const Branch branch = follow(map, open_start(a, -0.5), within(-1, 1));
+    EXPECT_EQ(branch.end, End::lower_bound) << branch.reason;
+    EXPECT_NEAR(branch.points.back().point.state(0), -1 / (1 - a - c), 1e-13);
+    ASSERT_EQ(branch.special.size(), 1u);
+    EXPECT_EQ(branch.special[0].kind, Special::grazing_fold);
+    EXPECT_NEAR(branch.special[0].at.point.keys(0), 0, 1e-15);
+    EXPECT_EQ(branch.special[0].unstable_before, 0);
+    EXPECT_EQ(branch.special[0].unstable_after, 1);
+  }
+}
+
+TEST(GrazesTest, AreCrossedWhereContactIsLost) {
+  for (const double c : {-1e4, -1.0, 1.0}) {
+    const double a = 0.5, p = c < 0 ? 0.5 : -0.5;
+    PiecewiseMap map = scalar_map(a, c, Touch::corner);
+    const Start start{{vector({p / (1 - a - c)}), vector({p})}, {}, c > 0};
+    const Branch branch = follow(map, start, within(-1, 1));
+    EXPECT_EQ(branch.end, End::lower_bound) << branch.reason;
+    EXPECT_NEAR(branch.points.back().point.state(0), -1 / (1 - a), 1e-13);
+    ASSERT_EQ(branch.special.size(), 1u);
+    EXPECT_EQ(branch.special[0].kind, c < 0 ? Special::graze : Special::grazing_fold);
+  }
+}
+
+// With y = sqrt x: (1 - a) y^2 + s y = p. For s > 0 the branch goes on, at first with a multiplier
+// of -infinity; a - s / (2 y) = -1 at y = s / (2 (1 + a)).
+TEST(GrazesTest, AreCrossedAtSquareRootsWithTheFlipBehind) {
+  for (const double s : {0.3, 0.01}) {
+    const double a = 0.4, y = s / (2 * (1 + a)), last = std::sqrt(1.0);
+    PiecewiseMap map = scalar_map(a, -s, Touch::square_root);
+    const Branch branch = follow(map, open_start(a, -0.5), within(-1, (1 - a) * last + s * last));
+    EXPECT_EQ(branch.end, End::upper_bound) << branch.reason;
+    EXPECT_NEAR(branch.points.back().point.state(0), 1, 1e-13);
+    ASSERT_EQ(branch.special.size(), 2u);
+    EXPECT_EQ(branch.special[0].kind, Special::graze);
+    EXPECT_EQ(branch.special[0].unstable_before, 0);
+    EXPECT_EQ(branch.special[0].unstable_after, 1);
+    EXPECT_EQ(branch.special[1].kind, Special::flip);
+    EXPECT_NEAR(branch.special[1].at.point.keys(0), (1 - a) * y * y + s * y, 1e-14);
+  }
+}
+
+// For s < 0 it turns at the graze, and again where y = |s| / (2 (1 - a)).
+TEST(GrazesTest, AreFoldsAtSquareRootsWithTheFoldBehind) {
+  for (const double s : {-0.3, -0.01}) {
+    const double a = 0.4;
+    PiecewiseMap map = scalar_map(a, -s, Touch::square_root);
+    const Branch branch = follow(map, open_start(a, -0.5), within(-1, 1));
+    EXPECT_EQ(branch.end, End::upper_bound) << branch.reason;
+    ASSERT_EQ(branch.special.size(), 2u);
+    EXPECT_EQ(branch.special[0].kind, Special::grazing_fold);
+    EXPECT_NEAR(branch.special[0].at.point.keys(0), 0, 1e-15);
+    EXPECT_EQ(branch.special[1].kind, Special::fold);
+    EXPECT_NEAR(branch.special[1].at.point.keys(0), -s * s / (4 * (1 - a)), 1e-15);
+  }
+}
+
+// The multiplier a - 3/2 k sqrt x is continuous, but -1 at x = (2 (1 + a) / (3 k))^2 already: a
+// flip, no jump of stability.
+TEST(GrazesTest, HaveTrueFlipsCloseBehindWhereTheForceIsContinuous) {
+  for (const double k : {10.0, 1e3, 1e5}) {
+    const double a = 0.2, root = 2 * (1 + a) / (3 * k), x = root * root;
+    PiecewiseMap map = scalar_map(a, -k, Touch::smooth);
+    const Branch branch = follow(map, open_start(a, -0.5), within(-1, 1));
+    EXPECT_EQ(branch.end, End::upper_bound) << branch.reason;
+    ASSERT_EQ(branch.special.size(), 2u) << k;
+    EXPECT_EQ(branch.special[0].kind, Special::graze);
+    EXPECT_EQ(branch.special[0].unstable_before, branch.special[0].unstable_after);
+    EXPECT_EQ(branch.special[1].kind, Special::flip);
+    const double expected = (1 - a) * x + k * root * x;
+    EXPECT_NEAR(branch.special[1].at.point.keys(0), expected, 1e-12 * expected + 1e-16) << k;
+  }
+}
+
+// Two coordinates, a guard of both and of the key; the affine systems of both sides say where the
+// branch ends.
+TEST(GrazesTest, OfSeveralCoordinates) {
+  PiecewiseMap map;
+  map.by_state.resize(2, 2);
+  map.by_state << 0.5, 0.3, -0.4, 0.6;
+  map.by_keys = vector({0.7, -0.2});
+  map.guard_by_state = vector({-1, 0.4}).transpose();
+  map.guard_by_keys = RowVector::Constant(1, -0.3);
+  map.guard_constant = 0.25;
+  map.touch = Touch::corner;
+  for (const double stiffness : {0.5, 200.0}) {
+    map.impulse = stiffness * vector({-1, 0.2});
+    const Matrix open = Matrix::Identity(2, 2) - map.by_state;
+    const Matrix closed = open + map.impulse * map.guard_by_state;
+    const Vector open_slope = open.inverse() * map.by_keys;
+    const double p =
+        -map.guard_constant / (map.guard_by_state.dot(open_slope) + map.guard_by_keys(0));
+    const auto on_contact = [&](double key) {
+      return Vector(
+          closed.inverse() *
+          (map.by_keys * key - map.impulse * (map.guard_by_keys(0) * key + map.guard_constant)));
+    };
+    const double beyond =
+        on_contact(2).dot(map.guard_by_state) + 2 * map.guard_by_keys(0) + map.guard_constant < 0
+            ? 2
+            : -2;
+    const Branch branch =
+        follow(map, {{Vector(open_slope * -1), vector({-1})}, {}, true}, within(-2, 2));
+    ASSERT_EQ(branch.special.size(), 1u) << branch.reason;
+    EXPECT_NEAR(branch.special[0].at.point.keys(0), p, 1e-14);
+    EXPECT_LT((branch.special[0].at.point.state - open_slope * p).norm(), 1e-14);
+    EXPECT_EQ(branch.points.back().point.keys(0), beyond) << branch.reason;
+    EXPECT_LT((branch.points.back().point.state - on_contact(beyond)).norm(), 1e-13);
+  }
+}
+
+// Without an extension the change is reported, and a sign of a test that jumps is no flip.
+TEST(GrazesTest, AreChangesOfPatternWhereNoExtensionIsOffered) {
+  const double a = 0.5, c = -1.7;
+  PiecewiseMap map = scalar_map(a, c, Touch::corner);
+  map.offers_extension = false;
+  Settings settings = within(-1, 1);
+  settings.largest_angle = 2;
+  settings.largest_correction = 10;
+  const Branch branch = follow(map, open_start(a, -0.5), settings);
+  EXPECT_EQ(branch.end, End::upper_bound) << branch.reason;
+  ASSERT_EQ(branch.special.size(), 1u);
+  EXPECT_EQ(branch.special[0].kind, Special::pattern_change);
+  EXPECT_EQ(branch.special[0].unstable_before, 0);
+  EXPECT_EQ(branch.special[0].unstable_after, 1);
+}
+
+} // namespace
+} // namespace vibroimpact::continuation
