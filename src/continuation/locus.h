@@ -14,10 +14,9 @@ enum class LocusKind { fold, flip, neimark_sacker, graze };
 
 struct LocusStart {
   LocusKind kind = LocusKind::fold;
-  Point point;   ///< with both keys, at the special point of a branch
-  Matrix vector; ///< SpecialPoint::vector
-  std::optional<Graze> graze;
-  bool forward = true; ///< the second key grows at first
+  Point point;                ///< with both keys, at the special point of a branch
+  std::optional<Graze> graze; ///< of a locus of grazes
+  bool forward = true;        ///< the second key grows at first
 };
 
 struct LocusPoint {
@@ -39,7 +38,15 @@ struct SpecialLocusPoint {
   std::size_t after = 0; ///< index of the locus' point before it
 };
 
-enum class LocusEnd { bounds, closed, least_step, most_points, graze, real_pair };
+enum class LocusEnd {
+  bounds,
+  closed,
+  far,       ///< the state grows beyond Settings::largest_state
+  graze,     ///< on a grazing curve, see LocusSpecial::ends_at_graze
+  real_pair, ///< a Neimark-Sacker pair becomes real: strong resonance 1:1 or 1:2
+  least_step,
+  most_points
+};
 
 struct Locus {
   std::vector<LocusPoint> points;

@@ -9,19 +9,20 @@
 
 namespace vibroimpact::continuation {
 
-namespace {
-
-using Multipliers = std::vector<std::complex<double>>;
-
-Multipliers multipliers_of(const Matrix &jacobian) {
+std::vector<std::complex<double>> multipliers_of(const Matrix &jacobian) {
   const Eigen::EigenSolver<Matrix> solver(jacobian, false);
   if (solver.info() != Eigen::Success)
     throw NumericalError("the multipliers do not converge");
-  Multipliers values(solver.eigenvalues().begin(), solver.eigenvalues().end());
+  std::vector<std::complex<double>> values(solver.eigenvalues().begin(),
+                                           solver.eigenvalues().end());
   std::stable_sort(values.begin(), values.end(),
                    [](const auto &a, const auto &b) { return std::abs(a) > std::abs(b); });
   return values;
 }
+
+namespace {
+
+using Multipliers = std::vector<std::complex<double>>;
 
 // Real factors mu_i mu_j - 1 of the test for Neimark-Sacker points.
 void test_pairs(const Multipliers &mu, Tests &tests) {

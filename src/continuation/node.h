@@ -37,7 +37,10 @@ struct Node {
   int iterations = 0;
 };
 
-/// Unit null vector of `slope` (n x (n + 1)) in the half space of `ahead`.
+/// Eigenvalues by falling modulus.
+std::vector<std::complex<double>> multipliers_of(const Matrix &jacobian);
+
+/// Unit null vector of `slope` (m x (m + 1)) in the half space of `ahead`.
 Vector tangent_of(const Matrix &slope, const Vector &ahead);
 
 /// Everything that follows from a solution and its linearisation.

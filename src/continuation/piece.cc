@@ -4,53 +4,56 @@
 
 namespace vibroimpact::continuation {
 
-Piece::Piece(const ScaledProblem &problem, const Settings &settings, Node begin, Node end,
-             Root root)
-    : problem_{problem}, settings_{settings}, begin_{std::move(begin)}, end_{std::move(end)},
-      root_{root}, chord_{(end_.u - begin_.u).normalized()}, length_{(end_.u - begin_.u).norm()} {
-  if (begin_.chart != end_.chart)
-    throw std::logic_error("the ends of a piece have different charts");
+Hermite::Hermite(const Vector &begin, const Vector &begin_tangent, const Vector &end,
+                 const Vector &end_tangent)
+    : begin_{begin}, end_{end}, chord_{(end - begin).normalized()}, length_{(end - begin).norm()},
+      begin_slope_{begin_tangent / begin_tangent.dot(chord_) * length_},
+      end_slope_{end_tangent / end_tangent.dot(chord_) * length_} {}
+
+Vector Hermite::at(double share) const {
+  const double x = share, rest = 1 - share;
+  return (1 + 2 * x) * rest * rest * begin_ + x * rest * rest * begin_slope_ +
+         x * x * (3 - 2 * x) * end_ - x * x * rest * end_slope_;
 }
 
-double Piece::distance(double way) const {
-  if (root_ == Root::at_begin)
-    return length_ * way * way;
-  if (root_ == Root::at_end)
-    return length_ * (1 - (1 - way) * (1 - way));
-  return length_ * way;
-}
-
-// Cubic Hermite polynomial in the distance along the chord; du/ds = t / (t . chord).
-Vector Piece::guess(double distance) const {
-  const double x = distance / length_, rest = 1 - x;
-  const Vector begin_slope = begin_.tangent / begin_.tangent.dot(chord_) * length_;
-  const Vector end_slope = end_.tangent / end_.tangent.dot(chord_) * length_;
-  return (1 + 2 * x) * rest * rest * begin_.u + x * rest * rest * begin_slope +
-         x * x * (3 - 2 * x) * end_.u - x * x * rest * end_slope;
-}
-
-Node Piece::at(double way) const {
-  const double along = distance(way);
-  Corrected corrected = correct(problem_, guess(along), begin_.chart, chord_, 0.5 * length_,
-                                settings_, Until::rounding);
-  Node node =
-      make_node(problem_, corrected.u, begin_.chart, std::move(corrected.at), begin_.tangent);
-  node.arclength = begin_.arclength + along;
-  return node;
-}
-
-bool Piece::key_turns_twice() const {
-  const Index last = begin_.u.size() - 1;
-  const double rise = end_.u(last) - begin_.u(last);
-  const double a = length_ * begin_.tangent(last) / begin_.tangent.dot(chord_);
-  const double b = length_ * end_.tangent(last) / end_.tangent.dot(chord_);
-  // p'(x) = a + 2 (3 rise - 2 a - b) x + 3 (a + b - 2 rise) x^2 on [0, 1].
+bool Hermite::turns_twice(Index unknown) const {
+  const double rise = end_(unknown) - begin_(unknown);
+  const double a = begin_slope_(unknown), b = end_slope_(unknown);
+  // The slope is a + 2 (3 rise - 2 a - b) x + 3 (a + b - 2 rise) x^2 on [0, 1].
   const double linear = 3 * rise - 2 * a - b, quadratic = 3 * (a + b - 2 * rise);
   if (a * b <= 0 || quadratic == 0)
     return false;
   const double vertex = -linear / quadratic;
   return vertex > 0 && vertex < 1 && a * (a - linear * linear / quadratic) < 0;
 }
+
+Piece::Piece(const ScaledProblem &problem, const Settings &settings, Node begin, Node end,
+             Root root)
+    : problem_{problem}, settings_{settings}, begin_{std::move(begin)}, end_{std::move(end)},
+      root_{root}, path_{begin_.u, begin_.tangent, end_.u, end_.tangent} {
+  if (begin_.chart != end_.chart)
+    throw std::logic_error("the ends of a piece have different charts");
+}
+
+double Piece::share(double way) const {
+  if (root_ == Root::at_begin)
+    return way * way;
+  if (root_ == Root::at_end)
+    return 1 - (1 - way) * (1 - way);
+  return way;
+}
+
+Node Piece::at(double way) const {
+  Corrected corrected =
+      correct(problem_, path_.at(share(way)), begin_.chart, path_.chord(),
+              settings_.largest_correction * length(), settings_, Until::rounding);
+  Node node =
+      make_node(problem_, corrected.u, begin_.chart, std::move(corrected.at), begin_.tangent);
+  node.arclength = begin_.arclength + length() * share(way);
+  return node;
+}
+
+bool Piece::key_turns_twice() const { return path_.turns_twice(problem_.states()); }
 
 std::optional<Node> Piece::zero_of(const std::function<double(const Node &)> &test) const {
   const double first = test(begin_), last = test(end_);
@@ -66,7 +69,7 @@ std::optional<Node> Piece::zero_of(const std::function<double(const Node &)> &te
     return tested;
   };
   // Neither unknowns of size one nor ways differ by less than rounding.
-  const double closest = std::numeric_limits<double>::epsilon() * std::max(1.0, 1 / length_);
+  const double closest = std::numeric_limits<double>::epsilon() * std::max(1.0, 1 / length());
   std::uintmax_t most = 60;
   boost::math::tools::toms748_solve(
       value, 0.0, 1.0, first, last, [&](double a, double b) { return b - a <= closest; }, most);

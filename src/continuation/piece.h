@@ -11,6 +11,24 @@
 
 namespace vibroimpact::continuation {
 
+/// Cubic polynomial through two points with their tangents, over the distance along the chord,
+/// where du/ds = t / (t . chord).
+class Hermite {
+public:
+  Hermite(const Vector &begin, const Vector &begin_tangent, const Vector &end,
+          const Vector &end_tangent);
+  Vector at(double share) const;                 ///< share of the chord
+  const Vector &chord() const { return chord_; } ///< of length 1
+  double length() const { return length_; }
+  /// One unknown's slopes over the share have one sign at both ends and another one in between.
+  bool turns_twice(Index unknown) const;
+
+private:
+  Vector begin_, end_, chord_;
+  double length_;
+  Vector begin_slope_, end_slope_; ///< by the share
+};
+
 /// At an end where a guard touches zero, derivatives run as the square root of the distance from
 /// it.
 enum class Root { none, at_begin, at_end };
@@ -23,7 +41,7 @@ public:
 
   const Node &begin() const { return begin_; }
   const Node &end() const { return end_; }
-  double length() const { return length_; }
+  double length() const { return path_.length(); }
   /// NumericalError where Newton's method fails. `way`: 0 at the beginning, 1 at the end; evenly
   /// along the chord, or such that the distance from a root grows as the square.
   Node at(double way) const;
@@ -33,15 +51,13 @@ public:
   std::optional<Node> zero_of(const std::function<double(const Node &)> &test) const;
 
 private:
-  double distance(double way) const;
-  Vector guess(double distance) const;
+  double share(double way) const;
 
   const ScaledProblem &problem_;
   const Settings &settings_;
   Node begin_, end_;
   Root root_;
-  Vector chord_; ///< of length 1
-  double length_;
+  Hermite path_;
 };
 
 } // namespace vibroimpact::continuation

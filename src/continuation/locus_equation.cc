@@ -1,0 +1,178 @@
+#include "continuation/locus_equation.h"
+
+#include "continuation/node.h"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+namespace vibroimpact::continuation {
+
+Borders Borders::of(const Matrix &matrix) {
+  const Eigen::JacobiSVD<Matrix> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return {svd.matrixU().rightCols(1), svd.matrixV().rightCols(1)};
+}
+
+Bordered Borders::solve(const Matrix &matrix) const {
+  const Index n = matrix.rows();
+  Matrix bordered(n + 1, n + 1);
+  bordered << matrix, b, c.transpose(), 0;
+  const Eigen::PartialPivLU<Matrix> lu(bordered);
+  const Vector last = Vector::Unit(n + 1, n), vg = lu.solve(last), wg = lu.transpose().solve(last);
+  if (!vg.allFinite() || !wg.allFinite())
+    throw NumericalError("the bordered matrix is singular");
+  return {vg.head(n), wg.head(n), vg(n)};
+}
+
+namespace {
+
+// d(F_u)/dh at u + h (v, 0), n x (n + keys), for v of any length. Third derivatives times h^2 and
+// rounding over h are both near 1e-10 for h = 1e-5. Close to a graze a shorter difference stays on
+// one side.
+Matrix slope_change(const ScaledProblem &problem, const Vector &u, double chart, const Vector &v) {
+  const double length = v.norm();
+  if (length == 0)
+    return Matrix::Zero(problem.states(), problem.unknowns());
+  Vector direction = Vector::Zero(u.size());
+  direction.head(v.size()) = v / length;
+  for (const double h : {1e-5, 1e-6, 1e-7, 1e-8}) {
+    const Linearisation ahead = problem.evaluate(u + h * direction, chart);
+    const Linearisation behind = problem.evaluate(u - h * direction, chart);
+    if (ahead.pattern == behind.pattern)
+      return (ahead.slope - behind.slope) * (length / (2 * h));
+  }
+  throw NumericalError("a guard touches zero too close by for second derivatives");
+}
+
+// Folds and flips: J - I or J + I is singular.
+class SingularJacobian : public LocusEquation {
+public:
+  SingularJacobian(const ScaledProblem &problem, double multiplier, const Vector &u, double chart)
+      : problem_{problem}, multiplier_{multiplier}, chart_{chart} {
+    borders_ = Borders::of(shifted(problem.evaluate(u, chart)));
+  }
+
+  Augmented evaluate(const Vector &u, double chart) const override {
+    Augmented result;
+    result.at = problem_.evaluate(u, chart);
+    const Bordered bordered = borders_.solve(shifted(result.at));
+    result.value = bordered.g;
+    result.gradient = -bordered.w.transpose() * slope_change(problem_, u, chart, bordered.v);
+    if (multiplier_ == 1)
+      result.cusp = result.gradient.head(bordered.v.size()).dot(bordered.v);
+    return result;
+  }
+
+  // The null vectors of the last point keep the borders away from being orthogonal to those of the
+  // next one; directions do not turn round, so that the sign for cusps stays.
+  void renew(const Vector &u, double chart) override {
+    const Matrix matrix = shifted(problem_.evaluate(u, chart));
+    if (chart != chart_)
+      borders_ = Borders::of(matrix);
+    chart_ = chart;
+    const Bordered bordered = borders_.solve(matrix);
+    borders_ = {bordered.w.normalized(), bordered.v.normalized()};
+  }
+
+private:
+  Matrix shifted(const Linearisation &at) const {
+    const Index n = problem_.states();
+    return at.slope.leftCols(n) + (1 - multiplier_) * Matrix::Identity(n, n);
+  }
+
+  const ScaledProblem &problem_;
+  double multiplier_;
+  double chart_;
+  Borders borders_;
+};
+
+// |mu| - 1 of the complex pair that is nearest to the last one, d(mu) = w^T dJ v / (w^T v).
+class UnitModulus : public LocusEquation {
+public:
+  UnitModulus(const ScaledProblem &problem, const Vector &u, double chart) : problem_{problem} {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto mu : multipliers_of(map_jacobian(problem.evaluate(u, chart))))
+      if (mu.imag() > 0 && std::abs(std::abs(mu) - 1) < least) {
+        least = std::abs(std::abs(mu) - 1);
+        multiplier_ = mu;
+      }
+    if (!std::isfinite(least))
+      throw NumericalError("there is no complex pair of multipliers at the start of the locus");
+  }
+
+  Augmented evaluate(const Vector &u, double chart) const override {
+    Augmented result;
+    result.at = problem_.evaluate(u, chart);
+    const Mode mode = nearest(result.at);
+    const auto dj_v =
+        (slope_change(problem_, u, chart, mode.right.real()) +
+         std::complex<double>(0, 1) * slope_change(problem_, u, chart, mode.right.imag()))
+            .eval();
+    const std::complex<double> product = (mode.left.transpose() * mode.right).value();
+    const Eigen::RowVectorXcd rate = mode.left.transpose() * dj_v / product;
+    result.value = std::abs(mode.value) - 1;
+    result.gradient = (std::conj(mode.value) * rate).real() / std::abs(mode.value);
+    result.angle = std::arg(mode.value);
+    return result;
+  }
+
+  void renew(const Vector &u, double chart) override {
+    multiplier_ = nearest(problem_.evaluate(u, chart)).value;
+  }
+
+private:
+  Mode nearest(const Linearisation &at) const {
+    Mode mode = nearest_mode(map_jacobian(at), multiplier_);
+    if (mode.value.imag() <= 0)
+      throw NumericalError("the pair of multipliers becomes real");
+    return mode;
+  }
+
+  const ScaledProblem &problem_;
+  std::complex<double> multiplier_;
+};
+
+class TouchingGuard : public LocusEquation {
+public:
+  TouchingGuard(const ScaledProblem &problem, const Graze &graze)
+      : problem_{problem}, graze_{graze} {}
+
+  Augmented evaluate(const Vector &u, double chart) const override {
+    LinearisedExtension extension = problem_.extend(u, chart, graze_);
+    Augmented result;
+    result.at = std::move(extension.smooth);
+    result.value = extension.value;
+    result.gradient = extension.gradient;
+    return result;
+  }
+  void renew(const Vector &, double) override {}
+
+private:
+  const ScaledProblem &problem_;
+  Graze graze_;
+};
+
+} // namespace
+
+std::unique_ptr<LocusEquation> make_equation(const ScaledProblem &problem,
+                                             const LocusStart &start) {
+  const Vector u = problem.scaled(start.point);
+  const double chart = start.point.chart;
+  if (start.kind != LocusKind::graze && !problem.problem().is_map() &&
+      start.kind != LocusKind::fold)
+    throw std::logic_error("without a map there are loci of folds and grazes only");
+  switch (start.kind) {
+  case LocusKind::fold:
+    return std::make_unique<SingularJacobian>(problem, 1, u, chart);
+  case LocusKind::flip:
+    return std::make_unique<SingularJacobian>(problem, -1, u, chart);
+  case LocusKind::neimark_sacker:
+    return std::make_unique<UnitModulus>(problem, u, chart);
+  case LocusKind::graze:
+    if (!start.graze)
+      throw std::logic_error("a locus of grazes begins at a graze");
+    return std::make_unique<TouchingGuard>(problem, *start.graze);
+  }
+  throw std::logic_error("a locus of no kind");
+}
+
+} // namespace vibroimpact::continuation
