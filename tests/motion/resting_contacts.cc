@@ -1,5 +1,6 @@
 // Rigid contacts that chatter, rest, and part again, against closed forms.
 #include "common/error.h"
+#include "model/sine_sweep.h"
 #include "support/rigid_contacts.h"
 
 #include <gtest/gtest.h>
@@ -26,6 +27,27 @@ constexpr double gravity = 9.81;
 
 class RestingContactsTest : public ::testing::TestWithParam<const char *> {};
 INSTANTIATE_TEST_SUITE_P(Methods, RestingContactsTest, ::testing::Values("exact", "rk"));
+
+// A body that was never moved has no energy to measure the work of its loads against, and its speed
+// is rounding alone: steps follow the load, not that. A sweep has no closed form.
+TEST_P(RestingContactsTest, LoadsOnABodyThatNeverMoved) {
+  const double mass = 0.8;
+  Model model({single_mass("block", mass, 174, 0.013)});
+  add_weight(model, gravity, {0});
+  const SweepDefinition sweep{
+      .given = Given::displacement, .amplitude = 5, .from = 2, .to = 7, .duration = 10};
+  model.add_force("push", std::make_shared<SineSweep>(sweep), {.body = 0, .point = 0},
+                  Vector3::UnitX());
+  const ContactSet contacts({contact_along_x(model, "block.head", "", 0, newton(0))});
+  Settings settings = settings_of(GetParam());
+  settings.maximum_steps = 10000;
+  Trajectory trajectory(model, contacts, settings);
+  Events events;
+  trajectory.start(0, vector_of({0}), vector_of({0}));
+  trajectory.advance(10, events);
+  EXPECT_NEAR(trajectory.state()[0], 0, 1e-12);
+  EXPECT_TRUE(events.list.empty());
+}
 
 // A ball falls on the ground (weight along x): impacts at t_n, and rest at v (1 + e) / (g (1 - e)).
 TEST_P(RestingContactsTest, BouncingBallComesToRest) {

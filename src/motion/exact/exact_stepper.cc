@@ -9,7 +9,9 @@
 namespace vibroimpact::motion {
 
 // The guards of the phase during a step. The sixth derivative of a group is bounded by the size of
-// its amplitude and the growth since then; of a dense block by |c B^6| exp(|B| t) |x|.
+// its amplitude and the growth since then; of a dense block by |c B^6| exp(|B| (b - a)) |x(a)|
+// between a and b: from the start of the step on, the bound of a fast block would soon grow beyond
+// any use.
 class ExactStepper::Guards : public GuardCurves {
 public:
   void start(const LinearPhase &known, ExactPhase &phase, const Amplitudes &amplitudes) {
@@ -22,20 +24,15 @@ public:
   Index size() const override { return forms_->constants.size(); }
 
   Jet at(Index guard, double time) const override {
-    const double *amplitudes = amplitudes_->data();
-    if (time != 0) {
-      kernel().turn(phase_->view(), amplitudes, time, turned_.data());
-      amplitudes = turned_.data();
-    }
     double f[4];
-    kernel().derivatives(phase_->view(), static_cast<int>(guard), amplitudes, f);
+    kernel().derivatives(phase_->view(), static_cast<int>(guard), amplitudes_at(time), f);
     return {.value = f[0], .rate = f[1], .acceleration = f[2]};
   }
 
   double sixth_derivative(Index guard, double from, double to) const override {
     double bound = 0;
     for (const PhaseGroup &group : phase_->groups())
-      bound += group.kind == BlockKind::dense ? of_dense(guard, group, to)
+      bound += group.kind == BlockKind::dense ? of_dense(guard, group, from, to)
                                               : of_group(guard, group, from, to);
     return bound;
   }
@@ -51,6 +48,14 @@ public:
   }
 
 private:
+  // The amplitudes some time after the start of the step.
+  const double *amplitudes_at(double time) const {
+    if (time == 0)
+      return amplitudes_->data();
+    kernel().turn(phase_->view(), amplitudes_->data(), time, turned_.data());
+    return turned_.data();
+  }
+
   RowVector seen(Index guard, const PhaseGroup &group) const {
     RowVector row(static_cast<Index>(group.coordinates.size()));
     for (std::size_t c = 0; c < group.coordinates.size(); ++c)
@@ -67,16 +72,18 @@ private:
            std::exp(rate * (rate > 0 ? to : from));
   }
 
-  double of_dense(Index guard, const PhaseGroup &group, double to) const {
+  double of_dense(Index guard, const PhaseGroup &group, double from, double to) const {
+    const double *amplitudes = amplitudes_at(from);
     RowVector row = seen(guard, group);
     for (int order = 0; order < 6; ++order)
       row = row * group.generator;
     Vector x(row.size());
     for (Index c = 0; c < x.size(); ++c)
-      x[c] = std::abs((*amplitudes_)[static_cast<std::size_t>(group.first + c)]);
+      x[c] = std::abs(amplitudes[static_cast<std::size_t>(group.first + c)]);
     const double growth = group.generator.cwiseAbs().rowwise().sum().maxCoeff();
     constexpr double beyond_any_use = 200;
-    return row.cwiseAbs().sum() * x.maxCoeff() * std::exp(std::min(growth * to, beyond_any_use));
+    return row.cwiseAbs().sum() * x.maxCoeff() *
+           std::exp(std::min(growth * (to - from), beyond_any_use));
   }
 
   const GuardForms *forms_ = nullptr;

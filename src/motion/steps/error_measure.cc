@@ -248,6 +248,22 @@ double ErrorMeasure::of_contacts(const Vector &error) const {
   return largest;
 }
 
+// The work of loads on a body that a rigid contact holds: as large as the force that holds it, at a
+// speed that is nothing but error.
+double ErrorMeasure::work_at_rest() const {
+  double sum = 0;
+  for (std::size_t c = 0; c < mass_.size(); ++c) {
+    if (!equations_.mode(c).holds_gap)
+      continue;
+    const RowVector &row = equations_.contacts().pairs()[c].gap.row;
+    for (Index j = 0; j < row.size(); ++j)
+      if (row[j] != 0)
+        sum += present_.of[c].force * length_ * std::abs(row[j]) *
+               relative_speed_tolerance(j, length_);
+  }
+  return sum;
+}
+
 // What the absolute tolerance of all velocities makes of the energy.
 double ErrorMeasure::negligible_work() const {
   if (absolute_gap_ == 0)
@@ -266,7 +282,7 @@ double ErrorMeasure::negligible_impulse(std::size_t contact) const {
 
 double ErrorMeasure::of_work(const Vector &error) const {
   const StateLayout &layout = equations_.layout();
-  const double negligible = negligible_work() + epsilon * largest_turnover_;
+  const double negligible = negligible_work() + work_at_rest() + epsilon * largest_turnover_;
   // With the energy of the contacts that act: where a base meets a body at rest nothing has been
   // turned over yet, and the relative error of the work, which goes with a power of the time since
   // then, is the same for steps of every length.

@@ -72,6 +72,7 @@ private:
   double displacement_tolerance(Index coordinate, double length) const;
   double speed_tolerance(Index coordinate, double length) const;
   double relative_speed_tolerance(Index coordinate, double length) const;
+  double work_at_rest() const;
   double negligible_work() const;
   double negligible_impulse(std::size_t contact) const;
   double energy_at(std::size_t contact) const;
