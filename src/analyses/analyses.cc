@@ -5,6 +5,7 @@
 #include "analyses/grid.h"
 #include "analyses/identify.h"
 #include "analyses/modal.h"
+#include "analyses/periodic_orbit.h"
 #include "analyses/recorders.h"
 #include "analyses/response.h"
 #include "analyses/stepped_sweep.h"
@@ -29,6 +30,7 @@ constexpr Entry entries[] = {
     {"stepped sweep", SteppedSweep::declare, SteppedSweep::create, true},
     {"frequency response", FrequencyResponse::declare, FrequencyResponse::create},
     {"response", Response::declare, Response::create, true},
+    {"periodic orbit", PeriodicOrbit::declare, PeriodicOrbit::create, true},
     {"identify", Identify::declare, Identify::create},
 };
 

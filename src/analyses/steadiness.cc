@@ -75,4 +75,9 @@ Vector state_scale(const motion::Equations &equations, double forcing_frequency)
   return scale;
 }
 
+Vector deviation_scale(const motion::Equations &equations, double forcing_frequency) {
+  const Vector scale = state_scale(equations, forcing_frequency);
+  return (scale.array() > 0).select(scale, 1);
+}
+
 } // namespace vibroimpact::analyses

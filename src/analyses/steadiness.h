@@ -44,4 +44,8 @@ private:
 /// angular frequency.
 Vector state_scale(const motion::Equations &equations, double forcing_frequency);
 
+/// The same for deviations, which have no entry of no importance: where a coordinate moves no
+/// point, its own unit is as good as any.
+Vector deviation_scale(const motion::Equations &equations, double forcing_frequency);
+
 } // namespace vibroimpact::analyses

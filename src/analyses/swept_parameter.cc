@@ -26,12 +26,24 @@ bool logarithmic(const parameters::Values &section) {
   return section.choice("Spacing") == "logarithmic";
 }
 
+std::vector<double> frequency_ends(const parameters::Values &section) {
+  section.require("First frequency");
+  section.require("Last frequency");
+  return {section.quantity("First frequency") / (2 * std::numbers::pi),
+          section.quantity("Last frequency") / (2 * std::numbers::pi)};
+}
+
+// A single point may stand at both ends.
+bool in_order(const std::vector<double> &ends, long points) {
+  return ends[1] > ends[0] || (ends[1] == ends[0] && points == 1);
+}
+
 SweptParameter read_frequency(const parameters::Values &section) {
   for (const char *key : {"First", "Last"})
     if (section.has(key))
       section.reject(key, "nothing without the key Parameter; the ends of a frequency sweep are "
                           "First frequency and Last frequency.");
-  return {.path = {}, .unit = "Hz", .values = read_frequencies(section)};
+  return {.path = {}, .unit = "Hz", .values = frequency_ends(section)};
 }
 
 // For messages about values of the swept key that `key` gives.
@@ -68,14 +80,18 @@ parameters::Override SweptParameter::at(double value) const {
   return {.path = path, .value = text, .origin = origin};
 }
 
+std::string SweptParameter::axis_name() const {
+  return is_frequency() ? "frequency" : boost::replace_all_copy(path, "/", ".");
+}
+
 Axis SweptParameter::axis() const {
   if (is_frequency())
-    return {.name = "frequency",
+    return {.name = axis_name(),
             .values = values,
             .labels = {},
             .unit = unit,
             .description = "excitation frequency"};
-  return {.name = boost::replace_all_copy(path, "/", "."),
+  return {.name = axis_name(),
           .values = values,
           .labels = {},
           .unit = unit,
@@ -83,17 +99,14 @@ Axis SweptParameter::axis() const {
 }
 
 std::vector<double> read_frequencies(const parameters::Values &section) {
-  section.require("First frequency");
-  section.require("Last frequency");
-  const double first = section.quantity("First frequency") / (2 * std::numbers::pi);
-  const double last = section.quantity("Last frequency") / (2 * std::numbers::pi);
+  const std::vector<double> ends = frequency_ends(section);
   const long points = section.integer("Points");
-  if (last < first || (last == first && points > 1))
+  if (!in_order(ends, points))
     section.reject("Last frequency", "a frequency above First frequency.");
-  return spaced(first, last, points, logarithmic(section));
+  return spaced(ends[0], ends[1], points, logarithmic(section));
 }
 
-void declare_swept_parameter(parameters::Section &section) {
+void declare_key_range(parameters::Section &section) {
   using namespace parameters;
   section
       .text("Parameter", "",
@@ -104,16 +117,26 @@ void declare_swept_parameter(parameters::Section &section) {
       .quantity("Last frequency", "", dimension::frequency, range::positive, "f_2",
                 "Highest frequency of a frequency sweep.")
       .text("First", "", "Lowest value of Parameter, with its unit.")
-      .text("Last", "", "Highest value of Parameter, with its unit.")
+      .text("Last", "", "Highest value of Parameter, with its unit.");
+}
+
+void declare_swept_parameter(parameters::Section &section) {
+  using namespace parameters;
+  declare_key_range(section);
+  section
       .integer("Points", "50", Range{.lower = 1, .upper = 1e6}, "",
                "Number of frequencies or values.")
       .choice("Spacing", "linear", {"linear", "logarithmic"}, "How they are spaced.");
 }
 
-SweptParameter read_swept_parameter(const parameters::Values &section) {
+SweptParameter read_key_range(const parameters::Values &section, long points) {
   const std::string path = section.text("Parameter");
-  if (path.empty())
-    return read_frequency(section);
+  if (path.empty()) {
+    SweptParameter frequency = read_frequency(section);
+    if (!in_order(frequency.values, points))
+      section.reject("Last frequency", "a frequency above First frequency.");
+    return frequency;
+  }
   if (const std::string target = section.key_path("Parameter");
       target.starts_with("Analysis ") || target.starts_with("Derived "))
     section.reject("Parameter", "a key outside the analyses.");
@@ -122,17 +145,24 @@ SweptParameter read_swept_parameter(const parameters::Values &section) {
       section.reject(key, "nothing beside the key Parameter, whose ends are First and Last.");
   const parameters::SiNumber first = read_end(section, path, "First");
   const parameters::SiNumber last = read_end(section, path, "Last");
-  const long points = section.integer("Points");
   if (first.unit != last.unit)
     section.reject("Last", "a value in a unit like that of First.");
-  if (last.value < first.value || (last.value == first.value && points > 1))
+  if (!in_order({first.value, last.value}, points))
     section.reject("Last", "a value above First.");
-  if (logarithmic(section) && !(first.value > 0))
-    section.reject("First", "a value above zero for logarithmic spacing.");
   return {.path = path,
           .unit = first.unit,
-          .values = spaced(first.value, last.value, points, logarithmic(section)),
+          .values = {first.value, last.value},
           .origin = origin_of(section, "First")};
+}
+
+SweptParameter read_swept_parameter(const parameters::Values &section) {
+  const long points = section.integer("Points");
+  SweptParameter parameter = read_key_range(section, points);
+  const double first = parameter.values[0], last = parameter.values[1];
+  if (!parameter.is_frequency() && logarithmic(section) && !(first > 0))
+    section.reject("First", "a value above zero for logarithmic spacing.");
+  parameter.values = spaced(first, last, points, logarithmic(section));
+  return parameter;
 }
 
 } // namespace vibroimpact::analyses

@@ -21,13 +21,18 @@ struct SweptParameter {
   /// The override that sets the key to `value` exactly.
   parameters::Override at(double value) const;
   Axis axis() const;
+  std::string axis_name() const;
 };
 
-/// Keys that say what is varied, between which ends and in which steps.
+/// Keys that say what is varied and between which ends.
+void declare_key_range(parameters::Section &section);
+/// The same, and in which steps.
 void declare_swept_parameter(parameters::Section &section);
 
-/// InputError for a key that is unknown, belongs to an analysis or holds no single number, and for
-/// ends in the wrong order.
+/// With the two ends as values. InputError for a key that is unknown, belongs to an analysis or
+/// holds no single number, and for ends in the wrong order; a single one of `points` may be both.
+SweptParameter read_key_range(const parameters::Values &section, long points = 2);
+/// The same with all values.
 SweptParameter read_swept_parameter(const parameters::Values &section);
 
 /// Frequencies [Hz] between the keys First frequency and Last frequency, as many as Points, by the

@@ -28,16 +28,16 @@ std::size_t only_periodic(const std::vector<model::Source> &sources) {
 
 } // namespace
 
-std::size_t sweep_source(const System &system, const std::string &name) {
+std::size_t sweep_source(const System &system, const std::string &name, const std::string &who) {
   const std::vector<model::Source> &sources = system.model.sources();
   const std::size_t found = name.empty() ? only_periodic(sources) : system.model.find_source(name);
   if (found == sources.size())
     throw InputError(name.empty()
-                         ? "A stepped sweep needs one periodic excitation, or the key Excitation "
-                           "that says which of several is swept or gives the period."
-                         : "The swept excitation " + name + " is not among the active ones.");
+                         ? who + " needs one periodic excitation, or the key Excitation that says "
+                                 "which of several is swept or gives the period."
+                         : "The excitation " + name + " is not among the active ones.");
   if (!(sources[found].function->period() > 0))
-    throw InputError("The swept excitation " + sources[found].name +
+    throw InputError("The excitation " + sources[found].name +
                      " has no frequency; its History must be harmonic or ramped harmonic.");
   return found;
 }

@@ -11,9 +11,11 @@
 
 namespace vibroimpact::analyses {
 
-/// Index of the excitation that gives a sweep its period: `name`, or the only one that repeats when
-/// the name is empty. InputError when there is none, or one without a frequency.
-std::size_t sweep_source(const System &system, const std::string &name);
+/// Index of the excitation that gives an analysis its period: `name`, or the only one that repeats
+/// when the name is empty. InputError when there is none, or one without a frequency. `who` needs
+/// it: "A stepped sweep".
+std::size_t sweep_source(const System &system, const std::string &name,
+                         const std::string &who = "A stepped sweep");
 
 class SweptSystem {
 public:

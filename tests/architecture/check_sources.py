@@ -15,7 +15,7 @@ import defined_names
 
 # In the order data flows: a folder may include itself and what stands before it.
 ORDER = ["common", "parameters", "continuation", "structure", "modes", "reduction", "model",
-         "contact", "motion", "analyses", "derived", "output"]
+         "contact", "motion", "periodic", "analyses", "derived", "output"]
 # These stand beside the flow; they know nothing of what the others do.
 ALLOWED = {"common": {"common"}, "parameters": {"common", "parameters"},
            "continuation": {"common", "continuation"}}

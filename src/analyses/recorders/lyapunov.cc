@@ -28,13 +28,6 @@ Matrix generic_deviations(const Vector &scale, Index count) {
   return deviations;
 }
 
-// Where a coordinate moves no point, its own unit is as good as any.
-Vector usable_scale(const Trajectory &trajectory, double period) {
-  const double forcing = period > 0 ? 2 * std::numbers::pi / period : 1;
-  const Vector scale = state_scale(trajectory.equations(), forcing);
-  return (scale.array() > 0).select(scale, 1);
-}
-
 // The dimension of Kaplan and Yorke: with the sum S_j of the first j exponents, the largest j with
 // S_j >= 0, plus S_j / |lambda_(j+1)|. NaN when that exponent is not known.
 double kaplan_yorke_dimension(const std::vector<double> &exponents, bool all) {
@@ -50,7 +43,8 @@ double kaplan_yorke_dimension(const std::vector<double> &exponents, bool all) {
 } // namespace
 
 void LyapunovExponents::begin(const Window &window, const Trajectory &trajectory) {
-  const Vector scale = usable_scale(trajectory, window.period);
+  const double forcing = window.period > 0 ? 2 * std::numbers::pi / window.period : 1;
+  const Vector scale = deviation_scale(trajectory.equations(), forcing);
   const Index count = settings_.exponents > 0
                           ? std::min(static_cast<Index>(settings_.exponents), scale.size())
                           : scale.size();

@@ -1,0 +1,75 @@
+#include "analyses/orbit_fields.h"
+
+#include "analyses/fields.h"
+
+namespace vibroimpact::analyses {
+
+namespace {
+
+struct OrbitLabels {
+  Label real{"multiplier_real",
+             "1",
+             "real part of the multipliers of the periodic motion: what small deviations of the "
+             "state are multiplied by until it repeats itself, the largest first",
+             {"multiplier"}};
+  Label imaginary{"multiplier_imaginary", "1", "imaginary part of the multipliers", {"multiplier"}};
+  Label stable{"stable", "1", "1 when all multipliers are smaller than 1 in absolute value"};
+  Label residual{"orbit_residual", "1",
+                 "largest entry of the state after the period less that before it, over the "
+                 "largest entry of the state, both made comparable"};
+  Label multiple{"period_multiple", "1", "forcing periods after which the motion repeats itself"};
+  Label symmetric{"symmetric", "1",
+                  "1 when the motion of half its period is the mirror image of the other half"};
+  Label phase{"section_phase", "1",
+              "phase of the forcing, as a share of its period, at which the motion was cut, away "
+              "from contact changes"};
+  Label iterations{"newton_iterations", "1", "iterations of Newton's method for the motion"};
+  Label without{"events_without_derivative", "1",
+                "contact changes of the motion that have no derivative, such as grazes; where "
+                "there are any, the multipliers are of no use"};
+  Label state{"state",
+              "SI",
+              "state at the forcing phase of time zero: coordinates, their rates, internal states "
+              "of contacts",
+              {"state"}};
+};
+
+const OrbitLabels &orbit_labels() {
+  static const OrbitLabels labels;
+  return labels;
+}
+
+void add_vector(PointResult &result, const Label &label, const Vector &values) {
+  result.fields.push_back({.label = label,
+                           .shape = {static_cast<std::size_t>(values.size())},
+                           .values = {values.begin(), values.end()}});
+}
+
+void add_scalar(PointResult &result, const Label &label, double value) {
+  result.fields.push_back(scalar_field(label, value));
+  result.summary.push_back({.label = label, .value = value});
+}
+
+} // namespace
+
+void add_orbit(PointResult &result, const periodic::StroboscopicMap &map,
+               const periodic::Orbit &orbit, const Vector &state_at_zero) {
+  const OrbitLabels &labels = orbit_labels();
+  const Eigen::VectorXcd multipliers = orbit.multipliers(map);
+  add_vector(result, labels.real, multipliers.real());
+  add_vector(result, labels.imaginary, multipliers.imag());
+  if (multipliers.size() > 0) {
+    result.summary.push_back(scalar_line("multiplier[1].real", multipliers[0].real(), "1"));
+    result.summary.push_back(scalar_line("multiplier[1].imaginary", multipliers[0].imag(), "1"));
+  }
+  add_scalar(result, labels.stable, periodic::is_stable(multipliers) ? 1 : 0);
+  add_scalar(result, labels.residual, orbit.point.residual);
+  add_scalar(result, labels.multiple, static_cast<double>(orbit.multiple()));
+  add_scalar(result, labels.symmetric, orbit.symmetric() ? 1 : 0);
+  add_scalar(result, labels.phase, orbit.section.phase);
+  add_scalar(result, labels.iterations, static_cast<double>(orbit.iterations));
+  add_scalar(result, labels.without, static_cast<double>(orbit.point.image.without_derivative));
+  add_vector(result, labels.state, state_at_zero);
+}
+
+} // namespace vibroimpact::analyses

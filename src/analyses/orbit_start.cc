@@ -1,0 +1,87 @@
+#include "analyses/orbit_start.h"
+
+#include "analyses/steadiness.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace vibroimpact::analyses {
+
+using periodic::StroboscopicMap;
+using periodic::Symmetry;
+
+namespace {
+
+constexpr const char *settling_keys[] = {"Minimum settling cycles", "Settling cycles",
+                                         "Steadiness tolerance",    "Extrapolate",
+                                         "Longest period",          "Cycles without approach"};
+
+} // namespace
+
+void declare_orbit_start(parameters::Section &section) {
+  using namespace parameters;
+  declare_settling(section);
+  section
+      .quantities(
+          "State", "", dimension::none, range::any, "x_0",
+          "State from which Newton's method starts, in SI: as the array `state` of a sweep, "
+          "a response or another periodic orbit holds it, at the forcing phase of time "
+          "zero. Empty: the motion settles from the initial conditions, or with Settling "
+          "cycles = 0 they are the start themselves.",
+          0, 100000)
+      .integer("Period multiple", "0", Range{.lower = 0, .upper = 1000}, "p",
+               "Forcing periods after which the motion repeats itself, or a multiple of them; 0: "
+               "those of the settled motion, 1 where it is not steady yet or a State is given.");
+}
+
+OrbitStart read_orbit_start(const parameters::Values &section) {
+  OrbitStart start{.settling = read_settling(section),
+                   .state = section.quantities("State"),
+                   .multiple = section.integer("Period multiple"),
+                   .section = section};
+  for (const char *key : settling_keys)
+    if (!start.state.empty() && section.given(key))
+      section.reject(key, "nothing with a State: nothing settles then.");
+  return start;
+}
+
+motion::VariationAccuracy orbit_accuracy(const System &system,
+                                         const periodic::ForcedSystem &forced) {
+  return {.scale = deviation_scale(forced.equations(), 2 * std::numbers::pi / forced.period()),
+          .tolerance = std::min(1e-10, system.integration.relative_tolerance)};
+}
+
+OrbitSearch::OrbitSearch(const System &system, std::size_t source, const OrbitStart &start)
+    : system_(system), start_(start),
+      forced_(system.model, system.contacts, system.integration, source) {
+  const auto size = static_cast<std::size_t>(forced_.layout().physical_size());
+  if (!start.state.empty() && start.state.size() != size)
+    start.section.value().reject("State", std::to_string(size) +
+                                              " numbers: coordinates, their rates, internal "
+                                              "states of contacts; or none.");
+}
+
+Vector OrbitSearch::first_state(long &multiple,
+                                const std::function<void(long periods)> &after_period) {
+  if (!start_.state.empty())
+    return ConstVectorView(start_.state.data(), static_cast<Index>(start_.state.size()));
+  motion::Trajectory &trajectory = forced_.trajectory();
+  trajectory.start(0, system_.initial.displacement, system_.initial.velocity);
+  const SettledMotion settled =
+      settle(trajectory, forced_.period(), scale_, start_.settling, after_period);
+  cycles_ = settled.cycles;
+  multiple = std::max(multiple, settled.multiple);
+  return settled.state.physical;
+}
+
+periodic::Orbit OrbitSearch::run(const std::function<void(long periods)> &after_period) {
+  motion::VariationAccuracy accuracy = orbit_accuracy(system_, forced_);
+  scale_ = accuracy.scale;
+  long multiple = 1;
+  const Vector state = first_state(multiple, after_period);
+  const double size = state.cwiseProduct(scale_).cwiseAbs().maxCoeff();
+  map_.emplace(forced_, std::move(accuracy), Symmetry::find(forced_, scale_, size > 0 ? size : 1));
+  return find_orbit(*map_, start_.multiple > 0 ? start_.multiple : multiple, state);
+}
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,51 @@
+// Where a periodic motion comes from: a motion that has settled, the initial conditions, or a state
+// that the file gives; Newton's method goes on from there.
+#pragma once
+
+#include "analyses/analysis.h"
+#include "analyses/settling.h"
+#include "periodic/orbit.h"
+
+namespace vibroimpact::analyses {
+
+struct OrbitStart {
+  SettlingRule settling; ///< from the initial conditions; no periods: they are the start themselves
+  std::vector<double> state;                 ///< at phase 0; empty: the settled one
+  long multiple = 0;                         ///< [periods]; 0: that of the settled motion
+  std::optional<parameters::Values> section; ///< for messages
+};
+
+void declare_orbit_start(parameters::Section &section);
+OrbitStart read_orbit_start(const parameters::Values &section);
+
+/// A forced system with its map, which knows whether it is symmetric, and how motions of it begin.
+class OrbitSearch {
+public:
+  /// Keeps references. InputError when the system has no periodic motions, or a state of the start
+  /// another number of entries.
+  OrbitSearch(const System &system, std::size_t source, const OrbitStart &start);
+
+  /// Settles, finds the symmetry, and shoots. `after_period` as for settle(). NumericalError.
+  periodic::Orbit run(const std::function<void(long periods)> &after_period = {});
+
+  periodic::ForcedSystem &forced() { return forced_; }
+  /// Made by run().
+  periodic::StroboscopicMap &map() { return *map_; }
+  long settling_cycles() const { return cycles_; }
+
+private:
+  Vector first_state(long &multiple, const std::function<void(long periods)> &after_period);
+
+  const System &system_;
+  const OrbitStart &start_;
+  periodic::ForcedSystem forced_;
+  Vector scale_;
+  std::optional<periodic::StroboscopicMap> map_;
+  long cycles_ = 0;
+};
+
+/// Factors that make states comparable, and how exactly tangents are carried along.
+motion::VariationAccuracy orbit_accuracy(const System &system,
+                                         const periodic::ForcedSystem &forced);
+
+} // namespace vibroimpact::analyses

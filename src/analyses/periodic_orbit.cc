@@ -1,0 +1,77 @@
+#include "analyses/periodic_orbit.h"
+
+#include "analyses/fields.h"
+#include "analyses/orbit_fields.h"
+#include "analyses/swept_system.h"
+#include "analyses/window_recording.h"
+#include "common/error.h"
+
+namespace vibroimpact::analyses {
+
+namespace {
+constexpr const char *section_name = "Periodic orbit";
+} // namespace
+
+void PeriodicOrbit::declare(parameters::Section &analysis) {
+  parameters::Section &section = analysis.subsection(
+      section_name,
+      "A motion that repeats itself, stable or not: where a settled motion or a given "
+      "state leads by Newton's method, with its multipliers.");
+  declare_orbit_start(section);
+  section.text("Excitation", "",
+               "Excitation whose period is that of the forcing; empty when there is only one with "
+               "a period.");
+}
+
+std::shared_ptr<const Analysis> PeriodicOrbit::create(const parameters::Values &analysis) {
+  const parameters::Values values = analysis.subsection(section_name);
+  return std::make_shared<PeriodicOrbit>(
+      Settings{.start = read_orbit_start(values),
+               .excitation = values.text("Excitation"),
+               .recorders = read_recorders(analysis, {"excursions", "impacts"})});
+}
+
+void PeriodicOrbit::check(const System &system) const {
+  OrbitSearch search(system, sweep_source(system, settings_.excitation, "A periodic orbit"),
+                     settings_.start);
+  search.forced().trajectory().start(0, system.initial.displacement, system.initial.velocity);
+  const WindowRecording recording(settings_.recorders, system);
+}
+
+PointResult PeriodicOrbit::compute(const System &system, LineContext &context) const {
+  OrbitSearch search(system, sweep_source(system, settings_.excitation, "A periodic orbit"),
+                     settings_.start);
+  const periodic::Orbit orbit = search.run([&](long periods) {
+    context.note_progress(static_cast<double>(periods) /
+                          static_cast<double>(settings_.start.settling.maximum + 10));
+  });
+  PointResult result;
+  const Vector state = state_at_zero_phase(search.map(), orbit);
+  motion::Trajectory &trajectory = search.forced().trajectory();
+  WindowRecording recording(settings_.recorders, system);
+  trajectory.start({.time = 0, .physical = state});
+  recording.run(periods_window(0, search.map().period(), orbit.multiple()), trajectory);
+  recording.add_fields(result);
+  add_orbit(result, search.map(), orbit, state);
+  result.fields.push_back(scalar_field("settling_cycles",
+                                       static_cast<double>(search.settling_cycles()), "1",
+                                       "forcing periods before Newton's method"));
+  add_accuracy(result, trajectory.accuracy(), system.integration);
+  return result;
+}
+
+void PeriodicOrbit::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
+  if (context.find({})) {
+    context.skip();
+    return;
+  }
+  PointResult result;
+  try {
+    result = compute(system, context);
+  } catch (const NumericalError &error) {
+    result = {.index = {}, .status = Status::failed, .reason = error.what()};
+  }
+  context.store(std::move(result));
+}
+
+} // namespace vibroimpact::analyses

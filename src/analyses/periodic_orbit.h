@@ -1,0 +1,34 @@
+// Periodic orbit: a motion that repeats itself, stable or not, with its multipliers, found by
+// Newton's method on the stroboscopic map and recorded over one of its periods.
+#pragma once
+
+#include "analyses/analysis.h"
+#include "analyses/orbit_start.h"
+#include "analyses/recorders.h"
+
+namespace vibroimpact::analyses {
+
+class PeriodicOrbit : public Analysis {
+public:
+  struct Settings {
+    OrbitStart start;
+    std::string excitation; ///< whose period is that of the forcing; empty: the only one
+    std::vector<RecorderFactory> recorders = default_recorders();
+  };
+  explicit PeriodicOrbit(Settings settings) : settings_(std::move(settings)) {}
+
+  static void declare(parameters::Section &analysis);
+  static std::shared_ptr<const Analysis> create(const parameters::Values &analysis);
+
+  std::string type() const override { return "periodic orbit"; }
+  std::vector<Axis> axes() const override { return {}; }
+  void check(const System &system) const override;
+  void run_line(std::size_t line, System &system, LineContext &context) const override;
+
+private:
+  PointResult compute(const System &system, LineContext &context) const;
+
+  Settings settings_;
+};
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,73 @@
+#include "periodic/event_pattern.h"
+
+#include <algorithm>
+
+namespace vibroimpact::periodic {
+
+namespace {
+
+bool any_closed(const motion::Equations &equations) {
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+    if (equations.mode(c).in_contact)
+      return true;
+  return false;
+}
+
+} // namespace
+
+bool EventPattern::same_order(const EventPattern &other) const {
+  return modes == other.modes &&
+         std::equal(events.begin(), events.end(), other.events.begin(), other.events.end(),
+                    [](const PatternEvent &a, const PatternEvent &b) { return a.same_change(b); });
+}
+
+double EventPattern::nearest_event() const {
+  double nearest = length;
+  for (const PatternEvent &event : events)
+    nearest = std::min({nearest, event.time, length - event.time});
+  return nearest;
+}
+
+// Times of a motion that repeats itself: the last stay goes on into the first.
+double EventPattern::calmest_instant() const {
+  double best = -1, instant = 0;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const bool last = i + 1 == events.size();
+    const double end = last ? length + events.front().time : events[i + 1].time;
+    const double stay = (end - events[i].time) * (touches_after[i] ? 1 : 2);
+    if (stay > best) {
+      best = stay;
+      instant = (events[i].time + end) / 2;
+    }
+  }
+  return instant < length ? instant : instant - length;
+}
+
+// The modes of a phase are known with its first step; several events may lead into it.
+void PatternObserver::step(const motion::StepView &view) {
+  const bool closed = any_closed(view.equations());
+  if (!begun_) {
+    begun_ = true;
+    pattern_.modes = view.equations().modes();
+    pattern_.touches = closed;
+  }
+  for (; entered_ < pattern_.events.size(); ++entered_)
+    pattern_.touches_after[entered_] = closed ? 1 : 0;
+}
+
+void PatternObserver::event(const motion::ContactEvent &event) {
+  pattern_.events.push_back({.time = event.time - start_,
+                             .contact = event.contact,
+                             .from = event.from,
+                             .to = event.to,
+                             .onset = event.onset});
+  pattern_.touches_after.push_back(0);
+}
+
+EventPattern PatternObserver::pattern(double end) const {
+  EventPattern pattern = pattern_;
+  pattern.length = end - start_;
+  return pattern;
+}
+
+} // namespace vibroimpact::periodic

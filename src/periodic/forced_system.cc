@@ -1,0 +1,77 @@
+#include "periodic/forced_system.h"
+
+#include "common/error.h"
+#include "motion/variation/key_stencil.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vibroimpact::periodic {
+
+namespace {
+
+// Instants of a period at which sources are compared: a prime number, so that they do not fall on
+// the zeros of a harmonic.
+constexpr int instants = 61;
+constexpr double rounding = 1e-9; // of a source that is evaluated periods after time zero
+
+// s(t + shift) = sign s(t) with its derivatives, over one period.
+bool repeats(const model::TimeFunction &function, double period, double shift, double sign) {
+  std::array<double, 3> size{}, difference{};
+  for (int i = 0; i < instants; ++i) {
+    const double t = period * i / instants;
+    const std::array<double, 3> now = {function.value(t), function.rate(t),
+                                       function.acceleration(t)};
+    const std::array<double, 3> later = {function.value(t + shift), function.rate(t + shift),
+                                         function.acceleration(t + shift)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      size[k] = std::max({size[k], std::abs(now[k]), std::abs(later[k])});
+      difference[k] = std::max(difference[k], std::abs(later[k] - sign * now[k]));
+    }
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    if (difference[k] > rounding * size[k])
+      return false;
+  return true;
+}
+
+} // namespace
+
+ForcedSystem::ForcedSystem(const model::Model &model, const contact::ContactSet &contacts,
+                           const motion::Settings &settings, std::size_t source)
+    : model_(model), contacts_(contacts), source_(source), trajectory_(model, contacts, settings) {
+  if (!model.rotors().empty())
+    throw InputError("A periodic motion is looked for, but the model has a rotor: its speed is a "
+                     "second frequency, so that the motion repeats itself after no period.");
+  for (const model::Source &other : model.sources())
+    if (!repeats(*other.function, period(), period(), 1))
+      throw InputError("A periodic motion is looked for, but the excitation " + other.name +
+                       " does not repeat itself after the period of " +
+                       model.sources()[source].name + ".");
+}
+
+ForcedKey forced_key(const std::string &name, const ForcedSystem &system,
+                     std::vector<motion::KeyNeighbour> neighbours) {
+  std::vector<double> offsets, periods;
+  for (const motion::KeyNeighbour &neighbour : neighbours) {
+    offsets.push_back(neighbour.offset);
+    periods.push_back(ForcedSystem::period_of(neighbour.model, system.source()));
+  }
+  const Vector weights = motion::derivative_weights(offsets);
+  double derivative = 0;
+  for (std::size_t i = 0; i < periods.size(); ++i)
+    derivative += weights[static_cast<Index>(i)] * (periods[i] - system.period());
+  return {.tangent =
+              motion::KeyTangent(name, system.model(), system.contacts(), std::move(neighbours)),
+          .period = derivative};
+}
+
+bool forcing_is_odd(const ForcedSystem &system) {
+  const std::vector<model::Source> &sources = system.model().sources();
+  return std::all_of(sources.begin(), sources.end(), [&](const model::Source &source) {
+    return repeats(*source.function, system.period(), system.period() / 2, -1);
+  });
+}
+
+} // namespace vibroimpact::periodic

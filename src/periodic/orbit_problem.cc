@@ -1,0 +1,88 @@
+#include "periodic/orbit_problem.h"
+
+#include <cmath>
+
+namespace vibroimpact::periodic {
+
+using continuation::Evaluation;
+using continuation::Point;
+using continuation::ShorterReturn;
+using continuation::Transfer;
+
+namespace {
+
+constexpr int instants = 16; // of a period at which the size of a motion is looked at
+
+continuation::Pattern numbers_of(const EventPattern &pattern) {
+  continuation::Pattern numbers = pattern.modes;
+  for (const PatternEvent &event : pattern.events)
+    numbers.insert(numbers.end(),
+                   {static_cast<int>(event.contact), event.from, event.to, event.onset ? 1 : 0});
+  return numbers;
+}
+
+} // namespace
+
+// Charts go on over the periods of the motion and begin again after its multiple.
+double OrbitProblem::wrapped(double phase) const {
+  return phase - std::floor(phase / periods()) * periods();
+}
+
+Evaluation OrbitProblem::evaluate(const Point &point) {
+  const StroboscopicMap &map = maps_.at(point.keys[0]);
+  const Flow image = map.image(section_at(point.chart), point.state);
+  return {.residual = image.state - point.state,
+          .by_state = image.by_state - Matrix::Identity(map.size(), map.size()),
+          .by_keys = image.by_key,
+          .pattern = numbers_of(image.pattern),
+          .chart_margin = image.pattern.events.empty()
+                              ? std::numeric_limits<double>::infinity()
+                              : image.pattern.nearest_event() / map.period()};
+}
+
+std::vector<ShorterReturn> OrbitProblem::shorter_returns(const Point &point) {
+  const StroboscopicMap &map = maps_.at(point.keys[0]);
+  std::vector<ShorterReturn> returns;
+  for (long halves = 1; halves < halves_; ++halves) {
+    const Section section{.phase = point.chart, .halves = halves};
+    if (halves_ % halves == 0 && (!section.with_symmetry() || map.symmetric()))
+      returns.push_back({.multiple = static_cast<int>(halves),
+                         .displacement = map.image(section, point.state).state - point.state});
+  }
+  return returns;
+}
+
+std::unique_ptr<continuation::Problem> OrbitProblem::doubled() {
+  return std::make_unique<OrbitProblem>(doubled_orbits());
+}
+
+double OrbitProblem::best_chart(const Point &point) {
+  const StroboscopicMap &map = maps_.at(point.keys[0]);
+  const EventPattern pattern = map.image(section_at(point.chart), point.state).pattern;
+  return wrapped(point.chart + pattern.calmest_instant() / map.period());
+}
+
+Transfer OrbitProblem::transfer(const Point &point, double chart) {
+  const StroboscopicMap &map = maps_.at(point.keys[0]);
+  const double shift = wrapped(chart - point.chart);
+  const Flow flow = map.flow(point.chart, point.chart + shift, point.state);
+  return {.point = {.state = flow.state, .keys = point.keys, .chart = chart},
+          .by_state = flow.by_state,
+          .by_keys = flow.by_key};
+}
+
+Vector problem_sizes(const StroboscopicMap &map, const Orbit &orbit, double key) {
+  double size = map.norm(orbit.point.state);
+  Vector state = orbit.point.state;
+  const double from = orbit.section.phase;
+  for (int i = 0; i < instants; ++i) {
+    state = map.carry(from + static_cast<double>(i) / instants,
+                      from + static_cast<double>(i + 1) / instants, state);
+    size = std::max(size, map.norm(state));
+  }
+  Vector sizes(map.size() + 1);
+  sizes << (size > 0 ? size : 1) * map.scale().cwiseInverse(), key;
+  return sizes;
+}
+
+} // namespace vibroimpact::periodic

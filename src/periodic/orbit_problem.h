@@ -1,0 +1,55 @@
+// Periodic motions along a key as a continuation problem: F(x, p) = P(x; p) - x.
+//
+// A chart is the section phase at which the state is given, in periods from 0 up to the multiple of
+// the motion. It is moved where a contact change comes near, with the tangents of the motion to
+// the new phase.
+#pragma once
+
+#include "continuation/problem.h"
+#include "periodic/orbit.h"
+
+namespace vibroimpact::periodic {
+
+/// The map of a forced system at any value of a key.
+class MapAlongKey {
+public:
+  virtual ~MapAlongKey() = default;
+  /// The map at this value, with its derivative by the key; valid until the next call.
+  /// NumericalError when there is no system at this value.
+  virtual const StroboscopicMap &at(double value) = 0;
+};
+
+class OrbitProblem : public continuation::Problem {
+public:
+  /// Keeps a reference to the maps. `halves` of the motions that are followed; `sizes`: what counts
+  /// as one of each entry of the state and of the key, n + 1 numbers.
+  OrbitProblem(MapAlongKey &maps, long halves, Vector sizes)
+      : maps_(maps), halves_(halves), sizes_(std::move(sizes)) {}
+
+  long halves() const { return halves_; }
+  /// Of motions of twice the length.
+  OrbitProblem doubled_orbits() const { return {maps_, 2 * halves_, sizes_}; }
+
+  Vector scales() const override { return sizes_; }
+  continuation::Evaluation evaluate(const continuation::Point &point) override;
+  std::vector<continuation::ShorterReturn>
+  shorter_returns(const continuation::Point &point) override;
+  std::unique_ptr<continuation::Problem> doubled() override;
+  double best_chart(const continuation::Point &point) override;
+  continuation::Transfer transfer(const continuation::Point &point, double chart) override;
+
+private:
+  Section section_at(double chart) const { return {.phase = chart, .halves = halves_}; }
+  double periods() const { return static_cast<double>(section_at(0).multiple()); }
+  double wrapped(double phase) const;
+
+  MapAlongKey &maps_;
+  long halves_;
+  Vector sizes_;
+};
+
+/// Sizes for OrbitProblem: the largest scaled entry that the motion reaches, over the scale, for
+/// each entry of the state; `key` for the key.
+Vector problem_sizes(const StroboscopicMap &map, const Orbit &orbit, double key);
+
+} // namespace vibroimpact::periodic

@@ -1,0 +1,83 @@
+#include "periodic/stroboscopic_map.h"
+
+#include "common/error.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <complex>
+#include <tuple>
+
+namespace vibroimpact::periodic {
+
+using motion::Trajectory;
+
+StroboscopicMap::StroboscopicMap(ForcedSystem &system, motion::VariationAccuracy accuracy,
+                                 std::optional<Symmetry> symmetry)
+    : system_(system), accuracy_(std::move(accuracy)), symmetry_(std::move(symmetry)) {}
+
+Vector StroboscopicMap::rates_at(double time, const Vector &state) const {
+  Trajectory &trajectory = system_.trajectory();
+  trajectory.start({.time = time, .physical = state});
+  const Vector &full = trajectory.state();
+  Vector rates(full.size());
+  trajectory.equations().rates(time, ConstVectorView(full.data(), full.size()),
+                               VectorView(rates.data(), rates.size()));
+  return rates.head(size());
+}
+
+Flow StroboscopicMap::flow(double from, double to, const Vector &state) const {
+  const double start = from * period(), end = to * period();
+  std::vector<motion::KeyTangent *> keys;
+  if (key_ != nullptr)
+    keys.push_back(&key_->tangent);
+  PatternObserver pattern(start);
+  const motion::LinearisedMotion motion = motion::linearise(
+      system_.trajectory(), {.time = start, .physical = state}, end, accuracy_, keys, &pattern);
+  Flow flow{.state = motion.end.physical,
+            .by_state = motion.by_state,
+            .by_key = {},
+            .pattern = pattern.pattern(end),
+            .determinant = motion.determinant,
+            .without_derivative = motion.without_derivative};
+  if (key_ == nullptr)
+    return flow;
+  flow.by_key = motion.by_key.col(0) + motion.rates * (to * key_->period);
+  if (from != 0 && key_->period != 0)
+    flow.by_key -= flow.by_state * rates_at(start, state) * (from * key_->period);
+  return flow;
+}
+
+Flow StroboscopicMap::image(const Section &section, const Vector &state) const {
+  Flow image = flow(section.phase, section.phase + section.length(), state);
+  if (!section.with_symmetry())
+    return image;
+  image.state = symmetry_.value().apply(image.state);
+  image.by_state = symmetry_->apply(image.by_state);
+  if (key_ != nullptr)
+    image.by_key = symmetry_->apply(image.by_key);
+  return image;
+}
+
+Vector StroboscopicMap::carry(double from, double to, const Vector &state) const {
+  Trajectory &trajectory = system_.trajectory();
+  trajectory.start({.time = from * period(), .physical = state});
+  trajectory.advance(to * period());
+  return trajectory.motion_state().physical;
+}
+
+Eigen::VectorXcd multipliers_of(const Matrix &by_state, const Vector &scale) {
+  const Matrix scaled = scale.asDiagonal() * by_state * scale.cwiseInverse().asDiagonal();
+  const Eigen::EigenSolver<Matrix> solver(scaled, false);
+  if (solver.info() != Eigen::Success)
+    throw NumericalError("the multipliers of the motion could not be computed");
+  Eigen::VectorXcd values = solver.eigenvalues();
+  const auto order = [](const std::complex<double> &value) {
+    return std::make_tuple(-std::abs(value), -value.real(), -value.imag());
+  };
+  std::sort(values.begin(), values.end(),
+            [&](const auto &a, const auto &b) { return order(a) < order(b); });
+  return values;
+}
+
+} // namespace vibroimpact::periodic

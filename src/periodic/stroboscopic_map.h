@@ -1,0 +1,86 @@
+// The map of a forced motion over a number of half periods, with its exact derivatives.
+//
+//   x(t_0) -> sigma^h x(t_0 + h T/2),   t_0 = phase T
+//
+// h = 2p is the stroboscopic map P^p over p periods; odd h needs the symmetry sigma of the model.
+// Derivatives by a key keep the phase of the forcing: where the key changes the period, both ends
+// of the motion move,
+//
+//   dx/dp = x_p + f(t_1) dt_1/dp - x_x f(t_0) dt_0/dp,   t_i = phase_i T,   dt_i/dp = phase_i T'
+//
+// with x_p, x_x at fixed times and f = dx/dt.
+//
+// Seen from another phase the same motion has another state but the same multipliers. An event that
+// passes the phase along a branch makes a kink in the state though the motion is smooth, so that
+// the phase is placed away from events.
+#pragma once
+
+#include "motion/variation/linearised_motion.h"
+#include "periodic/event_pattern.h"
+#include "periodic/symmetry.h"
+
+#include <optional>
+
+namespace vibroimpact::periodic {
+
+/// Where the map begins and how far it goes.
+struct Section {
+  double phase = 0; ///< of the forcing, in its periods; of later ones too: 0 <= phase < multiple
+  long halves = 2;  ///< h > 0 [half periods]
+
+  double length() const { return 0.5 * static_cast<double>(halves); } ///< [periods]
+  /// Odd h: the map includes the symmetry.
+  bool with_symmetry() const { return halves % 2 != 0; }
+  /// Periods after which a motion with this h, and no smaller one, repeats itself.
+  long multiple() const { return with_symmetry() ? halves : halves / 2; }
+};
+
+/// A motion with its derivatives; n physical states.
+struct Flow {
+  Vector state;    ///< at the end, behind sigma^h
+  Matrix by_state; ///< n x n
+  Vector by_key;   ///< n, per unit of the key; empty without one
+  EventPattern pattern;
+  motion::Determinant determinant; ///< of by_state, behind the projection of the start
+  long without_derivative = 0;     ///< events, see motion::LinearisedMotion
+};
+
+class StroboscopicMap {
+public:
+  /// Keeps a reference. `accuracy` of the tangents, see motion::Variation.
+  StroboscopicMap(ForcedSystem &system, motion::VariationAccuracy accuracy,
+                  std::optional<Symmetry> symmetry = {});
+
+  /// The derivative by this key is wanted from now on; nullptr: by none.
+  void set_key(ForcedKey *key) { key_ = key; }
+  bool symmetric() const { return symmetry_.has_value(); }
+  /// Of the present key [s].
+  double period() const { return system_.period(); }
+  Index size() const { return system_.layout().physical_size(); }
+  const Vector &scale() const { return accuracy_.scale; }
+  /// Largest scaled entry.
+  double norm(const Vector &state) const {
+    return state.cwiseProduct(accuracy_.scale).cwiseAbs().maxCoeff();
+  }
+
+  /// NumericalError when the motion or its variation fails, Interrupted.
+  Flow image(const Section &section, const Vector &state) const;
+  /// From one phase to a later one, which may be beyond the period.
+  Flow flow(double from, double to, const Vector &state) const;
+  /// The state alone.
+  Vector carry(double from, double to, const Vector &state) const;
+
+private:
+  Vector rates_at(double time, const Vector &state) const;
+
+  ForcedSystem &system_;
+  motion::VariationAccuracy accuracy_;
+  std::optional<Symmetry> symmetry_;
+  ForcedKey *key_ = nullptr;
+};
+
+/// Eigenvalues of a matrix, the largest first, of a conjugate pair that with positive imaginary
+/// part. `scale` makes the entries of a state comparable.
+Eigen::VectorXcd multipliers_of(const Matrix &by_state, const Vector &scale);
+
+} // namespace vibroimpact::periodic

@@ -1,0 +1,194 @@
+#include "periodic/symmetry.h"
+
+#include "common/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace vibroimpact::periodic {
+
+namespace {
+
+using contact::AffineForm;
+using contact::ContactLaw;
+using contact::ContactPair;
+using contact::LocalState;
+
+constexpr double equal_up_to = 1e-12; // numbers of two laws or clearances
+constexpr double motions_equal_up_to = 1e-6;
+constexpr int states_tried = 3;
+
+/// Numbers between -1 and 1, the same on every machine.
+class Random {
+public:
+  double operator()() { return static_cast<double>(generator_() >> 11) * 0x1p-52 - 1; }
+
+private:
+  std::mt19937_64 generator_{20};
+};
+
+bool near(double a, double b) {
+  return std::abs(a - b) <= equal_up_to * std::max(std::abs(a), std::abs(b));
+}
+
+bool same_guards(const contact::Mode &a, const contact::Mode &b, const LocalState &state) {
+  if (a.guards.size() != b.guards.size() || a.in_contact != b.in_contact ||
+      a.holds_gap != b.holds_gap)
+    return false;
+  for (std::size_t g = 0; g < a.guards.size(); ++g) {
+    const contact::Guard &one = a.guards[g], &other = b.guards[g];
+    if (one.target != other.target || one.action != other.action ||
+        one.reset.size() != other.reset.size() ||
+        !near(one.indicator(state), other.indicator(state)))
+      return false;
+    for (std::size_t i = 0; i < one.reset.size(); ++i)
+      if (!near(one.reset[i](state), other.reset[i](state)))
+        return false;
+  }
+  return true;
+}
+
+bool same_response(const ContactLaw &a, const ContactLaw &b, int mode, const LocalState &state) {
+  contact::LawResponse one, other;
+  a.evaluate(mode, state, one);
+  b.evaluate(mode, state, other);
+  return near(one.force, other.force) &&
+         std::equal(one.internal_rate.begin(), one.internal_rate.end(), other.internal_rate.begin(),
+                    other.internal_rate.end(), near);
+}
+
+// By what they do at some local states of the given size, whatever they are made of.
+bool same_law(const ContactLaw &a, const ContactLaw &b, double size) {
+  if (a.name() != b.name() || a.modes().size() != b.modes().size() ||
+      a.initial_internal() != b.initial_internal())
+    return false;
+  Random random;
+  for (int i = 0; i < 5; ++i) {
+    std::vector<double> internal(a.initial_internal().size());
+    for (double &value : internal)
+      value = size * random();
+    const LocalState state{
+        .gap = size * random(), .gap_rate = size * random(), .internal = internal};
+    for (std::size_t mode = 0; mode < a.modes().size(); ++mode)
+      if (!same_guards(a.modes()[mode], b.modes()[mode], state) ||
+          !same_response(a, b, static_cast<int>(mode), state))
+        return false;
+    if (a.rigid() &&
+        !near(a.restitution(std::abs(state.gap_rate)), b.restitution(std::abs(state.gap_rate))))
+      return false;
+  }
+  return true;
+}
+
+bool opposite(const ContactPair &a, const ContactPair &b) {
+  const double largest = a.gap.row.cwiseAbs().maxCoeff();
+  if (!near(a.clearance, b.clearance) ||
+      (a.gap.row + b.gap.row).cwiseAbs().maxCoeff() > equal_up_to * largest)
+    return false;
+  const std::vector<double> &one = a.gap.base_coefficients, &other = b.gap.base_coefficients;
+  for (std::size_t k = 0; k < one.size(); ++k)
+    if (std::abs(one[k] + other[k]) > equal_up_to)
+      return false;
+  return true;
+}
+
+// For the rigid contacts of a state, which must not overlap: half as far from the origin until none
+// does.
+void part_rigid_sides(const motion::Equations &equations, double time, Vector &state) {
+  const auto overlaps = [&] {
+    for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+      if (equations.contacts().pairs()[c].law->rigid() &&
+          equations.local_state(c, time, ConstVectorView(state.data(), state.size())).gap < 0)
+        return true;
+    return false;
+  };
+  for (int i = 0; i < 60 && overlaps(); ++i)
+    state.head(equations.layout().n) /= 2;
+}
+
+Vector half_period_on(ForcedSystem &system, double start, const Vector &state) {
+  motion::Trajectory &trajectory = system.trajectory();
+  trajectory.start({.time = start, .physical = state});
+  trajectory.advance(start + system.period() / 2);
+  return trajectory.motion_state().physical;
+}
+
+} // namespace
+
+bool Symmetry::pair_contacts(const ForcedSystem &system, double size) {
+  const std::vector<ContactPair> &pairs = system.contacts().pairs();
+  const Index internal = system.layout().internal();
+  std::vector<char> paired(pairs.size(), 0);
+  for (std::size_t a = 0; a < pairs.size(); ++a) {
+    if (paired[a])
+      continue;
+    std::size_t b = a + 1;
+    while (b < pairs.size() && (paired[b] || !opposite(pairs[a], pairs[b]) ||
+                                !same_law(*pairs[a].law, *pairs[b].law, size)))
+      ++b;
+    if (b == pairs.size())
+      return false;
+    paired[a] = paired[b] = 1;
+    for (Index i = 0; i < pairs[a].n_internal(); ++i) {
+      const Index one = internal + pairs[a].internal_offset + i;
+      const Index other = internal + pairs[b].internal_offset + i;
+      taken_from_[static_cast<std::size_t>(one)] = other;
+      taken_from_[static_cast<std::size_t>(other)] = one;
+    }
+  }
+  return true;
+}
+
+// sigma P_(T/2)(x, 0) = P_(T/2)(sigma x, T/2): a motion that fails must do so on both sides.
+bool Symmetry::holds(ForcedSystem &system, const Vector &scale, double size) const {
+  Random random;
+  const motion::StateLayout &layout = system.layout();
+  for (int i = 0; i < states_tried; ++i) {
+    Vector state = Vector::Zero(layout.physical_size());
+    for (Index j = 0; j < layout.internal(); ++j)
+      state[j] = size / scale[j] * random();
+    state.segment(layout.internal(), layout.n_internal) = system.contacts().initial_internal();
+    part_rigid_sides(system.trajectory().equations(), 0, state);
+    const auto image = [&](double start, const Vector &from) -> std::optional<Vector> {
+      try {
+        return half_period_on(system, start, from);
+      } catch (const NumericalError &) {
+        return std::nullopt;
+      }
+    };
+    const std::optional<Vector> one = image(0, state);
+    const std::optional<Vector> other = image(system.period() / 2, apply(state));
+    if (one.has_value() != other.has_value())
+      return false;
+    if (one &&
+        ((apply(*one) - *other).cwiseProduct(scale)).cwiseAbs().maxCoeff() >
+            motions_equal_up_to * std::max(size, one->cwiseProduct(scale).cwiseAbs().maxCoeff()))
+      return false;
+  }
+  return true;
+}
+
+std::optional<Symmetry> Symmetry::find(ForcedSystem &system, const Vector &scale, double size) {
+  if (!forcing_is_odd(system))
+    return std::nullopt;
+  const motion::StateLayout &layout = system.layout();
+  Symmetry symmetry;
+  symmetry.taken_from_.resize(static_cast<std::size_t>(layout.physical_size()));
+  std::iota(symmetry.taken_from_.begin(), symmetry.taken_from_.end(), Index{0});
+  symmetry.factor_ = Vector::Ones(layout.physical_size());
+  symmetry.factor_.head(layout.internal()).setConstant(-1);
+  if (!symmetry.pair_contacts(system, size) || !symmetry.holds(system, scale, size))
+    return std::nullopt;
+  return symmetry;
+}
+
+Matrix Symmetry::apply(const Matrix &columns) const {
+  Matrix image(columns.rows(), columns.cols());
+  for (Index i = 0; i < columns.rows(); ++i)
+    image.row(i) = factor_[i] * columns.row(taken_from_[static_cast<std::size_t>(i)]);
+  return image;
+}
+
+} // namespace vibroimpact::periodic

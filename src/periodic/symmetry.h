@@ -1,0 +1,39 @@
+// The symmetry of a model that vibrates between equal stops under odd forcing.
+//
+//   sigma x: coordinates and velocities change their sign, contacts exchange their internal states
+//   with those of their partner. If sigma x(t + T/2) is a motion whenever x(t) is one, then
+//
+//   P = H^2,   H = sigma P_(T/2)
+//
+// with the stroboscopic map P of one period and P_(T/2) of half a period. Multipliers of P are the
+// squares of those of H at motions that are symmetric themselves, H x = x. There the loss of
+// symmetry is a multiplier -1 of H, like a period doubling, while P, whose multiplier is +1, is
+// singular. (Swift & Wiesenfeld 1984: a symmetric motion cannot double its period.)
+#pragma once
+
+#include "periodic/forced_system.h"
+
+#include <optional>
+
+namespace vibroimpact::periodic {
+
+class Symmetry {
+public:
+  /// Nothing where the model does not have it: a source with an even part, a contact without a
+  /// partner that has the opposite gap row, the same clearance and the same law, or a motion that
+  /// contradicts what follows from that. `scale`: factors that make entries of a state comparable;
+  /// `size`: of a state times its scale, at which motions and laws are compared.
+  static std::optional<Symmetry> find(ForcedSystem &system, const Vector &scale, double size);
+
+  /// sigma applied to each column.
+  Matrix apply(const Matrix &columns) const;
+
+private:
+  bool pair_contacts(const ForcedSystem &system, double size);
+  bool holds(ForcedSystem &system, const Vector &scale, double size) const;
+
+  std::vector<Index> taken_from_; ///< entry i of sigma x is factor_i x[taken_from_i]
+  Vector factor_;
+};
+
+} // namespace vibroimpact::periodic

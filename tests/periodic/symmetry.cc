@@ -1,0 +1,87 @@
+// Which models are symmetric, and what the half-period map of those says.
+#include "periodic/symmetry.h"
+
+#include "contact/laws/relaxing_stop.h"
+#include "forced_models.h"
+#include "model/piecewise_function.h"
+
+#include <gtest/gtest.h>
+
+namespace vibroimpact::periodic {
+namespace {
+
+using contact::PiecewiseStop;
+using contact::RelaxingStop;
+using testing::ForcedMap;
+using testing::isolator;
+using testing::Oscillator;
+using testing::oscillator;
+using testing::vector_of;
+
+bool has_symmetry(const Oscillator &model) { return ForcedMap(model).map.symmetric(); }
+
+Oscillator between_stops(double right, double left, double stiffness, double other_stiffness) {
+  Oscillator model = oscillator(1, 1, 0.02);
+  model.push(0.52, 1.3);
+  model.stop({{right, std::make_shared<PiecewiseStop>(stiffness, 0.4)}},
+             {{left, std::make_shared<PiecewiseStop>(other_stiffness, 0.4)}});
+  return model;
+}
+
+TEST(SymmetryTest, EqualStopsOnBothSides) {
+  EXPECT_TRUE(has_symmetry(between_stops(1, 1, 2, 2)));
+  EXPECT_FALSE(has_symmetry(between_stops(1, 1.001, 2, 2)));
+  EXPECT_FALSE(has_symmetry(between_stops(1, 1, 2, 2.001)));
+  Oscillator one_sided = oscillator(1, 1, 0.02);
+  one_sided.push(0.52, 1.3);
+  EXPECT_TRUE(has_symmetry(one_sided));
+  one_sided.stop({{1, std::make_shared<PiecewiseStop>(2, 0.4)}});
+  EXPECT_FALSE(has_symmetry(one_sided));
+}
+
+TEST(SymmetryTest, OddForcing) {
+  Oscillator forced = isolator(1.3);
+  forced.push(0.1, 3 * 1.3, 0.2);
+  EXPECT_TRUE(has_symmetry(forced));
+  Oscillator even = isolator(1.3);
+  even.push(0.1, 2 * 1.3);
+  EXPECT_FALSE(has_symmetry(even));
+  Oscillator loaded = isolator(1.3);
+  loaded.model.add_force("weight", model::make_constant(model::Given::displacement, 0.01), {},
+                         Vector3::UnitX());
+  EXPECT_FALSE(has_symmetry(loaded));
+}
+
+// The stops exchange their deformations.
+TEST(SymmetryTest, HalfMapTwiceIsTheMapOfThePeriod) {
+  Oscillator bumpers = oscillator(1, 1, 0.2);
+  bumpers.push(1, 1.2);
+  const auto law = std::make_shared<RelaxingStop>(1.0, 1.0);
+  bumpers.stop({{0.4, law}}, {{0.4, law}});
+  ForcedMap forced(bumpers);
+  ASSERT_TRUE(forced.map.symmetric());
+  const Vector state = vector_of({-0.1, 0.9, 0.02, 0.15});
+  const Section half{.phase = 0.13, .halves = 1}, whole{.phase = 0.13, .halves = 2};
+  const Flow once = forced.map.image(half, state);
+  const Flow twice = forced.map.image(half, once.state);
+  const Flow direct = forced.map.image(whole, state);
+  EXPECT_GE(direct.pattern.events.size(), 4u);
+  EXPECT_LT((twice.state - direct.state).norm(), 1e-11);
+  EXPECT_LT((twice.by_state * once.by_state - direct.by_state).norm(), 1e-9);
+}
+
+TEST(SymmetryTest, MultipliersOfAPeriodAreSquares) {
+  const Oscillator model = isolator(1.3002392653669812);
+  ForcedMap half(model), whole(model, false);
+  const Vector start = vector_of({-0.41, -1.68});
+  const Orbit one = find_orbit(half.map, 1, start), other = find_orbit(whole.map, 1, start);
+  EXPECT_TRUE(one.symmetric());
+  EXPECT_FALSE(other.symmetric());
+  EXPECT_LT((one.multipliers(half.map) - other.multipliers(whole.map)).cwiseAbs().maxCoeff(),
+            1e-10);
+  EXPECT_LT((state_at_zero_phase(half.map, one) - state_at_zero_phase(whole.map, other)).norm(),
+            1e-11);
+}
+
+} // namespace
+} // namespace vibroimpact::periodic
