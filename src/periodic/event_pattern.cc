@@ -4,17 +4,6 @@
 
 namespace vibroimpact::periodic {
 
-namespace {
-
-bool any_closed(const motion::Equations &equations) {
-  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
-    if (equations.mode(c).in_contact)
-      return true;
-  return false;
-}
-
-} // namespace
-
 bool EventPattern::same_order(const EventPattern &other) const {
   return modes == other.modes &&
          std::equal(events.begin(), events.end(), other.events.begin(), other.events.end(),
@@ -45,10 +34,16 @@ double EventPattern::calmest_instant() const {
 
 // The modes of a phase are known with its first step; several events may lead into it.
 void PatternObserver::step(const motion::StepView &view) {
-  const bool closed = any_closed(view.equations());
+  std::vector<int> modes = view.equations().modes();
+  bool closed = false;
+  for (std::size_t c = 0; c < modes.size(); ++c)
+    if (in_contact(c, modes[c]))
+      closed = true;
+    else
+      modes[c] = -1;
   if (!begun_) {
     begun_ = true;
-    pattern_.modes = view.equations().modes();
+    pattern_.modes = std::move(modes);
     pattern_.touches = closed;
   }
   for (; entered_ < pattern_.events.size(); ++entered_)
@@ -56,6 +51,9 @@ void PatternObserver::step(const motion::StepView &view) {
 }
 
 void PatternObserver::event(const motion::ContactEvent &event) {
+  if (!event.onset && !in_contact(event.contact, event.from) &&
+      !in_contact(event.contact, event.to))
+    return;
   pattern_.events.push_back({.time = event.time - start_,
                              .contact = event.contact,
                              .from = event.from,

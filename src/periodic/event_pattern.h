@@ -1,4 +1,5 @@
-// Which contact changes a motion goes through between two section phases, in which order.
+// Which contact changes a motion goes through between two section phases, in which order. Changes
+// between modes without contact, such as a stop that has parted for good, are none: nothing jumps.
 //
 // Two motions of one pattern are connected by smooth motions: along a branch the pattern changes at
 // grazes only, as long as both motions begin at the same section phase.
@@ -22,7 +23,7 @@ struct PatternEvent {
 };
 
 struct EventPattern {
-  std::vector<int> modes; ///< of all contacts at the start
+  std::vector<int> modes; ///< of all contacts at the start; -1 where there is no contact
   bool touches = false;   ///< a contact is closed at the start
   std::vector<PatternEvent> events;
   /// Of the phases that begin with each event: is a contact closed there?
@@ -42,12 +43,18 @@ struct EventPattern {
 /// Notes the pattern of the motion that it observes.
 class PatternObserver : public motion::Observer {
 public:
-  explicit PatternObserver(double start) : start_(start) {}
+  PatternObserver(const contact::ContactSet &contacts, double start)
+      : contacts_(contacts), start_(start) {}
   void step(const motion::StepView &view) override;
   void event(const motion::ContactEvent &event) override;
   EventPattern pattern(double end) const;
 
 private:
+  bool in_contact(std::size_t contact, int mode) const {
+    return contacts_.pairs()[contact].law->modes()[static_cast<std::size_t>(mode)].in_contact;
+  }
+
+  const contact::ContactSet &contacts_;
   double start_;
   EventPattern pattern_;
   std::size_t entered_ = 0; ///< events whose phase has been seen

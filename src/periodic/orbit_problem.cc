@@ -71,6 +71,26 @@ Transfer OrbitProblem::transfer(const Point &point, double chart) {
           .by_keys = flow.by_key};
 }
 
+std::vector<continuation::Graze> OrbitProblem::grazes_near(const Point &point) {
+  const StroboscopicMap &map = maps_.at(point.keys[0]);
+  std::vector<continuation::Graze> grazes;
+  for (GrazeWindow &window : graze_windows(map, section_at(point.chart), point.state)) {
+    grazes.push_back({.guard = static_cast<int>(windows_.size()),
+                      .position = window.position,
+                      .ignored = std::numeric_limits<double>::infinity(),
+                      .name = map.system().contacts().pairs()[window.contact].name});
+    windows_.push_back(std::move(window));
+  }
+  return grazes;
+}
+
+continuation::Extension OrbitProblem::extend(const Point &point, const continuation::Graze &graze) {
+  const GrazeWindow &window = windows_.at(static_cast<std::size_t>(graze.guard));
+  const StroboscopicMap &map = maps_.at(point.keys[0]);
+  return periodic::extend(map, maps_.with_open(point.keys[0], window.contact),
+                          section_at(point.chart), point.state, window);
+}
+
 Vector problem_sizes(const StroboscopicMap &map, const Orbit &orbit, double key) {
   double size = map.norm(orbit.point.state);
   Vector state = orbit.point.state;

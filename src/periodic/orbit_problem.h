@@ -6,6 +6,7 @@
 #pragma once
 
 #include "continuation/problem.h"
+#include "periodic/graze_extension.h"
 #include "periodic/orbit.h"
 
 namespace vibroimpact::periodic {
@@ -17,6 +18,8 @@ public:
   /// The map at this value, with its derivative by the key; valid until the next call.
   /// NumericalError when there is no system at this value.
   virtual const StroboscopicMap &at(double value) = 0;
+  /// The same map with a contact that stays open; valid as long as at() of the same value.
+  virtual const StroboscopicMap &with_open(double value, std::size_t contact) = 0;
 };
 
 class OrbitProblem : public continuation::Problem {
@@ -37,6 +40,9 @@ public:
   std::unique_ptr<continuation::Problem> doubled() override;
   double best_chart(const continuation::Point &point) override;
   continuation::Transfer transfer(const continuation::Point &point, double chart) override;
+  std::vector<continuation::Graze> grazes_near(const continuation::Point &point) override;
+  continuation::Extension extend(const continuation::Point &point,
+                                 const continuation::Graze &graze) override;
 
 private:
   Section section_at(double chart) const { return {.phase = chart, .halves = halves_}; }
@@ -46,6 +52,7 @@ private:
   MapAlongKey &maps_;
   long halves_;
   Vector sizes_;
+  std::vector<GrazeWindow> windows_; ///< that a Graze::guard counts
 };
 
 /// Sizes for OrbitProblem: the largest scaled entry that the motion reaches, over the scale, for

@@ -11,7 +11,8 @@ namespace vibroimpact::periodic {
 
 namespace {
 
-constexpr long most_iterations = 60;
+constexpr long most_iterations = 20;
+constexpr long most_periods = 60;       // of the map that the motion goes on for by itself
 constexpr double least_share = 1.0 / 8; // of a step
 constexpr double decrease = 0.25;       // of the residual, of that which the step should bring
 constexpr double exact = 1e-12;         // a step over the size of the motion that ends the sequence
@@ -76,7 +77,7 @@ private:
       } catch (const NumericalError &) { // a shorter step may stay where motions go through
       }
     }
-    keep(evaluate(point_.image.state));
+    fail("since an eighth of its step does not bring the motion nearer");
   }
 
   void keep(FixedPoint next) {
@@ -99,9 +100,21 @@ private:
 
 } // namespace
 
+// Ever more periods between two attempts: a motion near a stable one settles.
 FixedPoint find_fixed_point(const StroboscopicMap &map, const Section &section,
                             const Vector &start) {
-  return Newton(map, section, start).run();
+  Vector state = start;
+  for (long gone = 0, next = 4;; next *= 2) {
+    try {
+      return Newton(map, section, state).run();
+    } catch (const NumericalError &) {
+      if (gone + next > most_periods)
+        throw;
+    }
+    for (long period = 0; period < next; ++period, ++gone)
+      state =
+          map.mirrored(section, map.carry(section.phase, section.phase + section.length(), state));
+  }
 }
 
 } // namespace vibroimpact::periodic

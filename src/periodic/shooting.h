@@ -2,10 +2,10 @@
 //
 //   (I - P_x) d = P(x) - x,   x <- x + lambda d
 //
-// lambda is halved until the residual has become smaller in proportion; where an eighth of the step
-// does not do that, the motion itself goes on for a period, x <- P(x). The sequence ends where the step is below 1e-12 of
-// the motion, or where it stops becoming smaller below 1e-7 of it: that is as exact as the motion
-// is.
+// lambda is halved until the residual has become smaller in proportion. Where an eighth of the step
+// does not do that, the motion itself goes on for some periods, x <- P(x), and Newton's method
+// begins again. The sequence ends where the step is below 1e-12 of the motion, or where it stops
+// becoming smaller below 1e-7 of it: that is as exact as the motion is.
 #pragma once
 
 #include "periodic/stroboscopic_map.h"

@@ -10,30 +10,31 @@
 
 namespace vibroimpact::periodic {
 
-using motion::Trajectory;
-
 StroboscopicMap::StroboscopicMap(ForcedSystem &system, motion::VariationAccuracy accuracy,
                                  std::optional<Symmetry> symmetry)
     : system_(system), accuracy_(std::move(accuracy)), symmetry_(std::move(symmetry)) {}
 
-Vector StroboscopicMap::rates_at(double time, const Vector &state) const {
-  Trajectory &trajectory = system_.trajectory();
-  trajectory.start({.time = time, .physical = state});
-  const Vector &full = trajectory.state();
+void StroboscopicMap::start(double phase, const Vector &state) const {
+  system_.trajectory().start({.time = phase * period(), .physical = state});
+}
+
+Vector StroboscopicMap::rates(double phase, const Vector &state) const {
+  start(phase, state);
+  const Vector &full = system_.trajectory().state();
   Vector rates(full.size());
-  trajectory.equations().rates(time, ConstVectorView(full.data(), full.size()),
-                               VectorView(rates.data(), rates.size()));
+  system_.equations().rates(phase * period(), ConstVectorView(full.data(), full.size()),
+                            VectorView(rates.data(), rates.size()));
   return rates.head(size());
 }
 
 Flow StroboscopicMap::flow(double from, double to, const Vector &state) const {
-  const double start = from * period(), end = to * period();
+  const double begin = from * period(), end = to * period();
   std::vector<motion::KeyTangent *> keys;
   if (key_ != nullptr)
     keys.push_back(&key_->tangent);
-  PatternObserver pattern(start);
+  PatternObserver pattern(system_.contacts(), begin);
   const motion::LinearisedMotion motion = motion::linearise(
-      system_.trajectory(), {.time = start, .physical = state}, end, accuracy_, keys, &pattern);
+      system_.trajectory(), {.time = begin, .physical = state}, end, accuracy_, keys, &pattern);
   Flow flow{.state = motion.end.physical,
             .by_state = motion.by_state,
             .by_key = {},
@@ -44,26 +45,29 @@ Flow StroboscopicMap::flow(double from, double to, const Vector &state) const {
     return flow;
   flow.by_key = motion.by_key.col(0) + motion.rates * (to * key_->period);
   if (from != 0 && key_->period != 0)
-    flow.by_key -= flow.by_state * rates_at(start, state) * (from * key_->period);
+    flow.by_key -= flow.by_state * rates(from, state) * (from * key_->period);
   return flow;
 }
 
 Flow StroboscopicMap::image(const Section &section, const Vector &state) const {
   Flow image = flow(section.phase, section.phase + section.length(), state);
-  if (!section.with_symmetry())
-    return image;
-  image.state = symmetry_.value().apply(image.state);
-  image.by_state = symmetry_->apply(image.by_state);
+  image.state = mirrored(section, image.state);
+  image.by_state = mirrored(section, image.by_state);
   if (key_ != nullptr)
-    image.by_key = symmetry_->apply(image.by_key);
+    image.by_key = mirrored(section, image.by_key);
   return image;
 }
 
 Vector StroboscopicMap::carry(double from, double to, const Vector &state) const {
-  Trajectory &trajectory = system_.trajectory();
-  trajectory.start({.time = from * period(), .physical = state});
-  trajectory.advance(to * period());
-  return trajectory.motion_state().physical;
+  start(from, state);
+  system_.trajectory().advance(to * period());
+  return system_.trajectory().motion_state().physical;
+}
+
+void StroboscopicMap::observe(double from, double to, const Vector &state,
+                              motion::Observer &observer) const {
+  start(from, state);
+  system_.trajectory().advance(to * period(), observer);
 }
 
 Eigen::VectorXcd multipliers_of(const Matrix &by_state, const Vector &scale) {

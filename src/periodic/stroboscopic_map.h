@@ -57,6 +57,8 @@ public:
   /// Of the present key [s].
   double period() const { return system_.period(); }
   Index size() const { return system_.layout().physical_size(); }
+  const ForcedSystem &system() const { return system_; }
+  ForcedKey *key() const { return key_; }
   const Vector &scale() const { return accuracy_.scale; }
   /// Largest scaled entry.
   double norm(const Vector &state) const {
@@ -69,10 +71,18 @@ public:
   Flow flow(double from, double to, const Vector &state) const;
   /// The state alone.
   Vector carry(double from, double to, const Vector &state) const;
+  /// The motion seen by an observer.
+  void observe(double from, double to, const Vector &state, motion::Observer &observer) const;
+  /// Begins a motion, so that the equations of the system are in its modes.
+  void start(double phase, const Vector &state) const;
+  /// dx/dt at a phase.
+  Vector rates(double phase, const Vector &state) const;
+  /// sigma^h applied to columns.
+  Matrix mirrored(const Section &section, const Matrix &columns) const {
+    return section.with_symmetry() ? symmetry_.value().apply(columns) : columns;
+  }
 
 private:
-  Vector rates_at(double time, const Vector &state) const;
-
   ForcedSystem &system_;
   motion::VariationAccuracy accuracy_;
   std::optional<Symmetry> symmetry_;

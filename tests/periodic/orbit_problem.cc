@@ -2,7 +2,7 @@
 // section phase, by differences; lower multiples.
 #include "periodic/orbit_problem.h"
 
-#include "forced_models.h"
+#include "family.h"
 
 #include <gtest/gtest.h>
 
@@ -10,41 +10,10 @@ namespace vibroimpact::periodic {
 namespace {
 
 using continuation::Point;
+using testing::Family;
 using testing::isolator;
 using testing::Oscillator;
 using testing::vector_of;
-
-/// An oscillator for each value of a key.
-class Family : public MapAlongKey {
-public:
-  explicit Family(std::function<Oscillator(double)> make) : make_(std::move(make)) {}
-
-  const StroboscopicMap &at(double value) override {
-    if (value_ != value || !map_) {
-      map_.reset(); // refers to the oscillator
-      oscillator_ = std::make_unique<Oscillator>(make_(value));
-      map_ = std::make_unique<testing::ForcedMap>(*oscillator_);
-      std::vector<motion::KeyNeighbour> neighbours;
-      for (const double place : {-2e-3, -1e-3, 1e-3, 2e-3}) {
-        Oscillator near = make_(value * (1 + place));
-        neighbours.push_back({.offset = place * value,
-                              .model = std::move(near.model),
-                              .contacts = std::move(near.contacts)});
-      }
-      key_ = std::make_unique<ForcedKey>(forced_key("key", map_->system, std::move(neighbours)));
-      map_->map.set_key(key_.get());
-      value_ = value;
-    }
-    return map_->map;
-  }
-
-private:
-  std::function<Oscillator(double)> make_;
-  std::unique_ptr<Oscillator> oscillator_;
-  std::unique_ptr<testing::ForcedMap> map_;
-  std::unique_ptr<ForcedKey> key_;
-  double value_ = 0;
-};
 
 Oscillator isolator_of(double lambda) { return isolator(lambda); }
 

@@ -1,0 +1,241 @@
+#include "periodic/graze_extension.h"
+
+#include "common/error.h"
+#include "periodic/open_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vibroimpact::periodic {
+
+using contact::AffineForm;
+using contact::ContactLaw;
+using contact::ContactPair;
+using contact::LocalState;
+using continuation::Extension;
+using continuation::Touch;
+
+namespace {
+
+constexpr double widest = 0.25;  // of a window, to either side [periods]
+constexpr double farthest = 0.1; // least value or depth over the size of the motion
+constexpr std::size_t most_windows = 4;
+
+// Of the displacements of a contact's sides in the section.
+double gap_size(const StroboscopicMap &map, const ContactPair &pair, const Vector &state) {
+  const Index n = pair.gap.row.size();
+  return (pair.gap.row.cwiseAbs().transpose().cwiseQuotient(map.scale().head(n))).maxCoeff() *
+         map.norm(state);
+}
+
+// With the acceleration w^2 x a touch of speed v reaches v^2 / (2 w^2 x) deep.
+double nearness_of(const GuardMinimum &minimum, double size, double period) {
+  if (!minimum.touched)
+    return minimum.value / size;
+  const double speed = minimum.value * period / (2 * std::numbers::pi * size);
+  return speed * speed / 2;
+}
+
+// Between the touches before and behind of the same contact.
+GrazeWindow window_of(const std::vector<GuardMinimum> &minima, const GuardMinimum &chosen,
+                      double start, double end, double period) {
+  double from = start, to = end;
+  for (const GuardMinimum &other : minima) {
+    if (!other.touched || other.contact != chosen.contact || &other == &chosen)
+      continue;
+    if (other.end <= chosen.begin)
+      from = std::max(from, (other.end + chosen.begin) / 2);
+    if (other.begin >= chosen.end)
+      to = std::min(to, (other.begin + chosen.end) / 2);
+  }
+  return {.contact = chosen.contact,
+          .mode = chosen.mode,
+          .guard = chosen.guard,
+          .begin = std::max(from / period, chosen.begin / period - widest),
+          .position = chosen.time / period,
+          .end = std::min(to / period, chosen.end / period + widest)};
+}
+
+/// Parts of a motion one behind the other, with the derivatives of the whole.
+struct Chain {
+  Vector state;
+  Matrix by_state;
+  Vector by_key;
+
+  void go(const StroboscopicMap &map, double from, double to) {
+    if (!(to > from))
+      return;
+    const Flow flow = map.flow(from, to, state);
+    state = flow.state;
+    by_key = flow.by_state * by_key + flow.by_key;
+    by_state = flow.by_state * by_state;
+  }
+};
+
+// The instant [periods] of the minimum nearest to the position of the window.
+double minimum_near(const StroboscopicMap &map, const StroboscopicMap &open, double begin,
+                    double end, double position, const GrazeWindow &window, const Vector &state) {
+  MinimumObserver observer(map.system().contacts());
+  open.observe(begin, end, state, observer);
+  double best = std::numeric_limits<double>::quiet_NaN();
+  for (const GuardMinimum &minimum : observer.minima()) {
+    const double instant = minimum.time / map.period();
+    if (minimum.contact == window.contact && !minimum.touched &&
+        !(std::abs(instant - position) >= std::abs(best - position)))
+      best = instant;
+  }
+  if (std::isnan(best))
+    throw NumericalError("the guard of a contact has no minimum where it is to graze");
+  return best;
+}
+
+class Touching {
+public:
+  Touching(const StroboscopicMap &map, const StroboscopicMap &open, const GrazeWindow &window,
+           double phase, const Vector &state)
+      : map_(map), open_(open), contact_(window.contact), guard_(window.guard),
+        mode_(static_cast<std::size_t>(window.mode)), phase_(phase), state_(state),
+        pair_(map.system().contacts().pairs()[contact_]) {
+    open_.start(phase_, state_); // so that the equations are in the modes of the motion
+    local_ = equations().local_state(contact_, time(), view());
+  }
+
+  double value() const { return form()(local_); }
+
+  RowVector gradient() const {
+    const motion::StateLayout &layout = open_.system().layout();
+    RowVector row = RowVector::Zero(layout.physical_size());
+    row.head(layout.n) = form().gap * pair_.gap.row;
+    row.segment(layout.velocity(), layout.n) = form().gap_rate * pair_.gap.row;
+    for (std::size_t i = 0; i < form().internal.size(); ++i)
+      row[layout.internal() + pair_.internal_offset + static_cast<Index>(i)] = form().internal[i];
+    return row;
+  }
+
+  // G_x x_p + G_p at a fixed time, where `by_key` is that at the fixed phase.
+  double by_key(const Vector &by_key) const {
+    const Vector fixed = by_key - open_.rates(phase_, state_) * (phase_ * open_.key()->period);
+    const auto pick = [this](const ContactLaw &law) -> const AffineForm & {
+      return law.modes()[mode_].guards[guard_].indicator;
+    };
+    open_.start(phase_, state_);
+    return gradient().dot(fixed) +
+           map_.key()->tangent.form(equations(), contact_, pick, time(), state_);
+  }
+
+  Touch kind() const {
+    if (pair_.law->rigid())
+      return Touch::square_root;
+    return dashpot() != 0 && lets_go() ? Touch::corner : Touch::smooth;
+  }
+
+  // Derivative, by the value, of the state behind a touch of the kind `corner`.
+  Vector jump() const {
+    const motion::StateLayout &layout = open_.system().layout();
+    Vector jump = Vector::Zero(layout.physical_size());
+    const Matrix response = equations().response_to(Matrix(pair_.gap.row), time(), view());
+    jump.segment(layout.velocity(), layout.n) = -dashpot() * response.col(0);
+    const std::vector<AffineForm> &reset = closing().reset;
+    for (std::size_t i = 0; i < reset.size() && form().gap != 0; ++i)
+      jump[layout.internal() + pair_.internal_offset + static_cast<Index>(i)] =
+          reset[i].gap / form().gap;
+    return jump;
+  }
+
+private:
+  const motion::Equations &equations() const { return open_.system().equations(); }
+  ConstVectorView view() const { return {state_.data(), state_.size()}; }
+  double time() const { return phase_ * open_.period(); }
+  const contact::Guard &closing() const { return pair_.law->modes()[mode_].guards[guard_]; }
+  const AffineForm &form() const { return closing().indicator; }
+
+  // -dF/d(gap rate) just behind the touch.
+  double dashpot() const {
+    contact::LawResponse response;
+    pair_.law->evaluate(closing().target, local_, response);
+    return -response.force_by_gap_rate;
+  }
+
+  // A guard ends the contact as soon as the sides part.
+  bool lets_go() const {
+    LocalState parting = local_;
+    parting.gap_rate += 1;
+    const contact::Mode &mode = pair_.law->modes()[static_cast<std::size_t>(closing().target)];
+    return std::any_of(mode.guards.begin(), mode.guards.end(), [&](const contact::Guard &guard) {
+      return guard.indicator(parting) < guard.indicator(local_);
+    });
+  }
+
+  const StroboscopicMap &map_, &open_;
+  std::size_t contact_, guard_, mode_;
+  double phase_;
+  const Vector &state_;
+  const ContactPair &pair_;
+  LocalState local_;
+};
+
+} // namespace
+
+std::vector<GrazeWindow> graze_windows(const StroboscopicMap &map, const Section &section,
+                                       const Vector &state) {
+  const double period = map.period();
+  MinimumObserver observer(map.system().contacts());
+  const double end = section.phase + section.length();
+  map.observe(section.phase, end, state, observer);
+  std::vector<GrazeWindow> windows;
+  for (const GuardMinimum &minimum : observer.minima()) {
+    const ContactPair &pair = map.system().contacts().pairs()[minimum.contact];
+    const double near = nearness_of(minimum, gap_size(map, pair, state), period);
+    if (!(std::abs(near) < farthest))
+      continue;
+    windows.push_back(
+        window_of(observer.minima(), minimum, section.phase * period, end * period, period));
+    windows.back().nearness = near;
+  }
+  std::stable_sort(windows.begin(), windows.end(), [](const GrazeWindow &a, const GrazeWindow &b) {
+    return std::abs(a.nearness) < std::abs(b.nearness);
+  });
+  windows.resize(std::min(windows.size(), most_windows));
+  return windows;
+}
+
+Extension extend(const StroboscopicMap &map, const StroboscopicMap &open, const Section &section,
+                 const Vector &state, const GrazeWindow &window) {
+  const auto multiple = static_cast<double>(section.multiple());
+  const double last = section.phase + section.length();
+  const double ahead = window.begin - section.phase;
+  const double shift = -std::floor(ahead / multiple + 1e-12) * multiple;
+  const double begin = std::max(section.phase, window.begin + shift), end = window.end + shift;
+  if (end > last + 1e-12)
+    throw NumericalError("the motion is cut where a contact is to graze");
+  Chain chain{.state = state,
+              .by_state = Matrix::Identity(state.size(), state.size()),
+              .by_key = Vector::Zero(state.size())};
+  chain.go(map, section.phase, begin);
+  const double touch =
+      minimum_near(map, open, begin, end, window.position + shift, window, chain.state);
+  chain.go(open, begin, touch);
+  const Vector at_touch = chain.state;
+  const Touching touching(map, open, window, touch, at_touch);
+  Extension extension{.value = touching.value(),
+                      .by_state = touching.gradient() * chain.by_state,
+                      .by_keys = RowVector::Constant(1, touching.by_key(chain.by_key)),
+                      .touch = touching.kind()};
+  Chain behind{.state = at_touch,
+               .by_state = Matrix::Identity(state.size(), state.size()),
+               .by_key = Vector::Zero(state.size())};
+  const Vector jump = extension.touch == Touch::corner ? touching.jump() : Vector();
+  behind.go(open, touch, end);
+  behind.go(map, end, last);
+  const auto mirrored = [&](const Matrix &columns) { return map.mirrored(section, columns); };
+  if (jump.size() > 0)
+    extension.jump = mirrored(behind.by_state * jump);
+  extension.smooth = {.residual = mirrored(behind.state) - state,
+                      .by_state = mirrored(behind.by_state * chain.by_state) -
+                                  Matrix::Identity(state.size(), state.size()),
+                      .by_keys = mirrored(behind.by_state * chain.by_key + behind.by_key)};
+  return extension;
+}
+
+} // namespace vibroimpact::periodic

@@ -1,0 +1,44 @@
+// The smooth extension of a map beyond a graze: the motion with one contact kept open while its gap
+// dips, with the least value of the guard there.
+//
+// A motion x(t; x_0, p) has the least value g = G(x(t_g), t_g; p) of a guard at t_g, dG/dt = 0, so
+// that its derivative is that at fixed t_g,
+//
+//   dg/dx_0 = G_x x_x(t_g),   dg/dp = G_x x_p(t_g) + G_p
+//
+// What the contact does behind the graze, to first order in the depth -g:
+//   force continuous, or a dashpot c that may pull: nothing; its impulse c int u' dt vanishes
+//   dashpot that lets go at zero force: the impulse c (-g) of the way in, and the compression -g of
+//     an internal state: derivatives jump by (d/dg of these, carried to the end) dg
+//   rigid: sqrt(-g); derivatives are unbounded
+// (Nordmark 1991; di Bernardo, Budd & Champneys 2001)
+#pragma once
+
+#include "continuation/problem.h"
+#include "periodic/guard_minima.h"
+#include "periodic/stroboscopic_map.h"
+
+#include <vector>
+
+namespace vibroimpact::periodic {
+
+/// Part of a motion in which one contact may graze once; phases in periods.
+struct GrazeWindow {
+  std::size_t contact = 0;
+  int mode = 0;
+  std::size_t guard = 0;
+  double begin = 0, position = 0, end = 0;
+  double nearness = 0; ///< least value, or depth of the touch, over the size of the motion; rough
+};
+
+/// Of a motion whose contacts may graze close by, the nearest first.
+std::vector<GrazeWindow> graze_windows(const StroboscopicMap &map, const Section &section,
+                                       const Vector &state);
+
+/// Of x -> P(x; p) - x. `open`: the map with that contact kept open; both with a key.
+/// NumericalError when the section lies in the window, or the guard has no minimum there.
+continuation::Extension extend(const StroboscopicMap &map, const StroboscopicMap &open,
+                               const Section &section, const Vector &state,
+                               const GrazeWindow &window);
+
+} // namespace vibroimpact::periodic

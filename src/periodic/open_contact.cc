@@ -1,0 +1,48 @@
+#include "periodic/open_contact.h"
+
+#include <algorithm>
+
+namespace vibroimpact::periodic {
+
+using contact::ContactLaw;
+using contact::ContactPair;
+using contact::ContactSet;
+using contact::Guard;
+using contact::Mode;
+
+namespace {
+
+std::vector<Mode> without_closing(const ContactLaw &law) {
+  std::vector<Mode> modes = law.modes();
+  for (Mode &mode : modes)
+    if (!mode.in_contact)
+      std::erase_if(mode.guards, [&](const Guard &guard) { return closes(law, guard); });
+  return modes;
+}
+
+} // namespace
+
+bool closes(const ContactLaw &law, const Guard &guard) {
+  return guard.action == contact::GuardAction::impact ||
+         law.modes()[static_cast<std::size_t>(guard.target)].in_contact;
+}
+
+OpenContact::OpenContact(std::shared_ptr<const ContactLaw> law)
+    : ContactLaw(without_closing(*law), law->initial_internal()), law_(std::move(law)) {}
+
+int OpenContact::initial_mode(const contact::LocalState &state) const {
+  const int mode = law_->initial_mode(state);
+  if (!modes()[static_cast<std::size_t>(mode)].in_contact)
+    return mode;
+  const auto open = std::find_if(modes().begin(), modes().end(),
+                                 [](const Mode &other) { return !other.in_contact; });
+  return static_cast<int>(open - modes().begin());
+}
+
+ContactSet with_open(const ContactSet &contacts, std::size_t contact) {
+  std::vector<ContactPair> pairs = contacts.pairs();
+  pairs[contact].law = std::make_shared<OpenContact>(pairs[contact].law);
+  return ContactSet(std::move(pairs), contacts.groups());
+}
+
+} // namespace vibroimpact::periodic

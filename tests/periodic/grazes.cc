@@ -1,0 +1,173 @@
+// The smooth extension of the map beyond a graze: where a linear vibration first touches a stop, in
+// closed form, and what derivatives do behind it.
+#include "periodic/graze_extension.h"
+
+#include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/relaxing_stop.h"
+#include "family.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include <complex>
+
+namespace vibroimpact::periodic {
+namespace {
+
+using continuation::Extension;
+using continuation::Point;
+using continuation::Touch;
+using testing::Family;
+using testing::Oscillator;
+using testing::oscillator;
+using testing::vector_of;
+
+constexpr double damping = 0.1;
+
+// x'' + 0.1 x' + x = a sin(w t): x = Im(A e^(i w t)).
+std::complex<double> amplitude(double a, double w) {
+  return a / std::complex<double>(1 - w * w, damping * w);
+}
+
+Vector state_of(double a, double w, double periods) {
+  const std::complex<double> x = amplitude(a, w) * std::polar(1.0, 2 * std::numbers::pi * periods);
+  return vector_of({x.imag(), (x * std::complex<double>(0, w)).imag()});
+}
+
+Oscillator with_stop(double a, double w, const std::shared_ptr<const contact::ContactLaw> &law) {
+  Oscillator model = oscillator(1, 1, damping);
+  model.push(a, w);
+  model.stop({{1.0, law}});
+  return model;
+}
+
+// Newton's method for (F, g) = 0 from a point of which a contact is about to graze.
+Point graze_from(OrbitProblem &problem, Point point) {
+  const std::vector<continuation::Graze> grazes = problem.grazes_near(point);
+  EXPECT_FALSE(grazes.empty());
+  for (int i = 0; i < 20; ++i) {
+    const Extension at = problem.extend(point, grazes.at(0));
+    const Index n = point.state.size();
+    Matrix matrix(n + 1, n + 1);
+    matrix << at.smooth.by_state, at.smooth.by_keys, at.by_state, at.by_keys;
+    Vector residual(n + 1);
+    residual << at.smooth.residual, at.value;
+    const Vector step = -matrix.fullPivLu().solve(residual);
+    point.state += step.head(n);
+    point.keys[0] += step[n];
+    if (step.norm() < 1e-13)
+      break;
+  }
+  return point;
+}
+
+TEST(GrazesTest, FirstTouchOfARigidStop) {
+  for (const double w : {0.5, 0.8, 1.25, 2.6})
+    for (const double share : {0.97, 1.01}) {
+      const double exact = std::hypot(1 - w * w, damping * w);
+      Family family([w](double a) { return with_stop(a, w, testing::newton(0.8)); }, false);
+      OrbitProblem problem(family, 2, Vector::Ones(3));
+      // The touch is where the phase of the motion is a quarter.
+      const double touch = 0.25 - std::arg(amplitude(1, w)) / (2 * std::numbers::pi);
+      const double chart = touch + 0.4 - std::floor(touch + 0.4);
+      const double a = share * exact;
+      const Point found =
+          graze_from(problem, {.state = share < 1 ? state_of(a, w, chart)
+                                                  : Vector(0.99 * state_of(a, w, chart)),
+                               .keys = Vector::Constant(1, a),
+                               .chart = chart});
+      EXPECT_NEAR(found.keys[0], exact, 1e-12) << w;
+      EXPECT_LT((found.state - state_of(exact, w, chart)).norm(), 1e-11) << w;
+      const Extension at = problem.extend(found, problem.grazes_near(found).at(0));
+      EXPECT_EQ(at.touch, Touch::square_root);
+    }
+}
+
+// Over the frequency, where the instants of the graze and of the section move.
+TEST(GrazesTest, FirstTouchesOfTheIsolator) {
+  Family family([](double lambda) { return testing::isolator(lambda); });
+  OrbitProblem problem(family, 1, Vector::Ones(3));
+  for (const double sign : {-1.0, 1.0}) {
+    // (1 - l^2)^2 + (2 zeta l)^2 = f^2
+    const double b = 1 - 2 * 0.01 * 0.01;
+    const double exact = std::sqrt(b + sign * std::sqrt(b * b - 1 + 0.52 * 0.52));
+    const double lambda = exact + sign * 0.002;
+    const Orbit orbit = find_orbit(family.at(lambda), 1, vector_of({0, -1}));
+    const Point found = graze_from(problem, {.state = orbit.point.state,
+                                             .keys = Vector::Constant(1, lambda),
+                                             .chart = orbit.section.phase});
+    EXPECT_NEAR(found.keys[0], exact, 1e-12);
+    EXPECT_NEAR(found.keys[0], sign < 0 ? 0.69295362 : 1.23264564, 5e-9);
+    EXPECT_EQ(problem.extend(found, problem.grazes_near(found).at(0)).touch, Touch::smooth);
+  }
+}
+
+// Derivatives of the extension and of the least value, by differences.
+TEST(GrazesTest, DerivativesOfTheExtension) {
+  Family family([](double lambda) { return testing::isolator(lambda); }, false);
+  OrbitProblem problem(family, 2, Vector::Ones(3));
+  const double lambda = 1.236;
+  const Orbit orbit = find_orbit(family.at(lambda), 1, vector_of({0, -1}));
+  const Point point{.state = orbit.point.state, .keys = Vector::Constant(1, lambda), .chart = 0.1};
+  const std::vector<continuation::Graze> grazes = problem.grazes_near(point);
+  ASSERT_GE(grazes.size(), 2u);
+  for (const continuation::Graze &graze : grazes) {
+    const Extension exact = problem.extend(point, graze);
+    const double h = 1e-4;
+    for (Index j = 0; j < 3; ++j) {
+      const auto at = [&](double by) {
+        Point moved = point;
+        (j < 2 ? moved.state[j] : moved.keys[0]) += by;
+        const Extension other = problem.extend(moved, graze);
+        Vector all(3);
+        all << other.smooth.residual, other.value;
+        return all;
+      };
+      const Vector difference = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
+      Vector column(3);
+      if (j < 2)
+        column << exact.smooth.by_state.col(j), exact.by_state[j];
+      else
+        column << exact.smooth.by_keys, exact.by_keys;
+      EXPECT_LT((column - difference).norm(), 1e-7 * difference.norm()) << j;
+    }
+  }
+}
+
+// A dashpot that lets go keeps its impulse of the way in: derivatives a little behind the graze are
+// those of the extension plus the jump, up to the square root of the depth.
+TEST(GrazesTest, CornerBehindAGraze) {
+  const double w = 0.8, k = 2, c = 0.7;
+  const std::shared_ptr<const contact::ContactLaw> laws[] = {
+      std::make_shared<contact::KelvinVoigt>(k, c), std::make_shared<contact::RelaxingStop>(k, c)};
+  for (const auto &law : laws) {
+    Family family([&](double a) { return with_stop(a, w, law); }, false);
+    OrbitProblem problem(family, 2, Vector::Ones(3 + law->n_internal()));
+    const double grazing = std::hypot(1 - w * w, damping * w);
+    const double touch = 0.25 - std::arg(amplitude(1, w)) / (2 * std::numbers::pi);
+    const double chart = touch + 0.6 - std::floor(touch + 0.6);
+    double last = 1;
+    for (const double depth : {1e-6, 1e-8}) {
+      const double a = grazing * (1 + depth);
+      Vector state = Vector::Zero(2 + law->n_internal());
+      state.head(2) = state_of(a, w, chart);
+      const Point point{.state = state, .keys = Vector::Constant(1, a), .chart = chart};
+      const std::vector<continuation::Graze> grazes = problem.grazes_near(point);
+      ASSERT_EQ(grazes.size(), 1u);
+      const Extension at = problem.extend(point, grazes[0]);
+      EXPECT_NEAR(at.value, -depth, 1e-3 * depth);
+      ASSERT_EQ(at.touch, Touch::corner);
+      const Matrix behind = problem.evaluate(point).by_state;
+      const Matrix expected = at.smooth.by_state + at.jump * at.by_state;
+      EXPECT_GT((behind - at.smooth.by_state).norm(), 0.1);
+      const double error = (behind - expected).norm();
+      EXPECT_LT(error, 10 * std::sqrt(depth));
+      EXPECT_LT(error, last);
+      last = error;
+    }
+  }
+}
+
+} // namespace
+} // namespace vibroimpact::periodic
