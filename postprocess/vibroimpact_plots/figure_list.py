@@ -6,6 +6,7 @@ each figure that fits, its name and a function without arguments that draws it.
 
 from . import (
     bifurcation,
+    branches,
     cycles,
     derived_curves,
     histories,
@@ -26,5 +27,6 @@ KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cy
 
 def figures(results, analysis):
     """Names and functions of all figures of an analysis."""
-    for kind in KINDS:
+    kinds = [branches] if analysis.type == branches.TYPE else KINDS
+    for kind in kinds:
         yield from kind.figures(results, analysis)

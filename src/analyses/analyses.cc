@@ -5,6 +5,7 @@
 #include "analyses/grid.h"
 #include "analyses/identify.h"
 #include "analyses/modal.h"
+#include "analyses/orbit_branch.h"
 #include "analyses/periodic_orbit.h"
 #include "analyses/recorders.h"
 #include "analyses/response.h"
@@ -30,6 +31,7 @@ constexpr Entry entries[] = {
     {"stepped sweep", SteppedSweep::declare, SteppedSweep::create, true},
     {"frequency response", FrequencyResponse::declare, FrequencyResponse::create},
     {"response", Response::declare, Response::create, true},
+    {"branch", OrbitBranch::declare, OrbitBranch::create, true},
     {"periodic orbit", PeriodicOrbit::declare, PeriodicOrbit::create, true},
     {"identify", Identify::declare, Identify::create},
 };

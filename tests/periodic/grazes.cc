@@ -109,7 +109,9 @@ TEST(GrazesTest, DerivativesOfTheExtension) {
   OrbitProblem problem(family, 2, Vector::Ones(3));
   const double lambda = 1.236;
   const Orbit orbit = find_orbit(family.at(lambda), 1, vector_of({0, -1}));
-  const Point point{.state = orbit.point.state, .keys = Vector::Constant(1, lambda), .chart = 0.1};
+  const Point point{.state = orbit.point.state,
+                    .keys = Vector::Constant(1, lambda),
+                    .chart = orbit.section.phase};
   const std::vector<continuation::Graze> grazes = problem.grazes_near(point);
   ASSERT_GE(grazes.size(), 2u);
   for (const continuation::Graze &graze : grazes) {

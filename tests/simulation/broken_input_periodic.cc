@@ -87,5 +87,56 @@ TEST(BrokenInputPeriodicTest, Ramp) {
                  {"shaker does not repeat itself"});
 }
 
+const std::string branch = R"(subsection Branch
+    set First frequency = 1 Hz
+    set Last frequency = 9 Hz
+  end
+)";
+
+void expect_branch_message(const std::string &from, const std::string &to,
+                           const std::vector<std::string> &parts) {
+  const std::string file =
+      changed(changed(sound, "set Type = periodic orbit", "set Type = branch\n  " + branch),
+              "  subsection Periodic orbit\n    set State = 0.001, 0.02\n  end\n", "");
+  EXPECT_EQ(message_of(file), "");
+  const std::string message = message_of(changed(file, from, to));
+  EXPECT_FALSE(message.empty());
+  for (const std::string &part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in:\n" << message;
+}
+
+TEST(BrokenInputPeriodicTest, BranchEnds) {
+  expect_branch_message("Last frequency = 9 Hz", "Last frequency = 1 Hz",
+                        {"Last frequency", "above First frequency"});
+  expect_branch_message("Last frequency = 9 Hz", "Last frequency = 2 Hz",
+                        {"3.0", "must lie between its ends"});
+  expect_branch_message("    set First frequency = 1 Hz\n", "", {"First frequency", "given"});
+  expect_branch_message("set First frequency = 1 Hz", "set Points = 3", {"Points"});
+  const std::string clearance = "set Parameter = Contact/stop/Clearance\n    set First = 1 mm\n";
+  expect_branch_message("set First frequency = 1 Hz\n    set Last frequency = 9 Hz",
+                        clearance + "    set Last = 0.5 mm", {"Last", "above First"});
+  expect_branch_message("set First frequency = 1 Hz\n    set Last frequency = 9 Hz",
+                        clearance + "    set Last = 2 mm", {"0.005", "must lie between its ends"});
+  expect_branch_message("set First frequency = 1 Hz\n    set Last frequency = 9 Hz",
+                        "set Parameter = Contact/stop/Between\n    set First = 1\n"
+                        "    set Last = 2",
+                        {"Parameter", "holds one number"});
+}
+
+TEST(BrokenInputPeriodicTest, BranchSteps) {
+  expect_branch_message("set First frequency", "set Longest step = 0\n    set First frequency",
+                        {"Longest step", "0"});
+  expect_branch_message("set First frequency",
+                        "set Longest step = 1e-5\n    set Least step = 1e-4\n    set First "
+                        "frequency",
+                        {"Least step", "below Longest step"});
+  expect_branch_message("set First frequency", "set Most points = 1\n    set First frequency",
+                        {"Most points", "1"});
+  expect_branch_message("set First frequency", "set Switching levels = -1\n    set First frequency",
+                        {"Switching levels", "-1"});
+  expect_branch_message("set First frequency", "set Direction = up\n    set First frequency",
+                        {"Direction", "up"});
+}
+
 } // namespace
 } // namespace vibroimpact

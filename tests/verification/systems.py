@@ -102,6 +102,12 @@ class Table:
             return [{key: float(value) for key, value in row.items() if "j" not in value}
                     for row in csv.DictReader(file)]
 
+    def texts(self, name):
+        """The same with all cells as they are written."""
+        path = pathlib.Path(__file__).parent / "reference" / name
+        with open(path, encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
     def add(self, quantity, reference, value, tolerance, paper=None, absolute=False):
         """A figure that must lie within `tolerance`, relative unless `absolute`."""
         self.rows.append(Row(quantity, paper, reference, value, tolerance, absolute))

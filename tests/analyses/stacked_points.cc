@@ -1,0 +1,46 @@
+// Points as arrays: ragged inner dimensions and missing fields become NaN.
+#include "analyses/stacked_points.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vibroimpact::analyses {
+namespace {
+
+Field field(const std::string &name, std::vector<std::string> dimensions,
+            std::vector<std::size_t> shape, std::vector<double> values) {
+  return {.label = Label(name, "m", "text", std::move(dimensions)),
+          .shape = std::move(shape),
+          .values = std::move(values)};
+}
+
+TEST(StackedPointsTest, OneDimensionMore) {
+  const std::vector<PointResult> points = {
+      {.index = {}, .fields = {field("a", {}, {}, {1}), field("b", {"i", "j"}, {2, 1}, {3, 4})}},
+      {.index = {}, .fields = {field("b", {"i", "j"}, {1, 2}, {5, 6})}},
+      {.index = {},
+       .fields = {field("b", {"i", "j"}, {2, 2}, {1, 2, 3, 4}), field("a", {}, {}, {2})}}};
+  const std::vector<Field> fields = stacked(points, "point", "x/");
+  ASSERT_EQ(fields.size(), 2u);
+  EXPECT_EQ(fields[0].name(), "x/a");
+  EXPECT_EQ(fields[0].unit(), "m");
+  EXPECT_EQ(fields[0].dimensions(), (std::vector<std::string>{"point"}));
+  EXPECT_EQ(fields[0].shape, (std::vector<std::size_t>{3}));
+  EXPECT_EQ(fields[0].values[0], 1);
+  EXPECT_TRUE(std::isnan(fields[0].values[1]));
+  EXPECT_EQ(fields[0].values[2], 2);
+  EXPECT_EQ(fields[1].dimensions(), (std::vector<std::string>{"point", "i", "j"}));
+  EXPECT_EQ(fields[1].shape, (std::vector<std::size_t>{3, 2, 2}));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> expected = {3, nan, 4, nan, 5, 6, nan, nan, 1, 2, 3, 4};
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_TRUE(fields[1].values[i] == expected[i] ||
+                (std::isnan(expected[i]) && std::isnan(fields[1].values[i])))
+        << i;
+}
+
+TEST(StackedPointsTest, NoPointsHaveNoFields) { EXPECT_TRUE(stacked({}, "point").empty()); }
+
+} // namespace
+} // namespace vibroimpact::analyses
