@@ -83,7 +83,7 @@ TEST(BrokenInputPeriodicTest, Excitation) {
 TEST(BrokenInputPeriodicTest, Ramp) {
   expect_message("set Frequency = 3 Hz",
                  "set Frequency = 3 Hz\n  set History = ramped harmonic\n"
-                 "  subsection Ramp\n    set Rate = 1 1/s\n  end",
+                 "  subsection Ramp\n    set Rate = 1/s\n  end",
                  {"shaker does not repeat itself"});
 }
 
