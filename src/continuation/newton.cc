@@ -15,12 +15,12 @@ bool next_is_rounding(double length, double before) {
   return length * ratio * ratio < 1e-17;
 }
 
-// Corrections that are only rounding do not become smaller.
+// Corrections that are only rounding, or the error of an evaluation that integrates, do not become
+// smaller.
 bool is_last(double length, double before, Until until, const Settings &settings) {
-  if (until == Until::tolerance)
-    return length <= settings.tolerance;
-  constexpr double smaller = 0.25;
-  return length == 0 || (length <= settings.tolerance && length >= smaller * before);
+  constexpr double smaller = 0.5;
+  const bool stalls = length <= settings.noise && length >= smaller * before;
+  return length == 0 || stalls || (until == Until::tolerance && length <= settings.tolerance);
 }
 
 } // namespace

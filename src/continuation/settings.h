@@ -23,6 +23,8 @@ struct Settings {
 
   // Newton's method on a hyperplane.
   double tolerance = 1e-12; ///< of a correction that is the last
+  /// Corrections below this that do not become smaller are the error of the evaluations themselves.
+  double noise = 1e-9;
   /// A correction below this is the last too if its successor, by quadratic convergence, is below
   /// rounding.
   double quadratic = 1e-7;
@@ -34,7 +36,7 @@ struct Settings {
       0.25; ///< between tangents of neighbouring points; a longer step is refused
   double wanted_angle = 0.125;
   int many_iterations = 5; ///< more of them shorten the next step
-  int halvings = 4;        ///< of a step in which a pair of folds is suspected
+  int halvings = 4; ///< of a step in which a pair of folds, flips or other points is suspected
 
   // Charts: below the first margin a point is moved to another chart, below the second one if its
   // step has changed the pattern.

@@ -143,7 +143,7 @@ Node Walk::at_bound(const Node &beyond, const Bound &bound) const {
 
 std::vector<SpecialPoint> Walk::examine(const Node &next) {
   const Piece piece(problem_, settings_, here_, next);
-  check_turns(piece);
+  check_pairs(piece);
   if (next.at.pattern == here_.at.pattern)
     return special_points(problem_, piece, settings_);
   const auto grazes = grazes_between(problem_, here_, next, settings_);
@@ -156,16 +156,37 @@ std::vector<SpecialPoint> Walk::examine(const Node &next) {
   return special;
 }
 
-void Walk::check_turns(const Piece &piece) {
-  if (halvings_ >= settings_.halvings || !piece.key_turns_twice())
+// Of the key the slopes are known, so that a cubic shows its turns; of other tests the parabola
+// through the last three points does.
+void Walk::check_pairs(const Piece &piece) {
+  const Node &next = piece.end();
+  if (halvings_ >= settings_.halvings ||
+      !(piece.key_turns_twice() || pair_suspected(next, &Tests::flip) ||
+        pair_suspected(next, &Tests::pair)))
     return;
   ++halvings_;
-  throw NumericalError("the key may turn twice within a step");
+  throw NumericalError("two special points may lie within a step");
+}
+
+bool Walk::pair_suspected(const Node &next, double Tests::*test) const {
+  if (!before_ || next.at.pattern != here_.at.pattern)
+    return false;
+  const double a = before_->tests.*test, b = here_.tests.*test, c = next.tests.*test;
+  const double ahead = next.arclength - here_.arclength;
+  const double behind = here_.arclength - before_->arclength;
+  // b + slope s + curvature s^2 on [0, ahead], least at s = -slope / (2 curvature)
+  const double curvature = ((c - b) / ahead - (b - a) / behind) / (ahead + behind);
+  const double slope = (c - b) / ahead - curvature * ahead;
+  const double least = -slope / (2 * curvature);
+  return b * c > 0 && least > 0 && least < ahead && b * (b + slope * least / 2) < 0;
 }
 
 void Walk::accept(Node next, std::vector<SpecialPoint> special) {
   if (ends_at_shorter(special, next))
     return;
+  before_ = std::nullopt;
+  if (next.at.pattern == here_.at.pattern)
+    before_ = std::move(here_);
   here_ = std::move(next);
   add(branch_point(problem_, here_), std::move(special));
   halvings_ = 0;

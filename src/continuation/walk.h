@@ -26,7 +26,10 @@ private:
   Node attempt();
   Node at_bound(const Node &beyond, const Bound &bound) const;
   std::vector<SpecialPoint> examine(const Node &next);
-  void check_turns(const Piece &piece);
+  /// Refuses a step in which two special points may hide, whose tests have one sign at both its
+  /// ends.
+  void check_pairs(const Piece &piece);
+  bool pair_suspected(const Node &next, double Tests::*test) const;
 
   void accept(Node next, std::vector<SpecialPoint> special);
   void end(End end, const std::string &reason);
@@ -46,9 +49,10 @@ private:
   Listener listener_;
   Branch branch_;
   Node here_, first_;
+  std::optional<Node> before_; ///< the point before, where its pattern is that of this one
   bool ended_ = false;
   double step_;
-  int halvings_ = 0;            ///< of the step at hand, for suspected pairs of folds
+  int halvings_ = 0;            ///< of the step at hand, for suspected pairs
   bool turned_back_ = false;    ///< the key has gone against its direction at the start
   bool moved_ = false;          ///< the chart was chosen for the step at hand
   std::optional<Bound> bound_;  ///< that ends the step at hand

@@ -141,6 +141,41 @@ TEST(SpecialPointsTest, AreNoNeutralSaddles) {
   EXPECT_TRUE(branch.special.empty()) << name_of(branch.special[0].kind);
 }
 
+// The multiplier -1 - d + (p - 0.013)^2 is below -1 for 2 sqrt d = 0.04, less than half a step.
+TEST(SpecialPointsTest, ComeInPairsWithinAStep) {
+  constexpr double d = 4e-4, middle = 0.013;
+  PowerOfMap map(
+      [](const Vector &x, const Vector &p) {
+        const double mu = -1 - d + (p(0) - middle) * (p(0) - middle);
+        return Image{vector({mu * x(0)}), vector({mu}), vector({2 * (p(0) - middle) * x(0)})};
+      },
+      vector({1, 1}));
+  for (const double start : {-0.9, -0.93, -0.96}) {
+    const Branch branch = follow(map, {{vector({0}), vector({start})}, {}, true}, within(-1, 1));
+    ASSERT_EQ(branch.special.size(), 2u) << start;
+    EXPECT_NEAR(branch.special[0].at.point.keys(0), middle - 0.02, 1e-13);
+    EXPECT_NEAR(branch.special[1].at.point.keys(0), middle + 0.02, 1e-13);
+  }
+}
+
+// Errors of 1e-10 that differ from evaluation to evaluation, as an integration makes them, end
+// Newton's method.
+TEST(SpecialPointsTest, AreFoundWithNoise) {
+  unsigned random = 1;
+  Algebraic problem(
+      [&](const Point &at) {
+        random = 1664525 * random + 1013904223;
+        const double x = at.state(0), p = at.keys(0), error = 1e-10 * (random / 4294967296.0 - 0.5);
+        return scalar(x * x + p * p - 1 + error, 2 * x, 2 * p);
+      },
+      vector({1, 1}));
+  const Branch branch = follow(problem, {{vector({-1}), vector({0})}, {}, true}, Settings());
+  EXPECT_EQ(branch.end, End::closed) << branch.reason;
+  ASSERT_EQ(branch.special.size(), 2u);
+  EXPECT_NEAR(branch.special[0].at.point.keys(0), 1, 1e-10);
+  EXPECT_NEAR(branch.special[1].at.point.keys(0), -1, 1e-10);
+}
+
 // A pair of modulus sqrt 2 that becomes complex is no Neimark-Sacker point: mu^2 - 2 c mu + 2 = 0,
 // complex where c < sqrt 2.
 TEST(SpecialPointsTest, AreNoPairsThatBecomeComplex) {
