@@ -2,6 +2,7 @@
 
 #include "cantilever.h"
 #include "contact/laws/hunt_crossley.h"
+#include "contact/laws/linear_penalty.h"
 #include "contact/restitution_relation.h"
 #include "equations_by_hand.h"
 #include "sides.h"
@@ -23,39 +24,68 @@ constexpr std::size_t coordinates = 2 * modes_per_beam;
 constexpr double damping_ratio = 0.02;
 constexpr double approach_speed = 0.2; // at which the restitution coefficient is 0.7 [m/s]
 
-using Beams = ModalPair<coordinates>;
+using Beams = ModalBeams<coordinates, modes_per_beam, HertzHeads>;
+constexpr int modes_on_stop = 20;
+using BeamOnStop = ModalBeams<modes_on_stop, modes_on_stop, LinearSpring>;
+
+// Modes of the beam from `first` on, whose tip moves the gap by `sense`.
+template <class Beams>
+void set_modes(const CantileverModes &modes, std::size_t first, double sense, Beams &into) {
+  for (std::size_t j = 0; j < static_cast<std::size_t>(modes.angular_frequency.size()); ++j) {
+    const double omega = modes.angular_frequency[static_cast<Index>(j)];
+    into.squared_frequency[first + j] = omega * omega;
+    into.damping[first + j] = 2 * damping_ratio * omega;
+    into.row[first + j] = sense * modes.tip_displacement[static_cast<Index>(j)];
+  }
+}
 
 Beams by_hand(const CantileverModes &modes) {
   Beams pair;
   pair.clearance = 0.005;
-  pair.hertz = 1.30696874e10;
-  pair.dissipation = contact::dimensionless_damping("exact", 0.7) / approach_speed;
+  pair.law = {.hertz = 1.30696874e10,
+              .dissipation = contact::dimensionless_damping("exact", 0.7) / approach_speed};
   pair.amplitude = 0.02;
   pair.forcing = 2 * std::numbers::pi * 3;
-  for (std::size_t j = 0; j < coordinates; ++j) {
-    const auto mode = static_cast<Index>(j % modes_per_beam);
-    const double omega = modes.angular_frequency[mode];
-    pair.squared_frequency[j] = omega * omega;
-    pair.damping[j] = 2 * damping_ratio * omega;
-    pair.row[j] = (j < modes_per_beam ? -1 : 1) * modes.tip_displacement[mode];
-  }
+  set_modes(modes, 0, -1, pair);
+  set_modes(modes, modes_per_beam, 1, pair);
   return pair;
 }
 
-Problem problem_of(const Beams &pair, const CantileverModes &modes) {
-  const Vector unit = Vector::Ones(modes_per_beam);
-  const Vector stiffness = modes.angular_frequency.cwiseAbs2();
-  const Vector damping = 2 * damping_ratio * modes.angular_frequency;
-  Model model({body_along_x("left", unit, stiffness, damping, modes.tip_displacement),
-               body_along_x("right", unit, stiffness, damping, modes.tip_displacement)});
-  model.add_force("shaker",
-                  std::make_shared<Harmonic>(Given::displacement, pair.amplitude, pair.forcing, 0),
-                  {.body = 0, .point = 0}, Vector3::UnitX());
-  contact::ContactSet contacts({contact_of_heads(
-      model, "left", "right", 1, pair.clearance,
-      contact::HuntCrossley::with_dissipation({.stiffness = pair.hertz}, pair.dissipation))});
+std::shared_ptr<const reduction::ReducedBody> cantilever_body(const std::string &name,
+                                                              const CantileverModes &modes) {
+  return body_along_x(name, Vector::Ones(modes.angular_frequency.size()),
+                      modes.angular_frequency.cwiseAbs2(),
+                      2 * damping_ratio * modes.angular_frequency, modes.tip_displacement);
+}
+
+template <class Beams> void add_shaker(const Beams &beams, Model &model) {
+  model.add_force(
+      "shaker", std::make_shared<Harmonic>(Given::displacement, beams.amplitude, beams.forcing, 0),
+      {.body = 0, .point = 0}, Vector3::UnitX());
+}
+
+Problem problem_of(Model model, contact::ContactPair heads) {
+  contact::ContactSet contacts({std::move(heads)});
   const Projection recorded = model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), false);
   return {.model = std::move(model), .contacts = std::move(contacts), .recorded = recorded};
+}
+
+Problem problem_of(const Beams &pair, const CantileverModes &modes) {
+  Model model({cantilever_body("left", modes), cantilever_body("right", modes)});
+  add_shaker(pair, model);
+  contact::ContactPair heads = contact_of_heads(
+      model, "left", "right", 1, pair.clearance,
+      contact::HuntCrossley::with_dissipation({.stiffness = pair.law.hertz}, pair.law.dissipation));
+  return problem_of(std::move(model), std::move(heads));
+}
+
+Problem problem_of(const BeamOnStop &beam, const CantileverModes &modes) {
+  Model model({cantilever_body("beam", modes)});
+  add_shaker(beam, model);
+  contact::ContactPair stop =
+      contact_of_heads(model, "beam", "", 1, beam.clearance,
+                       std::make_shared<contact::LinearPenalty>(beam.law.stiffness));
+  return problem_of(std::move(model), std::move(stop));
 }
 
 } // namespace
@@ -64,6 +94,18 @@ Case beam_pair() {
   const CantileverModes modes = cantilever_modes(beam, modes_per_beam);
   const Beams pair = by_hand(modes);
   return case_of("two beams, 20 modes", problem_of(pair, modes), pair, pair.clearance, 200, 4);
+}
+
+Case beam_on_stop() {
+  const CantileverModes modes = cantilever_modes(beam, modes_on_stop);
+  BeamOnStop system;
+  system.clearance = 0.005;
+  system.law.stiffness = 1e5;
+  system.amplitude = 0.02;
+  system.forcing = 2 * std::numbers::pi * 3;
+  set_modes(modes, 0, -1, system);
+  return case_of("beam on a stop, 20 modes", problem_of(system, modes), system, system.clearance,
+                 200, 4);
 }
 
 } // namespace vibroimpact::benchmarks

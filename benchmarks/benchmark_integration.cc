@@ -26,12 +26,12 @@ void print_head() {
   std::printf(
       "us: microseconds of processor time per forcing period, excursion of one displacement "
       "recorded or\nnot; speed: times that of odeint, median (quartiles)\n\n");
-  std::printf("%-20s %-15s %8s %8s %8s %8s %9s %9s %10s  %s\n", "system", "side", "rtol", "error",
+  std::printf("%-24s %-15s %8s %8s %8s %8s %9s %9s %10s  %s\n", "system", "side", "rtol", "error",
               "steps", "contacts", "us", "us, bare", "us/contact", "speed");
 }
 
 void print_side(const Case &system, const Side &side, const SideResult &result) {
-  std::printf("%-20s %-15s ", system.name.c_str(), side.name.c_str());
+  std::printf("%-24s %-15s ", system.name.c_str(), side.name.c_str());
   if (!result.setting) {
     std::printf("not there when this program was built\n");
     return;
@@ -55,7 +55,7 @@ void print_side(const Case &system, const Side &side, const SideResult &result) 
 void print(const Case &system, const CaseResult &result) {
   for (std::size_t s = 0; s < system.sides.size(); ++s)
     print_side(system, system.sides[s], result.sides[s]);
-  std::printf("%-20s the tightest runs of %s and %s differ by %.1e\n", "",
+  std::printf("%-24s the tightest runs of %s and %s differ by %.1e\n", "",
               system.sides[system.references[0]].name.c_str(),
               system.sides[system.references[1]].name.c_str(), result.disagreement);
   std::fflush(stdout);
@@ -68,7 +68,8 @@ struct NamedCase {
 constexpr NamedCase cases[] = {{"bumpers", bumpers},
                                {"bilinear", bilinear_masses},
                                {"absorber", absorber},
-                               {"beams", beam_pair}};
+                               {"beams", beam_pair},
+                               {"stop", beam_on_stop}};
 
 int run(int repetitions, const char *only) {
   int failures = 0;

@@ -14,5 +14,7 @@ Case bilinear_masses();
 Case absorber();
 /// Two cantilevers with ten modes each, one driven at its tip, steel heads.
 Case beam_pair();
+/// One such cantilever with twenty modes, driven at its tip, against a linear spring.
+Case beam_on_stop();
 
 } // namespace vibroimpact::benchmarks

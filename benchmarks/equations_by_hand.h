@@ -144,13 +144,28 @@ struct Absorber {
   }
 };
 
-/// Two damped beams in modal coordinates of unit modal mass, a force at the tip of the first, Hertz
-/// contact with Hunt-Crossley damping between the tips; gap = clearance + row . q.
-template <std::size_t n> struct ModalPair {
+/// Hertz contact with Hunt-Crossley damping.
+struct HertzHeads {
+  double hertz = 0, dissipation = 0;
+  double operator()(double penetration, double rate) const {
+    const double u = std::max(0.0, penetration);
+    return hertz * u * std::sqrt(u) * std::max(0.0, 1 + dissipation * rate);
+  }
+};
+
+struct LinearSpring {
+  double stiffness = 0;
+  double operator()(double penetration, double /*rate*/) const { return stiffness * penetration; }
+};
+
+/// Damped beams in n modal coordinates of unit modal mass, a force at the tip of the first, which
+/// has the first `n_driven` of them; one contact at the tips, gap = clearance + row . q.
+template <std::size_t n, std::size_t n_driven, class Law> struct ModalBeams {
   static constexpr std::size_t size = 2 * n, contacts = 1;
-  using State = std::array<double, size>; // q, v
+  using State = std::array<double, size>;
   std::array<double, n> squared_frequency{}, damping{}, row{};
-  double clearance = 0, hertz = 0, dissipation = 0, amplitude = 0, forcing = 0;
+  Law law{};
+  double clearance = 0, amplitude = 0, forcing = 0;
   bool touching = false;
   std::array<long, contacts> begun{};
   long evaluations = 0;
@@ -160,10 +175,10 @@ template <std::size_t n> struct ModalPair {
     return std::sqrt(*std::max_element(squared_frequency.begin(), squared_frequency.end()));
   }
   bool is_touching(std::size_t /*i*/) const { return touching; }
-  // The first half of the row is that of the driven beam, whose motion closes the gap.
+  // The motion of the driven beam closes the gap.
   static double driven(const std::array<double, n> &row, const double *q) {
     double sum = 0;
-    for (std::size_t j = 0; j < n / 2; ++j)
+    for (std::size_t j = 0; j < n_driven; ++j)
       sum -= row[j] * q[j];
     return sum;
   }
@@ -185,17 +200,13 @@ template <std::size_t n> struct ModalPair {
   }
   void operator()(const State &x, State &dxdt, double time) {
     ++evaluations;
-    double force = 0;
-    if (touching) {
-      const double u = std::max(0.0, -clearance - product(x.data()));
-      force = hertz * u * std::sqrt(u) * std::max(0.0, 1 - dissipation * product(x.data() + n));
-    }
+    const double force = touching ? law(-clearance - product(x.data()), -product(x.data() + n)) : 0;
     const double load = amplitude * std::sin(forcing * time);
     for (std::size_t j = 0; j < n; ++j) {
       dxdt[j] = x[n + j];
       dxdt[n + j] = force * row[j] - damping[j] * x[n + j] - squared_frequency[j] * x[j];
     }
-    for (std::size_t j = 0; j < n / 2; ++j)
+    for (std::size_t j = 0; j < n_driven; ++j)
       dxdt[n + j] -= load * row[j];
   }
 };

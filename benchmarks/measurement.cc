@@ -105,7 +105,8 @@ Outcome tight(const Side &side, const Case &system) {
   return side.prepare({.relative = 1e-13, .absolute = 1e-15 * system.length}, true)();
 }
 
-// Each side in turn, so that all meet the same moods of the machine.
+// Each side in turn, so that all meet the same moods of the machine. A first motion of each kind,
+// which may prepare what all later ones use, is not timed.
 void time_interleaved(const Case &system, int repetitions, CaseResult &result) {
   struct Timed {
     std::size_t side;
@@ -120,6 +121,8 @@ void time_interleaved(const Case &system, int repetitions, CaseResult &result) {
       Timed timed{.side = s,
                   .recorded = side.prepare(setting->tolerance, true),
                   .unrecorded = side.prepare(setting->tolerance, false)};
+      timed.recorded();
+      timed.unrecorded();
       const double once = std::max(1e-7, time_of(timed.recorded, 1));
       timed.calls = once > slow ? 0 : std::max(1L, std::lround(sample_seconds / once));
       list.push_back(std::move(timed));
