@@ -12,7 +12,6 @@ bool Trajectory::propagate(double limit, Observer &observer) {
   if (!path_ || keeps_modes())
     return false;
   double instant = time();
-  Vector state = steppers_.present().state();
   const long events_before = events_;
   const PathObserver path_observer{
       .monitor = observer.output_monitor(),
@@ -22,7 +21,7 @@ bool Trajectory::propagate(double limit, Observer &observer) {
       }};
   const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - events_
                                                         : std::numeric_limits<long>::max();
-  const bool moved = path_->advance(instant, state, limit, most_events, zero_at_start_,
+  const bool moved = path_->advance(instant, state(), limit, most_events, zero_at_start_,
                                     observed_ ? &path_observer : nullptr);
   const ExactPath::Tally tally = path_->take_tally();
   steps_ += tally.pieces + tally.steps_shown;
@@ -33,7 +32,7 @@ bool Trajectory::propagate(double limit, Observer &observer) {
     note_path_events();
   if (!moved)
     return false;
-  steppers_.place(instant, state);
+  steppers_.place(instant, path_->state());
   steps_outdated_ = true;
   zero_at_start_.clear();
   if (const std::optional<ExactPath::PendingChange> &pending = path_->pending())

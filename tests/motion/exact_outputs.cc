@@ -28,28 +28,42 @@ struct Output {
     return value;
   }
 
-  // The guard is far away; the output is the sum of the products as amplitudes of 1.
-  ValueRange extent_over(double h) const {
+  // The guard is far away; the outputs are the sum of the products as amplitudes of 1.
+  Sum sum() const {
     Sum sum{.constant = 1e300, .coefficients = coefficients, .exponents = exponents};
     for (std::size_t j = 0; j < exponents.size(); ++j)
       sum.coefficients[j] *= amplitudes[j];
-    SumsPhase phase({sum});
-    ValueRange range;
-    MonitoredForm form{.row = {}, .differentiated = differentiated, .range = &range};
-    form.row.constant = constant;
-    form.row.row = RowVector::Zero(phase.phase->n_modes());
-    Index column = 0;
+    return sum;
+  }
+
+  MonitoredForm form(ValueRange &range) const {
+    const Sum seen = sum();
+    std::vector<double> row;
     for (std::size_t j = 0; j < exponents.size(); ++j) {
-      form.row.row[column++] = sum.coefficients[j].real();
+      row.push_back(seen.coefficients[j].real());
       if (exponents[j].imag() != 0)
-        form.row.row[column++] = -sum.coefficients[j].imag();
+        row.push_back(-seen.coefficients[j].imag());
     }
-    const MonitoredForms forms({form});
+    return {.row = {.row = Eigen::Map<RowVector>(row.data(), static_cast<Index>(row.size())),
+                    .constant = constant},
+            .differentiated = differentiated,
+            .range = &range};
+  }
+
+  // The ranges of the forms grow.
+  void observe(const MonitoredForms &forms, double h, std::size_t outputs_of_all) const {
+    SumsPhase phase({sum()});
     ExactOutputs outputs(forms, *phase.phase);
+    EXPECT_EQ(outputs.size(), outputs_of_all);
     phase.walk.outputs = &outputs.begin();
     phase.walk.tolerated = 1e-7;
     EXPECT_EQ(phase.advance(kernel(), h), WalkEnd::limit);
     outputs.end();
+  }
+
+  ValueRange extent_over(double h) const {
+    ValueRange range;
+    observe(MonitoredForms({form(range)}), h, 1);
     return range;
   }
 };
@@ -134,6 +148,33 @@ TEST(ExactOutputsTest, RandomSumsAndSamples) {
     EXPECT_GE(range.minimum, lowest - missed) << trial;
     EXPECT_LE(range.maximum, highest + missed) << trial;
   }
+}
+
+// 1 + cos(3 t) and 1/2 - 5/2 cos(3 t): one output. A range that has seen more keeps it, and takes
+// nothing from one that has not.
+TEST(ExactOutputsTest, ParallelFormsAreOneOutput) {
+  Output sum({Complex(0, 3)});
+  sum.amplitudes[0] = sum.coefficients[0] = 1;
+  sum.constant = 1;
+  ValueRange whole;
+  ValueRange turned;
+  ValueRange wider{.minimum = -7, .maximum = 0.5};
+  ValueRange rate;
+  MonitoredForm other = sum.form(turned);
+  other.row.row *= -2.5;
+  other.row.constant = 0.5;
+  sum.differentiated = true;
+  const MonitoredForm slope = sum.form(rate);
+  sum.differentiated = false;
+  sum.observe(MonitoredForms({sum.form(whole), other, sum.form(wider), slope}), 9.5, 2);
+  EXPECT_NEAR(whole.minimum, 0, 1e-14);
+  EXPECT_NEAR(whole.maximum, 2, 1e-14);
+  EXPECT_NEAR(turned.minimum, -2, 1e-14);
+  EXPECT_NEAR(turned.maximum, 3, 1e-14);
+  EXPECT_EQ(wider.minimum, -7);
+  EXPECT_NEAR(wider.maximum, 2, 1e-14);
+  EXPECT_NEAR(rate.minimum, -3, 1e-14);
+  EXPECT_NEAR(rate.maximum, 3, 1e-14);
 }
 
 } // namespace

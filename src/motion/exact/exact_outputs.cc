@@ -1,24 +1,64 @@
 #include "motion/exact/exact_outputs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace vibroimpact::motion {
 
+namespace {
+
+// factor for which row = factor * other, entry by entry but for rounding; 0 when there is none.
+double proportion(const RowVector &row, const RowVector &other) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  Index largest = 0;
+  if (!(other.cwiseAbs().maxCoeff(&largest) > 0))
+    return 0;
+  const double factor = row[largest] / other[largest];
+  return ((row - factor * other).array().abs() <= rounding * row.array().abs()).all() ? factor : 0;
+}
+
+} // namespace
+
 ExactOutputs::ExactOutputs(const MonitoredForms &forms, const ExactPhase &phase)
     : forms_(forms), phase_(phase) {
+  for (std::size_t form = 0; form < forms.ranges.size(); ++form)
+    share_output(form);
   arrange();
+}
+
+// With an output so far that is parallel to it, or one of its own.
+void ExactOutputs::share_output(std::size_t form) {
+  const auto row = [&](std::size_t of) { return forms_.rows.row(static_cast<Index>(of)); };
+  const auto constant = [&](std::size_t of) {
+    return forms_.differentiated[of] ? 0 : forms_.constants[of];
+  };
+  Share share{.range = forms_.ranges[form], .output = leaders_.size()};
+  for (std::size_t k = 0; k < leaders_.size() && share.output == leaders_.size(); ++k) {
+    const std::size_t leader = leaders_[k];
+    const double factor = forms_.differentiated[form] == forms_.differentiated[leader]
+                              ? proportion(row(form), row(leader))
+                              : 0;
+    if (factor != 0)
+      share = {.range = share.range,
+               .output = k,
+               .factor = factor,
+               .shift = constant(form) - factor * constant(leader)};
+  }
+  if (share.output == leaders_.size())
+    leaders_.push_back(form);
+  shares_.push_back(share);
 }
 
 void ExactOutputs::arrange() {
   arrangement_ = phase_.arrangement();
   generation_ = phase_.generation();
-  const std::size_t count = forms_.ranges.size();
+  const std::size_t count = leaders_.size();
   const std::size_t blocks = (count + 7) / 8;
   const auto n = static_cast<std::size_t>(phase_.view().n_padded);
   constants_.assign(8 * blocks, 0);
   for (std::size_t f = 0; f < count; ++f)
-    constants_[f] = forms_.differentiated[f] ? 0 : forms_.constants[f];
+    constants_[f] = forms_.differentiated[leaders_[f]] ? 0 : forms_.constants[leaders_[f]];
   rows_.assign(blocks * 6 * n * 8, 0);
   sixth_.assign(blocks * n * 8, 0);
   sizes_.assign(blocks * n * 8, 0);
@@ -65,7 +105,7 @@ void ExactOutputs::store(std::size_t f, std::size_t j, Index order, double real,
 }
 
 void ExactOutputs::set_group(const PhaseGroup &group) {
-  for (std::size_t f = 0; f < forms_.ranges.size(); ++f)
+  for (std::size_t f = 0; f < leaders_.size(); ++f)
     if (group.kind == BlockKind::dense)
       set_dense(f, group);
     else
@@ -73,7 +113,7 @@ void ExactOutputs::set_group(const PhaseGroup &group) {
 }
 
 double ExactOutputs::seen(std::size_t f, Index coordinate) const {
-  return forms_.rows.row(static_cast<Index>(f)).dot(phase_.columns().col(coordinate));
+  return forms_.rows.row(static_cast<Index>(leaders_[f])).dot(phase_.columns().col(coordinate));
 }
 
 // A derivative sees the exponent times what the form sees. Real exponentials are bounded by their
@@ -81,7 +121,7 @@ double ExactOutputs::seen(std::size_t f, Index coordinate) const {
 void ExactOutputs::set_pair(std::size_t f, const PhaseGroup &group) {
   const bool is_pair = group.kind == BlockKind::pair;
   Complex c(seen(f, group.coordinates[0]), is_pair ? -seen(f, group.coordinates[1]) : 0);
-  if (forms_.differentiated[f])
+  if (forms_.differentiated[leaders_[f]])
     c *= group.exponent;
   const auto first = static_cast<std::size_t>(group.first);
   const std::size_t place =
@@ -103,7 +143,7 @@ void ExactOutputs::set_dense(std::size_t f, const PhaseGroup &group) {
   RowVector row(static_cast<Index>(group.coordinates.size()));
   for (std::size_t c = 0; c < group.coordinates.size(); ++c)
     row[static_cast<Index>(c)] = seen(f, group.coordinates[c]);
-  if (forms_.differentiated[f])
+  if (forms_.differentiated[leaders_[f]])
     row = row * group.generator;
   for (Index r = 0; r <= 6; ++r, row = row * group.generator)
     for (std::size_t c = 0; c < group.coordinates.size(); ++c) {
@@ -117,19 +157,30 @@ void ExactOutputs::set_dense(std::size_t f, const PhaseGroup &group) {
     }
 }
 
+// Of an output that several ranges share, the search must find what exceeds any of them.
 OutputsView &ExactOutputs::begin() {
-  for (std::size_t f = 0; f < forms_.ranges.size(); ++f) {
-    minimum_[f] = forms_.ranges[f]->minimum;
-    maximum_[f] = forms_.ranges[f]->maximum;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::fill_n(minimum_.begin(), leaders_.size(), -infinity);
+  std::fill_n(maximum_.begin(), leaders_.size(), infinity);
+  for (const Share &share : shares_) {
+    const double low = (share.range->minimum - share.shift) / share.factor;
+    const double high = (share.range->maximum - share.shift) / share.factor;
+    double &minimum = minimum_[share.output];
+    double &maximum = maximum_[share.output];
+    minimum = std::max(minimum, share.factor > 0 ? low : high);
+    maximum = std::min(maximum, share.factor > 0 ? high : low);
   }
   view_.continued = false;
   return view_;
 }
 
 void ExactOutputs::end() {
-  for (std::size_t f = 0; f < forms_.ranges.size(); ++f) {
-    forms_.ranges[f]->minimum = minimum_[f];
-    forms_.ranges[f]->maximum = maximum_[f];
+  for (const Share &share : shares_) {
+    const double of_minimum = share.factor * minimum_[share.output] + share.shift;
+    const double of_maximum = share.factor * maximum_[share.output] + share.shift;
+    ValueRange &range = *share.range;
+    range.minimum = std::min(range.minimum, share.factor > 0 ? of_minimum : of_maximum);
+    range.maximum = std::max(range.maximum, share.factor > 0 ? of_maximum : of_minimum);
   }
 }
 

@@ -1,4 +1,6 @@
-// Extreme values of linear forms of the motion in a phase.
+// Extreme values of linear forms of the motion in a phase. Forms that are parallel (a displacement
+// and a gap, a gap and the force of a spring there) have their extreme values together and are one
+// output, searched once.
 #pragma once
 
 #include "motion/exact/exact_phase.h"
@@ -16,21 +18,33 @@ public:
   /// The inputs of the phase are others.
   void renew();
 
+  std::size_t size() const { return leaders_.size(); }
+
   /// The extremes known so far, which those of the next part of the motion are to exceed.
   OutputsView &begin();
   /// That part is over: the ranges have grown by it.
   void end();
 
 private:
+  /// A range that grows by factor * output + shift.
+  struct Share {
+    ValueRange *range = nullptr;
+    std::size_t output = 0;
+    double factor = 1, shift = 0;
+  };
+
+  void share_output(std::size_t form);
   void arrange();
   void set_group(const PhaseGroup &group);
-  void set_pair(std::size_t form, const PhaseGroup &group);
-  void set_dense(std::size_t form, const PhaseGroup &group);
-  double seen(std::size_t form, Index coordinate) const;
-  void store(std::size_t form, std::size_t j, Index order, double real, double imaginary);
+  void set_pair(std::size_t output, const PhaseGroup &group);
+  void set_dense(std::size_t output, const PhaseGroup &group);
+  double seen(std::size_t output, Index coordinate) const;
+  void store(std::size_t output, std::size_t j, Index order, double real, double imaginary);
 
   const MonitoredForms &forms_;
   const ExactPhase &phase_;
+  std::vector<std::size_t> leaders_; ///< of each output, a form
+  std::vector<Share> shares_;        ///< of all forms
   long arrangement_ = -1, generation_ = -1;
   AlignedArray constants_, rows_, sixth_, sizes_, single_, minimum_, maximum_, ends_, middles_;
   OutputsView view_;

@@ -37,29 +37,6 @@ void set_modes(const std::vector<int> &modes, Equations &equations) {
     equations.set_mode(c, modes[c]);
 }
 
-// What rounding may hide of a guard.
-double hidden_by_rounding(const PhaseView &view, std::size_t guard, const double *amplitudes,
-                          double noise) {
-  const auto n = static_cast<std::size_t>(view.n_padded);
-  const double *sizes = view.sizes + guard * n;
-  double sum = view.constant_sizes[guard];
-  for (std::size_t j = 0; j < n; ++j)
-    sum +=
-        sizes[j] * std::sqrt(amplitudes[j] * amplitudes[j] + amplitudes[n + j] * amplitudes[n + j]);
-  return guard_rounding * sum + noise;
-}
-
-// What the rounding of amplitudes makes of each guard.
-void guard_noise(const PhaseView &view, const AlignedArray &rounding, AlignedArray &noise) {
-  const auto n = static_cast<std::size_t>(view.n_padded);
-  for (std::size_t g = 0; g < static_cast<std::size_t>(view.n_guards); ++g) {
-    double sum = 0;
-    for (std::size_t j = 0; j < n; ++j)
-      sum += view.sizes[g * n + j] * rounding[j];
-    noise[g] = sum;
-  }
-}
-
 } // namespace
 
 ExactPath::ExactPath(Equations &equations, ExactPhases &phases, double event_tolerance)
@@ -110,6 +87,7 @@ ExactPath::Transition *ExactPath::transition(std::size_t guard) {
 }
 
 ExactPath::Transition ExactPath::find_transition(const PhaseGuard &passed) {
+  set_modes(known_->linear->forms().contact_modes(), equations_);
   const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
   equations_.set_mode(passed.contact, passed.target);
   Transition transition{.target = &known_phase(), .proportion = {}};
@@ -124,24 +102,26 @@ ExactPath::Transition ExactPath::find_transition(const PhaseGuard &passed) {
   return transition;
 }
 
-double ExactPath::rounding(std::size_t guard) const {
-  return hidden_by_rounding(known_->view(), guard, walk_.turned, noise_[guard]);
+// What rounding may hide of a guard.
+double ExactPath::hidden(const PhaseView &view, std::size_t guard, const double *amplitudes) const {
+  return guard_rounding * kernel_.guard_size(view, static_cast<int>(guard), amplitudes) +
+         noise_[guard];
 }
 
 // From walk_.amplitudes on, in the phase known_.
-void ExactPath::start_walk(const KnownPhase &known) {
+void ExactPath::start_walk(KnownPhase &known) {
   std::copy_n(walk_.amplitudes, known.phase().n_amplitudes(), start_.begin());
   walk_.origin = start_.data();
   walk_.noise = noise_.data();
   walk_.order = order_.data();
   walk_.time = 0;
   walk_.pieces_of_phase = 0;
-  known_ = &phases_.at(known.linear->forms().contact_modes());
+  known_ = &known;
 }
 
 // A guard that has just been passed is zero within what its location has left. False: it falls at
 // once.
-bool ExactPath::start_from(double time, const Vector &state, std::span<const ZeroGuard> zero) {
+bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
   if (!exact_phases_.linear() || !exact_phases_.take_sources(time))
     return false;
   KnownPhase &known = known_phase();
@@ -154,7 +134,7 @@ bool ExactPath::start_from(double time, const Vector &state, std::span<const Zer
     buffer->resize(std::max(buffer->size(), 2 * largest));
   for (AlignedArray *buffer : {&magnitudes_, &reach_, &next_rounding_})
     buffer->resize(std::max(buffer->size(), largest));
-  physical_ = state.head(known.phase().n_modes());
+  physical_ = state_.head(known.phase().n_modes());
   Amplitudes start;
   known.phase().amplitudes(physical_, inputs_.data(), start);
   rounding_.assign(largest,
@@ -168,7 +148,7 @@ bool ExactPath::start_from(double time, const Vector &state, std::span<const Zer
   const PhaseView &view = known.view();
   noise_.assign(static_cast<std::size_t>(view.n_guards), 0);
   order_.assign(static_cast<std::size_t>(view.n_guards), 0);
-  guard_noise(view, rounding_, noise_);
+  kernel_.guard_noise(view, rounding_.data(), noise_.data());
   const std::vector<PhaseGuard> &guards = known.guards();
   for (std::size_t g = 0; g < guards.size(); ++g) {
     const bool was_zero = std::any_of(zero.begin(), zero.end(), [&](const ZeroGuard &passed) {
@@ -176,8 +156,7 @@ bool ExactPath::start_from(double time, const Vector &state, std::span<const Zer
     });
     double f[4];
     kernel_.derivatives(view, static_cast<int>(g), walk_.amplitudes, f);
-    const double hidden = hidden_by_rounding(view, g, walk_.amplitudes, noise_[g]);
-    if (was_zero ? !(f[1] > 0) : !(f[0] > hidden))
+    if (was_zero ? !(f[1] > 0) : !(f[0] > hidden(view, g, walk_.amplitudes)))
       return false;
     order_[g] = was_zero ? 1 : 0;
   }
@@ -209,7 +188,7 @@ void ExactPath::prepare_monitoring(KnownPhase &known) {
 // the outputs mostly need no division.
 void ExactPath::begin_part(double time) {
   constexpr double unobserved = 1e-4;
-  constexpr double observed = 1e-7;
+  constexpr double observed = 1e-6;
   walk_.outputs = nullptr;
   walk_.tolerated = unobserved;
   if (!observer_)
@@ -230,7 +209,7 @@ void ExactPath::end_part(double time, const double *amplitudes) {
   if (observer_->steps)
     show_steps(time, amplitudes);
   else
-    known_->linear->work(equations_).add(part_.data(), amplitudes, time - part_start_, *state_);
+    known_->linear->work(equations_).add(part_.data(), amplitudes, time - part_start_, state_);
   if (!observer_->monitor)
     return;
   known_->outputs->end();
@@ -243,7 +222,7 @@ void ExactPath::show_steps(double time, const double *amplitudes) {
   ExactSegment &segment = known_->linear->segment(equations_);
   WorkIntegrals &work = known_->linear->work(equations_);
   std::copy_n(part_.data(), known_->phase().n_amplitudes(), step_start_.begin());
-  start_point_.state = *state_;
+  start_point_.state = state_;
   segment.fill(part_start_, step_start_.data(), start_point_);
   segment.begin(step_start_.data(), part_start_ == origin_);
   while (start_point_.time < time) {
@@ -268,16 +247,15 @@ void ExactPath::show_steps(double time, const double *amplitudes) {
     std::swap(start_point_, end_point_);
     step_start_.swap(step_end_);
   }
-  *state_ = start_point_.state;
+  state_ = start_point_.state;
 }
 
 // Reports a contact change, which takes the equations to the modes after it.
 void ExactPath::report_change(double time) {
   const PhaseGuard &passed = known_->guards()[static_cast<std::size_t>(walk_.guard)];
   end_part(time, walk_.turned);
-  known_->phase().rows(walk_.turned, rows_);
-  state_->head(known_->phase().n_modes()) = rows_.head(known_->phase().n_modes());
-  observer_->change(time, passed.contact, passed.guard, *state_);
+  known_->phase().state(walk_.turned, state_.data());
+  observer_->change(time, passed.contact, passed.guard, state_);
 }
 
 // The new phase's guards of the contact that changed may be zero, and must rise then; what those of
@@ -291,15 +269,15 @@ bool ExactPath::begin_guards(const Transition &transition, std::size_t passed) {
   const std::size_t contact = known_->guards()[passed].contact;
   noise_.resize(guards.size());
   order_.assign(guards.size(), 0);
-  guard_noise(view, next_rounding_, noise_);
+  kernel_.guard_noise(view, next_rounding_.data(), noise_.data());
   for (std::size_t g = 0; g < guards.size(); ++g) {
     if (guards[g].contact != contact)
       continue;
     double f[4];
     kernel_.derivatives(view, static_cast<int>(g), next_.data(), f);
-    const double noise = std::max({hidden_by_rounding(view, g, next_.data(), noise_[g]),
-                                   2 * std::max(tolerance, residual) * std::abs(f[1]),
-                                   transition.proportion[g] * std::abs(walk_.value)});
+    const double noise =
+        std::max({hidden(view, g, next_.data()), 2 * std::max(tolerance, residual) * std::abs(f[1]),
+                  transition.proportion[g] * std::abs(walk_.value)});
     if (f[0] < -noise || (f[0] <= noise && f[1] <= 0))
       return false;
     order_[g] = f[0] <= noise ? 1 : 0;
@@ -331,7 +309,7 @@ bool ExactPath::change_phase() {
   }
   note_residual();
   if (!begin_guards(*next, passed)) {
-    guard_noise(known_->view(), rounding_, noise_);
+    kernel_.guard_noise(known_->view(), rounding_.data(), noise_.data());
     running_ = false;
     return false;
   }
@@ -345,7 +323,6 @@ bool ExactPath::change_phase() {
   walk_.amplitudes = next_.data();
   (before == amplitudes_.data() ? amplitudes_ : turned_).swap(next_);
   start_walk(*next->target);
-  set_modes(known_->linear->forms().contact_modes(), equations_);
   begin_part(time);
   return true;
 }
@@ -361,24 +338,29 @@ void ExactPath::note_pending() {
 
 // Zero where the guard is below the rounding of its own evaluation: no instant is closer.
 void ExactPath::note_residual() {
-  if (std::abs(walk_.value) > rounding(static_cast<std::size_t>(walk_.guard)))
-    tally_.event_residual = std::max(tally_.event_residual, std::abs(walk_.value / walk_.slope));
+  const double residual = std::abs(walk_.value / walk_.slope);
+  if (residual > tally_.event_residual &&
+      std::abs(walk_.value) >
+          hidden(known_->view(), static_cast<std::size_t>(walk_.guard), walk_.turned))
+    tally_.event_residual = residual;
 }
 
-void ExactPath::stand(double time, const double *amplitudes, Vector &state) {
+// Where nobody observes, the equations need the modes of the last phase only.
+void ExactPath::stand(double time, const double *amplitudes) {
+  if (!observer_)
+    set_modes(known_->linear->forms().contact_modes(), equations_);
   end_part(time, amplitudes);
-  known_->phase().rows(amplitudes, rows_);
-  state.head(known_->phase().n_modes()) = rows_.head(known_->phase().n_modes());
-  if (!state.allFinite())
+  known_->phase().state(amplitudes, state_.data());
+  if (!state_.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");
 }
 
-bool ExactPath::advance(double &time, Vector &state, double limit, long most_events,
+bool ExactPath::advance(double &time, const Vector &state, double limit, long most_events,
                         std::span<const ZeroGuard> zero, const PathObserver *observer) {
   observer_ = observer;
-  state_ = &state;
+  state_ = state;
   pending_.reset();
-  if (!running_ && !start_from(time, state, zero))
+  if (!running_ && !start_from(time, zero))
     return false;
   begin_part(time);
   const double from = time;
@@ -398,7 +380,7 @@ bool ExactPath::advance(double &time, Vector &state, double limit, long most_eve
   }
   running_ = end == WalkEnd::limit;
   time = running_ ? limit : origin_ + walk_.time + (pending_ ? walk_.to_guard : 0);
-  stand(time, pending_ ? walk_.turned : walk_.amplitudes, state);
+  stand(time, pending_ ? walk_.turned : walk_.amplitudes);
   return time > from;
 }
 

@@ -60,10 +60,11 @@ public:
   /// Goes on from (time, state) in the present modes of the equations, to `limit` (no later than
   /// the next break of the sources) and through `most_events` contact changes at most. The guards
   /// in `zero` count as zero at first if they rise. True when that moved the motion on; pending()
-  /// then tells whether a contact changes there. Without observer the entries of the work integrals
-  /// stay as they are.
-  bool advance(double &time, Vector &state, double limit, long most_events,
+  /// then tells whether a contact changes there, and state() where it stands. Without observer the
+  /// entries of the work integrals stay as they are.
+  bool advance(double &time, const Vector &state, double limit, long most_events,
                std::span<const ZeroGuard> zero = {}, const PathObserver *observer = nullptr);
+  const Vector &state() const { return state_; }
   const std::optional<PendingChange> &pending() const { return pending_; }
   /// False: nothing can be proven from where the motion stands, and a step must find out.
   bool clear() const { return running_ || pending_; }
@@ -100,20 +101,20 @@ private:
   KnownPhase &known_phase();
   Transition *transition(std::size_t guard);
   Transition find_transition(const PhaseGuard &passed);
-  bool start_from(double time, const Vector &state, std::span<const ZeroGuard> zero);
+  bool start_from(double time, std::span<const ZeroGuard> zero);
   void prepare_monitoring(KnownPhase &known);
   void begin_part(double time);
   void end_part(double time, const double *amplitudes);
   void show_steps(double time, const double *amplitudes);
   void report_change(double time);
-  void start_walk(const KnownPhase &known);
+  void start_walk(KnownPhase &known);
   bool change_phase();
   bool begin_guards(const Transition &transition, std::size_t passed);
-  double rounding(std::size_t guard) const;
+  double hidden(const PhaseView &view, std::size_t guard, const double *amplitudes) const;
   double time_tolerance(double time) const;
   void note_pending();
   void note_residual();
-  void stand(double time, const double *amplitudes, Vector &state);
+  void stand(double time, const double *amplitudes);
 
   Equations &equations_;
   ExactPhases &exact_phases_;
@@ -127,15 +128,15 @@ private:
   AlignedArray magnitudes_, reach_, rounding_, next_rounding_, noise_;
   std::vector<unsigned char> order_;
   int changes_ = 0; ///< since the inputs were taken from the sources
-  Vector rows_, physical_;
+  Vector physical_;
   double origin_ = 0; ///< when the walk began
   double last_event_;
   bool running_ = false;
   std::optional<PendingChange> pending_;
   Tally tally_;
   const PathObserver *observer_ = nullptr; ///< of the present call
-  Vector *state_ = nullptr;                ///< of the present call
-  Amplitudes part_;                        ///< at the start of the part that is not reported yet
+  Vector state_;
+  Amplitudes part_; ///< at the start of the part that is not reported yet
   double part_start_ = 0;
   Amplitudes start_; ///< when the walk began
   Amplitudes step_start_, step_end_;

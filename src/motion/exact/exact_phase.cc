@@ -197,10 +197,16 @@ void ExactPhase::amplitudes(const Vector &y, const double *inputs, Amplitudes &a
         static_cast<double>(modes[i]);
 }
 
-void ExactPhase::rows(const double *amplitudes, Vector &rows) const {
-  rows.setZero(n_rows_);
-  for (Index k = 0; k < n_coordinates(); ++k)
-    rows += amplitudes[places_[static_cast<std::size_t>(k)]] * columns_.col(k);
+void ExactPhase::state(const double *amplitudes, double *y) const {
+  const int *places = places_.data();
+  const Index n = n_coordinates();
+  for (Index i = 0; i < n_modes(); ++i) {
+    const double *row = columns_.data() + i;
+    double sum = 0;
+    for (Index k = 0; k < n; ++k)
+      sum += amplitudes[places[k]] * row[k * n_rows_];
+    y[i] = sum;
+  }
 }
 
 } // namespace vibroimpact::motion

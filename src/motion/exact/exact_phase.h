@@ -57,8 +57,8 @@ public:
 
   /// y to amplitudes, whose inputs have the coordinates given; each is rounded once.
   void amplitudes(const Vector &y, const double *inputs, Amplitudes &amplitudes) const;
-  /// The rows of amplitudes.
-  void rows(const double *amplitudes, Vector &rows) const;
+  /// y of amplitudes: n_modes() entries.
+  void state(const double *amplitudes, double *y) const;
 
 private:
   struct Level {

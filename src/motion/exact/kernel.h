@@ -164,6 +164,10 @@ struct Kernel {
   void (*turn)(const PhaseView &phase, const double *amplitudes, double time, double *turned);
   /// Value and first three derivatives of a guard.
   void (*derivatives)(const PhaseView &phase, int guard, const double *amplitudes, double *values);
+  /// What a guard is summed up from: guard_rounding times that is what rounding may hide of it.
+  double (*guard_size)(const PhaseView &phase, int guard, const double *amplitudes);
+  /// What the rounding of the amplitudes (n_padded) makes of each guard.
+  void (*guard_noise)(const PhaseView &phase, const double *rounding, double *noise);
   /// `rounding`: n_padded, of the amplitudes.
   void (*change)(const ChangeView &change, const double *from, double *to, double *rounding);
   /// The integrals from one instant to another, `length` later [s]; all n_blocks x 8 of them.

@@ -27,22 +27,29 @@ inline V8 load_at(const double *rows, int r, int part, int n, int j) {
   return load(rows + 8 * ((2 * r + part) * n + j));
 }
 
+inline void add_terms(const double *rows, int part, int n, int j, double amplitude, V8 *to) {
+  const V8 x = all(amplitude);
+  for (int r = 0; r < 3; ++r)
+    to[r] = fused(load_at(rows, r, part, n, j), x, to[r]);
+}
+
 inline void sum_output(const PhaseView &p, const double *rows, const double *amplitudes,
                        Output8 &f) {
   const int n = p.n_padded;
+  V8 pairs[3] = {all(0), all(0), all(0)};
+  V8 reals[3] = {all(0), all(0), all(0)};
+  for (int j = 0; j < p.n_pairs; ++j) {
+    add_terms(rows, 0, n, j, amplitudes[j], pairs);
+    add_terms(rows, 1, n, j, amplitudes[n + j], pairs);
+  }
+  for (int j = p.n_pairs; j < p.n_groups; ++j)
+    if (p.rate[j] != 0)
+      add_terms(rows, 0, n, j, amplitudes[j], reals);
+    else
+      add_terms(rows, 0, n, j, amplitudes[j], pairs);
   for (int r = 0; r < 3; ++r) {
-    V8 pairs = all(0);
-    for (int j = 0; j < p.n_pairs; ++j) {
-      pairs = fused(load_at(rows, r, 0, n, j), all(amplitudes[j]), pairs);
-      pairs = fused(load_at(rows, r, 1, n, j), all(amplitudes[n + j]), pairs);
-    }
-    V8 reals = all(0);
-    for (int j = p.n_pairs; j < p.n_groups; ++j) {
-      V8 &to = p.rate[j] != 0 ? reals : pairs;
-      to = fused(load_at(rows, r, 0, n, j), all(amplitudes[j]), to);
-    }
-    f.oscillating[r] = pairs;
-    f.decaying[r] = reals;
+    f.oscillating[r] = pairs[r];
+    f.decaying[r] = reals[r];
   }
 }
 

@@ -127,6 +127,27 @@ inline void low_derivatives(const PhaseView &p, int guard, const double *amplitu
   values[0] += p.constants[guard];
 }
 
+inline double guard_size(const PhaseView &p, int guard, const double *amplitudes) {
+  const int n = p.n_padded;
+  const double *sizes = p.sizes + guard * n;
+  V8 total = all(0);
+  for (int b = 0; b < n; b += group_block) {
+    const V8 re = load(amplitudes + b);
+    const V8 im = load(amplitudes + n + b);
+    total = fused(load(sizes + b), square_root(fused(re, re, im * im)), total);
+  }
+  return p.constant_sizes[guard] + sum(total);
+}
+
+inline void guard_noise(const PhaseView &p, const double *rounding, double *noise) {
+  for (int guard = 0; guard < p.n_guards; ++guard) {
+    V8 total = all(0);
+    for (int b = 0; b < p.n_padded; b += group_block)
+      total = fused(load(p.sizes + guard * p.n_padded + b), load(rounding + b), total);
+    noise[guard] = sum(total);
+  }
+}
+
 inline void change(const ChangeView &change, const double *from, double *to, double *rounding) {
   const int n = change.n_padded;
   for (int b = 0; b < n; b += group_block) {

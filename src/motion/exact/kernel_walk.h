@@ -36,11 +36,7 @@ private:
   double *imaginary() const { return w_.amplitudes + p_.n_padded; }
 
   double margin(int guard) const {
-    const double *sizes = p_.sizes + guard * p_.n_padded;
-    double total = p_.constant_sizes[guard];
-    for (int j = 0; j < p_.n_groups; ++j)
-      total += sizes[j] * __builtin_sqrt(real()[j] * real()[j] + imaginary()[j] * imaginary()[j]);
-    return guard_rounding * total + w_.noise[guard];
+    return guard_rounding * guard_size(p_, guard, w_.amplitudes) + w_.noise[guard];
   }
 
   void measure() {

@@ -35,6 +35,7 @@ inline V8 operator/(V8 a, V8 b) { return {_mm512_div_pd(a.v, b.v)}; }
 inline V8 fused(V8 a, V8 b, V8 c) { return {_mm512_fmadd_pd(a.v, b.v, c.v)}; }
 inline V8 fused_minus(V8 a, V8 b, V8 c) { return {_mm512_fnmadd_pd(a.v, b.v, c.v)}; }
 inline V8 magnitude(V8 a) { return {_mm512_abs_pd(a.v)}; }
+inline V8 square_root(V8 a) { return {_mm512_sqrt_pd(a.v)}; }
 inline V8 lower(V8 a, V8 b) { return {_mm512_min_pd(a.v, b.v)}; }
 inline V8 upper(V8 a, V8 b) { return {_mm512_max_pd(a.v, b.v)}; }
 /// One bit for each place in which a < b, the first place in the lowest bit.
@@ -84,6 +85,7 @@ inline V8 magnitude(V8 x) {
   const __m256d sign = _mm256_set1_pd(-0.0);
   return {_mm256_andnot_pd(sign, x.a), _mm256_andnot_pd(sign, x.b)};
 }
+inline V8 square_root(V8 x) { return {_mm256_sqrt_pd(x.a), _mm256_sqrt_pd(x.b)}; }
 inline V8 lower(V8 x, V8 y) { return {_mm256_min_pd(x.a, y.a), _mm256_min_pd(x.b, y.b)}; }
 inline V8 upper(V8 x, V8 y) { return {_mm256_max_pd(x.a, y.a), _mm256_max_pd(x.b, y.b)}; }
 inline unsigned below(V8 x, V8 y) {
@@ -155,6 +157,9 @@ inline V8 fused_minus(const V8 &a, const V8 &b, const V8 &c) {
 }
 inline V8 magnitude(const V8 &a) {
   return each([&](int i) { return std::abs(a.v[i]); });
+}
+inline V8 square_root(const V8 &a) {
+  return each([&](int i) { return std::sqrt(a.v[i]); });
 }
 inline V8 lower(const V8 &a, const V8 &b) {
   return each([&](int i) { return a.v[i] < b.v[i] ? a.v[i] : b.v[i]; });
