@@ -17,6 +17,7 @@ constexpr const char *section_name = "Stepped sweep";
 constexpr const char *state = "state";
 constexpr const char *lowest_state = "settled_state_minimum";
 constexpr const char *highest_state = "settled_state_maximum";
+constexpr std::size_t usual_fields = 64; // of a point; with more its list grows once
 
 SteppedSweep::Directions read_directions(const parameters::Values &values) {
   const std::string name = values.choice("Direction");
@@ -222,6 +223,8 @@ PointResult SteppedSweep::compute(const Step &step, SweptSystem &swept, const Mo
   motion::Trajectory &trajectory = swept.trajectory();
   WindowRecording &recording = swept.recording();
   PointResult result{.index = step.index()};
+  result.fields.reserve(usual_fields);
+  result.summary.reserve(usual_fields);
   trajectory.start(from);
   settled = settle(trajectory, swept.period(), swept.scale(), settings_.settling,
                    [&](long periods) { note(periods, context); });

@@ -135,14 +135,20 @@ std::vector<std::size_t> index_of_point(std::string_view bytes) {
 }
 
 int compare_index(std::string_view one, std::string_view other) {
-  Cursor first(one);
-  Cursor second(other);
-  const auto size = first.take<std::uint8_t>();
-  if (const auto other_size = second.take<std::uint8_t>(); size != other_size)
-    return size < other_size ? -1 : 1;
-  for (std::uint8_t axis = 0; axis < size; ++axis) {
-    const auto here = first.take<std::uint32_t>();
-    const auto there = second.take<std::uint32_t>();
+  const auto positions = [](std::string_view bytes) {
+    Cursor cursor(bytes);
+    const std::size_t axes = cursor.take<std::uint8_t>();
+    return cursor.take(axes * sizeof(std::uint32_t));
+  };
+  const std::string_view first = positions(one);
+  const std::string_view second = positions(other);
+  if (first.size() != second.size())
+    return first.size() < second.size() ? -1 : 1;
+  for (std::size_t at = 0; at < first.size(); at += sizeof(std::uint32_t)) {
+    std::uint32_t here = 0;
+    std::uint32_t there = 0;
+    std::memcpy(&here, first.data() + at, sizeof here);
+    std::memcpy(&there, second.data() + at, sizeof there);
     if (here != there)
       return here < there ? -1 : 1;
   }

@@ -32,6 +32,7 @@ void PointTotals::add(const PointResult &point) {
   unsettled_ += analyses::recorded_unsettled(point) ? 1 : 0;
   unbalanced_ += analyses::unbalanced(point) ? 1 : 0;
   undecided_ += analyses::undecided_events(point);
+  has_motion_ = has_motion_ || !point.motion.empty();
   if (point.status != Status::failed)
     return;
   ++failed_;

@@ -85,7 +85,7 @@ void FileSink::end() {
   run_on_first_rank(communicator_, [this] {
     try_to_write([this] {
       for (const auto &[header, points] : replace_files())
-        if (header.name == header_.name && !stop_requested())
+        if (header.name == header_.name && totals_.has_motion() && !stop_requested())
           write_motion(points);
     });
     tell_totals();
