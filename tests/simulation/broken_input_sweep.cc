@@ -119,6 +119,10 @@ TEST(BrokenInputSweepTest, StartAndJumps) {
                  {"Jump threshold", "greater than 0"});
   expect_message("set Points = 3", "set Points = 3\n    set Minimum settling cycles = 300",
                  {"Minimum settling cycles", "at most Settling cycles"});
+  expect_message("set Points = 3", "set Points = 3\n    set Cycles without approach = -1",
+                 {"Cycles without approach", "-1", "from 0"});
+  expect_message("set Points = 3", "set Points = 3\n    set Cycles without approach = 2.5",
+                 {"Cycles without approach", "2.5", "whole number"});
 }
 
 TEST(BrokenInputSweepTest, Excitation) {
