@@ -138,7 +138,7 @@ def kind_handles(found: set[int]) -> list[Line2D]:
 def multiplier_figure(layout: Layout):
     """Multipliers of all points against the unit circle; those far outside are left out."""
     analysis = layout.analysis
-    figure, (axes,) = style.panels(1, height=4.2)
+    figure, (axes,) = style.panels(1, height=3.0)
     angle = np.linspace(0, 2 * np.pi, 361)
     axes.plot(np.cos(angle), np.sin(angle), color=style.GREY, linewidth=0.8)
     for case in layout.cases():

@@ -153,6 +153,11 @@ void BranchTable::add(const SpecialPoint &special) {
   special_.push_back(std::move(row));
 }
 
+void BranchTable::drop(long number) {
+  for (std::vector<Row> *rows : {&points_, &special_, &ends_})
+    std::erase_if(*rows, [number](const Row &row) { return row.branch == number; });
+}
+
 void BranchTable::end(const continuation::Branch &branch) {
   if (branch.points.empty())
     return;

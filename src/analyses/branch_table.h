@@ -18,6 +18,8 @@ public:
   void begin(long number, long halves, double sign);
   void add(const continuation::BranchPoint &point);
   void add(const continuation::SpecialPoint &special);
+  /// Forgets all of a branch.
+  void drop(long number);
   /// The part ends.
   void end(const continuation::Branch &branch);
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
+#include <list>
 #include <memory>
 #include <numbers>
 
@@ -57,6 +57,7 @@ struct Task {
   Start start;
   long number = 0, level = 0;
   double sign = 1;
+  double key = 0; ///< of the special point where it begins
 };
 
 /// Follows one branch after the other.
@@ -77,12 +78,25 @@ public:
 
   void run() {
     bool closed = false;
+    for (; !tasks_.empty() && tasks_.front().level == 0; tasks_.pop_front())
+      if (!closed)
+        closed = follow(tasks_.front()) == continuation::End::closed;
     for (; !tasks_.empty(); tasks_.pop_front())
-      if (!(closed && tasks_.front().number == 0))
-        closed |= follow(tasks_.front()) == continuation::End::closed;
+      enter(tasks_.front());
   }
 
 private:
+  // A branch whose first point is not found is left out.
+  void enter(Task &task) {
+    task.number = branches_ + 1;
+    try {
+      follow(task);
+      ++branches_;
+    } catch (const NumericalError &) {
+      table_.drop(task.number);
+    }
+  }
+
   continuation::End follow(const Task &task) {
     table_.begin(task.number, task.problem->halves(), task.sign);
     bool first = task.sign > 0 || settings_.directions == OrbitBranch::Directions::backward;
@@ -97,24 +111,36 @@ private:
              },
          .special = [&](const SpecialPoint &special) { table_.add(special); }});
     table_.end(branch);
+    if (branch.end == continuation::End::shorter_return)
+      forget(task, branch.points.back().point.keys[0]);
     if (task.level < settings_.levels)
       for (const SpecialPoint &special : branch.special)
         switch_at(task, special);
     return branch.end;
   }
 
-  // A branch that cannot be entered is left out; its special point stays.
+  // A branch that begins at one special point and ends at another need not be followed from there.
+  void forget(const Task &done, double key) {
+    constexpr double same = 1e-6; // of the range; where a branch ends the key turns
+    const continuation::Range &range = settings_.continuation.first_key;
+    std::erase_if(tasks_, [&](const Task &task) {
+      return &task != &done && task.level > 0 && task.level == done.level &&
+             std::abs(task.key - key) < same * (range.upper - range.lower);
+    });
+  }
+
+  // A branch that cannot be entered is left out.
   void switch_at(const Task &task, const SpecialPoint &special) {
     if (special.kind != continuation::Special::flip)
       return;
-    auto doubled = std::make_shared<OrbitProblem>(task.problem->doubled_orbits());
+    const auto doubled = std::make_shared<OrbitProblem>(task.problem->doubled_orbits());
     try {
+      const Start start = branch_from(*doubled, special, settings_.continuation);
       tasks_.push_back({.problem = doubled,
-                        .start = branch_from(*doubled, special, settings_.continuation),
-                        .number = ++branches_,
-                        .level = task.level + 1});
-    } catch (const NumericalError &) {
-      --branches_;
+                        .start = start,
+                        .level = task.level + 1,
+                        .key = special.at.point.keys[0]});
+    } catch (const NumericalError &) { // the special point stays
     }
   }
 
@@ -126,7 +152,7 @@ private:
   const OrbitBranch::Settings &settings_;
   BranchTable &table_;
   LineContext &context_;
-  std::deque<Task> tasks_;
+  std::list<Task> tasks_;
   long branches_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "analyses/orbit_start.h"
 
 #include "analyses/steadiness.h"
+#include "analyses/stored_state.h"
 
 #include <algorithm>
 #include <numbers>
@@ -21,17 +22,18 @@ constexpr const char *settling_keys[] = {"Minimum settling cycles", "Settling cy
 void declare_orbit_start(parameters::Section &section) {
   using namespace parameters;
   declare_settling(section);
-  section
-      .quantities(
-          "State", "", dimension::none, range::any, "x_0",
-          "State from which Newton's method starts, in SI: as the array `state` of a sweep, "
-          "a response or another periodic orbit holds it, at the forcing phase of time "
-          "zero. Empty: the motion settles from the initial conditions, or with Settling "
-          "cycles = 0 they are the start themselves.",
-          0, 100000)
-      .integer("Period multiple", "0", Range{.lower = 0, .upper = 1000}, "p",
-               "Forcing periods after which the motion repeats itself, or a multiple of them; 0: "
-               "those of the settled motion, 1 where it is not steady yet or a State is given.");
+  section.quantities(
+      "State", "", dimension::none, range::any, "x_0",
+      "State from which Newton's method starts, in SI: as the array `state` of a sweep, "
+      "a response or another periodic orbit holds it, at the forcing phase of time "
+      "zero. Empty: the motion settles from the initial conditions, or with Settling "
+      "cycles = 0 they are the start themselves.",
+      0, 100000);
+  declare_stored_state(section);
+  section.integer(
+      "Period multiple", "0", Range{.lower = 0, .upper = 1000}, "p",
+      "Forcing periods after which the motion repeats itself, or a multiple of them; 0: "
+      "those of the settled motion, 1 where it is not steady yet or a state is given.");
 }
 
 OrbitStart read_orbit_start(const parameters::Values &section) {
@@ -39,6 +41,10 @@ OrbitStart read_orbit_start(const parameters::Values &section) {
                    .state = section.quantities("State"),
                    .multiple = section.integer("Period multiple"),
                    .section = section};
+  if (section.has("State run") && section.has("State"))
+    section.reject("State run", "nothing beside a State.");
+  if (start.state.empty())
+    start.state = read_stored_state(section);
   for (const char *key : settling_keys)
     if (!start.state.empty() && section.given(key))
       section.reject(key, "nothing with a State: nothing settles then.");
@@ -56,9 +62,10 @@ OrbitSearch::OrbitSearch(const System &system, std::size_t source, const OrbitSt
       forced_(system.model, system.contacts, system.integration, source) {
   const auto size = static_cast<std::size_t>(forced_.layout().physical_size());
   if (!start.state.empty() && start.state.size() != size)
-    start.section.value().reject("State", std::to_string(size) +
-                                              " numbers: coordinates, their rates, internal "
-                                              "states of contacts; or none.");
+    start.section.value().reject(start.section->has("State") ? "State" : "State run",
+                                 std::to_string(size) +
+                                     " numbers: coordinates, their rates, internal "
+                                     "states of contacts; or none.");
 }
 
 Vector OrbitSearch::first_state(long &multiple,

@@ -1,7 +1,11 @@
 // Periodic orbits that cannot be looked for: what the message says.
+#include "common/hdf5_file.h"
 #include "support/simulation_files.h"
+#include "temporary_folder.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace vibroimpact {
 namespace {
@@ -56,6 +60,33 @@ TEST(BrokenInputPeriodicTest, State) {
   expect_message("set State = 0.001, 0.02", "set State = 0.001, 0.02\n    set Settling cycles = 3",
                  {"Settling cycles = 3", "nothing with a State"});
   expect_message("0.001, 0.02", "0.001, fast", {"State", "fast"});
+}
+
+TEST(BrokenInputPeriodicTest, StoredState) {
+  const testing::TemporaryFolder folder;
+  Hdf5File file = Hdf5File::create(folder.path() / "results.h5");
+  file.write("/analysis/sweep/state", {3, 2}, std::vector<double>{1, 2, 3, 4, std::nan(""), 6});
+  file.write("/analysis/one/state", {2}, std::vector<double>{1, 2});
+  file.write("/analysis/other/state", {3}, std::vector<double>{1, 2, 3});
+  file.close();
+  const auto keys = [&](const std::string &analysis, const std::string &point) {
+    return "set State run = " + folder.path().string() + "\n    set State analysis = " + analysis +
+           (point.empty() ? "" : "\n    set State point = " + point);
+  };
+  const std::string given = "set State = 0.001, 0.02";
+  EXPECT_EQ(message_of(changed(sound, given, keys("sweep", "2"))), "");
+  EXPECT_EQ(message_of(changed(sound, given, keys("one", ""))), "");
+  expect_message(given, keys("sweep", "4"), {"State point = 4", "from 1 up to 3"});
+  expect_message(given, keys("sweep", "0"), {"State point = 0", "1"});
+  expect_message(given, keys("sweep", "1, 1"), {"State point", "from 1 up to 3"});
+  expect_message(given, keys("sweep", "1.5"), {"State point = 1.5", "from 1 up to 3"});
+  expect_message(given, keys("sweep", "3"), {"State point = 3", "missing or has failed"});
+  expect_message(given, keys("one", "1"), {"State point = 1", "single point"});
+  expect_message(given, keys("swep", "1"), {"State analysis = swep", "whose points have a state"});
+  expect_message(given, keys("other", ""), {"State run", "2 numbers"});
+  expect_message(given, "set State run = /nowhere", {"State run = /nowhere", "earlier run"});
+  expect_message(given, "set State analysis = sweep", {"State analysis", "without State run"});
+  expect_message(given, given + "\n    " + keys("one", ""), {"State run", "beside a State"});
 }
 
 TEST(BrokenInputPeriodicTest, Multiple) {
