@@ -2,6 +2,7 @@
 
 #include "common/signals.h"
 #include "continuation/branch.h"
+#include "continuation/scaled_problem.h"
 
 #include <gtest/gtest.h>
 
@@ -40,6 +41,8 @@ TEST(BranchTest, OfACircleClosesAndTurnsTwice) {
     EXPECT_NEAR(point.point.state.norm() * point.point.state.norm() +
                     point.point.keys(0) * point.point.keys(0),
                 1, 1e-14);
+  // Three evaluations a point, a dozen for each fold, and steps that are refused.
+  EXPECT_LT(problem.evaluations, 7 * static_cast<int>(branch.points.size()));
   // The end repeats the start; chords of angle 0.1 are shorter than their arcs by a factor 1 -
   // 0.1^2 / 24.
   EXPECT_NEAR(branch.points.back().point.state(0), -1, 1e-15);
@@ -57,6 +60,21 @@ TEST(BranchTest, DoesNotDependOnUnits) {
   EXPECT_NEAR(b.special[0].at.point.keys(0), 43, 1e-12);
   EXPECT_NEAR(b.special[1].at.point.keys(0), 57, 1e-12);
   EXPECT_NEAR(static_cast<double>(a.points.size()), static_cast<double>(b.points.size()), 2);
+}
+
+// The tangent turns by most of pi within 0.04 at the ends of an ellipse.
+TEST(BranchTest, TurnsLittleWithinAStep) {
+  Algebraic ellipse(
+      [](const Point &at) {
+        const double x = 50 * at.state(0), p = at.keys(0);
+        return scalar(x * x + p * p - 1, 100 * x, 2 * p);
+      },
+      vector({1, 1}));
+  const Branch branch = follow(ellipse, {{vector({0.02}), vector({0})}, {}, true}, Settings());
+  EXPECT_EQ(branch.end, End::closed) << branch.reason;
+  EXPECT_EQ(of_kind(branch, Special::fold).size(), 2u);
+  for (std::size_t i = 1; i < branch.points.size(); ++i)
+    EXPECT_GE(branch.points[i].tangent.dot(branch.points[i - 1].tangent), std::cos(0.25));
 }
 
 TEST(BranchTest, EndsAtBoundsExactly) {
@@ -113,7 +131,7 @@ TEST(BranchTest, EndsWhereItHasNoValuesAnyMore) {
       vector({1, 1}));
   const Branch branch = follow(cut, {{vector({0}), vector({0})}, {}, true}, Settings());
   EXPECT_EQ(branch.end, End::least_step);
-  EXPECT_NE(branch.reason.find("nothing beyond a half"), std::string::npos) << branch.reason;
+  EXPECT_EQ(branch.reason, "steps fall below 1e-09: nothing beyond a half");
   EXPECT_NEAR(branch.points.back().point.keys(0), 0.5, 4e-9);
 }
 
@@ -140,8 +158,8 @@ TEST(BranchTest, ReportsEveryPointAndCanBeInterrupted) {
   EXPECT_THROW(follow(problem, start, Settings(), listener), Interrupted);
 }
 
-// The circle x^2 + p^2 = 1 with y = 0, in axes that are turned by the chart, an angle; a chart has
-// no values where the key is close to it, whole numbers apart.
+// The circle x^2 + p^2 = 1 with y = 0, in axes that are turned by the chart; a chart has no
+// values where the key is close to it, whole numbers apart.
 class TurnedAxes : public Problem {
 public:
   Vector scales() const override { return vector({1, 1, 1}); }
@@ -168,7 +186,9 @@ public:
     const Matrix turn = axes(chart).transpose() * axes(at.chart);
     return {{turn * at.state, at.keys, chart}, turn, Matrix::Zero(2, 1)};
   }
-  static Matrix axes(double angle) {
+  // Neighbouring charts, 0.5 apart, have axes that point against each other.
+  static Matrix axes(double chart) {
+    const double angle = 6 * chart;
     Matrix turn(2, 2);
     turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
     return turn;
@@ -190,12 +210,43 @@ TEST(BranchTest, ChangesChartsAndClosesInTheFirst) {
     EXPECT_NEAR(point.point.state.squaredNorm() + std::pow(point.point.keys(0), 2), 1, 1e-13);
 }
 
+// x' = 3 x + 7 p: unknowns 5 and 2, so that u' = (5 * 3 x, 7 * 2 p) / 5 in units of u.
+TEST(BranchTest, TakesTangentsToOtherCharts) {
+  class Sheared : public Algebraic {
+  public:
+    Sheared()
+        : Algebraic([](const Point &at) { return scalar(at.state(0), 1, 0); }, vector({5, 2})) {}
+    Transfer transfer(const Point &at, double chart) override {
+      return {
+          {vector({3 * at.state(0) + 7 * at.keys(0)}), at.keys, chart}, vector({3}), vector({7})};
+    }
+  } problem;
+  const ScaledProblem scaled(problem, {vector({0}), vector({0})});
+  Matrix tangents(2, 2);
+  tangents << 1, 0.5, 0, -0.25;
+  const Vector u = scaled.transfer(vector({0.1, 0.3}), 0, 1, tangents);
+  EXPECT_NEAR(u(0), 0.3 + 14 * 0.3 / 5, 1e-15);
+  EXPECT_NEAR(u(1), 0.3, 1e-15);
+  EXPECT_NEAR(tangents(0, 0), 3, 1e-15);
+  EXPECT_NEAR(tangents(1, 0), 0, 1e-15);
+  EXPECT_NEAR(tangents(0, 1), 1.5 - 14 * 0.25 / 5, 1e-15);
+  EXPECT_NEAR(tangents(1, 1), -0.25, 1e-15);
+}
+
 TEST(BranchTest, IsSolvedFromAGuessAtAFixedKey) {
   Algebraic problem = circle(1, 0, 1);
   const BranchPoint point = solve(problem, {vector({8}), vector({0.6})}, Settings());
   EXPECT_NEAR(point.point.state(0), 0.8, 1e-14);
   EXPECT_DOUBLE_EQ(point.point.keys(0), 0.6);
   EXPECT_THROW(solve(problem, {vector({8}), vector({1.6})}, Settings()), NumericalError);
+  // Whole corrections from beyond 1.39 go further and further away.
+  Algebraic flat(
+      [](const Point &at) {
+        const double x = at.state(0);
+        return scalar(std::atan(x) - at.keys(0), 1 / (1 + x * x), -1);
+      },
+      vector({1, 1}));
+  EXPECT_NEAR(solve(flat, {vector({5}), vector({0})}, Settings()).point.state(0), 0, 1e-14);
 }
 
 } // namespace

@@ -155,6 +155,82 @@ TEST(GrazesTest, OfSeveralCoordinates) {
   }
 }
 
+// Two coordinates x -> p - p_i + 0.5 x - 0.1 max(0, x), whose stops are touched at p_i close to
+// each other.
+TEST(GrazesTest, OfTwoGuardsWithinAStep) {
+  class TwoStops : public Problem {
+  public:
+    Vector scales() const override { return vector({1, 1, 1}); }
+    Evaluation evaluate(const Point &at) override {
+      Evaluation result = extend(at, {}).smooth;
+      for (Index i = 0; i < 2; ++i) {
+        result.pattern.push_back(at.state(i) > 0);
+        result.residual(i) -= 0.1 * std::max(0.0, at.state(i));
+        result.by_state(i, i) -= at.state(i) > 0 ? 0.1 : 0;
+      }
+      return result;
+    }
+    std::vector<Graze> grazes_near(const Point &) override {
+      return {Graze{0, 0, 0, "first"}, Graze{1, 0, 0, "second"}};
+    }
+    Extension extend(const Point &at, const Graze &graze) override {
+      Extension result;
+      const Vector touched = vector({0, 3e-3});
+      result.smooth = {-0.5 * at.state + Vector::Constant(2, at.keys(0)) - touched,
+                       -0.5 * Matrix::Identity(2, 2),
+                       Vector::Ones(2),
+                       {}};
+      const Index other = 1 - graze.guard;
+      const bool contact = at.state(other) > 0; // the other stop acts as it does
+      result.smooth.residual(other) -= 0.1 * std::max(0.0, at.state(other));
+      result.smooth.by_state(other, other) -= contact ? 0.1 : 0;
+      result.value = -at.state(graze.guard);
+      result.by_state = -Vector::Unit(2, graze.guard).transpose();
+      result.by_keys = RowVector::Zero(1);
+      result.touch = Touch::corner;
+      result.jump = 0.1 * Vector::Unit(2, graze.guard);
+      return result;
+    }
+  } problem;
+  const Branch branch =
+      follow(problem, {{vector({-0.8, -0.806}), vector({-0.4})}, {}, true}, within(-1, 1));
+  EXPECT_EQ(branch.end, End::upper_bound) << branch.reason;
+  ASSERT_EQ(branch.special.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(branch.special[i].kind, Special::graze);
+    EXPECT_EQ(branch.special[i].graze->name, i == 0 ? "first" : "second");
+    EXPECT_NEAR(branch.special[i].at.point.keys(0), i == 0 ? 0 : 3e-3, 1e-14);
+  }
+}
+
+// A guard that touches zero without any change of pattern, just before the end of the values.
+TEST(GrazesTest, AreNotCrossedWhereThePatternStays) {
+  class Unconcerned : public Algebraic {
+  public:
+    Unconcerned()
+        : Algebraic(
+              [](const Point &at) {
+                if (at.keys(0) > 0.5)
+                  throw NumericalError("nothing beyond a half");
+                return scalar(at.state(0) - at.keys(0), 1, -1);
+              },
+              vector({1, 1})) {}
+    std::vector<Graze> grazes_near(const Point &) override { return {Graze{0, 0, 0, "a stop"}}; }
+    Extension extend(const Point &at, const Graze &) override {
+      Extension result;
+      result.smooth = scalar(at.state(0) - at.keys(0), 1, -1);
+      result.value = 0.4999 - at.keys(0);
+      result.by_state = RowVector::Zero(1);
+      result.by_keys = RowVector::Constant(1, -1);
+      return result;
+    }
+  } problem;
+  const Branch branch = follow(problem, {{vector({0}), vector({0})}, {}, true}, Settings());
+  EXPECT_EQ(branch.end, End::least_step) << branch.reason;
+  EXPECT_TRUE(branch.special.empty());
+  EXPECT_NEAR(branch.points.back().point.keys(0), 0.5, 4e-9);
+}
+
 // Without an extension the change is reported, and a sign of a test that jumps is no flip.
 TEST(GrazesTest, AreChangesOfPatternWhereNoExtensionIsOffered) {
   const double a = 0.5, c = -1.7;

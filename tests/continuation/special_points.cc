@@ -194,6 +194,25 @@ TEST(SpecialPointsTest, AreNoPairsThatBecomeComplex) {
   EXPECT_EQ(branch.points.back().multipliers[0].imag(), 0);
 }
 
+// A pair that passes the unit circle and becomes real within one step: det J = p, tr J = 2 sqrt
+// 0.99.
+TEST(SpecialPointsTest, AreFoundBesidePairsThatBecomeReal) {
+  PowerOfMap map(
+      [](const Vector &x, const Vector &p) {
+        Image image{vector({2 * std::sqrt(0.99) * x(0) - p(0) * x(1), x(0)}), Matrix(2, 2),
+                    vector({-x(1), 0})};
+        image.by_state << 2 * std::sqrt(0.99), -p(0), 1, 0;
+        return image;
+      },
+      vector({1, 1, 1}));
+  Settings settings = within(0.9, 1.2);
+  settings.first_step = 0.1;
+  const Branch branch = follow(map, {{vector({0, 0}), vector({1.05})}, {}, false}, settings);
+  ASSERT_FALSE(branch.special.empty());
+  EXPECT_EQ(branch.special[0].kind, Special::neimark_sacker);
+  EXPECT_NEAR(branch.special[0].at.point.keys(0), 1, 1e-13);
+}
+
 // 24 coordinates: rotations by fixed angles, shrunk by 0.99, and one multiplier p - 1.
 TEST(SpecialPointsTest, OfManyCoordinates) {
   constexpr Index n = 25;
