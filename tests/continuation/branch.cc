@@ -210,7 +210,7 @@ TEST(BranchTest, ChangesChartsAndClosesInTheFirst) {
     EXPECT_NEAR(point.point.state.squaredNorm() + std::pow(point.point.keys(0), 2), 1, 1e-13);
 }
 
-// x' = 3 x + 7 p: unknowns 5 and 2, so that u' = (5 * 3 x, 7 * 2 p) / 5 in units of u.
+// x' = 3 x + 7 p: scales 5 and 2, so that u' = (5 * 3 x, 7 * 2 p) / 5 in units of u.
 TEST(BranchTest, TakesTangentsToOtherCharts) {
   class Sheared : public Algebraic {
   public:
