@@ -31,9 +31,14 @@ void WorkIntegrals::renew() {
   const auto is_new = [&](int group) {
     return groups[static_cast<std::size_t>(group)].generation > generation_;
   };
+  bool same_products = true;
   for (std::size_t j = 0; j < groups.size(); ++j)
     if (groups[j].generation > generation_)
-      set_forms(j);
+      same_products = set_forms(j) && same_products;
+  if (!same_products) {
+    arrange();
+    return;
+  }
   longest_ = 2 * std::numbers::pi / slowest_vibration();
   for (std::size_t k = 0; k < products_.size(); ++k)
     if (is_new(products_[k].first) || is_new(products_[k].second) ||
@@ -62,7 +67,7 @@ void WorkIntegrals::arrange() {
            .coefficients = coefficients_.data()};
 }
 
-// Products that no power sees are left out; what is seen of an input may change with its frequency.
+// Products that no power sees are left out.
 void WorkIntegrals::list_products() {
   products_.clear();
   const std::vector<PhaseGroup> &groups = phase_.groups();
@@ -83,7 +88,7 @@ void WorkIntegrals::list_products() {
 bool WorkIntegrals::is_seen(std::size_t i, std::size_t j) const {
   const std::size_t n = phase_.groups().size();
   const auto sees = [&](std::size_t form, std::size_t group) {
-    return phase_.groups()[group].is_input() || forms_[form * n + group] != 0.0;
+    return forms_[form * n + group] != 0.0;
   };
   for (std::size_t p = 0; p < powers_.size(); ++p)
     if ((sees(2 * p, i) && sees(2 * p + 1, j)) || (sees(2 * p, j) && sees(2 * p + 1, i)))
@@ -105,8 +110,10 @@ double WorkIntegrals::slowest_vibration() const {
   return std::min(slowest, fastest);
 }
 
-// What both factors of all powers see of a group: Re(c a), the constants with the number 1.
-void WorkIntegrals::set_forms(std::size_t j) {
+// What both factors of all powers see of a group: Re(c a), the constants with the number 1. False:
+// one sees the group that did not before, or the other way round.
+bool WorkIntegrals::set_forms(std::size_t j) {
+  bool same = true;
   const PhaseGroup &group = phase_.groups()[j];
   const bool is_one = group.is_input() && group.coordinates[0] == phase_.n_modes();
   const Matrix &columns = phase_.columns();
@@ -116,8 +123,11 @@ void WorkIntegrals::set_forms(std::size_t j) {
       seen.imag(-powers_.rows().row(row).dot(columns.col(group.coordinates[1])));
     if (is_one)
       seen += powers_.constants()[row];
-    forms_[static_cast<std::size_t>(row) * phase_.groups().size() + j] = seen;
+    Complex &form = forms_[static_cast<std::size_t>(row) * phase_.groups().size() + j];
+    same = same && (form == 0.0) == (seen == 0.0);
+    form = seen;
   }
+  return same;
 }
 
 // Does the trapezoidal rule take the place of a division by next to nothing?

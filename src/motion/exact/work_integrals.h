@@ -36,7 +36,7 @@ private:
   void arrange();
   void list_products();
   bool is_seen(std::size_t i, std::size_t j) const;
-  void set_forms(std::size_t group);
+  bool set_forms(std::size_t group);
   void set_product(std::size_t k);
   bool is_slow(const ProductView &product) const;
   Complex coefficient(std::size_t power, const ProductView &product) const;
