@@ -15,10 +15,6 @@ struct Settings {
   double maximum_step = 0;        ///< [s]; 0: none
   long maximum_steps = 0;         ///< per case; 0: none
   long maximum_events = 0;        ///< per case; 0: none
-
-  /// What rigid contacts and guards that begin at zero take for touching, and what the output
-  /// between the ends of an exact step may be off by besides the relative tolerance [m].
-  double negligible_length() const { return absolute_tolerance > 0 ? absolute_tolerance : 1e-12; }
 };
 
 void declare_integration(parameters::Section &root);

@@ -16,8 +16,9 @@ using contact::LocalState;
 
 Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &contacts,
                        const Settings &settings)
-    : settings_(settings), equations_(model, contacts), collisions_(equations_, settings_),
-      steppers_(equations_, settings), ts_(MotionTs::create(settings, equations_.layout().size())) {
+    : settings_(settings), equations_(model, contacts), scales_(equations_, settings_),
+      collisions_(equations_, settings_, scales_), steppers_(equations_, settings),
+      ts_(MotionTs::create(settings, equations_.layout().size())) {
   if (steppers_.exact())
     path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(),
                                         settings.event_tolerance);
@@ -53,6 +54,7 @@ void Trajectory::start(const MotionState &from) {
   Vector state = Vector::Zero(layout().size());
   state.head(layout().physical_size()) = from.physical;
   choose_initial_modes(from.time, state);
+  scales_.begin(from.time, state);
   collisions_.settle(from.time, settings_.event_tolerance, state);
   steps_ = events_ = chatters_ = events_at_once_ = undecided_ = 0;
   if (path_)
@@ -98,16 +100,9 @@ Bernstein Trajectory::indicator(const StepView &view, std::size_t contact,
   return curve;
 }
 
-// Error of an indicator that a negligible displacement makes.
+// Error of an indicator.
 double Trajectory::negligible(std::size_t contact, const AffineForm &form) const {
-  const double highest = std::max(1.0, equations_.model().highest_frequency());
-  double sum = std::abs(form.gap) + std::abs(form.gap_rate) * highest;
-  for (const double coefficient : form.internal)
-    sum += std::abs(coefficient);
-  if (form.normal_force != 0)
-    sum += std::abs(form.normal_force) * highest * highest *
-           equations_.contacts().effective_mass(contact, equations_.model());
-  return settings_.negligible_length() * sum;
+  return scales_.error(contact, form);
 }
 
 std::vector<ZeroGuard>::const_iterator Trajectory::find_zero_guard(std::size_t contact,
@@ -348,6 +343,7 @@ void Trajectory::move(double end, Observer &observer) {
     exact_ = exact_ && steppers_.present().exact();
     if (steppers_.present().time() > steppers_.present().previous_time())
       observer.step(view());
+    scales_.note(time(), state());
     if (changes) {
       change_modes(crossing, observer);
       continue;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "motion/event/collision.h"
+#include "motion/event/contact_scales.h"
 #include "motion/event/zero_guard.h"
 #include "motion/observer.h"
 #include "motion/settings.h"
@@ -148,6 +149,7 @@ private:
 
   Settings settings_;
   Equations equations_;
+  ContactScales scales_;
   Collisions collisions_;
   Steppers steppers_;
   std::unique_ptr<MotionTs> ts_;    ///< none: nobody looks at it by PETSc's means

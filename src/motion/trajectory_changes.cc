@@ -128,6 +128,7 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
   const bool stuck = time() - last_event_time_ <= time_tolerance();
   events_at_once_ = stuck ? events_at_once_ + 1 : 0;
   note_change(first.contact, stuck);
+  scales_.note(time(), state(), true);
   if (events_at_once_ > maximum_events_at_once)
     throw NumericalError(stall_reason("contact changes follow each other without progress"));
   if (settings_.maximum_events > 0 && events_ >= settings_.maximum_events)

@@ -58,6 +58,7 @@ void Trajectory::note_path_events() {
 // A step begins where the closed form has led.
 void Trajectory::take_over() {
   const Vector state = steppers_.present().state();
+  scales_.note(time(), state, true);
   begin_phase(time(), state);
   note_zero_guards(state);
 }

@@ -13,7 +13,9 @@ void Trajectory::refuse_penetration(double time, const Vector &state) const {
     const contact::ContactPair &pair = equations_.contacts().pairs()[c];
     const contact::LocalState local =
         equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    if (local.gap >= -settings_.negligible_length())
+    constexpr double digits_of_input = 1e-9;
+    const double sizes = equations_.magnitude(c, {.gap = 1}, time, state) * digits_of_input;
+    if (local.gap >= -std::max(sizes, settings_.absolute_tolerance))
       continue;
     if (pair.law->rigid())
       throw InputError(pair.origin + "\n  the motion starts with two rigid sides overlapping by " +

@@ -67,14 +67,10 @@ struct Collisions::Instant {
   }
 };
 
-double Collisions::slow() const {
-  return settings_.negligible_length() * std::max(1.0, equations_.model().highest_frequency());
-}
-
 bool Collisions::touches(std::size_t contact, const contact::LocalState &local, double time,
                          double time_tolerance, const Vector &state) const {
   return std::abs(local.gap) <=
-         std::max({settings_.negligible_length(), 2 * time_tolerance * std::abs(local.gap_rate),
+         std::max({scales_.length(contact), 2 * time_tolerance * std::abs(local.gap_rate),
                    equations_.rounding(contact, {.gap = 1}, time, state)});
 }
 
@@ -83,7 +79,6 @@ Collisions::Instant Collisions::look(double time, double time_tolerance, std::si
   Instant instant;
   instant.time = time;
   instant.time_tolerance = time_tolerance;
-  instant.slow = slow();
   instant.modes = equations_.modes();
   std::vector<double> gap;
   std::vector<double> gap_rate;
@@ -101,6 +96,7 @@ Collisions::Instant Collisions::look(double time, double time_tolerance, std::si
     instant.open_mode.push_back(mode.holds_gap ? mode.guards.front().target
                                                : equations_.modes()[c]);
     instant.held_mode.push_back(mode.holds_gap ? equations_.modes()[c] : impact->target);
+    instant.slow = std::max(instant.slow, scales_.speed(c));
     gap.push_back(local.gap);
     gap_rate.push_back(local.gap_rate);
   }
@@ -160,7 +156,9 @@ double Collisions::leaning(std::size_t contact, double time, const Vector &state
   if (std::abs(now) > equations_.acceleration_rounding(contact, time, state))
     return now;
   constexpr double part_of_time_scale = 1e-3;
-  const double step = part_of_time_scale / std::max(1.0, equations_.model().highest_frequency());
+  // Where nothing oscillates, a second is as good as any scale.
+  const double highest = equations_.model().highest_frequency();
+  const double step = part_of_time_scale / (highest > 0 ? highest : 1);
   const auto rates = [&](double after, const Vector &x) {
     Vector dxdt(x.size());
     equations_.rates(time + after, ConstVectorView(x.data(), x.size()),
@@ -180,12 +178,11 @@ double Collisions::leaning(std::size_t contact, double time, const Vector &state
 // Where rounding moves the gap by d from one impact to the next, the speed v follows
 // v^2 <- e^2 (v^2 + 2 a d), which does not fall below 2 a d e^2 / (1 - e^2): flights lower than
 // d / (1 - e^2) would never end.
-double Collisions::negligible_height(const Instant &instant, std::size_t k,
-                                     const Vector &state) const {
+double Collisions::negligible_height(const Instant &instant, std::size_t k) const {
   const double e = instant.restitution[static_cast<Index>(k)];
-  const double rounding = equations_.rounding(instant.contacts[k], {.gap = 1}, instant.time, state);
+  const double rounding = scales_.rounding(instant.contacts[k]);
   return small_flights *
-         std::max(settings_.negligible_length(), e < 1 ? rounding / (1 - e * e) : rounding);
+         std::max(scales_.length(instant.contacts[k]), e < 1 ? rounding / (1 - e * e) : rounding);
 }
 
 bool Collisions::negligible_energy(const Instant &instant, std::size_t k,
@@ -210,7 +207,7 @@ double Collisions::chatter_duration(const Instant &instant, std::size_t k, const
   const double duration = restitution < 1 ? flight / (1 - restitution) : flight;
   if (flight <= small_flights * instant.time_tolerance)
     return duration;
-  if (speed * speed / (2 * falling) > negligible_height(instant, k, after) &&
+  if (speed * speed / (2 * falling) > negligible_height(instant, k) &&
       !negligible_energy(instant, k, after))
     return 0;
   Vector rates(after.size());

@@ -9,9 +9,9 @@
 //
 // Chatter. A contact with restitution e < 1 that parts with speed u under a constant gap
 // acceleration -a meets again infinitely often, and rests after T = 2 u / (a (1 - e)). Once the
-// flights are lower than eight times the absolute tolerance of displacements, u^2 / (2 a), or
-// shorter than eight times the tolerance of events, and the acceleration expected at the end of T
-// is still more than half of a, the rest of the sequence is left out: the contact rests at once.
+// flights are lower than eight times what counts as touching (ContactScales::length), u^2 / (2 a),
+// or shorter than eight times the tolerance of events, and the acceleration expected at the end of
+// T is still more than half of a, the rest of the sequence is left out: the contact rests at once.
 // The total impulse up to the end of T is the same, 2 u m / (1 - e) more than a plastic impact has,
 // whether it comes in steps or as the force at rest, so that positions and velocities after T
 // differ by no more than the height of the flights. Where rounding of the gap would keep the
@@ -22,6 +22,7 @@
 // never comes back: the motion differs from that with flights by no more than v and their height.
 #pragma once
 
+#include "motion/event/contact_scales.h"
 #include "motion/observer.h"
 #include "motion/settings.h"
 
@@ -49,8 +50,9 @@ public:
     Collision record;
   };
 
-  Collisions(Equations &equations, const Settings &settings)
-      : equations_(equations), settings_(settings) {}
+  /// Keeps references.
+  Collisions(Equations &equations, const Settings &settings, const ContactScales &scales)
+      : equations_(equations), settings_(settings), scales_(scales) {}
 
   /// The guard of contact `first` has ended its mode by an impact. Changes velocities and work
   /// integrals in `state`, and the modes of the equations. `time_tolerance`: uncertainty of the
@@ -67,10 +69,9 @@ private:
   Instant look(double time, double time_tolerance, std::size_t first, const Vector &state) const;
   bool touches(std::size_t contact, const contact::LocalState &local, double time,
                double time_tolerance, const Vector &state) const;
-  double slow() const;
   void find_impulses(Instant &instant) const;
   void complete_chatter(Instant &instant, const Vector &state);
-  double negligible_height(const Instant &instant, std::size_t k, const Vector &state) const;
+  double negligible_height(const Instant &instant, std::size_t k) const;
   bool negligible_energy(const Instant &instant, std::size_t k, const Vector &state) const;
   double chatter_duration(const Instant &instant, std::size_t k, const Vector &after);
   void apply(const Instant &instant, Vector &state) const;
@@ -81,6 +82,7 @@ private:
 
   Equations &equations_;
   const Settings &settings_;
+  const ContactScales &scales_;
 };
 
 } // namespace vibroimpact::motion

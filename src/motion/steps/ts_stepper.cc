@@ -53,6 +53,12 @@ PetscErrorCode evaluate_jacobian(TS /*ts*/, PetscReal time, Vec x, Mat jacobian,
   return 0;
 }
 
+// What PETSc's error control takes for nothing where no absolute tolerance is set [m]: a state that
+// passes zero needs some.
+double negligible_length(const Settings &settings) {
+  return settings.absolute_tolerance > 0 ? settings.absolute_tolerance : 1e-12;
+}
+
 // The largest component decides about a step; the work integrals, which never counts, must not
 // dilute it.
 void default_to_maximum_norm() {
@@ -69,7 +75,7 @@ TsStepper::TsStepper(Equations &equations, const Settings &settings, const std::
     : equations_(equations),
       maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()),
-      measure_(equations, settings.relative_tolerance, settings.negligible_length()),
+      measure_(equations, settings.relative_tolerance, negligible_length(settings)),
       source_step_(equations) {
   const PetscInt size = static_cast<PetscInt>(equations.layout().size());
   check_petsc(VecCreateSeq(PETSC_COMM_SELF, size, &solution_), "VecCreateSeq");
@@ -129,14 +135,14 @@ void TsStepper::set_method(const std::string &method, int order) {
 }
 
 void TsStepper::set_tolerances(const Settings &settings) {
-  const Vector absolute = absolute_tolerances(equations_, settings.negligible_length());
+  const Vector absolute = absolute_tolerances(equations_, negligible_length(settings));
   Vec tolerances = nullptr;
   check_petsc(VecDuplicate(solution_, &tolerances), "VecDuplicate");
   PetscScalar *array = nullptr;
   VecGetArrayWrite(tolerances, &array);
   std::copy(absolute.data(), absolute.data() + absolute.size(), array);
   VecRestoreArrayWrite(tolerances, &array);
-  check_petsc(TSSetTolerances(ts_, settings.negligible_length(), tolerances,
+  check_petsc(TSSetTolerances(ts_, negligible_length(settings), tolerances,
                               settings.relative_tolerance, nullptr),
               "TSSetTolerances");
   VecDestroy(&tolerances);

@@ -1,0 +1,101 @@
+#include "motion/event/contact_scales.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vibroimpact::motion {
+
+namespace {
+constexpr double rounding_factor = 64 * std::numeric_limits<double>::epsilon();
+constexpr double share = 1e-11;
+} // namespace
+
+void ContactScales::Sizes::include(const Sizes &other) {
+  gap = std::max(gap, other.gap);
+  gap_rate = std::max(gap_rate, other.gap_rate);
+}
+
+ContactScales::ContactScales(const Equations &equations, const Settings &settings)
+    : equations_(equations), highest_(equations.model().highest_frequency()),
+      absolute_(settings.absolute_tolerance), absolute_speed_(absolute_ * highest_),
+      turning_time_((equations.model().mass().array() /
+                     equations.model().stiffness().diagonal.array().max(0.0))
+                        .sqrt()),
+      of_(equations.contacts().size()) {}
+
+void ContactScales::begin(double time, const Vector &state) {
+  time_ = time;
+  of_.assign(of_.size(), {});
+  largest_ = {};
+  acceleration_ = 0;
+  note(time, state, true);
+}
+
+void ContactScales::note(double time, const Vector &state, bool with_forces) {
+  elapsed_ = time - time_;
+  time_ = time;
+  for (std::size_t c = 0; c < of_.size(); ++c) {
+    of_[c].include(terms(c, time, state));
+    largest_.include(of_[c]);
+    if (with_forces)
+      include_forces(c, time, state);
+  }
+}
+
+// A coordinate that does not oscillate counts with its way since the last look.
+ContactScales::Sizes ContactScales::terms(std::size_t contact, double time,
+                                          const Vector &state) const {
+  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
+  const StateLayout &layout = equations_.layout();
+  Sizes terms{.gap = std::abs(pair.clearance)};
+  for (Index j = 0; j < layout.n; ++j) {
+    const double row = std::abs(pair.gap.row[j]);
+    const double q = std::abs(state[j]);
+    const double v = std::abs(state[layout.velocity() + j]);
+    terms.gap += row * (q + v * std::min(elapsed_, turning_time_[j]));
+    terms.gap_rate += row * (v + q / turning_time_[j]);
+  }
+  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k) {
+    const double factor = pair.gap.base_coefficients[k];
+    if (factor == 0)
+      continue;
+    const model::TimeFunction &function = *equations_.model().sources()[k].function;
+    terms.gap += std::abs(factor * function.value(equations_.source_time(time)));
+    terms.gap_rate += std::abs(factor * function.rate(equations_.source_time(time)));
+  }
+  return terms;
+}
+
+void ContactScales::include_forces(std::size_t contact, double time, const Vector &state) {
+  acceleration_ = std::max(acceleration_, equations_.acceleration_rounding(contact, time, state) /
+                                              rounding_factor);
+  if (highest_ > 0 && std::isfinite(acceleration_))
+    largest_.include(
+        {.gap = acceleration_ / (highest_ * highest_), .gap_rate = acceleration_ / highest_});
+}
+
+double ContactScales::rounding(std::size_t contact) const {
+  return rounding_factor * of_[contact].gap;
+}
+
+double ContactScales::length(std::size_t contact) const {
+  return rounding(contact) + share * largest_.gap + absolute_;
+}
+
+double ContactScales::speed(std::size_t contact) const {
+  return rounding_factor * of_[contact].gap_rate + share * largest_.gap_rate + absolute_speed_;
+}
+
+double ContactScales::error(std::size_t contact, const contact::AffineForm &form) const {
+  double sum = std::abs(form.gap) * length(contact) + std::abs(form.gap_rate) * speed(contact);
+  for (const double coefficient : form.internal)
+    sum += std::abs(coefficient) * length(contact);
+  if (form.normal_force != 0)
+    sum += std::abs(form.normal_force) *
+           equations_.contacts().effective_mass(contact, equations_.model()) *
+           (share * acceleration_ + absolute_speed_ * highest_);
+  return sum;
+}
+
+} // namespace vibroimpact::motion
