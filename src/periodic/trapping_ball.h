@@ -1,0 +1,54 @@
+// A ball around a stable fixed point that attracts all of its states, measured in the norm in which
+// the map contracts.
+//
+// With J the derivative of the map at the fixed point, |mu| < 1 its spectral radius and
+// rho = (1 + |mu|) / 2,
+//
+//   |y|_S^2 = y^T S y,   S = sum over k of (J^T)^k J^k / rho^(2k)
+//
+// obeys |J y|_S <= rho |y|_S, since J^T S J = rho^2 (S - I): no eigenvectors are needed, so that
+// defective multipliers are like any other. How far the contraction reaches is tested: the radius
+// grows as long as the images of points on the sphere lie within
+//
+//   r (1 - 0.3 (1 - |mu|)) > rho r
+//
+// A ball like that decides which motion a state leads to long before the state is near it.
+#pragma once
+
+#include "periodic/state_map.h"
+
+namespace vibroimpact::periodic {
+
+class TrappingBall {
+public:
+  /// `by_state`: J of the map at the fixed point. `largest`: radius beyond which there is no need
+  /// to test, in the norm of the scaled states. `points` on each sphere; 0: 64, or eight for each
+  /// state when that is more. The radius is zero where even the smallest ball that can be told from
+  /// rounding does not contract. std::logic_error for a fixed point that is not stable.
+  TrappingBall(const StateMap &map, Vector fixed_point, const Matrix &by_state, double largest,
+               Index points = 0);
+
+  /// In the adapted norm; the least semi-axis in that of the states is radius() / sqrt(largest
+  /// eigenvalue of S).
+  double radius() const { return radius_; }
+  double distance(const Vector &state) const {
+    return (root_.transpose() * (state - fixed_point_)).norm();
+  }
+  bool contains(const Vector &state) const { return distance(state) < radius_; }
+  const Vector &fixed_point() const { return fixed_point_; }
+
+private:
+  bool contracts(const StateMap &map, const Matrix &directions, double radius) const;
+  double reach(const StateMap &map, const Matrix &directions, double largest) const;
+
+  Vector fixed_point_;
+  Matrix root_;            ///< L of S = L L^T
+  double contraction_ = 0; ///< required of the sphere
+  double radius_ = 0;
+};
+
+/// sum over k of (A^T)^k A^k for a matrix of spectral radius below one: S = I + A^T S A, by
+/// doubling (Smith 1968).
+Matrix discrete_lyapunov(const Matrix &a);
+
+} // namespace vibroimpact::periodic
