@@ -1,6 +1,7 @@
 // The list of analyses.
 #include "analyses/analysis.h"
 
+#include "analyses/basins.h"
 #include "analyses/frequency_response.h"
 #include "analyses/grid.h"
 #include "analyses/identify.h"
@@ -33,6 +34,7 @@ constexpr Entry entries[] = {
     {"response", Response::declare, Response::create, true},
     {"branch", OrbitBranch::declare, OrbitBranch::create, true},
     {"periodic orbit", PeriodicOrbit::declare, PeriodicOrbit::create, true},
+    {"basins", Basins::declare, Basins::create},
     {"identify", Identify::declare, Identify::create},
 };
 

@@ -78,6 +78,8 @@ DerivedArray position_of_maximum(const Request &request);
 DerivedArray position_of_minimum(const Request &request);
 DerivedArray value_at_maximum(const Request &request);
 DerivedArray value_at_minimum(const Request &request);
+// mean.cc
+DerivedArray mean(const Request &request);
 // selection.cc
 Check check_places;
 DerivedArray select(const Request &request);

@@ -10,6 +10,7 @@ const std::vector<Operation> &operations() {
   static const std::vector<Operation> list{
       {"maximum", {"Field", "Along"}, {"Refine", "Inside"}, maximum, check_extreme},
       {"minimum", {"Field", "Along"}, {"Refine", "Inside"}, minimum, check_extreme},
+      {"mean", {"Field", "Along"}, {}, mean},
       {"position of maximum",
        {"Field", "Along"},
        {"Refine", "Inside"},

@@ -89,11 +89,11 @@ Decision Attractors::follow(const Vector &start) {
   return {.outcome = Outcome::undecided, .attractor = 0, .periods = settings_.most_periods};
 }
 
-void Attractors::reorder(const std::vector<std::size_t> &order) {
-  std::vector<Attractor> sorted;
-  for (const std::size_t index : order)
-    sorted.push_back(list_.at(index));
-  list_ = std::move(sorted);
+void Attractors::choose(const std::vector<std::size_t> &places) {
+  std::vector<Attractor> chosen;
+  for (const std::size_t place : places)
+    chosen.push_back(list_.at(place));
+  list_ = std::move(chosen);
 }
 
 } // namespace vibroimpact::periodic

@@ -59,8 +59,12 @@ public:
   Decision follow(const Vector &start);
 
   const std::vector<Attractor> &list() const { return list_; }
-  /// In another order: `order[k]` is the present index of the k-th.
-  void reorder(const std::vector<std::size_t> &order);
+  /// Those at these places of the present list, in this order.
+  void choose(const std::vector<std::size_t> &places);
+  /// The first ones only.
+  void keep(std::size_t count) {
+    list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(count), list_.end());
+  }
 
 private:
   std::optional<std::size_t> trapped(const Vector &state) const;

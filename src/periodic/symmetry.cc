@@ -1,6 +1,7 @@
 #include "periodic/symmetry.h"
 
 #include "common/error.h"
+#include "contact/same_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +12,9 @@ namespace vibroimpact::periodic {
 
 namespace {
 
-using contact::AffineForm;
-using contact::ContactLaw;
 using contact::ContactPair;
-using contact::LocalState;
 
-constexpr double equal_up_to = 1e-12; // numbers of two laws or clearances
+constexpr double equal_up_to = 1e-12; // two clearances or gap rows
 constexpr double motions_equal_up_to = 1e-6;
 constexpr int states_tried = 3;
 
@@ -31,55 +29,6 @@ private:
 
 bool near(double a, double b) {
   return std::abs(a - b) <= equal_up_to * std::max(std::abs(a), std::abs(b));
-}
-
-bool same_guards(const contact::Mode &a, const contact::Mode &b, const LocalState &state) {
-  if (a.guards.size() != b.guards.size() || a.in_contact != b.in_contact ||
-      a.holds_gap != b.holds_gap)
-    return false;
-  for (std::size_t g = 0; g < a.guards.size(); ++g) {
-    const contact::Guard &one = a.guards[g], &other = b.guards[g];
-    if (one.target != other.target || one.action != other.action ||
-        one.reset.size() != other.reset.size() ||
-        !near(one.indicator(state), other.indicator(state)))
-      return false;
-    for (std::size_t i = 0; i < one.reset.size(); ++i)
-      if (!near(one.reset[i](state), other.reset[i](state)))
-        return false;
-  }
-  return true;
-}
-
-bool same_response(const ContactLaw &a, const ContactLaw &b, int mode, const LocalState &state) {
-  contact::LawResponse one, other;
-  a.evaluate(mode, state, one);
-  b.evaluate(mode, state, other);
-  return near(one.force, other.force) &&
-         std::equal(one.internal_rate.begin(), one.internal_rate.end(), other.internal_rate.begin(),
-                    other.internal_rate.end(), near);
-}
-
-// By what they do at some local states of the given size, whatever they are made of.
-bool same_law(const ContactLaw &a, const ContactLaw &b, double size) {
-  if (a.name() != b.name() || a.modes().size() != b.modes().size() ||
-      a.initial_internal() != b.initial_internal())
-    return false;
-  Random random;
-  for (int i = 0; i < 5; ++i) {
-    std::vector<double> internal(a.initial_internal().size());
-    for (double &value : internal)
-      value = size * random();
-    const LocalState state{
-        .gap = size * random(), .gap_rate = size * random(), .internal = internal};
-    for (std::size_t mode = 0; mode < a.modes().size(); ++mode)
-      if (!same_guards(a.modes()[mode], b.modes()[mode], state) ||
-          !same_response(a, b, static_cast<int>(mode), state))
-        return false;
-    if (a.rigid() &&
-        !near(a.restitution(std::abs(state.gap_rate)), b.restitution(std::abs(state.gap_rate))))
-      return false;
-  }
-  return true;
 }
 
 bool opposite(const ContactPair &a, const ContactPair &b) {

@@ -71,7 +71,9 @@ TrappingBall::TrappingBall(const StateMap &map, Vector fixed_point, const Matrix
   // y = L^-T u has |y|_S = |u|.
   const Matrix directions =
       root_.transpose().triangularView<Eigen::Upper>().solve(unit_vectors(size, count));
-  radius_ = reach(map, directions, largest) * (size == 2 ? safe_share_plane : safe_share);
+  // |y|_S <= |L| |y|.
+  radius_ =
+      reach(map, directions, root_.norm() * largest) * (size == 2 ? safe_share_plane : safe_share);
 }
 
 bool TrappingBall::contracts(const StateMap &map, const Matrix &directions, double radius) const {

@@ -21,8 +21,8 @@ namespace vibroimpact::periodic {
 
 class TrappingBall {
 public:
-  /// `by_state`: J of the map at the fixed point. `largest`: radius beyond which there is no need
-  /// to test, in the norm of the scaled states. `points` on each sphere; 0: 64, or eight for each
+  /// `by_state`: J of the map at the fixed point. `largest`: beyond this distance in the scaled
+  /// states no start is of interest. `points` on each sphere; 0: 64, or eight for each
   /// state when that is more. The radius is zero where even the smallest ball that can be told from
   /// rounding does not contract. std::logic_error for a fixed point that is not stable.
   TrappingBall(const StateMap &map, Vector fixed_point, const Matrix &by_state, double largest,
