@@ -1,6 +1,7 @@
 // The list of analyses.
 #include "analyses/analysis.h"
 
+#include "analyses/basin_shares.h"
 #include "analyses/basins.h"
 #include "analyses/frequency_response.h"
 #include "analyses/grid.h"
@@ -35,6 +36,7 @@ constexpr Entry entries[] = {
     {"branch", OrbitBranch::declare, OrbitBranch::create, true},
     {"periodic orbit", PeriodicOrbit::declare, PeriodicOrbit::create, true},
     {"basins", Basins::declare, Basins::create},
+    {"basin shares", BasinShares::declare, BasinShares::create},
     {"identify", Identify::declare, Identify::create},
 };
 

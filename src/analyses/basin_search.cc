@@ -1,11 +1,13 @@
 #include "analyses/basin_search.h"
 
 #include "analyses/orbit_start.h"
+#include "analyses/swept_system.h"
 #include "common/error.h"
 #include "periodic/orbit.h"
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
 namespace vibroimpact::analyses {
 
@@ -14,11 +16,37 @@ using periodic::Decision;
 using periodic::FoundMotion;
 using periodic::Outcome;
 
-BasinSearch::BasinSearch(System system, std::size_t source,
-                         const periodic::AttractorSettings &settings)
+namespace {
+
+constexpr double reach_of_nodes = 1.35; ///< motions leave the region of their starts
+/// Of a ball in which an interpolated state counts as caught: its error is far below the rest.
+constexpr double caught_when_interpolated = 0.9;
+
+} // namespace
+
+void declare_basin_search(parameters::Section &section) {
+  using namespace parameters;
+  section
+      .integer("Most periods", "2000", Range{.lower = 1, .upper = 1e9}, "",
+               "Forcing periods after which a start is left undecided.")
+      .integer("Longest period", "16", Range{.lower = 1, .upper = 1000}, "",
+               "Longest repetition of a motion that is looked for, in forcing periods.")
+      .text("Excitation", "",
+            "Excitation whose period is that of the forcing; empty when there is only one with a "
+            "period.");
+}
+
+BasinSettings read_basin_search(const parameters::Values &section) {
+  return {.attractors = {.most_periods = section.integer("Most periods"),
+                         .longest_multiple = section.integer("Longest period")},
+          .excitation = section.text("Excitation")};
+}
+
+BasinSearch::BasinSearch(System system, const BasinSettings &settings)
     : system_(std::move(system)),
-      forced_(system_.model, system_.contacts, system_.integration, source),
-      map_(forced_, orbit_accuracy(system_, forced_)), settings_(settings) {}
+      forced_(system_.model, system_.contacts, system_.integration,
+              sweep_source(system_, settings.excitation, "An analysis of basins")),
+      map_(forced_, orbit_accuracy(system_, forced_)), settings_(settings.attractors) {}
 
 Vector BasinSearch::scaled_start(const model::InitialState &start) {
   motion::Trajectory &trajectory = forced_.trajectory();
@@ -36,15 +64,14 @@ Vector BasinSearch::image(const Vector &scaled) {
 // Shooting finds the motion with a section away from its contact changes; from there it goes to
 // phase 0, where starts are given.
 std::optional<FoundMotion> BasinSearch::find(const Vector &scaled, long multiple) {
+  const Vector &scale = map_.scale();
   try {
-    const Vector guess = scaled.cwiseQuotient(map_.scale());
-    const periodic::Orbit orbit = find_orbit(map_, multiple, guess);
+    const periodic::Orbit orbit = find_orbit(map_, multiple, scaled.cwiseQuotient(scale));
     if (!periodic::is_stable(orbit.multipliers(map_)))
       return {};
     const Vector state = state_at_zero_phase(map_, orbit);
     const Matrix by_state =
         map_.image({.phase = 0, .halves = 2 * orbit.multiple()}, state).by_state;
-    const Vector &scale = map_.scale();
     return FoundMotion{.state = state.cwiseProduct(scale),
                        .multiple = orbit.multiple(),
                        .by_state =
@@ -54,33 +81,69 @@ std::optional<FoundMotion> BasinSearch::find(const Vector &scaled, long multiple
   }
 }
 
-void BasinSearch::search(const std::vector<model::InitialState> &starts) {
-  std::vector<Vector> states;
-  double largest = 0;
+void BasinSearch::begin(const std::vector<model::InitialState> &starts) {
+  lowest_ = highest_ = Vector();
   for (const model::InitialState &start : starts)
     try {
-      states.push_back(scaled_start(start));
-      largest = std::max(largest, states.back().norm());
+      const Vector state = scaled_start(start);
+      lowest_ = lowest_.size() > 0 ? Vector(lowest_.cwiseMin(state)) : state;
+      highest_ = highest_.size() > 0 ? Vector(highest_.cwiseMax(state)) : state;
     } catch (const InputError &) { // rigid sides overlap there
     }
-  settings_.largest = largest > 0 ? largest : 1;
+  if (lowest_.size() == 0)
+    throw NumericalError("no motion can begin at any of the starts");
+  const double size = lowest_.cwiseAbs().cwiseMax(highest_.cwiseAbs()).norm();
+  settings_.largest = size > 0 ? size : 1;
+  interpolated_.reset();
   attractors_.emplace([this](const Vector &state) { return image(state); },
                       [this](const Vector &state, long multiple) { return find(state, multiple); },
                       settings_);
-  for (const Vector &state : states)
-    attractors_->follow(state);
+}
+
+std::vector<std::size_t> BasinSearch::sort() {
   const auto &list = attractors_->list();
   std::vector<std::size_t> order(list.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return list[a].motion.state.norm() < list[b].motion.state.norm();
   });
   attractors_->choose(order);
+  std::vector<std::size_t> places(order.size());
+  for (std::size_t place = 0; place < order.size(); ++place)
+    places[order[place]] = place;
+  return places;
 }
 
 Decision BasinSearch::follow(const model::InitialState &start) {
   try {
     return attractors_->follow(scaled_start(start));
+  } catch (const InputError &) { // rigid sides overlap there
+    return {.outcome = Outcome::failed};
+  }
+}
+
+void BasinSearch::interpolate(Index nodes) {
+  if (states() != 2)
+    throw std::logic_error("a map is interpolated between nodes of two states");
+  std::array<periodic::NodeAxis, 2> axes;
+  for (Index i = 0; i < 2; ++i) {
+    const double middle = 0.5 * (lowest_[i] + highest_[i]);
+    const double reach = 0.5 * reach_of_nodes * (highest_[i] - lowest_[i]);
+    axes[static_cast<std::size_t>(i)] = {
+        .first = middle - reach, .last = middle + reach, .count = nodes};
+  }
+  interpolated_.emplace([this](const Vector &state) { return image(state); }, axes);
+}
+
+Decision BasinSearch::approximate(const model::InitialState &start) {
+  try {
+    return attractors_->follow(
+        scaled_start(start),
+        [this](const Vector &state) -> Vector {
+          const std::optional<Eigen::Vector2d> next = (*interpolated_)(state);
+          return next ? Vector(*next) : image(state);
+        },
+        caught_when_interpolated);
   } catch (const InputError &) { // rigid sides overlap there
     return {.outcome = Outcome::failed};
   }

@@ -1,7 +1,7 @@
 #include "analyses/basins.h"
 
+#include "analyses/basin_fields.h"
 #include "analyses/fields.h"
-#include "analyses/swept_system.h"
 #include "common/error.h"
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 namespace vibroimpact::analyses {
 
 using periodic::Decision;
-using periodic::Outcome;
 
 namespace {
 
@@ -18,100 +17,99 @@ constexpr const char *first_axis = "First axis", *second_axis = "Second axis";
 /// Rows are shared out in so many lines, each of which searches the coarse part by itself.
 constexpr std::size_t most_lines = 16;
 
-// What a cell is marked with that leads to none of the motions of the coarse part.
-constexpr double undecided = -1, no_motion = -2, another = -3;
+void declare_cell_axis(parameters::Section &section, const std::string &name,
+                       const std::string &description) {
+  parameters::Section &axis = section.subsection(name, description);
+  declare_key_range(axis);
+  axis.integer("Cells", "200", parameters::Range{.lower = 1, .upper = 1e5}, "", "Number of cells.");
+}
 
-// So many of the values as evenly as they come.
-std::vector<double> thinned(const std::vector<double> &values, long count) {
-  const std::size_t wanted = std::min(values.size(), static_cast<std::size_t>(count));
-  std::vector<double> some;
+// The values are the centres of the cells between the ends.
+SweptParameter read_cell_axis(const parameters::Values &section, const std::string &name) {
+  const parameters::Values values = section.subsection(name);
+  values.require("Parameter");
+  SweptParameter axis = read_key_range(values, 2);
+  const long cells = values.integer("Cells");
+  const double first = axis.values.front();
+  const double width = (axis.values.back() - first) / static_cast<double>(cells);
+  axis.values.clear();
+  for (long i = 0; i < cells; ++i)
+    axis.values.push_back(first + (static_cast<double>(i) + 0.5) * width);
+  return axis;
+}
+
+// Places of so many of a number of cells, as evenly as they come.
+std::vector<std::size_t> thinned(std::size_t cells, long count) {
+  const std::size_t wanted = std::min(cells, static_cast<std::size_t>(count));
+  std::vector<std::size_t> places;
   for (std::size_t i = 0; i < wanted; ++i)
-    some.push_back(values[(2 * i + 1) * values.size() / (2 * wanted)]);
-  return some;
-}
-
-void add(std::vector<model::InitialState> &starts, const BasinRow &row,
-         const std::vector<double> &values) {
-  for (const double value : values)
-    starts.push_back(row.start(value));
-}
-
-Field attractor_field(const std::string &name, std::vector<double> values, const std::string &unit,
-                      const std::string &description) {
-  return series_field("attractors/" + name, "attractor", std::move(values), unit, description);
-}
-
-void add_attractors(PointResult &result, const BasinSearch &search, std::size_t known) {
-  std::vector<double> multiples, moduli, states;
-  for (std::size_t a = 0; a < known; ++a) {
-    const periodic::Attractor &attractor = search.attractors().list()[a];
-    multiples.push_back(static_cast<double>(attractor.motion.multiple));
-    moduli.push_back(attractor.multipliers.cwiseAbs().maxCoeff());
-    const Vector state = search.state(attractor);
-    states.insert(states.end(), state.begin(), state.end());
-  }
-  const std::size_t size = known > 0 ? states.size() / known : 0;
-  result.fields.push_back(attractor_field("period_multiple", std::move(multiples), "1",
-                                          "forcing periods after which the motion repeats itself"));
-  result.fields.push_back(attractor_field("largest_multiplier", std::move(moduli), "1",
-                                          "largest modulus of its multipliers"));
-  result.fields.push_back({.label = {"attractors/state",
-                                     "SI",
-                                     "state of the motion at the forcing phase of time zero: "
-                                     "coordinates, their rates, internal states of contacts",
-                                     {"attractor", "state"}},
-                           .shape = {known, size},
-                           .values = std::move(states)});
+    places.push_back((2 * i + 1) * cells / (2 * wanted));
+  return places;
 }
 
 } // namespace
 
-/// The rows of a line with the system and the attractors that they share where they can.
+/// The rows of a line with the search that they share where they can.
 class Basins::Rows {
 public:
-  Rows(const Settings &settings, LineContext &context)
-      : settings_(settings), build_([&context](const std::vector<parameters::Override> &overrides) {
-          return context.build(overrides);
-        }) {}
+  Rows(const Settings &settings, LineContext &context) : settings_(settings), context_(context) {}
 
   /// Moves to a row. InputError, NumericalError.
-  void move_to(double value) {
-    row_.emplace(basin_row(settings_.first, settings_.second, value, build_));
-    const double size = std::max(row_->origin.cwiseAbs().maxCoeff(),
-                                 (row_->slope * settings_.first.magnitude()).cwiseAbs().maxCoeff());
-    if (search_ && same_motions(search_->system(), row_->system, size > 0 ? size : 1)) {
+  void move_to(std::size_t row) {
+    box_.emplace(box(row));
+    if (search_ && same_motions(search_->system(), box_->system(), size())) {
       search_->forget_after(known_);
       return;
     }
-    search_ = std::make_unique<BasinSearch>(
-        row_->system, sweep_source(row_->system, settings_.excitation, "An analysis of basins"),
-        settings_.attractors);
-    search_->search(coarse_part(size > 0 ? size : 1));
+    search_ = std::make_unique<BasinSearch>(box_->system(), settings_.search);
+    const std::vector<model::InitialState> coarse = coarse_part();
+    search_->begin(coarse);
+    for (const model::InitialState &start : coarse)
+      search_->follow(start);
+    search_->sort();
     known_ = search_->attractors().list().size();
+    if (!settings_.exactly)
+      search_->interpolate(settings_.nodes);
   }
-  const BasinRow &row() const { return *row_; }
+  model::InitialState start(std::size_t cell) const { return start(*box_, cell); }
   BasinSearch &search() { return *search_; }
   /// Attractors that the coarse part has found.
   std::size_t known() const { return known_; }
 
 private:
+  StartBox box(std::size_t row) const {
+    return StartBox({settings_.first}, {settings_.second.at(settings_.second.values[row])},
+                    [this](const std::vector<parameters::Override> &overrides) {
+                      return context_.build(overrides);
+                    });
+  }
+  double size() const { return box_->size() > 0 ? box_->size() : 1; }
+
+  model::InitialState start(const StartBox &box, std::size_t cell) const {
+    const std::size_t cells = settings_.first.values.size();
+    const double share = cells > 1 ? static_cast<double>(cell) / static_cast<double>(cells - 1) : 0;
+    return box.start(Vector::Constant(1, share));
+  }
+
   // Of the whole grid where the second axis is another initial condition, else of the row.
-  std::vector<model::InitialState> coarse_part(double size) const {
-    const std::vector<double> along = thinned(settings_.first.values, settings_.coarse);
+  std::vector<model::InitialState> coarse_part() const {
+    const auto cells = thinned(settings_.first.values.size(), settings_.coarse);
     std::vector<model::InitialState> starts;
-    for (const double value : thinned(settings_.second.values, settings_.coarse)) {
-      const BasinRow other = basin_row(settings_.first, settings_.second, value, build_);
-      if (same_motions(other.system, row_->system, size))
-        add(starts, other, along);
-    }
+    const auto add = [&](const StartBox &box) {
+      for (const std::size_t cell : cells)
+        starts.push_back(start(box, cell));
+    };
+    for (const std::size_t row : thinned(settings_.second.values.size(), settings_.coarse))
+      if (const StartBox other = box(row); same_motions(other.system(), box_->system(), size()))
+        add(other);
     if (starts.empty())
-      add(starts, *row_, along);
+      add(*box_);
     return starts;
   }
 
   const Settings &settings_;
-  SystemSource build_;
-  std::optional<BasinRow> row_;
+  LineContext &context_;
+  std::optional<StartBox> box_;
   std::unique_ptr<BasinSearch> search_;
   std::size_t known_ = 0;
 };
@@ -123,36 +121,48 @@ void Basins::declare(parameters::Section &analysis) {
   declare_cell_axis(section, first_axis,
                     "An initial condition, by a key that changes nothing else.");
   declare_cell_axis(section, second_axis, "Another one, or any other key.");
+  declare_basin_search(section);
   section
-      .integer("Most periods", "2000", Range{.lower = 1, .upper = 1e9}, "",
-               "Forcing periods after which a cell is left undecided.")
-      .integer("Longest period", "16", Range{.lower = 1, .upper = 1000}, "",
-               "Longest repetition of a motion that is looked for, in forcing periods.")
       .integer("Coarse cells", "20", Range{.lower = 1, .upper = 1000}, "",
                "Cells along each axis from which the periodic motions are found at first.")
-      .text("Excitation", "",
-            "Excitation whose period is that of the forcing; empty when there is only one with a "
-            "period.");
+      .choice("Method", "motions", {"motions", "interpolation"},
+              "Follow the motions themselves, or, in models of one coordinate, a map that is "
+              "interpolated between nodes: faster, with a share of wrong cells that is measured.")
+      .integer("Nodes", "400", Range{.lower = 4, .upper = 1e4}, "",
+               "Nodes along displacement and velocity, over 1.35 times the region of the cells.")
+      .integer("Check every", "100", Range{.lower = 1, .upper = 1e9}, "",
+               "One of so many interpolated cells is followed by the motion too.");
 }
 
 std::shared_ptr<const Analysis> Basins::create(const parameters::Values &analysis) {
   const parameters::Values values = analysis.subsection(section_name);
   Settings settings{.first = read_cell_axis(values, first_axis),
                     .second = read_cell_axis(values, second_axis),
-                    .attractors = {.most_periods = values.integer("Most periods"),
-                                   .longest_multiple = values.integer("Longest period")},
+                    .search = read_basin_search(values),
                     .coarse = values.integer("Coarse cells"),
-                    .excitation = values.text("Excitation")};
+                    .exactly = values.choice("Method") == "motions",
+                    .nodes = values.integer("Nodes"),
+                    .checked_every = values.integer("Check every")};
   if (settings.first.path == settings.second.path)
     values.subsection(second_axis).reject("Parameter", "another key than that of the first axis.");
+  for (const char *key : {"Nodes", "Check every"})
+    if (settings.exactly && values.given(key))
+      values.reject(key, "nothing with Method = motions.");
   return std::make_shared<Basins>(std::move(settings));
 }
 
-std::size_t Basins::lines() const { return std::min(settings_.second.values.size(), most_lines); }
+// The nodes of an interpolation are for all rows.
+std::size_t Basins::lines() const {
+  return settings_.exactly ? std::min(settings_.second.values.size(), most_lines) : 1;
+}
 
 void Basins::check(const System &system) const {
-  const std::size_t source = sweep_source(system, settings_.excitation, "An analysis of basins");
-  const periodic::ForcedSystem forced(system.model, system.contacts, system.integration, source);
+  const BasinSearch search(system, settings_.search);
+  if (!settings_.exactly && search.states() != 2)
+    throw InputError(
+        "Basins by Method = interpolation need a system of one coordinate and contacts "
+        "without internal states; this one has " +
+        std::to_string(search.states()) + " states. Use Method = motions.");
 }
 
 std::vector<std::vector<parameters::Override>> Basins::variants() const {
@@ -163,52 +173,52 @@ std::vector<std::vector<parameters::Override>> Basins::variants() const {
   return overrides;
 }
 
-void Basins::add_cells(PointResult &result, const std::vector<double> &cells,
-                       const std::vector<double> &periods, std::size_t known) const {
+void Basins::add_cells(PointResult &result, std::vector<double> marks,
+                       std::vector<double> periods) const {
   const std::string axis = settings_.first.axis_name();
   result.fields.push_back(series_field(axis, axis, settings_.first.values, settings_.first.unit,
                                        "centre of the cell, key " + settings_.first.path));
   result.fields.push_back(series_field(
-      "cell/attractor", axis, cells, "1",
-      "motion that the cell leads to, counted from 0 in the order of attractors/state; -1 undecided "
-      "within the periods, -2 no motion, -3 a motion that Coarse cells have not met"));
-  result.fields.push_back(series_field("cell/periods", axis, periods, "1",
+      "cell/attractor", axis, std::move(marks), "1",
+      "motion that the cell leads to, counted from 0 in the order of attractors/state; -1 not "
+      "caught within the periods, -2 no motion, -3 a motion that Coarse cells have not met"));
+  result.fields.push_back(series_field("cell/periods", axis, std::move(periods), "1",
                                        "forcing periods until the cell was decided"));
-  const auto share = [&](double mark) {
-    return static_cast<double>(std::count(cells.begin(), cells.end(), mark)) /
-           static_cast<double>(cells.size());
-  };
-  std::vector<double> shares;
-  for (std::size_t a = 0; a < known; ++a)
-    shares.push_back(share(static_cast<double>(a)));
-  result.fields.push_back(
-      attractor_field("share", std::move(shares), "1", "of the cells of the row"));
-  result.fields.push_back(
-      scalar_field("undecided_share", share(undecided), "1", "of the cells of the row"));
-  result.fields.push_back(scalar_field("no_motion_share", share(no_motion), "1",
-                                       "of the cells of the row: no motion starts there, or it "
-                                       "ends with a numerical failure"));
-  result.fields.push_back(scalar_field("other_share", share(another), "1",
-                                       "of the cells of the row: they lead to a motion that "
-                                       "Coarse cells have not met"));
 }
 
 PointResult Basins::compute(std::size_t row, Rows &rows, LineContext &context) const {
-  rows.move_to(settings_.second.values[row]);
-  std::vector<double> cells, periods;
-  for (const double value : settings_.first.values) {
-    const Decision decision = rows.search().follow(rows.row().start(value));
-    double mark = decision.outcome == Outcome::failed ? no_motion : undecided;
-    if (decision.outcome == Outcome::decided)
-      mark = decision.attractor < rows.known() ? static_cast<double>(decision.attractor) : another;
-    cells.push_back(mark);
+  rows.move_to(row);
+  BasinSearch &search = rows.search();
+  const std::size_t cells = settings_.first.values.size();
+  std::vector<double> marks, periods;
+  double checked = 0, wrong = 0;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const model::InitialState start = rows.start(cell);
+    const Decision decision = settings_.exactly ? search.follow(start) : search.approximate(start);
+    marks.push_back(mark_of(decision, rows.known()));
     periods.push_back(static_cast<double>(decision.periods));
-    context.note_progress(static_cast<double>(cells.size()) /
-                          static_cast<double>(settings_.first.values.size()));
+    if (!settings_.exactly &&
+        (row * cells + cell) % static_cast<std::size_t>(settings_.checked_every) == 0) {
+      ++checked;
+      wrong += marks.back() != mark_of(search.follow(start), rows.known()) ? 1 : 0;
+    }
+    context.note_progress(static_cast<double>(cell + 1) / static_cast<double>(cells));
   }
   PointResult result{.index = {row}};
-  add_cells(result, cells, periods, rows.known());
-  add_attractors(result, rows.search(), rows.known());
+  add_shares(result, marks, rows.known(), "the cells of the row");
+  result.fields.push_back(scalar_field(
+      "other_share",
+      static_cast<double>(std::count(marks.begin(), marks.end(), another)) /
+          static_cast<double>(cells),
+      "1", "share of the cells of the row that lead to a motion that Coarse cells have not met"));
+  if (!settings_.exactly) {
+    result.fields.push_back(scalar_field(
+        "checked_cells", checked, "1", "interpolated cells that were followed by the motion too"));
+    result.fields.push_back(
+        scalar_field("wrong_cells", wrong, "1", "of these, those that lead elsewhere"));
+  }
+  add_cells(result, std::move(marks), std::move(periods));
+  add_attractors(result, search, rows.known());
   return result;
 }
 

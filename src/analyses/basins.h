@@ -3,13 +3,15 @@
 // The attracting motions are found first, from a coarse part of the grid that is the same for
 // every rank and every row, and made sure by Newton's method and their multipliers; their number
 // in the list is their size at phase 0, the smallest first. Then each cell is followed until it is
-// caught by one of them (periodic/attractors.h). Cells that lead to a motion which the coarse part
-// has not met are marked by a number of their own, since rows do not know of each other.
+// caught by one of them (periodic/attractors.h), by the motions themselves or by a map that is
+// interpolated between nodes (periodic/interpolated_map.h), of which a sample of cells then says
+// how many are wrong. Cells that lead to a motion which the coarse part has not met are marked as
+// such, since rows do not know of each other.
 #pragma once
 
 #include "analyses/analysis.h"
-#include "analyses/basin_rows.h"
 #include "analyses/basin_search.h"
+#include "analyses/start_box.h"
 
 namespace vibroimpact::analyses {
 
@@ -17,9 +19,11 @@ class Basins : public Analysis {
 public:
   struct Settings {
     SweptParameter first, second; ///< values: centres of the cells
-    periodic::AttractorSettings attractors;
+    BasinSettings search;
     long coarse = 0;        ///< cells along an axis of the coarse part
-    std::string excitation; ///< whose period is that of the forcing; empty: the only one
+    bool exactly = true;    ///< else by interpolation
+    Index nodes = 0;        ///< along each state, of the interpolation
+    long checked_every = 0; ///< one of so many interpolated cells is followed exactly too
   };
   explicit Basins(Settings settings) : settings_(std::move(settings)) {}
 
@@ -37,8 +41,7 @@ public:
 private:
   class Rows; // of a line
   PointResult compute(std::size_t row, Rows &rows, LineContext &context) const;
-  void add_cells(PointResult &result, const std::vector<double> &cells,
-                 const std::vector<double> &periods, std::size_t known) const;
+  void add_cells(PointResult &result, std::vector<double> marks, std::vector<double> periods) const;
 
   Settings settings_;
 };

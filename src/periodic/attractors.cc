@@ -20,9 +20,9 @@ double difference(const Vector &a, const Vector &b) { return (a - b).cwiseAbs().
 
 } // namespace
 
-std::optional<std::size_t> Attractors::trapped(const Vector &state) const {
+std::optional<std::size_t> Attractors::trapped(const Vector &state, double share) const {
   for (std::size_t a = 0; a < list_.size(); ++a)
-    if (list_[a].ball.contains(state))
+    if (list_[a].ball.contains(state, share))
       return a;
   return {};
 }
@@ -61,19 +61,19 @@ std::optional<std::size_t> Attractors::recognise(const Vector &state, long multi
   return add(*found);
 }
 
-Decision Attractors::follow(const Vector &start) {
+Decision Attractors::follow(const Vector &start, const StateMap &map, double share) {
   Vector state = start, earlier = start;
   double size = start.cwiseAbs().maxCoeff();
   long since = 0, until = 1; // of the earlier state
   for (long period = 1; period <= settings_.most_periods; ++period) {
     try {
-      state = map_(state);
+      state = map(state);
     } catch (const NumericalError &) {
       return {.outcome = Outcome::failed, .attractor = 0, .periods = period};
     }
     if (!state.allFinite())
       return {.outcome = Outcome::failed, .attractor = 0, .periods = period};
-    if (const auto known = trapped(state))
+    if (const auto known = trapped(state, share))
       return {.outcome = Outcome::decided, .attractor = *known, .periods = period};
     size = std::max(size, state.cwiseAbs().maxCoeff());
     ++since;

@@ -56,7 +56,10 @@ public:
       : map_(std::move(map)), newton_(std::move(newton)), settings_(settings) {}
 
   /// Follows a motion; one that leads to a stable motion not yet known adds it to the list.
-  Decision follow(const Vector &start);
+  Decision follow(const Vector &start) { return follow(start, map_, 1); }
+  /// By another map that comes near this one, such as an interpolated one, within this share of
+  /// the balls. New motions are still those of the map itself.
+  Decision follow(const Vector &start, const StateMap &map, double share);
 
   const std::vector<Attractor> &list() const { return list_; }
   /// Those at these places of the present list, in this order.
@@ -67,7 +70,7 @@ public:
   }
 
 private:
-  std::optional<std::size_t> trapped(const Vector &state) const;
+  std::optional<std::size_t> trapped(const Vector &state, double share) const;
   std::optional<std::size_t> nearest(const Vector &state, double distance) const;
   std::optional<std::size_t> recognise(const Vector &state, long multiple, double size);
   std::size_t add(const FoundMotion &motion);

@@ -34,7 +34,10 @@ public:
   double distance(const Vector &state) const {
     return (root_.transpose() * (state - fixed_point_)).norm();
   }
-  bool contains(const Vector &state) const { return distance(state) < radius_; }
+  /// Within this share of the radius?
+  bool contains(const Vector &state, double share = 1) const {
+    return distance(state) < share * radius_;
+  }
   const Vector &fixed_point() const { return fixed_point_; }
 
 private:
