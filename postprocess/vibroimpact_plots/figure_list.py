@@ -5,6 +5,7 @@ each figure that fits, its name and a function without arguments that draws it.
 """
 
 from . import (
+    basins,
     bifurcation,
     branches,
     cycles,
@@ -23,10 +24,12 @@ from . import (
 
 KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits,
          relative_motion, spectra, time_frequency, maps, derived_curves]
+# Analyses whose fields are of their own kind.
+OWN = {branches.TYPE: [branches], **{name: [basins] for name in basins.TYPES}}
 
 
 def figures(results, analysis):
     """Names and functions of all figures of an analysis."""
-    kinds = [branches] if analysis.type == branches.TYPE else KINDS
+    kinds = OWN.get(analysis.type, KINDS)
     for kind in kinds:
         yield from kind.figures(results, analysis)

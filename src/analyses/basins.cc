@@ -4,7 +4,11 @@
 #include "analyses/fields.h"
 #include "common/error.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace vibroimpact::analyses {
 
@@ -68,15 +72,45 @@ public:
       search_->follow(start);
     search_->sort();
     known_ = search_->attractors().list().size();
+    find_plane();
     if (!settings_.exactly)
       search_->interpolate(settings_.nodes);
   }
   model::InitialState start(std::size_t cell) const { return start(*box_, cell); }
   BasinSearch &search() { return *search_; }
+  Vector state(std::size_t attractor) const {
+    return search_->state(search_->attractors().list()[attractor]);
+  }
   /// Attractors that the coarse part has found.
   std::size_t known() const { return known_; }
+  /// Both keys at which a motion would start like an attractor, in their units; NaN where the plane
+  /// of the cells is not that of all states.
+  Eigen::Vector2d place(const Vector &state) const {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    if (!whole_plane_)
+      return {nan, nan};
+    const Eigen::Vector2d shares = plane_.partialPivLu().solve(Eigen::Vector2d(state) - corner_);
+    const auto value = [](const SweptParameter &key, double share) {
+      return key.values.front() + share * (key.values.back() - key.values.front());
+    };
+    return {value(settings_.first, shares[0]), value(settings_.second, shares[1])};
+  }
 
 private:
+  // The plane of states with the shares of both keys as coordinates.
+  void find_plane() {
+    whole_plane_ = false;
+    const StartBox low = box(0), high = box(settings_.second.values.size() - 1);
+    if (search_->states() != 2 || !same_motions(low.system(), high.system(), size()))
+      return;
+    const auto state = [](const model::InitialState &start) {
+      return Eigen::Vector2d(start.displacement[0], start.velocity[0]);
+    };
+    corner_ = state(low.start(Vector::Zero(1)));
+    plane_ << state(low.start(Vector::Ones(1))) - corner_,
+        state(high.start(Vector::Zero(1))) - corner_;
+    whole_plane_ = std::abs(plane_.determinant()) > 1e-12 * plane_.squaredNorm();
+  }
   StartBox box(std::size_t row) const {
     return StartBox({settings_.first}, {settings_.second.at(settings_.second.values[row])},
                     [this](const std::vector<parameters::Override> &overrides) {
@@ -112,6 +146,9 @@ private:
   std::optional<StartBox> box_;
   std::unique_ptr<BasinSearch> search_;
   std::size_t known_ = 0;
+  bool whole_plane_ = false;
+  Eigen::Vector2d corner_;
+  Eigen::Matrix2d plane_;
 };
 
 void Basins::declare(parameters::Section &analysis) {
@@ -186,6 +223,21 @@ void Basins::add_cells(PointResult &result, std::vector<double> marks,
                                        "forcing periods until the cell was decided"));
 }
 
+void Basins::add_places(PointResult &result, const Rows &rows) const {
+  std::vector<double> first, second;
+  for (std::size_t a = 0; a < rows.known(); ++a) {
+    const Eigen::Vector2d place = rows.place(rows.state(a));
+    first.push_back(place[0]);
+    second.push_back(place[1]);
+  }
+  const std::string description =
+      "key at which a motion would start like it; NaN where the cells are not all states";
+  result.fields.push_back(
+      attractor_field("first_axis", std::move(first), settings_.first.unit, description));
+  result.fields.push_back(
+      attractor_field("second_axis", std::move(second), settings_.second.unit, description));
+}
+
 PointResult Basins::compute(std::size_t row, Rows &rows, LineContext &context) const {
   rows.move_to(row);
   BasinSearch &search = rows.search();
@@ -219,6 +271,7 @@ PointResult Basins::compute(std::size_t row, Rows &rows, LineContext &context) c
   }
   add_cells(result, std::move(marks), std::move(periods));
   add_attractors(result, search, rows.known());
+  add_places(result, rows);
   return result;
 }
 

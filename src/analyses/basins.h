@@ -41,6 +41,7 @@ public:
 private:
   class Rows; // of a line
   PointResult compute(std::size_t row, Rows &rows, LineContext &context) const;
+  void add_places(PointResult &result, const Rows &rows) const;
   void add_cells(PointResult &result, std::vector<double> marks, std::vector<double> periods) const;
 
   Settings settings_;
