@@ -132,10 +132,11 @@ TEST(BrokenInputBasinsTest, Shares) {
                  "    subsection Range displacement\n      set Parameter = Variables/x\n"
                  "      set First = -1\n      set Last = 1\n    end\n",
                  "", {"Range NAME"});
-  expect_message(shares, "  subsection Basin shares",
-                 "  subsection Basin shares\n    subsection Range again\n"
-                 "      set Parameter = Variables/x\n      set First = 0\n      set Last = 1\n    end",
-                 {"another key"});
+  expect_message(
+      shares, "  subsection Basin shares",
+      "  subsection Basin shares\n    subsection Range again\n"
+      "      set Parameter = Variables/x\n      set First = 0\n      set Last = 1\n    end",
+      {"another key"});
 }
 
 } // namespace
