@@ -203,6 +203,11 @@ void Observers::add_forms(const Equations &equations, std::vector<MonitoredForm>
     monitor->add_forms(equations, forms);
 }
 
+void Observers::part_begins(const Equations &equations, double start, const Vector &state) {
+  for (OutputMonitor *monitor : monitors_)
+    monitor->part_begins(equations, start, state);
+}
+
 void Observers::part_done(const Equations &equations, double start, double end) {
   for (OutputMonitor *monitor : monitors_)
     monitor->part_done(equations, start, end);

@@ -132,6 +132,7 @@ private:
     std::vector<Observer *> list;
   };
   void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override;
+  void part_begins(const Equations &equations, double start, const Vector &state) override;
   void part_done(const Equations &equations, double start, double end) override;
 
   std::vector<Observer *> list_;

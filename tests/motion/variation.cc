@@ -70,11 +70,14 @@ struct Case {
   double end = 1;
   int events = 0; ///< seen on the reference motion
   double relative_tolerance = tolerance;
+  double variation_tolerance = 1e-10;
+  double maximum_step = 0; ///< none
 
   Settings settings() const {
     return {.relative_tolerance = relative_tolerance,
             .absolute_tolerance = 1e-13,
-            .event_tolerance = 1e-13};
+            .event_tolerance = 1e-13,
+            .maximum_step = maximum_step};
   }
   Vector flow(const Vector &physical) const {
     Trajectory trajectory(model, contacts, settings());
@@ -87,7 +90,7 @@ struct Case {
     Trajectory trajectory(model, contacts, settings());
     trajectory.start(start);
     const Index size = trajectory.layout().physical_size();
-    Variation variation(trajectory, Vector::Ones(size), 1e-10);
+    Variation variation(trajectory, Vector::Ones(size), variation_tolerance);
     variation.set_columns(Matrix::Identity(size, size));
     Counter counter;
     Observers observers({&variation, &counter});
@@ -187,8 +190,9 @@ TEST(VariationTest, ResetOfAnInternalState) {
   EXPECT_GE(impact.events, 4);
 }
 
-// Where these contacts begin the slope of the force is infinite, u^(-1/2) and u^(-3/4), which
-// magnifies the error of the instant at which they do.
+// Where these contacts begin and end the slope of the force is infinite, u^(-1/2) and u^(-3/4).
+// Short steps keep the error of the motion itself, which differences see, below 1e-8: with its own
+// steps it is 8e-8 for Kuwabara and Kono.
 TEST(VariationTest, SlopesThatAreInfiniteWhereContactBegins) {
   const std::vector<std::shared_ptr<const contact::ContactLaw>> laws = {
       std::make_shared<contact::KuwabaraKono>(1e5, 1e-3),
@@ -196,7 +200,9 @@ TEST(VariationTest, SlopesThatAreInfiniteWhereContactBegins) {
   for (const auto &law : laws) {
     Case impact{.model = Model({single_mass("block", 1, 40, 0.1)}),
                 .end = 0.8,
-                .relative_tolerance = 1e-12};
+                .relative_tolerance = 1e-12,
+                .variation_tolerance = 1e-12,
+                .maximum_step = 1e-3};
     impact.contacts = ContactSet({contact_along_x(impact.model, "block.head", "", 0.03, law)});
     impact.start.physical = state_of({-0.1, 0.3});
     const Matrix columns = impact.by_variation();
@@ -209,7 +215,7 @@ TEST(VariationTest, SlopesThatAreInfiniteWhereContactBegins) {
           },
           1e-2);
       EXPECT_LT(differences.error, 1e-8) << law->name();
-      EXPECT_LT((columns.col(j) - differences.value).norm(), 1e-7 * differences.value.norm())
+      EXPECT_LT((columns.col(j) - differences.value).norm(), 2e-8 * differences.value.norm())
           << law->name();
     }
   }

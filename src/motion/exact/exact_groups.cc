@@ -16,15 +16,6 @@ struct Part {
   std::optional<std::size_t> input{};
 };
 
-Matrix input_generator(const Input &input) {
-  if (input.kind == Input::Kind::exponential)
-    return input.is_pair() ? pair_generator(input.exponent)
-                           : Matrix::Constant(1, 1, input.exponent.real());
-  Matrix shift = Matrix::Zero(input.size(), input.size());
-  shift.diagonal(1).setOnes();
-  return shift;
-}
-
 BlockKind input_kind(const Input &input) {
   if (input.size() == 1)
     return BlockKind::real;
@@ -43,7 +34,7 @@ std::vector<Part> parts_of(const ModalForm &modal, const std::vector<Input> &inp
     parts.push_back({.kind = input_kind(inputs[k]),
                      .first = first,
                      .size = inputs[k].size(),
-                     .generator = input_generator(inputs[k]),
+                     .generator = inputs[k].generator(),
                      .input = k});
   return parts;
 }

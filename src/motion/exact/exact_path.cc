@@ -177,6 +177,8 @@ void ExactPath::prepare_monitoring(KnownPhase &known) {
     known.outputs.reset();
     known.monitored = {.monitor = observer_->monitor->identity(), .forms = MonitoredForms(forms)};
   }
+  if (known.monitored.forms.ranges.empty())
+    return;
   if (!known.outputs)
     known.outputs = std::make_unique<ExactOutputs>(known.monitored.forms, known.phase());
   else if (known.outputs_excitation != excitation)
@@ -200,6 +202,8 @@ void ExactPath::begin_part(double time) {
   }
   std::copy_n(walk_.amplitudes, known_->phase().n_amplitudes(), part_.begin());
   part_start_ = time;
+  if (observer_->monitor)
+    observer_->monitor->part_begins(equations_, time, *state_);
 }
 
 // The modes of the equations are those of the part.
@@ -212,7 +216,8 @@ void ExactPath::end_part(double time, const double *amplitudes) {
     known_->linear->work(equations_).add(part_.data(), amplitudes, time - part_start_, state_);
   if (!observer_->monitor)
     return;
-  known_->outputs->end();
+  if (!known_->monitored.forms.ranges.empty())
+    known_->outputs->end();
   observer_->monitor->part_done(equations_, part_start_, time);
 }
 

@@ -48,14 +48,14 @@ public:
   const Excitation &excitation() const { return excitation_; }
   /// Of the present modes of the equations, under the present excitation; nullptr: not linear.
   LinearPhase *present();
+  /// The same, whatever excitation it is under.
+  LinearPhase *find();
   /// True when the present modes are linear.
   bool linear();
   /// Forgets what earlier motions taught about lengths of pieces.
   void forget();
 
 private:
-  LinearPhase *find();
-
   const Equations &equations_;
   Settings settings_;
   double longest_piece_;

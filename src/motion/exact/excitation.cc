@@ -7,6 +7,24 @@ namespace vibroimpact::motion {
 
 using model::ExponentialForm;
 
+Matrix Input::generator() const {
+  if (kind == Kind::exponential)
+    return is_pair() ? pair_generator(exponent) : Matrix::Constant(1, 1, exponent.real());
+  Matrix shift = Matrix::Zero(size(), size());
+  shift.diagonal(1).setOnes();
+  return shift;
+}
+
+Matrix Excitation::generator() const {
+  Matrix generator = Matrix::Zero(size_, size_);
+  Index place = 0;
+  for (const Input &input : inputs_) {
+    generator.block(place, place, input.size(), input.size()) = input.generator();
+    place += input.size();
+  }
+  return generator;
+}
+
 void Excitation::take(const std::vector<ExponentialForm> &sources) {
   sources_ = sources;
   std::swap(inputs_, before_);

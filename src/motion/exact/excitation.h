@@ -21,6 +21,8 @@ struct Input {
   bool is_pair() const { return exponent.imag() != 0; }
   /// Real coordinates: of a pair real and imaginary part of a, of a polynomial s, s', ...
   Index size() const { return kind == Kind::polynomial ? degree + 1 : is_pair() ? 2 : 1; }
+  /// w' = G w of these, size() squared [1/s].
+  Matrix generator() const;
   bool same_kind(const Input &other) const {
     return kind == other.kind && source == other.source && degree == other.degree &&
            is_pair() == other.is_pair();
@@ -43,6 +45,8 @@ public:
 
   /// The coordinates at an instant [s], one behind the other.
   void coordinates(double time, double *list) const;
+  /// w' = G w of all of them, size() squared [1/s].
+  Matrix generator() const;
 
 private:
   std::vector<model::ExponentialForm> sources_;

@@ -49,6 +49,9 @@ public:
 
   /// Adds the forms that are to be observed in the present modes of the equations.
   virtual void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) = 0;
+  /// A part of the motion in the present modes begins, at a state with its work integrals.
+  virtual void part_begins(const Equations & /*equations*/, double /*start*/,
+                           const Vector & /*state*/) {}
   /// A part of the motion in the present modes is over; the ranges have grown by it.
   virtual void part_done(const Equations & /*equations*/, double /*start*/, double /*end*/) {}
 

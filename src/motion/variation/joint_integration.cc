@@ -1,8 +1,10 @@
 #include "motion/variation/joint_integration.h"
 
 #include "common/error.h"
-#include "common/signals.h"
+#include "motion/variation/implicit_integration.h"
 #include "motion/variation/vanishing_gap.h"
+
+#include <Eigen/LU>
 
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace vibroimpact::motion {
@@ -22,138 +25,139 @@ namespace odeint = boost::numeric::odeint;
 // short penetration.
 using Extrapolation = odeint::bulirsch_stoer<std::vector<double>>;
 
-// Of the state, relative to itself: what changes less is near equilibrium, and its rates are
-// differences of larger terms.
-constexpr double least_change = 1e-3;
+// Times the fastest decay: longer, and an explicit method takes its steps by stability.
+constexpr double stiff_length = 30;
+// The same, over which deviations may grow on the way back from the end.
+constexpr double length_of_return = 2;
 // A step that takes more evaluations of the rates finds no end.
 constexpr long most_evaluations = 300000;
-// Rates by keys have the rounding of differences of models, of about 1e-12, which is no error that
-// shorter steps would make smaller.
-constexpr double key_weight = 0.01;
-
-// tau(s) with dtau/ds = 140 s^3 (1 - s)^3: roots of the time since the start and until the end
-// become smooth, so that the order of the method shows.
-double smooth_course(double s) { return s * s * s * s * (35 + s * (-84 + s * (70 - 20 * s))); }
-double smooth_rate(double s) { return 140 * s * s * s * (1 - s) * (1 - s) * (1 - s); }
-
-struct Interval {
-  double start = 0, end = 0; ///< [s]
-  Vector state;              ///< at the start
-  bool smooth = false;       ///< times close to the ends count more
-  double length() const { return end - start; }
-};
-
-// Entries: the scaled change of the state since the start, in units of its size, so that a short
-// contact is not lost in the rounding of the whole; the scaled columns in units of theirs; and the
+// As one list of numbers, for the explicit method: the change of the state, the columns, and the
 // integral of the divergence.
-class JointRates {
+class ExplicitRates {
 public:
-  JointRates(const Interval &interval, const Vector &end_state, const Equations &equations,
-             const std::vector<KeyTangent *> &keys, const Vector &scale, const Matrix &columns)
-      : interval_(interval), equations_(equations), keys_(keys), scale_(scale),
-        full_(interval.state), full_rates_(equations.layout().size()) {
-    const Index n = scale.size();
-    equations.rates(interval.start, ConstVectorView(full_.data(), full_.size()),
-                    VectorView(full_rates_.data(), full_rates_.size()));
-    const Vector change = (end_state - interval.state).head(n).cwiseAbs() +
-                          interval.length() * full_rates_.head(n).cwiseAbs();
-    state_size_ =
-        std::max(scale.cwiseProduct(change).maxCoeff(),
-                 least_change * scale.cwiseProduct(interval.state.head(n)).cwiseAbs().maxCoeff());
-    state_size_ = state_size_ > 0 ? state_size_ : 1;
-    sizes_ = (scale.asDiagonal() * columns).cwiseAbs().colwise().maxCoeff();
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-      double &size = sizes_[columns.cols() - static_cast<Index>(keys.size() - k)];
-      const Vector rates = keys[k]->rates(equations, interval.start, full_);
-      size = std::max(size, interval.length() * scale.cwiseProduct(rates).cwiseAbs().maxCoeff()) /
-             key_weight;
-    }
-    // A reset can wipe a deviation out.
-    sizes_ = (sizes_.array() > 0).select(sizes_, 1);
-  }
+  explicit ExplicitRates(JointRates &rates) : rates_(rates) {}
 
-  std::vector<double> pack(const Matrix &columns) const {
-    const Index n = scale_.size();
-    std::vector<double> x(static_cast<std::size_t>(n * (columns.cols() + 1) + 1), 0.0);
-    Eigen::Map<Matrix>(x.data() + n, n, columns.cols()) =
-        scale_.asDiagonal() * columns * sizes_.cwiseInverse().asDiagonal();
+  std::vector<double> list(const Matrix &packed) const {
+    const Index n = rates_.n_states();
+    std::vector<double> x(static_cast<std::size_t>(n * (packed.cols() + 1) + 1), 0.0);
+    Eigen::Map<Matrix>(x.data() + n, n, packed.cols()) = packed;
     return x;
   }
-
-  Matrix columns(const std::vector<double> &x) const {
-    const Index n = scale_.size();
-    return scale_.cwiseInverse().asDiagonal() *
-           Eigen::Map<const Matrix>(x.data() + n, n, sizes_.size()) * sizes_.asDiagonal();
+  Matrix packed(const std::vector<double> &x) const {
+    const Index n = rates_.n_states();
+    return Eigen::Map<const Matrix>(x.data() + n, n, rates_.n_columns());
   }
 
-  void operator()(const std::vector<double> &x, std::vector<double> &dxdtau, double s) {
-    leave_if_stopped();
+  void operator()(const std::vector<double> &x, std::vector<double> &dxds, double s) {
     if (++evaluations_ > most_evaluations)
       throw NumericalError("the variation of the motion takes too many steps at t = " +
-                           std::to_string(interval_.start) + " s");
-    const Index n = scale_.size();
-    const double h = interval_.length() * (interval_.smooth ? smooth_rate(s) : 1);
-    const double time =
-        interval_.start + interval_.length() * (interval_.smooth ? smooth_course(s) : s);
-    full_.head(n) =
-        interval_.state.head(n) +
-        state_size_ * scale_.cwiseInverse().cwiseProduct(Eigen::Map<const Vector>(x.data(), n));
-    const ConstVectorView state(full_.data(), full_.size());
-    equations_.rates(time, state, VectorView(full_rates_.data(), full_rates_.size()));
-    equations_.jacobian(time, state, jacobian_);
-    Eigen::Map<Vector>(dxdtau.data(), n) =
-        h / state_size_ * scale_.cwiseProduct(full_rates_.head(n));
-    const Eigen::Map<const Matrix> scaled(x.data() + n, n, sizes_.size());
-    Eigen::Map<Matrix> rates(dxdtau.data() + n, n, sizes_.size());
-    rates = h * (scale_.asDiagonal() * (jacobian_.topLeftCorner(n, n) *
-                                        (scale_.cwiseInverse().asDiagonal() * scaled).eval()));
-    for (std::size_t k = 0; k < keys_.size(); ++k) {
-      const Index column = sizes_.size() - static_cast<Index>(keys_.size() - k);
-      rates.col(column) +=
-          h / sizes_[column] * scale_.cwiseProduct(keys_[k]->rates(equations_, time, full_));
-    }
-    dxdtau.back() = h * jacobian_.topLeftCorner(n, n).trace();
+                           std::to_string(rates_.start()) + " s");
+    const Index n = rates_.n_states();
+    rates_.evaluate(s, ConstVectorView(x.data(), n), value_);
+    Eigen::Map<Vector>(dxds.data(), n) = value_.state;
+    Eigen::Map<Matrix> columns(dxds.data() + n, n, rates_.n_columns());
+    columns.noalias() =
+        value_.jacobian * Eigen::Map<const Matrix>(x.data() + n, n, rates_.n_columns());
+    columns.rightCols(value_.keys.cols()) += value_.keys;
+    dxds.back() = value_.jacobian.trace();
   }
 
 private:
-  const Interval &interval_;
-  const Equations &equations_;
-  const std::vector<KeyTangent *> &keys_;
-  const Vector &scale_;
+  JointRates &rates_;
+  JointRates::Value value_;
   long evaluations_ = 0;
-  double state_size_ = 1;
-  RowVector sizes_; ///< of the columns
-  Vector full_, full_rates_;
-  Matrix jacobian_;
 };
 
-// Can a gap vanish within the duration from here, in either direction?
-bool near_contact(const Equations &equations, double time, const Vector &state, double duration) {
+// The instant about which a gap vanishes, where that is within the duration before `time` (or after
+// it, for a negative one): the nearest one.
+std::optional<double> zero_of_gap(const Equations &equations, double time, const Vector &state,
+                                  double duration) {
+  double nearest = std::abs(duration);
+  bool found = false;
   for (std::size_t c = 0; c < equations.contacts().size(); ++c) {
-    if (equations.inactive(c) || equations.mode(c).affine)
+    if (equations.inactive(c) || equations.mode(c).affine || equations.mode(c).holds_gap)
       continue;
     const contact::LocalState local =
         equations.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    if (std::abs(local.gap) <= std::abs(local.gap_rate) * duration)
-      return true;
+    const double elapsed = local.gap / local.gap_rate;
+    if (std::isfinite(elapsed) && std::copysign(elapsed, duration) == elapsed &&
+        std::abs(elapsed) <= nearest) {
+      nearest = std::abs(elapsed);
+      found = true;
+    }
   }
-  return false;
+  if (!found)
+    return std::nullopt;
+  return time - std::copysign(nearest, duration);
 }
 
-double integrate(const Interval &interval, const Vector &end_state, const Equations &equations,
-                 const std::vector<KeyTangent *> &keys, const VariationAccuracy &accuracy,
-                 Matrix &columns) {
-  JointRates rates(interval, end_state, equations, keys, accuracy.scale, columns);
-  std::vector<double> x = rates.pack(columns);
+struct Joint {
+  const Equations &equations;
+  const std::vector<KeyTangent *> &keys;
+  const VariationAccuracy &accuracy;
+};
+
+double integrate_explicitly(const Joint &joint, const Interval &interval, double radius,
+                            JointRates &rates, Matrix &packed) {
+  ExplicitRates explicit_rates(rates);
+  std::vector<double> x = explicit_rates.list(packed);
+  const double first_step = 1 / std::max(1.0, radius * std::abs(interval.length()));
   try {
-    odeint::integrate_adaptive(Extrapolation(accuracy.tolerance, accuracy.tolerance),
-                               std::ref(rates), x, 0.0, 1.0, 1.0);
+    odeint::integrate_adaptive(Extrapolation(joint.accuracy.tolerance, joint.accuracy.tolerance),
+                               std::ref(explicit_rates), x, 0.0, 1.0, first_step);
   } catch (const odeint::odeint_error &) {
     throw NumericalError("the variation of the motion finds no step at t = " +
                          std::to_string(interval.start) + " s");
   }
-  columns = rates.columns(x);
+  packed = explicit_rates.packed(x);
   return x.back();
+}
+
+double integrate(const Joint &joint, const Interval &interval, const Vector &end_state,
+                 const RateScales &scales, Matrix &columns) {
+  JointRates rates(interval, end_state, joint.equations, joint.keys, joint.accuracy.scale, columns);
+  Matrix packed = rates.pack(columns);
+  const double divergence =
+      scales.decay * interval.length() > stiff_length
+          ? integrate_implicitly(rates, joint.accuracy.tolerance, packed)
+          : integrate_explicitly(joint, interval, scales.radius, rates, packed);
+  columns = rates.unpack(packed);
+  return divergence;
+}
+
+// From the end to the start: d(start) = P d(end) + g, solved for d(end).
+double integrate_from_end(const Joint &joint, const Interval &reversed, const Vector &start_state,
+                          const RateScales &scales, Matrix &columns) {
+  const Vector &scale = joint.accuracy.scale;
+  const Index n = scale.size();
+  const auto n_keys = static_cast<Index>(joint.keys.size());
+  Matrix back = Matrix::Zero(n, n + n_keys);
+  back.leftCols(n).diagonal() = scale.cwiseInverse();
+  const double divergence = integrate(joint, reversed, start_state, scales, back);
+  columns.rightCols(n_keys) -= back.rightCols(n_keys);
+  const Matrix scaled = scale.asDiagonal() * back.leftCols(n);
+  columns = (scale.cwiseInverse().asDiagonal() *
+             scaled.partialPivLu().solve(scale.asDiagonal() * columns))
+                .eval();
+  return -divergence;
+}
+
+// Where a gap vanishes at the end or soon after, the error of the state there is no small part of
+// the gap, and a slope that grows beyond all bounds sees it: the last part is integrated from the
+// end, whose gap is known.
+double integrate_part(const Joint &joint, const Interval &interval, const Vector &end_state,
+                      std::optional<double> zero_at_end, Matrix &columns) {
+  const RateScales scales = rate_scales(interval, end_state, joint.equations, joint.accuracy.scale);
+  if (!zero_at_end)
+    return integrate(joint, interval, end_state, scales, columns);
+  const double length = interval.length();
+  const double last = std::min(0.5 * length, length_of_return / std::max(scales.decay, 1 / length));
+  Interval first = interval;
+  first.end = interval.end - last;
+  const Interval second{
+      .start = interval.end, .end = first.end, .state = end_state, .zero = zero_at_end};
+  const double divergence = integrate(joint, first, end_state, scales, columns);
+  return divergence + integrate_from_end(joint, second, interval.state, scales, columns);
 }
 
 } // namespace
@@ -162,11 +166,12 @@ double integrate_beside(const StepView &view, const Equations &equations,
                         const std::vector<KeyTangent *> &keys, const VariationAccuracy &accuracy,
                         Matrix &columns) {
   const double h = view.length();
+  std::optional<double> zero_at_end = zero_of_gap(equations, view.end(), view.end_state(), -h);
   Interval interval{.start = view.start(),
                     .end = view.end(),
                     .state = view.start_state(),
-                    .smooth = near_contact(equations, view.start(), view.start_state(), h) ||
-                              near_contact(equations, view.end(), view.end_state(), h)};
+                    .zero = zero_of_gap(equations, view.start(), view.start_state(), h)};
+  Vector end_state = view.end_state();
   double divergence = 0;
   const auto first = vanishing_gap(equations, view.start(), view.start_state(), h);
   if (first) {
@@ -176,20 +181,25 @@ double integrate_beside(const StepView &view, const Equations &equations,
                              .other = interval.start,
                              .state_at_zero = view.start_state()};
     interval.state = state_at_other(equations, part);
+    interval.zero = view.start();
     divergence += cross(equations, keys, part, columns);
   }
   const auto last = vanishing_gap(equations, view.end(), view.end_state(), h);
-  if (last)
-    interval.end = std::max(interval.start, view.end() - last->duration);
+  const ShortInterval end_part{.contact = last ? last->contact : 0,
+                               .zero = view.end(),
+                               .other = last ? std::max(interval.start, view.end() - last->duration)
+                                             : view.end(),
+                               .state_at_zero = view.end_state()};
+  if (last) {
+    interval.end = end_part.other;
+    end_state = state_at_other(equations, end_part);
+    zero_at_end = view.end();
+  }
   if (interval.end > interval.start)
-    divergence += integrate(interval, view.end_state(), equations, keys, accuracy, columns);
+    divergence +=
+        integrate_part({equations, keys, accuracy}, interval, end_state, zero_at_end, columns);
   if (last && view.end() > interval.end)
-    divergence += cross(equations, keys,
-                        {.contact = last->contact,
-                         .zero = view.end(),
-                         .other = interval.end,
-                         .state_at_zero = view.end_state()},
-                        columns);
+    divergence += cross(equations, keys, end_part, columns);
   return divergence;
 }
 

@@ -4,6 +4,7 @@
 #include "motion/observer.h"
 #include "motion/variation/key_stencil.h"
 
+#include <atomic>
 #include <cmath>
 
 namespace vibroimpact::motion {
@@ -24,6 +25,8 @@ auto velocities(const Vector &state, Index n) { return state.segment(n, n); }
 KeyTangent::KeyTangent(std::string key, const model::Model &model,
                        const contact::ContactSet &contacts, std::vector<KeyNeighbour> neighbours)
     : key_(std::move(key)), model_(model), contacts_(contacts) {
+  static std::atomic<long> next{0};
+  identity_ = next++;
   std::vector<double> offsets;
   for (const KeyNeighbour &neighbour : neighbours)
     offsets.push_back(neighbour.offset);
@@ -319,7 +322,13 @@ Vector KeyTangent::jump(const Equations &equations, const Collision &collision, 
   return change;
 }
 
-KeyTangent::LinearTangent KeyTangent::linear(const std::vector<int> &modes) const {
+const KeyTangent::LinearTangent &KeyTangent::linear(const std::vector<int> &modes) {
+  const auto known = linear_.find(modes);
+  return known != linear_.end() ? known->second
+                                : linear_.emplace(modes, make_linear(modes)).first->second;
+}
+
+KeyTangent::LinearTangent KeyTangent::make_linear(const std::vector<int> &modes) const {
   const auto system_of = [&](const model::Model &model, const contact::ContactSet &contacts) {
     Equations equations(model, contacts);
     for (std::size_t c = 0; c < modes.size(); ++c)

@@ -17,6 +17,7 @@
 #include "motion/variation/source_tangent.h"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -64,7 +65,10 @@ public:
     Vector constant;
     std::vector<LinearSystem::Load> loads;
   };
-  LinearTangent linear(const std::vector<int> &modes) const;
+  /// For these modes of the contacts; kept from the first call on.
+  const LinearTangent &linear(const std::vector<int> &modes);
+  /// No two keys have the same.
+  long identity() const { return identity_; }
 
 private:
   struct Near {
@@ -75,6 +79,7 @@ private:
   struct Forces {
     Vector present, change; ///< of all contacts: F, and dF/dp of those that do not hold their gap
   };
+  LinearTangent make_linear(const std::vector<int> &modes) const;
   void check_structure() const;
   void check_smoothness() const;
   Forces forces(const Equations &equations, double time, const Vector &state, const Vector &rates,
@@ -92,6 +97,8 @@ private:
   const contact::ContactSet &contacts_;
   std::vector<Near> near_;
   std::unique_ptr<SourceTangent> sources_;
+  std::map<std::vector<int>, LinearTangent> linear_; ///< by the modes of the contacts
+  long identity_;
 };
 
 } // namespace vibroimpact::motion

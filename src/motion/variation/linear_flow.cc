@@ -1,144 +1,119 @@
 #include "motion/variation/linear_flow.h"
 
-#include "motion/variation/exponential_action.h"
+#include <unsupported/Eigen/MatrixFunctions>
 
-#include <algorithm>
 #include <cmath>
 
 namespace vibroimpact::motion {
 
-using model::ExponentialForm;
-
 namespace {
 
-double radius_of(const ModalBlock &block) {
-  if (block.kind != BlockKind::dense)
-    return std::abs(block.exponent);
-  return std::min(block.generator.cwiseAbs().rowwise().sum().maxCoeff(),
-                  block.generator.cwiseAbs().colwise().sum().maxCoeff());
-}
-
-Matrix exponential(const ModalBlock &block, double h) {
-  if (block.kind == BlockKind::dense)
-    return exponential_action(block.generator, radius_of(block), h,
-                              Matrix::Identity(block.size, block.size));
+void turn(const ModalBlock &block, double h, Matrix &modal) {
+  if (block.kind == BlockKind::dense) {
+    const Matrix exponential = (h * block.generator).exp();
+    modal.middleRows(block.column, block.size) =
+        (exponential * modal.middleRows(block.column, block.size)).eval();
+    return;
+  }
   const double size = std::exp(block.exponent.real() * h);
-  if (block.kind == BlockKind::real)
-    return Matrix::Constant(1, 1, size);
-  return size * pair_generator(std::polar(1.0, block.exponent.imag() * h));
-}
-
-// Row k: source k as a form of the coordinates of the inputs.
-Matrix source_rows(const Excitation &excitation, std::size_t sources) {
-  Matrix rows = Matrix::Zero(static_cast<Index>(sources), excitation.size());
-  Index place = 0;
-  for (const Input &input : excitation.inputs()) {
-    if (input.kind != Input::Kind::one)
-      rows(static_cast<Index>(input.source), place) = 1;
-    place += input.size();
+  if (block.kind == BlockKind::real) {
+    modal.row(block.column) *= size;
+    return;
   }
-  return rows;
-}
-
-// Closed forms of all sources from `time` on, which is short of the next break.
-std::optional<std::vector<ExponentialForm>> closed_forms(const Equations &equations, double time) {
-  std::vector<ExponentialForm> forms;
-  for (const model::Source &source : equations.model().sources()) {
-    const std::optional<ExponentialForm> form = source.function->exponential_form(time);
-    if (!form)
-      return std::nullopt;
-    forms.push_back(*form);
+  const double c = size * std::cos(block.exponent.imag() * h);
+  const double s = size * std::sin(block.exponent.imag() * h);
+  for (Index k = 0; k < modal.cols(); ++k) {
+    const double x = modal(block.column, k);
+    const double y = modal(block.column + 1, k);
+    modal(block.column, k) = c * x - s * y;
+    modal(block.column + 1, k) = s * x + c * y;
   }
-  return forms;
 }
 
 } // namespace
 
-LinearFlow::LinearFlow(const Equations &equations) : system_(equations), modal_(system_.matrix()) {
-  for (const ModalBlock &block : modal_.blocks())
-    radius_ = std::max(radius_, radius_of(block));
+void LinearFlow::propagate(double h, Matrix &columns) {
+  const ModalForm &form = phase_.phase().modal();
+  modal_.noalias() = form.inverse() * columns;
+  for (const ModalBlock &block : form.blocks())
+    turn(block, h, modal_);
+  columns.noalias() = form.basis() * modal_;
 }
 
-Matrix LinearFlow::propagator(double h) const {
-  Matrix propagated = modal_.inverse();
-  for (const ModalBlock &block : modal_.blocks())
-    propagated.middleRows(block.column, block.size) =
-        (exponential(block, h) * propagated.middleRows(block.column, block.size)).eval();
-  return modal_.basis() * propagated;
-}
-
-// B of y' = A y + B w, with s = C w, s' = C G w, s'' = C G^2 w of the sources.
-Matrix LinearFlow::input_matrix(const Excitation &excitation, const Matrix &generator) const {
-  const Matrix value = source_rows(excitation, system_.loads().size());
-  const Matrix rate = value * generator;
-  const Matrix acceleration = rate * generator;
-  Matrix inputs = Matrix::Zero(system_.size(), excitation.size());
-  inputs.col(0) = system_.constant();
-  for (std::size_t k = 0; k < system_.loads().size(); ++k) {
-    const LinearSystem::Load &load = system_.loads()[k];
-    const auto row = static_cast<Index>(k);
-    inputs += load.value * value.row(row) + load.rate * rate.row(row) +
-              load.acceleration * acceleration.row(row);
-  }
-  return inputs;
-}
-
-// dB by a key.
-Matrix LinearFlow::changed_inputs(const Excitation &excitation, const Matrix &generator,
-                                  const Matrix &generator_change,
+// dB of y' = A y + B w, by the rows s = S w, s' = S G w, s'' = S G^2 w of the sources.
+Matrix LinearFlow::changed_inputs(const Matrix &generator, const Matrix &generator_change,
                                   const KeyTangent::LinearTangent &tangent) const {
-  const Matrix value = source_rows(excitation, system_.loads().size());
-  const Matrix rate = value * generator;
-  const Matrix acceleration = rate * generator;
-  const Matrix rate_change = value * generator_change;
-  const Matrix acceleration_change = rate_change * generator + rate * generator_change;
-  Matrix inputs = Matrix::Zero(system_.size(), excitation.size());
+  const LinearSystem &system = phase_.system();
+  const Index n = system.size();
+  const Index m = generator.rows();
+  const Matrix sources =
+      phase_.phase().columns().bottomRightCorner(3 * static_cast<Index>(system.loads().size()), m);
+  Matrix inputs = Matrix::Zero(n, m);
   inputs.col(0) = tangent.constant;
-  for (std::size_t k = 0; k < system_.loads().size(); ++k) {
-    const LinearSystem::Load &load = system_.loads()[k];
+  for (std::size_t k = 0; k < system.loads().size(); ++k) {
+    const LinearSystem::Load &load = system.loads()[k];
     const LinearSystem::Load &change = tangent.loads[k];
-    const auto row = static_cast<Index>(k);
-    inputs += change.value * value.row(row) + change.rate * rate.row(row) +
-              change.acceleration * acceleration.row(row) + load.rate * rate_change.row(row) +
-              load.acceleration * acceleration_change.row(row);
+    const auto rows = sources.middleRows(3 * static_cast<Index>(k), 3);
+    const RowVector rate_change = rows.row(0) * generator_change;
+    const RowVector acceleration_change = rate_change * generator + rows.row(1) * generator_change;
+    inputs += change.value * rows.row(0) + change.rate * rows.row(1) +
+              change.acceleration * rows.row(2) + load.rate * rate_change +
+              load.acceleration * acceleration_change;
   }
   return inputs;
 }
 
-std::optional<Matrix> LinearFlow::forced(const Equations &equations,
-                                         const std::vector<KeyTangent *> &keys, double time,
-                                         const Vector &state, double h) {
-  const std::optional<std::vector<ExponentialForm>> forms = closed_forms(equations, time);
-  if (!forms)
-    return std::nullopt;
-  while (tangents_.size() < keys.size())
-    tangents_.push_back(keys[tangents_.size()]->linear(equations.modes()));
-  Excitation excitation;
-  excitation.take(*forms);
-  const Index n = system_.size();
-  const Index m = excitation.size();
-  const Matrix generator = generator_of(excitation);
-  Matrix matrix = Matrix::Zero(n + m, n + m);
-  matrix << system_.matrix(), input_matrix(excitation, generator), Matrix::Zero(m, n), generator;
-  Vector start(n + m);
-  start.head(n) = state.head(n);
-  excitation.coordinates(time, start.data() + n);
-  double radius = radius_;
-  for (const Input &input : excitation.inputs())
-    radius = std::max(radius, std::abs(input.exponent));
-  std::vector<Matrix> changes;
-  Matrix change_at_start = Matrix::Zero(n + m, static_cast<Index>(keys.size()));
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    const SourceTangent::InputTangent inputs =
-        keys[k]->sources().inputs(time, excitation, generator);
-    Matrix change = Matrix::Zero(n + m, n + m);
-    change << tangents_[k].matrix,
-        changed_inputs(excitation, generator, inputs.generator, tangents_[k]), Matrix::Zero(m, n),
-        inputs.generator;
-    changes.push_back(std::move(change));
-    change_at_start.col(static_cast<Index>(k)).tail(m) = inputs.coordinates;
+// E = C^-1 dM C with C = [W Y; 0 1].
+Matrix LinearFlow::coupling(KeyTangent &key, const Excitation &excitation) const {
+  const ExactPhase &phase = phase_.phase();
+  const KeyTangent::LinearTangent &tangent = key.linear(phase_.forms().contact_modes());
+  const Matrix &generator_change = key.sources().input_generator();
+  const Matrix inputs = changed_inputs(excitation.generator(), generator_change, tangent);
+  const Index n = phase.n_modes();
+  const Index m = inputs.cols();
+  const auto response = phase.columns().topRightCorner(n, m);
+  Matrix all = Matrix::Zero(n + m, n + m);
+  all.topRows(n) = tangent.matrix * phase.columns().topRows(n);
+  all.topRightCorner(n, m) += inputs - response * generator_change;
+  all.topRows(n) = (phase.modal().inverse() * all.topRows(n)).eval();
+  all.bottomRightCorner(m, m) = generator_change;
+  return all;
+}
+
+const ForcedResponse &LinearFlow::response(std::size_t place, KeyTangent &key,
+                                           const Excitation &excitation) {
+  if (keys_.size() <= place)
+    keys_.resize(place + 1);
+  KnownKey &known = keys_[place];
+  const long sources = key.sources().generation();
+  if (known.identity != key.identity() || known.excitation != excitation.generation() ||
+      known.sources != sources) {
+    known.response.emplace(phase_.phase().groups(), coupling(key, excitation));
+    known.identity = key.identity();
+    known.excitation = excitation.generation();
+    known.sources = sources;
   }
-  return exponential_tangent(matrix, changes, radius, h, start, change_at_start).topRows(n);
+  return *known.response;
+}
+
+Matrix LinearFlow::forced(const std::vector<KeyTangent *> &keys, const Excitation &excitation,
+                          double time, const Vector &state, double h) {
+  const ExactPhase &phase = phase_.phase();
+  const Index n = phase.n_modes();
+  const Index m = excitation.size();
+  const auto columns = phase.columns().topRows(n);
+  Vector x(n + m);
+  excitation.coordinates(time, x.data() + n);
+  x.head(n) = phase.modal().inverse() * (state.head(n) - columns.rightCols(m) * x.tail(m));
+  Matrix forced(n, static_cast<Index>(keys.size()));
+  Vector start(n + m);
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const ForcedResponse &respond = response(k, *keys[k], excitation);
+    start.tail(m) = keys[k]->sources().input_coordinates(time);
+    start.head(n) = -(phase.modal().inverse() * (columns.rightCols(m) * start.tail(m)));
+    forced.col(static_cast<Index>(k)) = columns * respond(h, x, start);
+  }
+  return forced;
 }
 
 } // namespace vibroimpact::motion

@@ -2,29 +2,38 @@
 
 namespace vibroimpact::motion {
 
+LinearisedMotion Lineariser::operator()(const MotionState &start, double end,
+                                        const std::vector<KeyTangent *> &keys, Observer *also) {
+  trajectory_.start(start);
+  if (variation_)
+    variation_->begin(trajectory_, keys);
+  else
+    variation_.emplace(trajectory_, accuracy_.scale, accuracy_.tolerance, keys);
+  const Index size = trajectory_.layout().physical_size();
+  variation_->set_columns(Matrix::Identity(size, size));
+  if (also) {
+    Observers both({&*variation_, also});
+    trajectory_.advance(end, both);
+  } else {
+    trajectory_.advance(end, *variation_);
+  }
+  Vector rates(trajectory_.layout().size());
+  const Vector &state = trajectory_.state();
+  trajectory_.equations().rates(end, ConstVectorView(state.data(), state.size()),
+                                VectorView(rates.data(), rates.size()));
+  return {.end = trajectory_.motion_state(),
+          .by_state = variation_->columns(),
+          .by_key = variation_->key_columns(),
+          .rates = rates.head(size),
+          .determinant = variation_->determinant(),
+          .events = trajectory_.accuracy().events,
+          .without_derivative = variation_->tangential_events()};
+}
+
 LinearisedMotion linearise(Trajectory &trajectory, const MotionState &start, double end,
                            const VariationAccuracy &accuracy, const std::vector<KeyTangent *> &keys,
                            Observer *also) {
-  trajectory.start(start);
-  const Index size = trajectory.layout().physical_size();
-  Variation variation(trajectory, accuracy.scale, accuracy.tolerance, keys);
-  variation.set_columns(Matrix::Identity(size, size));
-  std::vector<Observer *> observers = {&variation};
-  if (also)
-    observers.push_back(also);
-  Observers all(std::move(observers));
-  trajectory.advance(end, all);
-  Vector rates(trajectory.layout().size());
-  const Vector &state = trajectory.state();
-  trajectory.equations().rates(end, ConstVectorView(state.data(), state.size()),
-                               VectorView(rates.data(), rates.size()));
-  return {.end = trajectory.motion_state(),
-          .by_state = variation.columns(),
-          .by_key = variation.key_columns(),
-          .rates = rates.head(size),
-          .determinant = variation.determinant(),
-          .events = trajectory.accuracy().events,
-          .without_derivative = variation.tangential_events()};
+  return Lineariser(trajectory, accuracy)(start, end, keys, also);
 }
 
 } // namespace vibroimpact::motion

@@ -5,6 +5,8 @@
 #include "motion/trajectory.h"
 #include "motion/variation/variation.h"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace vibroimpact::motion {
@@ -25,9 +27,27 @@ struct LinearisedMotion {
   long without_derivative = 0; ///< events, see Variation::tangential_events()
 };
 
-/// Starts the trajectory at `start` and advances it to `end` [s]. `scale` and `tolerance` as for
-/// Variation. `also` may be an observer of the same motion. NumericalError when the motion or its
-/// variation fails, Interrupted when the run is to stop.
+/// Linearises motions of one trajectory, one after the other. What belongs to its linear phases is
+/// made once, so that an analysis that asks often keeps one of these.
+class Lineariser {
+public:
+  /// Keeps a reference. `accuracy`: scale and tolerance as for Variation.
+  Lineariser(Trajectory &trajectory, VariationAccuracy accuracy)
+      : trajectory_(trajectory), accuracy_(std::move(accuracy)) {}
+
+  /// Starts the trajectory at `start` and advances it to `end` [s]. `also` may be an observer of
+  /// the same motion; it costs little when it wants no steps (Observer::step_observer).
+  /// NumericalError when the motion or its variation fails, Interrupted when the run is to stop.
+  LinearisedMotion operator()(const MotionState &start, double end,
+                              const std::vector<KeyTangent *> &keys = {}, Observer *also = nullptr);
+
+private:
+  Trajectory &trajectory_;
+  VariationAccuracy accuracy_;
+  std::optional<Variation> variation_;
+};
+
+/// The same once.
 LinearisedMotion linearise(Trajectory &trajectory, const MotionState &start, double end,
                            const VariationAccuracy &accuracy,
                            const std::vector<KeyTangent *> &keys = {}, Observer *also = nullptr);

@@ -1,6 +1,7 @@
 #include "motion/variation/saltation.h"
 
 #include "common/error.h"
+#include "motion/segment/guard_forms.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -45,8 +46,9 @@ struct Saltations::Crossing {
 };
 
 struct Saltations::Reset {
-  LinearMap map; ///< R_x, R_p
-  Vector rates;  ///< R'
+  LowRankMap by_state; ///< R_x
+  Matrix by_key;       ///< R_p
+  Vector rates;        ///< R'
 };
 
 Vector Saltations::rates(double time, const Vector &state) const {
@@ -57,14 +59,7 @@ Vector Saltations::rates(double time, const Vector &state) const {
 }
 
 RowVector Saltations::gradient(std::size_t contact, const AffineForm &form) const {
-  const StateLayout &layout = equations_.layout();
-  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
-  RowVector gradient = RowVector::Zero(layout.physical_size());
-  gradient.head(layout.n) = form.gap * pair.gap.row;
-  gradient.segment(layout.velocity(), layout.n) = form.gap_rate * pair.gap.row;
-  for (std::size_t i = 0; i < form.internal.size(); ++i)
-    gradient[layout.internal() + pair.internal_offset + static_cast<Index>(i)] = form.internal[i];
-  return gradient;
+  return linear_row(equations_, contact, form).row.head(equations_.layout().physical_size());
 }
 
 double Saltations::rate_along(std::size_t contact, const AffineForm &form,
@@ -105,8 +100,8 @@ Saltations::Crossing Saltations::crossing(const ContactEvent &event, const Vecto
 }
 
 Saltations::Reset Saltations::no_reset(const Vector &before) const {
-  return {.map = {.by_state = Matrix::Identity(before.size(), before.size()),
-                  .by_key = Matrix::Zero(before.size(), static_cast<Index>(keys_.size()))},
+  return {.by_state = {},
+          .by_key = Matrix::Zero(before.size(), static_cast<Index>(keys_.size())),
           .rates = before};
 }
 
@@ -120,10 +115,11 @@ Saltations::Reset Saltations::internal_reset(const ContactEvent &event,
   for (std::size_t i = 0; i < event.guard->reset.size(); ++i) {
     const AffineForm &form = event.guard->reset[i];
     const Index row = first + static_cast<Index>(i);
-    reset.map.by_state.row(row) = gradient(event.contact, form);
+    const Vector unit = Vector::Unit(before.size(), row);
+    reset.by_state.add(unit, gradient(event.contact, form) - unit.transpose());
     reset.rates[row] = rate_along(event.contact, form, event, before);
     for (std::size_t k = 0; k < keys_.size(); ++k)
-      reset.map.by_key(row, static_cast<Index>(k)) = keys_[k]->form(
+      reset.by_key(row, static_cast<Index>(k)) = keys_[k]->form(
           equations_, event.contact,
           [&](const ContactLaw &law) -> const AffineForm & { return same(law).reset[i]; },
           event.time, *event.before);
@@ -139,8 +135,10 @@ Saltations::Reset Saltations::impact(const ContactEvent &event, const Vector &be
     return reset;
   const StateLayout &layout = equations_.layout();
   const Matrix impulses = collision.response * collision.impulse_by_rate;
-  reset.map.by_state.block(layout.velocity(), layout.velocity(), layout.n, layout.n) +=
-      impulses * collision.rows;
+  reset.by_state = {.left = Matrix::Zero(before.size(), impulses.cols()),
+                    .right = Matrix::Zero(impulses.cols(), before.size())};
+  reset.by_state.left.middleRows(layout.velocity(), layout.n) = impulses;
+  reset.by_state.right.middleCols(layout.velocity(), layout.n) = collision.rows;
   Vector accelerations(static_cast<Index>(collision.contacts.size()));
   for (Index k = 0; k < accelerations.size(); ++k)
     accelerations[k] =
@@ -148,26 +146,29 @@ Saltations::Reset Saltations::impact(const ContactEvent &event, const Vector &be
                                     ConstVectorView(before.data() + layout.velocity(), layout.n));
   reset.rates.segment(layout.velocity(), layout.n) += impulses * accelerations;
   for (std::size_t k = 0; k < keys_.size(); ++k)
-    reset.map.by_key.col(static_cast<Index>(k)).segment(layout.velocity(), layout.n) =
+    reset.by_key.col(static_cast<Index>(k)).segment(layout.velocity(), layout.n) =
         keys_[k]->jump(equations_, collision, event.time, *event.before);
   return reset;
 }
 
 Saltation Saltations::join(const Crossing &crossing, const Reset &reset,
                            const Vector &after) const {
-  Saltation saltation{.map = reset.map, .delay = RowVector::Zero(after.size())};
+  Saltation saltation{
+      .by_state = reset.by_state, .by_key = reset.by_key, .delay = RowVector::Zero(after.size())};
   const Vector jump = after - reset.rates;
   const Vector size = scale_.cwiseProduct(after.cwiseAbs() + reset.rates.cwiseAbs());
   const bool shifts =
       scale_.cwiseProduct(jump).cwiseAbs().maxCoeff() > negligible_jump * size.maxCoeff();
-  saltation.jumps = shifts || !reset.map.by_state.isIdentity(0);
+  saltation.jumps = shifts || !reset.by_state.right.isZero(0);
   if (crossing.rate == 0) {
     saltation.differentiable = !shifts;
     return saltation;
   }
   saltation.delay = -crossing.by_state / crossing.rate;
-  saltation.map.by_state += jump * (crossing.by_state / crossing.rate);
-  saltation.map.by_key += jump * (crossing.by_key / crossing.rate);
+  if (jump.isZero(0))
+    return saltation;
+  saltation.by_state.add(jump, crossing.by_state / crossing.rate);
+  saltation.by_key += jump * (crossing.by_key / crossing.rate);
   return saltation;
 }
 

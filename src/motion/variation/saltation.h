@@ -15,20 +15,16 @@
 
 #include "motion/observer.h"
 #include "motion/variation/key_tangent.h"
+#include "motion/variation/low_rank_map.h"
 
 #include <optional>
 
 namespace vibroimpact::motion {
 
-/// d+ = by_state d- of deviations, and by_state d- + by_key of the derivatives by keys.
-struct LinearMap {
-  Matrix by_state; ///< physical_size() squared
-  Matrix by_key;   ///< physical_size() x keys
-};
-
 /// An event as a map, with what is needed to judge it beside others at the same instant.
 struct Saltation {
-  LinearMap map;
+  LowRankMap by_state;
+  Matrix by_key;              ///< added to the derivatives by keys: physical_size() x keys
   RowVector delay;            ///< dt by a deviation before the event, -g_x / g'
   bool jumps = false;         ///< the map depends on the delay or resets something
   bool differentiable = true; ///< false: there is no derivative, and the map is one of several

@@ -34,31 +34,7 @@ const TimeFunction &function_of(const model::Model &model, std::size_t source) {
   return *model.sources()[source].function;
 }
 
-// Of a list with the closed forms about `time`; its coordinates there.
-Vector coordinates_at(double time, const Excitation &excitation) {
-  Vector coordinates(excitation.size());
-  excitation.coordinates(time, coordinates.data());
-  return coordinates;
-}
-
 } // namespace
-
-Matrix generator_of(const Excitation &excitation) {
-  Matrix generator = Matrix::Zero(excitation.size(), excitation.size());
-  Index place = 0;
-  for (const Input &input : excitation.inputs()) {
-    if (input.kind == Input::Kind::exponential) {
-      generator(place, place) = input.exponent.real();
-      if (input.is_pair())
-        generator.block(place, place, 2, 2) = pair_generator(input.exponent);
-    } else if (input.kind == Input::Kind::polynomial) {
-      for (Index j = 0; j < input.degree; ++j)
-        generator(place + j, place + j + 1) = 1;
-    }
-    place += input.size();
-  }
-  return generator;
-}
 
 SourceTangent::SourceTangent(const model::Model &model,
                              std::vector<const model::Model *> neighbours, Vector weights)
@@ -87,7 +63,10 @@ void SourceTangent::enter(double from, double to) {
         throw NumericalError("a key that gives the excitation " + model_.sources()[k].name +
                              " another form has no derivative");
     }
+    if (interval.form)
+      take_inputs(interval);
   }
+  find_input_generator();
   find_break_rate();
 }
 
@@ -135,33 +114,69 @@ Values SourceTangent::at(std::size_t source, double time) const {
   return {change[0] + moved * own[1], change[1] + moved * own[2], change[2] + moved * third};
 }
 
-SourceTangent::InputTangent SourceTangent::inputs(double time, const Excitation &excitation,
-                                                  const Matrix &generator) const {
-  const Vector own = coordinates_at(time, excitation);
-  InputTangent tangent{.generator = Matrix::Zero(own.size(), own.size()),
-                       .coordinates = Vector::Zero(own.size())};
-  for (std::size_t i = 0; i < neighbours_.size(); ++i) {
-    std::vector<ExponentialForm> forms;
-    for (const Interval &interval : intervals_) {
-      forms.push_back(interval.neighbours[i]->about(time * interval.time_factors[i]));
-      forms.back().origin = time; // the same phase at the same instant
+void SourceTangent::take_inputs(Interval &interval) const {
+  interval.inputs.take({*interval.form});
+  for (std::size_t i = 0; i < neighbours_.size(); ++i)
+    interval.near_inputs.emplace_back().take({*interval.neighbours[i]});
+}
+
+// Behind the number 1, which every excitation begins with, those of one source after the other.
+void SourceTangent::find_input_generator() {
+  Index size = 1;
+  same_inputs_ = true;
+  for (const Interval &interval : intervals_) {
+    same_inputs_ = same_inputs_ && interval.form;
+    size += interval.inputs.size() - 1;
+    for (const Excitation &near : interval.near_inputs)
+      same_inputs_ = same_inputs_ && near.size() == interval.inputs.size();
+  }
+  if (!same_inputs_)
+    return;
+  Matrix change = Matrix::Zero(size, size);
+  Index place = 1;
+  for (const Interval &interval : intervals_) {
+    const Index own_size = interval.inputs.size() - 1;
+    const Matrix own = interval.inputs.generator();
+    for (std::size_t i = 0; i < interval.near_inputs.size(); ++i)
+      change.block(place, place, own_size, own_size) +=
+          weights_[static_cast<Index>(i)] *
+          (interval.near_inputs[i].generator() - own).bottomRightCorner(own_size, own_size);
+    place += own_size;
+  }
+  if (change.size() == input_generator_.size() && change == input_generator_)
+    return;
+  input_generator_ = std::move(change);
+  ++generation_;
+}
+
+const Matrix &SourceTangent::input_generator() const {
+  if (!same_inputs_)
+    throw NumericalError("a key that gives an excitation another form has no derivative");
+  return input_generator_;
+}
+
+Vector SourceTangent::input_coordinates(double time) const {
+  Vector change = Vector::Zero(input_generator().rows());
+  std::vector<double> own;
+  std::vector<double> near;
+  Index place = 1;
+  for (const Interval &interval : intervals_) {
+    const Index size = interval.inputs.size();
+    own.resize(static_cast<std::size_t>(size));
+    near.resize(own.size());
+    interval.inputs.coordinates(time, own.data());
+    const Eigen::Map<const Vector> present(own.data(), size);
+    auto into = change.segment(place, size - 1);
+    for (std::size_t i = 0; i < interval.near_inputs.size(); ++i) {
+      interval.near_inputs[i].coordinates(time * interval.time_factors[i], near.data());
+      into += weights_[static_cast<Index>(i)] *
+              (Eigen::Map<const Vector>(near.data(), size) - present).tail(size - 1);
     }
-    Excitation near;
-    near.take(forms);
-    if (near.size() != own.size())
-      throw NumericalError("a key that gives an excitation another form has no derivative");
-    tangent.generator += weights_[static_cast<Index>(i)] * (generator_of(near) - generator);
-    tangent.coordinates += weights_[static_cast<Index>(i)] * (coordinates_at(time, near) - own);
+    if (interval.stretch != 0)
+      into += time * interval.stretch * (interval.inputs.generator() * present).tail(size - 1);
+    place += size - 1;
   }
-  const Vector rates = generator * own;
-  Index place = 0;
-  for (const Input &input : excitation.inputs()) {
-    if (input.kind != Input::Kind::one)
-      tangent.coordinates.segment(place, input.size()) +=
-          time * intervals_[input.source].stretch * rates.segment(place, input.size());
-    place += input.size();
-  }
-  return tangent;
+  return change;
 }
 
 } // namespace vibroimpact::motion

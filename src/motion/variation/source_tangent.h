@@ -35,14 +35,13 @@ public:
   /// d(to)/dp, of the break that ends the interval [s].
   double break_rate() const { return break_rate_; }
 
-  /// How the inputs of a linear phase change: the exponents' generator and the coordinates.
-  struct InputTangent {
-    Matrix generator;   ///< m x m [1/s]
-    Vector coordinates; ///< m
-  };
-  /// For inputs whose sources have closed forms; `generator` is that of the inputs themselves.
-  /// NumericalError when a neighbour has inputs of other kinds.
-  InputTangent inputs(double time, const Excitation &excitation, const Matrix &generator) const;
+  /// How the generator of the inputs of a linear phase changes, m x m [1/s]. The sources must have
+  /// closed forms. NumericalError when a neighbour has inputs of other kinds.
+  const Matrix &input_generator() const;
+  /// Changes with input_generator().
+  long generation() const { return generation_; }
+  /// How the coordinates of the inputs change: m.
+  Vector input_coordinates(double time) const;
 
 private:
   struct Interval {
@@ -50,7 +49,11 @@ private:
     std::vector<std::optional<model::ExponentialForm>> neighbours;
     double stretch = 0;               ///< (d omega/dp) / omega
     std::vector<double> time_factors; ///< of each neighbour: the time at which it has the phase
+    Excitation inputs{};              ///< of this source alone, where it has a closed form
+    std::vector<Excitation> near_inputs{};
   };
+  void take_inputs(Interval &interval) const;
+  void find_input_generator();
   double inside() const;
   void find_break_rate();
 
@@ -60,9 +63,9 @@ private:
   std::vector<Interval> intervals_; ///< per source
   double from_ = 0, to_ = 0;
   double break_rate_ = 0;
+  Matrix input_generator_;
+  bool same_inputs_ = true; ///< as all neighbours
+  long generation_ = 0;
 };
-
-/// w' = G w of the coordinates of inputs.
-Matrix generator_of(const Excitation &excitation);
 
 } // namespace vibroimpact::motion

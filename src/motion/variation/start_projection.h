@@ -10,9 +10,15 @@
 // Without that the map of a period would have a false multiplier 1.
 #pragma once
 
-#include "motion/variation/saltation.h"
+#include "motion/variation/key_tangent.h"
 
 namespace vibroimpact::motion {
+
+/// d+ = by_state d- of deviations, and by_state d- + by_key of the derivatives by keys.
+struct LinearMap {
+  Matrix by_state; ///< physical_size() squared
+  Matrix by_key;   ///< physical_size() x keys
+};
 
 /// In the present modes of the equations, at a state with its work integrals.
 LinearMap start_projection(const Equations &equations, const std::vector<KeyTangent *> &keys,

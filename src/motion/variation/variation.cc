@@ -2,9 +2,7 @@
 
 #include "common/error.h"
 #include "motion/trajectory.h"
-#include "motion/variation/start_projection.h"
 
-#include <Eigen/LU>
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -33,20 +31,38 @@ double Determinant::value() const { return sign * std::exp(logarithm); }
 
 Variation::Variation(const Trajectory &trajectory, Vector scale, double tolerance,
                      std::vector<KeyTangent *> keys)
-    : equations_(trajectory.equations()),
-      keys_(std::move(keys)), accuracy_{.scale = std::move(scale), .tolerance = tolerance},
-      saltations_(equations_, keys_, accuracy_.scale), start_(trajectory.time()) {
+    : equations_(trajectory.equations()), accuracy_{.scale = std::move(scale),
+                                                    .tolerance = tolerance},
+      saltations_(equations_, keys_, accuracy_.scale), phases_(equations_, Settings()) {
   if (accuracy_.scale.size() != equations_.layout().physical_size())
     throw std::logic_error("a variation needs one scale for each physical state");
+  begin(trajectory, std::move(keys));
+}
+
+void Variation::begin(const Trajectory &trajectory, std::vector<KeyTangent *> keys) {
+  keys_ = std::move(keys);
+  start_ = trajectory.time();
+  const Equations &motion = trajectory.equations();
+  for (std::size_t c = 0; c < motion.modes().size(); ++c)
+    equations_.set_mode(c, motion.modes()[c]);
+  equations_.set_source_break(motion.source_break());
   for (KeyTangent *key : keys_)
-    key->enter(trajectory.time(), equations_.source_break());
-  projection_ = start_projection(equations_, keys_, trajectory.time(), trajectory.state());
+    key->enter(start_, motion.source_break());
+  closed_forms_ = !keys_.empty() && phases_.take_sources(start_);
+  projection_ = start_projection(equations_, keys_, start_, trajectory.state());
   columns_ = projection_.by_key;
+  determinant_ = {};
+  instant_ = {};
+  tangential_events_ = 0;
 }
 
 void Variation::set_columns(const Matrix &columns) {
   Matrix all(columns.rows(), columns.cols() + n_keys());
-  all << projection_.by_state * columns, columns_.rightCols(n_keys());
+  all.rightCols(n_keys()) = columns_.rightCols(n_keys());
+  if (projection_.by_state.isIdentity(0))
+    all.leftCols(columns.cols()) = columns;
+  else
+    all.leftCols(columns.cols()) = projection_.by_state * columns;
   columns_ = std::move(all);
 }
 
@@ -66,19 +82,13 @@ Vector Variation::orthonormalise() {
   return growth;
 }
 
-void Variation::apply(const LinearMap &map) {
-  columns_ = (map.by_state * columns_).eval();
-  columns_.rightCols(n_keys()) += map.by_key;
-}
-
-// The modes and the interval between breaks that hold during a step.
-void Variation::follow(const StepView &view) {
-  const auto &modes = view.equations().modes();
+// The modes and the interval between breaks that hold from a state on.
+void Variation::follow(const Equations &motion, double time, const Vector &state) {
+  const auto &modes = motion.modes();
   for (std::size_t c = 0; c < modes.size(); ++c)
     equations_.set_mode(c, modes[c]);
-  const double next = view.equations().source_break();
-  if (next != equations_.source_break())
-    pass_break(view.start_state(), view.start(), next);
+  if (motion.source_break() != equations_.source_break())
+    pass_break(state, time, motion.source_break());
 }
 
 void Variation::pass_break(const Vector &state, double time, double next) {
@@ -87,34 +97,49 @@ void Variation::pass_break(const Vector &state, double time, double next) {
   equations_.set_source_break(next);
   for (KeyTangent *key : keys_)
     key->enter(time, next);
+  closed_forms_ = !keys_.empty() && phases_.take_sources(time);
 }
 
-// False: the sources have no closed form, which the keys need.
-bool Variation::step_linear(const StepView &view) {
-  auto known = flows_.find(equations_.modes());
-  if (known == flows_.end())
-    known = flows_.emplace(equations_.modes(), LinearFlow(equations_)).first;
-  LinearFlow &flow = known->second;
-  std::optional<Matrix> forced;
-  if (!keys_.empty()) {
-    forced = flow.forced(equations_, keys_, view.start(), view.start_state(), view.length());
-    if (!forced)
-      return false;
-  }
-  columns_ = (flow.propagator(view.length()) * columns_).eval();
-  if (forced)
-    columns_.rightCols(n_keys()) += *forced;
-  determinant_.logarithm += flow.divergence() * view.length();
+// False: the phase is not linear, or the sources have no closed form, which the keys need.
+bool Variation::pass_linear(double time, const Vector &state, double h) {
+  if (!keys_.empty() && !closed_forms_)
+    return false;
+  LinearPhase *const phase = keys_.empty() ? phases_.find() : phases_.present();
+  if (!phase)
+    return false;
+  LinearFlow &flow = flows_.try_emplace(phase, *phase).first->second;
+  Matrix forced;
+  if (!keys_.empty())
+    forced = flow.forced(keys_, phases_.excitation(), time, state, h);
+  flow.propagate(h, columns_);
+  if (!keys_.empty())
+    columns_.rightCols(n_keys()) += forced;
+  determinant_.logarithm += flow.divergence() * h;
   return true;
 }
 
-void Variation::step(const StepView &view) {
-  follow(view);
-  if (!LinearSystem::holds(equations_) || !step_linear(view))
-    determinant_.logarithm += integrate_beside(view, equations_, keys_, accuracy_, columns_);
+void Variation::check(double time) const {
   if (!columns_.allFinite())
-    throw NumericalError("the variation of the motion is no longer finite at t = " +
-                         std::to_string(view.end()) + " s");
+    throw NumericalError(
+        "the variation of the motion is no longer finite at t = " + std::to_string(time) + " s");
+}
+
+void Variation::step(const StepView &view) {
+  follow(view.equations(), view.start(), view.start_state());
+  if (!pass_linear(view.start(), view.start_state(), view.length()))
+    determinant_.logarithm += integrate_beside(view, equations_, keys_, accuracy_, columns_);
+  check(view.end());
+}
+
+void Variation::part_begins(const Equations & /*equations*/, double /*start*/,
+                            const Vector &state) {
+  part_state_ = state;
+}
+
+void Variation::part_done(const Equations &equations, double start, double end) {
+  follow(equations, start, part_state_);
+  pass_linear(start, part_state_, end - start);
+  check(end);
 }
 
 // At one instant: do deviating motions have this event at another time than those before?
@@ -122,7 +147,9 @@ bool Variation::contradicts(const Saltation &saltation, double time) {
   const bool again = same_instant(instant_.time, time);
   bool apart = false;
   if (again && instant_.jumps && saltation.jumps) {
-    const RowVector delay = saltation.delay * instant_.map;
+    RowVector delay = saltation.delay;
+    for (auto map = instant_.maps.rbegin(); map != instant_.maps.rend(); ++map)
+      map->apply_from_right(delay);
     const auto size = [&](const RowVector &row) {
       return row.cwiseQuotient(accuracy_.scale.transpose()).cwiseAbs().maxCoeff();
     };
@@ -130,12 +157,9 @@ bool Variation::contradicts(const Saltation &saltation, double time) {
         size(delay - instant_.delay) > equal_delays * std::max(size(delay), size(instant_.delay));
   }
   if (!again)
-    instant_ = {.time = time,
-                .map = Matrix::Identity(columns_.rows(), columns_.rows()),
-                .delay = saltation.delay,
-                .jumps = saltation.jumps};
+    instant_ = {.time = time, .maps = {}, .delay = saltation.delay, .jumps = saltation.jumps};
   instant_.jumps = instant_.jumps || saltation.jumps;
-  instant_.map = (saltation.map.by_state * instant_.map).eval();
+  instant_.maps.push_back(saltation.by_state);
   return apart;
 }
 
@@ -145,8 +169,9 @@ void Variation::event(const ContactEvent &event) {
     return;
   const bool apart = contradicts(*saltation, event.time);
   tangential_events_ += apart || !saltation->differentiable ? 1 : 0;
-  apply(saltation->map);
-  const double determinant = saltation->map.by_state.partialPivLu().determinant();
+  saltation->by_state.apply(columns_);
+  columns_.rightCols(n_keys()) += saltation->by_key;
+  const double determinant = saltation->by_state.determinant();
   determinant_.logarithm += std::log(std::abs(determinant));
   determinant_.sign *= determinant < 0 ? -1 : 1;
 }

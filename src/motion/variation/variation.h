@@ -15,6 +15,7 @@
 #include "motion/variation/joint_integration.h"
 #include "motion/variation/linear_flow.h"
 #include "motion/variation/saltation.h"
+#include "motion/variation/start_projection.h"
 
 #include <limits>
 #include <map>
@@ -33,7 +34,7 @@ struct Determinant {
 
 /// Carries deviations of the physical state (coordinates, velocities, internal states, torques)
 /// along, column by column.
-class Variation : public Observer {
+class Variation : public Observer, private OutputMonitor {
 public:
   /// From where the trajectory stands, which must not have been moved since its start or be at a
   /// state to start from. Keeps references to the keys. `scale`: physical_size() factors that make
@@ -41,8 +42,9 @@ public:
   /// the largest scaled entry of the state and of each column.
   Variation(const Trajectory &trajectory, Vector scale, double tolerance,
             std::vector<KeyTangent *> keys = {});
-  Variation(const Variation &) = delete;
-  Variation &operator=(const Variation &) = delete;
+  /// Begins anew from where the trajectory stands, which must be one of the same model and
+  /// contacts. What belongs to the phases of the model is kept.
+  void begin(const Trajectory &trajectory, std::vector<KeyTangent *> keys = {});
 
   /// Deviations at the start: physical_size() rows, any number of columns. They are projected onto
   /// those with which the motion can start (start_projection).
@@ -59,6 +61,8 @@ public:
 
   void step(const StepView &view) override;
   void event(const ContactEvent &event) override;
+  /// Linear phases pass as a whole.
+  OutputMonitor *output_monitor() override { return this; }
 
   /// What deviations at the start were projected by, and what that gives to the derivatives.
   const LinearMap &projection() const { return projection_; }
@@ -71,25 +75,33 @@ public:
 private:
   struct Instant {
     double time = -std::numeric_limits<double>::infinity();
-    Matrix map; ///< of the events so far
+    std::vector<LowRankMap> maps; ///< of the events so far
     RowVector delay;
     bool jumps = false;
   };
 
+  void add_forms(const Equations & /*equations*/, std::vector<MonitoredForm> & /*forms*/) override {
+  }
+  void part_begins(const Equations &equations, double start, const Vector &state) override;
+  void part_done(const Equations &equations, double start, double end) override;
+
   Index n_keys() const { return static_cast<Index>(keys_.size()); }
-  void follow(const StepView &view);
+  void follow(const Equations &motion, double time, const Vector &state);
   void pass_break(const Vector &state, double time, double next);
-  bool step_linear(const StepView &view);
-  void apply(const LinearMap &map);
+  bool pass_linear(double time, const Vector &state, double h);
+  void check(double time) const;
   bool contradicts(const Saltation &saltation, double time);
 
   Equations equations_; ///< a copy: its modes follow the motion
   std::vector<KeyTangent *> keys_;
   VariationAccuracy accuracy_;
   Saltations saltations_;
-  double start_; ///< of the motion [s]
-  std::map<std::vector<int>, LinearFlow> flows_;
-  Matrix columns_; ///< of deviations, then of keys
+  ExactPhases phases_;
+  std::map<LinearPhase *, LinearFlow> flows_;
+  bool closed_forms_ = false; ///< of the sources up to their next break; asked for by keys alone
+  double start_ = 0;          ///< of the motion [s]
+  Vector part_state_;         ///< at the start of a part
+  Matrix columns_;            ///< of deviations, then of keys
   LinearMap projection_;
   Determinant determinant_;
   Instant instant_; ///< of the last event
