@@ -33,8 +33,8 @@ double EventPattern::calmest_instant() const {
 }
 
 // The modes of a phase are known with its first step; several events may lead into it.
-void PatternObserver::step(const motion::StepView &view) {
-  std::vector<int> modes = view.equations().modes();
+void PatternObserver::see(const motion::Equations &equations) {
+  std::vector<int> modes = equations.modes();
   bool closed = false;
   for (std::size_t c = 0; c < modes.size(); ++c)
     if (in_contact(c, modes[c]))

@@ -12,7 +12,9 @@ namespace vibroimpact::periodic {
 
 StroboscopicMap::StroboscopicMap(ForcedSystem &system, motion::VariationAccuracy accuracy,
                                  std::optional<Symmetry> symmetry)
-    : system_(system), accuracy_(std::move(accuracy)), symmetry_(std::move(symmetry)) {}
+    : system_(system), accuracy_(std::move(accuracy)),
+      lineariser_(std::make_shared<motion::Lineariser>(system.trajectory(), accuracy_)),
+      symmetry_(std::move(symmetry)) {}
 
 void StroboscopicMap::start(double phase, const Vector &state) const {
   system_.trajectory().start({.time = phase * period(), .physical = state});
@@ -33,8 +35,8 @@ Flow StroboscopicMap::flow(double from, double to, const Vector &state) const {
   if (key_ != nullptr)
     keys.push_back(&key_->tangent);
   PatternObserver pattern(system_.contacts(), begin);
-  const motion::LinearisedMotion motion = motion::linearise(
-      system_.trajectory(), {.time = begin, .physical = state}, end, accuracy_, keys, &pattern);
+  const motion::LinearisedMotion motion =
+      (*lineariser_)({.time = begin, .physical = state}, end, keys, &pattern);
   Flow flow{.state = motion.end.physical,
             .by_state = motion.by_state,
             .by_key = {},

@@ -19,6 +19,7 @@
 #include "periodic/event_pattern.h"
 #include "periodic/symmetry.h"
 
+#include <memory>
 #include <optional>
 
 namespace vibroimpact::periodic {
@@ -85,6 +86,7 @@ public:
 private:
   ForcedSystem &system_;
   motion::VariationAccuracy accuracy_;
+  std::shared_ptr<motion::Lineariser> lineariser_; ///< of the system
   std::optional<Symmetry> symmetry_;
   ForcedKey *key_ = nullptr;
 };
