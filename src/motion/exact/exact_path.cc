@@ -203,7 +203,7 @@ void ExactPath::begin_part(double time) {
   std::copy_n(walk_.amplitudes, known_->phase().n_amplitudes(), part_.begin());
   part_start_ = time;
   if (observer_->monitor)
-    observer_->monitor->part_begins(equations_, time, *state_);
+    observer_->monitor->part_begins(equations_, time, state_);
 }
 
 // The modes of the equations are those of the part.
