@@ -24,7 +24,6 @@ namespace {
 using analyses::System;
 using motion::MotionState;
 using Overrides = std::vector<parameters::Override>;
-
 constexpr double agreement = 1e-7;
 constexpr double resolved = 1e-8;
 constexpr double hopeless = 1e-4;
@@ -32,8 +31,7 @@ constexpr double hopeless = 1e-4;
 // order, whose error cannot be made as small as differences need.
 constexpr long most_steps = 4000;
 constexpr int most_motions = 400; // for one model
-// Steps that differences take again in a window where they do not agree: the error of the motion's
-// own steps is one that differences see and the variation does not.
+// In a window, where differences do not agree: they see the error of the motion's own steps.
 constexpr long short_steps = 2000;
 
 // Builds the system of one random model at other values of its keys.
@@ -125,14 +123,11 @@ motion::Settings tight(const System &system) {
   return settings;
 }
 
-// `maximum_step` [s]; 0: none.
 std::optional<Vector> flow(const System &system, const MotionState &start, double end,
                            const std::vector<Sequence::Event> &events, double maximum_step) {
   motion::Settings settings = tight(system);
-  if (maximum_step > 0) {
-    settings.maximum_step = maximum_step;
-    settings.maximum_steps += 2 * short_steps;
-  }
+  settings.maximum_step = maximum_step;
+  settings.maximum_steps += maximum_step > 0 ? 2 * short_steps : 0;
   try {
     motion::Trajectory trajectory(system.model, system.contacts, settings);
     trajectory.start(start);
@@ -367,14 +362,13 @@ private:
     return end;
   }
 
-  // Once more with short steps where the motion's own ones do not agree.
   Comparison compare_with_care(const std::function<Comparison()> &compare_once) {
     const Comparison first = compare_once();
     if (!first.compared || first.agrees)
       return first;
     maximum_step_ = (window_.end - window_.start.time) / static_cast<double>(short_steps);
     const Comparison second = compare_once();
-    maximum_step_ = 0;
+    maximum_step_ = 0; // none
     return second;
   }
 
@@ -434,7 +428,7 @@ private:
   }
 
   mutable int motions_ = 0; ///< for the differences
-  double maximum_step_ = 0; ///< of the differences [s]; 0: none
+  double maximum_step_ = 0; ///< of theirs [s]
   Builder builder_;
   std::optional<System> system_;
   Window window_;
