@@ -30,7 +30,7 @@ private:
   struct Row {
     double arclength = 0;
     long branch = 0;
-    PointResult values;
+    PointResult values{};
   };
   PointResult orbit_of(const continuation::BranchPoint &point) const;
   void record(const Vector &state, double period, long periods, PointResult &row) const;

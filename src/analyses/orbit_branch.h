@@ -23,7 +23,7 @@ public:
     double start_value = 0;   ///< of the key, unless it is a frequency [its unit]
     OrbitStart start;
     Directions directions = Directions::both;
-    continuation::Settings continuation;
+    continuation::Settings continuation{};
     long levels = 0;        ///< of branches that begin at special points of others
     std::string excitation; ///< whose period is that of the forcing; empty: the only one
     std::vector<RecorderFactory> recorders = default_recorders();

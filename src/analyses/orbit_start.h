@@ -9,10 +9,11 @@
 namespace vibroimpact::analyses {
 
 struct OrbitStart {
-  SettlingRule settling; ///< from the initial conditions; no periods: they are the start themselves
-  std::vector<double> state;                 ///< at phase 0; empty: the settled one
-  long multiple = 0;                         ///< [periods]; 0: that of the settled motion
-  std::optional<parameters::Values> section; ///< for messages
+  SettlingRule
+      settling{}; ///< from the initial conditions; no periods: they are the start themselves
+  std::vector<double> state{};                 ///< at phase 0; empty: the settled one
+  long multiple = 0;                           ///< [periods]; 0: that of the settled motion
+  std::optional<parameters::Values> section{}; ///< for messages
 };
 
 void declare_orbit_start(parameters::Section &section);

@@ -30,7 +30,7 @@ struct Evaluation {
   Vector residual; ///< F, n
   Matrix by_state; ///< dF/dx, n x n
   Matrix by_keys;  ///< dF/dp, n x keys
-  Pattern pattern;
+  Pattern pattern{};
   /// How far this point is from where its chart loses smoothness, in parts of the whole; for a
   /// motion, the time between the section and the nearest contact change over the period.
   double chart_margin = std::numeric_limits<double>::infinity();
@@ -60,14 +60,14 @@ struct Graze {
 
 /// F extended smoothly from the side on which the guard stays above zero to the other side.
 struct Extension {
-  Evaluation smooth;  ///< of the extended F
-  double value = 0;   ///< least value of the guard; > 0: not touched
-  RowVector by_state; ///< of the value, n
-  RowVector by_keys;  ///< of the value, one for each key
+  Evaluation smooth{}; ///< of the extended F
+  double value = 0;    ///< least value of the guard; > 0: not touched
+  RowVector by_state;  ///< of the value, n
+  RowVector by_keys;   ///< of the value, one for each key
   Touch touch = Touch::smooth;
   /// Where the touch is a corner: derivatives of F behind it are those of `smooth` plus this times
   /// those of the value; n, otherwise empty.
-  Vector jump;
+  Vector jump{};
 };
 
 /// How far a solution of the map P^m misses to be one of P^multiple, a proper divisor of m.

@@ -21,11 +21,11 @@ struct Coupling {
 struct PhaseGroup {
   BlockKind kind = BlockKind::real;
   Complex exponent{};
-  std::vector<Index> coordinates;   ///< real and imaginary part of a pair
-  Matrix generator;                 ///< of a dense block
-  std::optional<std::size_t> input; ///< that the group consists of alone
-  int first = 0;                    ///< place among the groups
-  long generation = 0;              ///< of the excitation that it was last renewed for
+  std::vector<Index> coordinates;     ///< real and imaginary part of a pair
+  Matrix generator;                   ///< of a dense block
+  std::optional<std::size_t> input{}; ///< that the group consists of alone
+  int first = 0;                      ///< place among the groups
+  long generation = 0;                ///< of the excitation that it was last renewed for
 
   bool is_input() const { return input.has_value(); }
   /// Places that it takes among the groups.
