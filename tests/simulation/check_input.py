@@ -50,7 +50,7 @@ subsection Analysis cases
       set Path = Body/mass/Mass/head/Stiffness
       set First = 90 N/m
       set Last = 120 N/m
-      set Points = 50
+      set Points = 150
     end
   end
 end
@@ -226,6 +226,8 @@ end
         self.whole()
         journal = sum(file.stat().st_size for file in (self.folder / "whole/journal").iterdir())
         results = (self.folder / "whole/results.h5").stat().st_size
+        parameters = (self.folder / "whole/parameters.prm").stat().st_size
+        self.assertLess(parameters, 0.6 * journal)  # else nothing would begin
         self.assertLess(journal, results)
         for limit in ((journal + results) / 2, 0.6 * journal):  # the second ends in the middle
             done = self.run_program(MASS, "--output", f"full-{limit:.0f}", file_bytes=limit)
