@@ -40,8 +40,8 @@ void check_axes(const Values &section, const AxisNames &names) {
       section.reject("Along", "every axis once.");
     found.push_back(names.own_name(name));
   }
-  const bool several =
-      section.choice("Operation") == "maximum" || section.choice("Operation") == "minimum";
+  const std::string chosen = section.choice("Operation");
+  const bool several = chosen == "maximum" || chosen == "minimum" || chosen == "mean";
   if (found.size() > 1 && !several)
     section.reject("Along", "one axis for this operation.");
 }
@@ -87,7 +87,7 @@ void declare_derived(parameters::Section &root) {
             "What it is done to: the path of a field of the analysis, the name of a Derived of the "
             "same analysis that stands before this one, or an axis.")
       .names("Along", "",
-             "Axis, for maximum and minimum also several. A swept key also goes by the "
+             "Axis, for maximum, minimum and mean also several. A swept key also goes by the "
              "last part of its path and by the name of its section.")
       .choice("Refine", "none", {"none", "parabola"},
               "Between points: by the parabola through the extreme value and its neighbours.")
