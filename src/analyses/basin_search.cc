@@ -11,7 +11,6 @@
 
 namespace vibroimpact::analyses {
 
-using periodic::Attractors;
 using periodic::Decision;
 using periodic::FoundMotion;
 using periodic::Outcome;

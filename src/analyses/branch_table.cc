@@ -174,6 +174,7 @@ std::vector<PointResult> BranchTable::in_order(std::vector<Row> rows) {
     return std::pair(a.branch, a.arclength) < std::pair(b.branch, b.arclength);
   });
   std::vector<PointResult> values;
+  values.reserve(rows.size());
   for (Row &row : rows)
     values.push_back(std::move(row.values));
   return values;

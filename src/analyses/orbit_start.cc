@@ -8,7 +8,6 @@
 
 namespace vibroimpact::analyses {
 
-using periodic::StroboscopicMap;
 using periodic::Symmetry;
 
 namespace {

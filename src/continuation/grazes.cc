@@ -1,6 +1,7 @@
 #include "continuation/grazes.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vibroimpact::continuation {
 
@@ -54,8 +55,9 @@ Node node_towards(const ScaledProblem &problem, const LocatedGraze &graze, const
 // Lengths of trials behind a graze: within the smallest ones even stiff contacts are smooth.
 std::vector<double> trial_lengths() {
   std::vector<double> lengths;
-  for (double length = 1e-3; length > 1e-10; length /= 4)
-    lengths.push_back(length);
+  constexpr int count = 12; // down to 2e-10
+  for (int i = 0; i < count; ++i)
+    lengths.push_back(std::ldexp(1e-3, -2 * i));
   return lengths;
 }
 

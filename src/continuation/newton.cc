@@ -26,7 +26,7 @@ bool is_last(double length, double before, Until until, const Settings &settings
 } // namespace
 
 Vector solve_dense(const Matrix &a, const Vector &b) {
-  const Vector x = a.partialPivLu().solve(b);
+  Vector x = a.partialPivLu().solve(b);
   if (!x.allFinite())
     throw NumericalError("a matrix of the continuation is singular");
   return x;

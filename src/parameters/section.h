@@ -46,7 +46,7 @@ struct Key {
   std::vector<std::string> options{}; ///< for choice
   /// Former names of options, and the present ones: read with a warning.
   std::vector<std::pair<std::string, std::string>> renamed_options{};
-  int minimum_count = 0;              ///< for quantities
+  int minimum_count = 0; ///< for quantities
   int maximum_count = std::numeric_limits<int>::max();
 };
 
@@ -72,8 +72,8 @@ public:
   Section &boolean(std::string name, std::string default_value, std::string sentence);
   Section &choice(std::string name, std::string default_value, std::vector<std::string> options,
                   std::string sentence);
-  /// `option` of the choice `key` was called `former` before; std::logic_error when there is no such
-  /// option.
+  /// `option` of the choice `key` was called `former` before; std::logic_error when there is no
+  /// such option.
   Section &renamed_option(const std::string &key, std::string former, std::string option);
   Section &text(std::string name, std::string default_value, std::string sentence);
   /// Names separated by commas.

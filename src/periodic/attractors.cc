@@ -91,6 +91,7 @@ Decision Attractors::follow(const Vector &start, const StateMap &map, double sha
 
 void Attractors::choose(const std::vector<std::size_t> &places) {
   std::vector<Attractor> chosen;
+  chosen.reserve(places.size());
   for (const std::size_t place : places)
     chosen.push_back(list_.at(place));
   list_ = std::move(chosen);

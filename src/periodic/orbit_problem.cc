@@ -74,12 +74,12 @@ Transfer OrbitProblem::transfer(const Point &point, double chart) {
 std::vector<continuation::Graze> OrbitProblem::grazes_near(const Point &point) {
   const StroboscopicMap &map = maps_.at(point.keys[0]);
   std::vector<continuation::Graze> grazes;
-  for (GrazeWindow &window : graze_windows(map, section_at(point.chart), point.state)) {
+  for (const GrazeWindow &window : graze_windows(map, section_at(point.chart), point.state)) {
     grazes.push_back({.guard = static_cast<int>(windows_.size()),
                       .position = window.position,
                       .ignored = std::numeric_limits<double>::infinity(),
                       .name = map.system().contacts().pairs()[window.contact].name});
-    windows_.push_back(std::move(window));
+    windows_.push_back(window);
   }
   return grazes;
 }

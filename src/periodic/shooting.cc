@@ -12,13 +12,13 @@ namespace vibroimpact::periodic {
 namespace {
 
 constexpr long most_iterations = 20;
-constexpr long most_periods = 60;       // of the map that the motion goes on for by itself
-constexpr double least_share = 1.0 / 8; // of a step
-constexpr double decrease = 0.25;       // of the residual, of that which the step should bring
-constexpr double exact = 1e-12;         // a step over the size of the motion that ends the sequence
-constexpr double near = 1e-7;           // below which it must shrink by
-constexpr double still_going = 0.1;     // or has come as near as it can
-constexpr double quadratic = 1e-4;      // steps below which Newton's method needs no damping
+constexpr long most_periods = 60; // of the map that the motion goes on for by itself
+constexpr double shares[] = {1, 0.5, 0.25, 0.125}; // of a step, one after the other
+constexpr double decrease = 0.25;   // of the residual, of that which the step should bring
+constexpr double exact = 1e-12;     // a step over the size of the motion that ends the sequence
+constexpr double near = 1e-7;       // below which it must shrink by
+constexpr double still_going = 0.1; // or has come as near as it can
+constexpr double quadratic = 1e-4;  // steps below which Newton's method needs no damping
 
 class Newton {
 public:
@@ -66,7 +66,7 @@ private:
   }
 
   void advance(const Vector &step, double length) {
-    for (double share = 1; share >= least_share; share /= 2) {
+    for (const double share : shares) {
       try {
         FixedPoint next = evaluate(point_.state + share * step);
         if (length < quadratic ||

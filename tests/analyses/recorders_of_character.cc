@@ -161,12 +161,8 @@ TEST(RecordersOfCharacterTest, ATorusIsQuasiPeriodic) {
 // of zero, within the threshold, it is none. The stop is always pressed, so that the mass turns
 // faster in its phase plane than the scales of the states are made for.
 TEST(RecordersOfCharacterTest, AnExponentWithinTheThresholdIsNone) {
-  const Forced torus{.zeta = 0,
-                     .amplitude = 1,
-                     .omega = 0.5,
-                     .clearance = -50,
-                     .stop = 1,
-                     .displacement = -24};
+  const Forced torus{
+      .zeta = 0, .amplitude = 1, .omega = 0.5, .clearance = -50, .stop = 1, .displacement = -24};
   const System system = torus.system();
   int negative = 0;
   for (long cycles = 60; cycles < 76; ++cycles) {

@@ -97,6 +97,7 @@ bool is_smooth(const std::vector<double> &offsets, const std::vector<Vector> &pr
     if (present[k].size() == 0)
       continue;
     std::vector<const Vector *> all;
+    all.reserve(neighbours.size());
     for (const std::vector<Vector> &data : neighbours)
       all.push_back(&data[k]);
     const Vector fine = derivative(offsets, present[k], all);

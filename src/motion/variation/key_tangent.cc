@@ -4,6 +4,8 @@
 #include "motion/observer.h"
 #include "motion/variation/key_stencil.h"
 
+#include <Eigen/QR>
+
 #include <atomic>
 #include <cmath>
 
