@@ -47,6 +47,9 @@ public:
   /// Values of keys at which run_line() will build other systems, known beforehand so that their
   /// bodies are reduced and their sizes compared before anything runs.
   virtual std::vector<std::vector<parameters::Override>> variants() const { return {}; }
+  /// InputError when systems with other values of keys do not fit, which `build` makes, before
+  /// anything runs.
+  virtual void check_built(const SystemSource & /*build*/) const {}
   /// Computes the points of one line. A NumericalError inside a point belongs into its result.
   virtual void run_line(std::size_t line, System &system, LineContext &context) const = 0;
 };

@@ -2,6 +2,7 @@
 
 #include "analyses/basin_fields.h"
 #include "analyses/fields.h"
+#include "analyses/single_point.h"
 #include "common/error.h"
 
 #include <algorithm>
@@ -54,6 +55,10 @@ void BasinShares::check(const System &system) const {
   const BasinSearch search(system, settings_.search);
 }
 
+void BasinShares::check_built(const SystemSource &build) const {
+  const StartBox box(settings_.keys, {}, build);
+}
+
 std::vector<model::InitialState> BasinShares::draw(const StartBox &box) const {
   std::mt19937_64 random(static_cast<std::uint64_t>(settings_.seed));
   std::vector<model::InitialState> starts;
@@ -101,17 +106,7 @@ PointResult BasinShares::compute(LineContext &context) const {
 }
 
 void BasinShares::run_line(std::size_t /*line*/, System & /*system*/, LineContext &context) const {
-  if (context.find({})) {
-    context.skip();
-    return;
-  }
-  PointResult result;
-  try {
-    result = compute(context);
-  } catch (const NumericalError &error) {
-    result = {.index = {}, .status = Status::failed, .reason = error.what()};
-  }
-  context.store(std::move(result));
+  run_single_point(context, [&] { return compute(context); });
 }
 
 } // namespace vibroimpact::analyses

@@ -25,6 +25,7 @@ public:
   std::string type() const override { return "basin shares"; }
   std::vector<Axis> axes() const override { return {}; }
   void check(const System &system) const override;
+  void check_built(const SystemSource &build) const override;
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char *section_name = "Basins";
 constexpr const char *first_axis = "First axis", *second_axis = "Second axis";
-/// Rows are shared out in so many lines, each of which searches the coarse part by itself.
+/// Rows are distributed over so many lines, each of which searches the coarse part by itself.
 constexpr std::size_t most_lines = 16;
 
 void declare_cell_axis(parameters::Section &section, const std::string &name,
@@ -200,6 +200,10 @@ void Basins::check(const System &system) const {
         "Basins by Method = interpolation need a system of one coordinate and contacts "
         "without internal states; this one has " +
         std::to_string(search.states()) + " states. Use Method = motions.");
+}
+
+void Basins::check_built(const SystemSource &build) const {
+  const StartBox box({settings_.first}, {settings_.second.at(settings_.second.values[0])}, build);
 }
 
 std::vector<std::vector<parameters::Override>> Basins::variants() const {

@@ -35,6 +35,7 @@ public:
   std::vector<Axis> axes() const override { return {settings_.second.axis()}; }
   std::size_t lines() const override;
   void check(const System &system) const override;
+  void check_built(const SystemSource &build) const override;
   std::vector<std::vector<parameters::Override>> variants() const override;
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 

@@ -3,6 +3,7 @@
 #include "analyses/channels.h"
 #include "analyses/fields.h"
 #include "analyses/linear_response.h"
+#include "analyses/single_point.h"
 #include "analyses/swept_parameter.h"
 #include "analyses/swept_system.h"
 #include "common/error.h"
@@ -148,17 +149,7 @@ PointResult FrequencyResponse::compute(const System &system, LineContext &contex
 }
 
 void FrequencyResponse::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
-  if (context.find({})) {
-    context.skip();
-    return;
-  }
-  PointResult result;
-  try {
-    result = compute(system, context);
-  } catch (const NumericalError &error) {
-    result = {.index = {}, .status = Status::failed, .reason = error.what()};
-  }
-  context.store(std::move(result));
+  run_single_point(context, [&] { return compute(system, context); });
 }
 
 } // namespace vibroimpact::analyses

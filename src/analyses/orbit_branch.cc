@@ -1,6 +1,7 @@
 #include "analyses/orbit_branch.h"
 
 #include "analyses/branch_table.h"
+#include "analyses/single_point.h"
 #include "analyses/swept_system.h"
 #include "common/error.h"
 
@@ -259,17 +260,7 @@ PointResult OrbitBranch::compute(System &system, LineContext &context) const {
 }
 
 void OrbitBranch::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
-  if (context.find({})) {
-    context.skip();
-    return;
-  }
-  PointResult result;
-  try {
-    result = compute(system, context);
-  } catch (const NumericalError &error) {
-    result = {.index = {}, .status = Status::failed, .reason = error.what()};
-  }
-  context.store(std::move(result));
+  run_single_point(context, [&] { return compute(system, context); });
 }
 
 } // namespace vibroimpact::analyses

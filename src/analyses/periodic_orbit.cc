@@ -2,6 +2,7 @@
 
 #include "analyses/fields.h"
 #include "analyses/orbit_fields.h"
+#include "analyses/single_point.h"
 #include "analyses/swept_system.h"
 #include "analyses/window_recording.h"
 #include "common/error.h"
@@ -61,17 +62,7 @@ PointResult PeriodicOrbit::compute(const System &system, LineContext &context) c
 }
 
 void PeriodicOrbit::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
-  if (context.find({})) {
-    context.skip();
-    return;
-  }
-  PointResult result;
-  try {
-    result = compute(system, context);
-  } catch (const NumericalError &error) {
-    result = {.index = {}, .status = Status::failed, .reason = error.what()};
-  }
-  context.store(std::move(result));
+  run_single_point(context, [&] { return compute(system, context); });
 }
 
 } // namespace vibroimpact::analyses

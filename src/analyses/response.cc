@@ -2,6 +2,7 @@
 
 #include "analyses/fields.h"
 #include "analyses/motion_progress.h"
+#include "analyses/single_point.h"
 #include "analyses/steadiness.h"
 #include "analyses/window_recording.h"
 #include "common/error.h"
@@ -136,17 +137,7 @@ PointResult Response::compute(const System &system, LineContext &context) const 
 }
 
 void Response::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
-  if (context.find({})) {
-    context.skip();
-    return;
-  }
-  PointResult result;
-  try {
-    result = compute(system, context);
-  } catch (const NumericalError &error) {
-    result = {.index = {}, .status = Status::failed, .reason = error.what()};
-  }
-  context.store(std::move(result));
+  run_single_point(context, [&] { return compute(system, context); });
 }
 
 } // namespace vibroimpact::analyses

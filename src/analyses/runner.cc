@@ -225,6 +225,7 @@ void check_case(const Case &work) {
       throw InputError("The swept key " + variant.front().path +
                        " changes the number of coordinates or of internal states at the value " +
                        variant.front().value + "; a state cannot be carried over.");
+  work.analysis->check_built(work.source);
 }
 
 RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &keys,

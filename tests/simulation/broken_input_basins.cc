@@ -95,6 +95,22 @@ TEST(BrokenInputBasinsTest, Axes) {
                  {"First frequency"});
 }
 
+// The first axis, and each range, may change nothing but where motions begin.
+TEST(BrokenInputBasinsTest, KeysThatChangeMoreThanStarts) {
+  const std::string more = "must change initial conditions only, and these in proportion";
+  for (const std::string &file : {basins, shares}) {
+    expect_message(file, "set Parameter = Variables/x\n      set First = -1\n      set Last = 1",
+                   "set Parameter = Contact/stop/Clearance\n      set First = 4 mm\n"
+                   "      set Last = 6 mm",
+                   {"test.prm:", "Contact/stop/Clearance", more});
+    expect_message(file, "set Parameter = Variables/x\n      set First = -1\n      set Last = 1",
+                   "set Parameter = Excitation/shaker/Amplitude\n      set First = 1 N\n"
+                   "      set Last = 2 N",
+                   {"Excitation/shaker/Amplitude", more});
+    expect_message(file, "x * 1 mm", "x * x * 1 mm", {"Variables/x", more});
+  }
+}
+
 TEST(BrokenInputBasinsTest, Keys) {
   expect_message(basins, "set Type = basins", "set Type = basins\n  set Record = excursions",
                  {"Record", "no recorders"});

@@ -3,13 +3,10 @@
 
 usage: check_basins.py PROGRAM MPIEXEC
 """
-import signal
-import subprocess
-
 import h5py
 import numpy as np
 
-from program_runs import ProgramRuns, datasets, main
+from program_runs import ProgramRuns, main
 
 # An isolator with a two-sided elastic stop: two steady motions between 1.231279 and 1.362748 rad/s.
 ISOLATOR = """
@@ -220,21 +217,7 @@ class Basins(ProgramRuns):
         return h5py.File(out / "results.h5")
 
     def test_ranks_and_resume_give_the_same_bytes(self):
-        whole = self.folder / "ranks1"
-        for ranks in (1, 2, 3):
-            out = self.folder / f"ranks{ranks}"
-            self.run_all(out, ranks=ranks).close()
-            self.assertEqual(datasets(out), datasets(whole))
-        kept = sum(journal.stat().st_size for journal in (whole / "journal").iterdir())
-        out = self.folder / "cut"
-        process = subprocess.Popen(self.command(self.file, "--output", out), cwd=self.folder,
-                                   stdout=subprocess.DEVNULL)
-        self.wait_for_journal(out / "journal", 0.3 * kept, process)
-        process.send_signal(signal.SIGKILL)
-        process.wait()
-        done = self.run_program("--resume", out, ranks=2)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.assertEqual(datasets(out), datasets(whole))
+        self.expect_same_bytes()
 
     def test_cells_lead_where_the_motions_settle(self):
         with self.run_all(self.folder / "out") as file:

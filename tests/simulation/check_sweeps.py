@@ -3,13 +3,10 @@
 
 usage: check_sweeps.py PROGRAM MPIEXEC
 """
-import signal
-import subprocess
-
 import h5py
 import numpy as np
 
-from program_runs import ProgramRuns, datasets, main
+from program_runs import ProgramRuns, main
 
 # An isolator with a two-sided elastic stop; the folds of its response are at 0.195964 Hz (falling)
 # and 0.216888 Hz (rising).
@@ -141,23 +138,7 @@ class Sweeps(ProgramRuns):
             return file["analysis/" + path][()]
 
     def test_ranks_and_resume_give_the_same_bytes(self):
-        whole = self.folder / "ranks1"
-        for ranks in (1, 2, 3):
-            out = self.folder / f"ranks{ranks}"
-            done = self.run_program(self.file, "--output", out, ranks=ranks)
-            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-            self.assertEqual(datasets(out), datasets(whole))
-            self.assertRegex(done.stdout, r": (\d+) of \1 \(100 %\), .*took ")
-        kept = sum(journal.stat().st_size for journal in (whole / "journal").iterdir())
-        out = self.folder / "cut"
-        process = subprocess.Popen(self.command(self.file, "--output", out), cwd=self.folder,
-                                   stdout=subprocess.DEVNULL)
-        self.wait_for_journal(out / "journal", 0.3 * kept, process)
-        process.send_signal(signal.SIGKILL)
-        process.wait()
-        done = self.run_program("--resume", out, ranks=2)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.assertEqual(datasets(out), datasets(whole))
+        self.expect_same_bytes()
 
     def test_what_the_sweeps_give(self):
         out = self.folder / "out"

@@ -3,6 +3,7 @@ more ranks. Usage of such a test: check_NAME.py PROGRAM MPIEXEC
 """
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -55,6 +56,27 @@ class ProgramRuns(InAFolder):
             if folder.is_dir() and sum(j.stat().st_size for j in folder.iterdir()) >= size:
                 return
             time.sleep(0.005)
+
+    def expect_same_bytes(self):
+        """Of the parameter file on one, two and three ranks, and of a run that is killed when 30 %
+        of its points are kept and goes on with two."""
+        whole = self.folder / "ranks1"
+        for ranks in (1, 2, 3):
+            out = self.folder / f"ranks{ranks}"
+            done = self.run_program(self.file, "--output", out, ranks=ranks)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertEqual(datasets(out), datasets(whole))
+            self.assertRegex(done.stdout, r": (\d+) of \1 \(100 %\), .*took ")
+        kept = sum(journal.stat().st_size for journal in (whole / "journal").iterdir())
+        out = self.folder / "cut"
+        process = subprocess.Popen(self.command(self.file, "--output", out), cwd=self.folder,
+                                   stdout=subprocess.DEVNULL)
+        self.wait_for_journal(out / "journal", 0.3 * kept, process)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        done = self.run_program("--resume", out, ranks=2)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(datasets(out), datasets(whole))
 
 
 def main():
