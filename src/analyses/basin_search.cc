@@ -3,6 +3,7 @@
 #include "analyses/orbit_start.h"
 #include "analyses/swept_system.h"
 #include "common/error.h"
+#include "periodic/contact_memory.h"
 #include "periodic/orbit.h"
 
 #include <algorithm>
@@ -50,14 +51,21 @@ BasinSearch::BasinSearch(System system, const BasinSettings &settings)
 Vector BasinSearch::scaled_start(const model::InitialState &start) {
   motion::Trajectory &trajectory = forced_.trajectory();
   trajectory.start(0, start.displacement, start.velocity);
-  return trajectory.motion_state().physical.cwiseProduct(map_.scale());
+  return seen_state();
+}
+
+// Of the trajectory, scaled, without what later motions do not see.
+Vector BasinSearch::seen_state() {
+  Vector state = forced_.trajectory().motion_state().physical.cwiseProduct(map_.scale());
+  state(periodic::idle_memory(forced_.equations())).setZero();
+  return state;
 }
 
 Vector BasinSearch::image(const Vector &scaled) {
   motion::Trajectory &trajectory = forced_.trajectory();
   trajectory.start({.time = 0, .physical = scaled.cwiseQuotient(map_.scale())});
   trajectory.advance(forced_.period());
-  return trajectory.motion_state().physical.cwiseProduct(map_.scale());
+  return seen_state();
 }
 
 // Shooting finds the motion with a section away from its contact changes; from there it goes to
@@ -68,9 +76,11 @@ std::optional<FoundMotion> BasinSearch::find(const Vector &scaled, long multiple
     const periodic::Orbit orbit = find_orbit(map_, multiple, scaled.cwiseQuotient(scale));
     if (!periodic::is_stable(orbit.multipliers(map_)))
       return {};
-    const Vector state = state_at_zero_phase(map_, orbit);
-    const Matrix by_state =
-        map_.image({.phase = 0, .halves = 2 * orbit.multiple()}, state).by_state;
+    Vector state = state_at_zero_phase(map_, orbit);
+    Matrix by_state = map_.image({.phase = 0, .halves = 2 * orbit.multiple()}, state).by_state;
+    const std::vector<Index> unseen = map_.idle(0, state);
+    state(unseen).setZero();
+    by_state(unseen, Eigen::all).setZero();
     return FoundMotion{.state = state.cwiseProduct(scale),
                        .multiple = orbit.multiple(),
                        .by_state =

@@ -51,6 +51,7 @@ public:
 
 private:
   Vector scaled_start(const model::InitialState &start);
+  Vector seen_state();
   Vector image(const Vector &scaled);
   std::optional<periodic::FoundMotion> find(const Vector &scaled, long multiple);
 

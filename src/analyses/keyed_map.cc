@@ -49,6 +49,9 @@ void KeyedMap::make_forced(Maps &maps) const {
 
 void KeyedMap::move_to(double value) {
   value_.reset();
+  // The model would keep a frequency that it cannot have.
+  if (parameter_.is_frequency() && !(value > 0))
+    throw NumericalError("there is no motion at a frequency of " + std::to_string(value) + " Hz");
   if (parameter_.is_frequency())
     original_.model.set_frequency(sweep_source(original_, excitation_, "A branch"),
                                   2 * std::numbers::pi * value);

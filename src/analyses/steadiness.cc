@@ -72,6 +72,13 @@ Vector state_scale(const motion::Equations &equations, double forcing_frequency)
           reach / (omega[j] > 0 ? omega[j] : forcing_frequency);
     }
   }
+  for (const contact::ContactPair &pair : equations.contacts().pairs()) {
+    const std::vector<contact::InternalState> states = pair.law->internal_states();
+    for (std::size_t i = 0; i < states.size(); ++i)
+      if (states[i].unit == "m/s")
+        scale[layout.internal() + pair.internal_offset + static_cast<Index>(i)] =
+            1 / forcing_frequency;
+  }
   return scale;
 }
 

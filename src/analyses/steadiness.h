@@ -41,7 +41,7 @@ private:
 
 /// Scales for the states of a model: displacements by the largest displacement of a point per unit
 /// coordinate, velocities the same divided by the natural (or, for rigid modes, the forcing)
-/// angular frequency.
+/// angular frequency. Speeds that a contact remembers are divided by the forcing frequency.
 Vector state_scale(const motion::Equations &equations, double forcing_frequency);
 
 /// The same for deviations, which have no entry of no importance: where a coordinate moves no

@@ -51,7 +51,7 @@ Vector tangent_of(const Matrix &slope, const Vector &ahead) {
   const Index m = slope.cols();
   Matrix bordered(m, m);
   bordered << slope, ahead.transpose();
-  return solve_dense(bordered, Vector::Unit(m, m - 1)).normalized();
+  return solve_dense(bordered, Vector::Unit(m, m - 1)).stableNormalized();
 }
 
 Matrix map_jacobian(const Linearisation &at) {

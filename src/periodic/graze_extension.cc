@@ -120,8 +120,9 @@ public:
       return law.modes()[mode_].guards[guard_].indicator;
     };
     open_.start(phase_, state_);
-    return gradient().dot(fixed) +
-           map_.key()->tangent.form(equations(), contact_, pick, time(), state_);
+    motion::KeyTangent &tangent = map_.key()->tangent;
+    tangent.enter(time(), equations().source_break()); // no motion of this map may have led here
+    return gradient().dot(fixed) + tangent.form(equations(), contact_, pick, time(), state_);
   }
 
   Touch kind() const {
@@ -212,6 +213,9 @@ Extension extend(const StroboscopicMap &map, const StroboscopicMap &open, const 
   Chain chain{.state = state,
               .by_state = Matrix::Identity(state.size(), state.size()),
               .by_key = Vector::Zero(state.size())};
+  const std::vector<Index> unseen = map.idle(section.phase, state);
+  chain.state(unseen).setZero();
+  chain.by_state(Eigen::all, unseen).setZero();
   chain.go(map, section.phase, begin);
   const double touch =
       minimum_near(map, open, begin, end, window.position + shift, window, chain.state);

@@ -1,6 +1,7 @@
 #include "periodic/stroboscopic_map.h"
 
 #include "common/error.h"
+#include "periodic/contact_memory.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -51,8 +52,19 @@ Flow StroboscopicMap::flow(double from, double to, const Vector &state) const {
   return flow;
 }
 
+std::vector<Index> StroboscopicMap::idle(double phase, const Vector &state) const {
+  if (system_.layout().n_internal == 0)
+    return {};
+  start(phase, state);
+  return idle_memory(system_.equations());
+}
+
 Flow StroboscopicMap::image(const Section &section, const Vector &state) const {
-  Flow image = flow(section.phase, section.phase + section.length(), state);
+  const std::vector<Index> unseen = idle(section.phase, state);
+  Vector begin = state;
+  begin(unseen).setZero();
+  Flow image = flow(section.phase, section.phase + section.length(), begin);
+  image.by_state(Eigen::all, unseen).setZero();
   image.state = mirrored(section, image.state);
   image.by_state = mirrored(section, image.by_state);
   if (key_ != nullptr)

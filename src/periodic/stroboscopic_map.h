@@ -2,9 +2,10 @@
 //
 //   x(t_0) -> sigma^h x(t_0 + h T/2),   t_0 = phase T
 //
-// h = 2p is the stroboscopic map P^p over p periods; odd h needs the symmetry sigma of the model.
-// Derivatives by a key keep the phase of the forcing: where the key changes the period, both ends
-// of the motion move,
+// Entries of the state that the motion does not see (contact_memory) are zero at t_0, whatever x
+// is. h = 2p is the stroboscopic map P^p over p periods; odd h needs the symmetry sigma of the
+// model. Derivatives by a key keep the phase of the forcing: where the key changes the period, both
+// ends of the motion move,
 //
 //   dx/dp = x_p + f(t_1) dt_1/dp - x_x f(t_0) dt_0/dp,   t_i = phase_i T,   dt_i/dp = phase_i T'
 //
@@ -76,6 +77,8 @@ public:
   void observe(double from, double to, const Vector &state, motion::Observer &observer) const;
   /// Begins a motion, so that the equations of the system are in its modes.
   void start(double phase, const Vector &state) const;
+  /// Entries of the state that a motion from there does not see (contact_memory.h).
+  std::vector<Index> idle(double phase, const Vector &state) const;
   /// dx/dt at a phase.
   Vector rates(double phase, const Vector &state) const;
   /// sigma^h applied to columns.

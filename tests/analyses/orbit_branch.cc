@@ -2,6 +2,8 @@
 // an independent shooting solver, and a linear vibration in closed form.
 #include "analyses/orbit_branch.h"
 
+#include "analyses/keyed_map.h"
+#include "common/error.h"
 #include "contact/laws/piecewise_stop.h"
 #include "support/recorded_windows.h"
 
@@ -9,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace vibroimpact::analyses {
@@ -74,6 +77,18 @@ std::vector<double> places(const PointResult &result, double kind, const std::st
       found.push_back(field_of(result, "special/" + key).values[i]);
   std::sort(found.begin(), found.end());
   return found;
+}
+
+// A trial step may ask for one, and the next one must find its way back.
+TEST(OrbitBranchTest, FrequenciesThatAreNoneLeaveTheMapAsItWas) {
+  System system = isolator(1.3, 2);
+  const OnePoint context;
+  const OrbitBranch::Settings settings = along_frequency(1, 2);
+  KeyedMap maps(settings.parameter, "", system, context,
+                {.scale = Vector::Ones(2), .tolerance = 1e-10}, 1);
+  for (const double none : {0.0, -0.2, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(maps.at(none), NumericalError);
+  EXPECT_NEAR(maps.at(0.2).period(), 5, 1e-12);
 }
 
 TEST(OrbitBranchTest, FoldsOfTheIsolator) {

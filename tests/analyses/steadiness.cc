@@ -1,6 +1,9 @@
 // When a motion counts as steady, on sequences of states whose distance to their limit is known.
 #include "analyses/steadiness.h"
 
+#include "contact/laws/hunt_crossley.h"
+#include "support/rigid_contacts.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -96,6 +99,18 @@ TEST(SteadinessTest, AChaoticSequenceComesNoNearerForLong) {
   EXPECT_FALSE(steadiness.steady());
   steadiness.clear();
   EXPECT_EQ(steadiness.without_approach(), 0);
+}
+
+// Speeds over a frequency are lengths, those that contacts remember too.
+TEST(SteadinessTest, ScalesMakeSpeedsComparableWithDisplacements) {
+  const model::Model model({testing::single_mass("block", 1, 9, 0)});
+  const contact::ContactSet contacts(
+      {testing::contact_along_x(model, "block.head", "", 1,
+                                contact::HuntCrossley::with_dimensionless_damping(
+                                    {.stiffness = 1e4, .exponent = 1.5}, 0.5, 1e-3))});
+  const Vector scale = state_scale(motion::Equations(model, contacts), 5);
+  EXPECT_DOUBLE_EQ(scale[1] / scale[0], 1.0 / 3);
+  EXPECT_DOUBLE_EQ(scale[2] / scale[0], 1.0 / 5);
 }
 
 } // namespace

@@ -103,7 +103,30 @@ TEST(GrazesTest, FirstTouchesOfTheIsolator) {
   }
 }
 
-// Derivatives of the extension and of the least value, by differences.
+// All derivatives of the extension and of the least value, by differences.
+void expect_derivatives(OrbitProblem &problem, const Point &point,
+                        const continuation::Graze &graze) {
+  const Extension exact = problem.extend(point, graze);
+  const double h = 1e-4;
+  for (Index j = 0; j < 3; ++j) {
+    const auto at = [&](double by) {
+      Point moved = point;
+      (j < 2 ? moved.state[j] : moved.keys[0]) += by;
+      const Extension other = problem.extend(moved, graze);
+      Vector all(3);
+      all << other.smooth.residual, other.value;
+      return all;
+    };
+    const Vector difference = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
+    Vector column(3);
+    if (j < 2)
+      column << exact.smooth.by_state.col(j), exact.by_state[j];
+    else
+      column << exact.smooth.by_keys, exact.by_keys;
+    EXPECT_LT((column - difference).norm(), 1e-7 * difference.norm()) << j;
+  }
+}
+
 TEST(GrazesTest, DerivativesOfTheExtension) {
   Family family([](double lambda) { return testing::isolator(lambda); }, false);
   OrbitProblem problem(family, 2, Vector::Ones(3));
@@ -114,27 +137,33 @@ TEST(GrazesTest, DerivativesOfTheExtension) {
                     .chart = orbit.section.phase};
   const std::vector<continuation::Graze> grazes = problem.grazes_near(point);
   ASSERT_GE(grazes.size(), 2u);
-  for (const continuation::Graze &graze : grazes) {
-    const Extension exact = problem.extend(point, graze);
-    const double h = 1e-4;
-    for (Index j = 0; j < 3; ++j) {
-      const auto at = [&](double by) {
-        Point moved = point;
-        (j < 2 ? moved.state[j] : moved.keys[0]) += by;
-        const Extension other = problem.extend(moved, graze);
-        Vector all(3);
-        all << other.smooth.residual, other.value;
-        return all;
-      };
-      const Vector difference = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
-      Vector column(3);
-      if (j < 2)
-        column << exact.smooth.by_state.col(j), exact.by_state[j];
-      else
-        column << exact.smooth.by_keys, exact.by_keys;
-      EXPECT_LT((column - difference).norm(), 1e-7 * difference.norm()) << j;
-    }
-  }
+  for (const continuation::Graze &graze : grazes)
+    expect_derivatives(problem, point, graze);
+}
+
+// A gap that the source itself changes, with a section so close before the graze that the contact
+// is kept open from the section on.
+TEST(GrazesTest, DerivativesWhereAMovingStopGrazesSoonAfterTheSection) {
+  const double w = 0.8, a = 0.36;
+  Family family(
+      [](double omega) {
+        Oscillator model = with_stop(0.36, omega, std::make_shared<contact::KelvinVoigt>(50, 0));
+        std::vector<contact::ContactPair> pairs = model.contacts.pairs();
+        pairs[0].gap.base_coefficients = {-0.1};
+        model.contacts = contact::ContactSet(std::move(pairs));
+        return model;
+      },
+      false);
+  OrbitProblem problem(family, 2, Vector::Ones(3));
+  // The gap is 1 - x - 0.1 a sin(w t), x + 0.1 a sin(w t) = Im((A + 0.1 a) e^(i w t)).
+  const double touch = 0.25 - std::arg(amplitude(a, w) + 0.1 * a) / (2 * std::numbers::pi);
+  const double chart = touch - 0.1 - std::floor(touch - 0.1);
+  const Point point{.state = state_of(a, w, chart), .keys = Vector::Constant(1, w), .chart = chart};
+  const std::vector<continuation::Graze> grazes = problem.grazes_near(point);
+  ASSERT_FALSE(grazes.empty());
+  EXPECT_NEAR(problem.extend(point, grazes[0]).value, 1 - std::abs(amplitude(a, w) + 0.1 * a),
+              1e-9);
+  expect_derivatives(problem, point, grazes[0]);
 }
 
 // A dashpot that lets go keeps its impulse of the way in: derivatives a little behind the graze are

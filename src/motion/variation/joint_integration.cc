@@ -2,6 +2,7 @@
 
 #include "common/error.h"
 #include "motion/variation/implicit_integration.h"
+#include "motion/variation/observable_columns.h"
 #include "motion/variation/vanishing_gap.h"
 
 #include <Eigen/LU>
@@ -53,13 +54,12 @@ public:
       throw NumericalError("the variation of the motion takes too many steps at t = " +
                            std::to_string(rates_.start()) + " s");
     const Index n = rates_.n_states();
-    rates_.evaluate(s, ConstVectorView(x.data(), n), value_);
-    Eigen::Map<Vector>(dxds.data(), n) = value_.state;
     Eigen::Map<Matrix> columns(dxds.data() + n, n, rates_.n_columns());
-    columns.noalias() =
-        value_.jacobian * Eigen::Map<const Matrix>(x.data() + n, n, rates_.n_columns());
+    dxds.back() =
+        rates_.evaluate(s, ConstVectorView(x.data(), n), value_,
+                        Eigen::Map<const Matrix>(x.data() + n, n, rates_.n_columns()), columns);
+    Eigen::Map<Vector>(dxds.data(), n) = value_.state;
     columns.rightCols(value_.keys.cols()) += value_.keys;
-    dxds.back() = value_.jacobian.trace();
   }
 
 private:
@@ -95,6 +95,7 @@ struct Joint {
   const Equations &equations;
   const std::vector<KeyTangent *> &keys;
   const VariationAccuracy &accuracy;
+  LinearFlow *free = nullptr;
 };
 
 double integrate_explicitly(const Joint &joint, const Interval &interval, double radius,
@@ -113,8 +114,8 @@ double integrate_explicitly(const Joint &joint, const Interval &interval, double
   return x.back();
 }
 
-double integrate(const Joint &joint, const Interval &interval, const Vector &end_state,
-                 const RateScales &scales, Matrix &columns) {
+double integrate_all(const Joint &joint, const Interval &interval, const Vector &end_state,
+                     const RateScales &scales, Matrix &columns) {
   JointRates rates(interval, end_state, joint.equations, joint.keys, joint.accuracy.scale, columns);
   Matrix packed = rates.pack(columns);
   const double divergence =
@@ -122,6 +123,26 @@ double integrate(const Joint &joint, const Interval &interval, const Vector &end
           ? integrate_implicitly(rates, joint.accuracy.tolerance, packed)
           : integrate_explicitly(joint, interval, scales.radius, rates, packed);
   columns = rates.unpack(packed);
+  return divergence;
+}
+
+// The last columns belong to the keys.
+double integrate(const Joint &joint, const Interval &interval, const Vector &end_state,
+                 const RateScales &scales, Matrix &columns) {
+  const auto n_keys = static_cast<Index>(joint.keys.size());
+  const Index n = columns.cols() - n_keys;
+  std::optional<ObservableColumns> split;
+  if (joint.free && scales.decay * std::abs(interval.length()) <= stiff_length)
+    split = observable_columns(joint.equations, *joint.free, joint.accuracy.scale,
+                               interval.length(), columns.leftCols(n));
+  if (!split)
+    return integrate_all(joint, interval, end_state, scales, columns);
+  const Index k = split->basis.cols();
+  Matrix observed(columns.rows(), k + n_keys);
+  observed << split->basis, columns.rightCols(n_keys);
+  const double divergence = integrate_all(joint, interval, end_state, scales, observed);
+  columns.leftCols(n) = observed.leftCols(k) * split->coefficients + split->rest;
+  columns.rightCols(n_keys) = observed.rightCols(n_keys);
   return divergence;
 }
 
@@ -164,7 +185,7 @@ double integrate_part(const Joint &joint, const Interval &interval, const Vector
 
 double integrate_beside(const StepView &view, const Equations &equations,
                         const std::vector<KeyTangent *> &keys, const VariationAccuracy &accuracy,
-                        Matrix &columns) {
+                        LinearFlow *free, Matrix &columns) {
   const double h = view.length();
   std::optional<double> zero_at_end = zero_of_gap(equations, view.end(), view.end_state(), -h);
   Interval interval{.start = view.start(),
@@ -196,8 +217,8 @@ double integrate_beside(const StepView &view, const Equations &equations,
     zero_at_end = view.end();
   }
   if (interval.end > interval.start)
-    divergence +=
-        integrate_part({equations, keys, accuracy}, interval, end_state, zero_at_end, columns);
+    divergence += integrate_part({equations, keys, accuracy, free}, interval, end_state,
+                                 zero_at_end, columns);
   if (last && view.end() > interval.end)
     divergence += cross(equations, keys, end_part, columns);
   return divergence;

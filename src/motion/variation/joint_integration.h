@@ -9,6 +9,7 @@
 
 #include "motion/observer.h"
 #include "motion/variation/key_tangent.h"
+#include "motion/variation/linear_flow.h"
 
 namespace vibroimpact::motion {
 
@@ -21,9 +22,10 @@ struct VariationAccuracy {
 };
 
 /// Takes the columns from the start of the step to its end; the last ones belong to `keys`. Returns
-/// the integral of the divergence tr J over the step.
+/// the integral of the divergence tr J over the step. `free`: the phase in which the nonlinear
+/// contacts have no force; with it columns that these do not observe are not integrated.
 double integrate_beside(const StepView &view, const Equations &equations,
                         const std::vector<KeyTangent *> &keys, const VariationAccuracy &accuracy,
-                        Matrix &columns);
+                        LinearFlow *free, Matrix &columns);
 
 } // namespace vibroimpact::motion

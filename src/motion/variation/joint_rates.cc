@@ -31,6 +31,8 @@ JointRates::JointRates(const Interval &interval, const Vector &end_state,
     first_root_ = fourth_root(interval.start - *interval.zero);
     root_span_ = fourth_root(interval.end - *interval.zero) - first_root_;
   }
+  if (SplitJacobian::is_possible(equations))
+    split_.emplace(equations, scale);
   const Index n = scale.size();
   equations.rates(interval.start, ConstVectorView(full_.data(), full_.size()),
                   VectorView(full_rates_.data(), full_rates_.size()));
@@ -75,6 +77,33 @@ double JointRates::rate_at(double s) const {
 }
 
 void JointRates::evaluate(double s, ConstVectorView change, Value &value) {
+  evaluate_rates(s, change, value);
+  evaluate_jacobian(s, value);
+}
+
+double JointRates::evaluate(double s, ConstVectorView change, Value &value,
+                            const Eigen::Ref<const Matrix> &columns, Eigen::Ref<Matrix> product) {
+  evaluate_rates(s, change, value);
+  if (!split_) {
+    evaluate_jacobian(s, value);
+    product.noalias() = value.jacobian * columns;
+    return value.jacobian.trace();
+  }
+  const double rate = rate_at(s);
+  const double trace =
+      split_->apply(time_at(s), ConstVectorView(full_.data(), full_.size()), columns, product);
+  product *= rate;
+  return rate * trace;
+}
+
+void JointRates::evaluate_jacobian(double s, Value &value) {
+  const Index n = n_states();
+  equations_.jacobian(time_at(s), ConstVectorView(full_.data(), full_.size()), jacobian_);
+  value.jacobian = rate_at(s) * (scale_.asDiagonal() * jacobian_.topLeftCorner(n, n) *
+                                 scale_.cwiseInverse().asDiagonal());
+}
+
+void JointRates::evaluate_rates(double s, ConstVectorView change, Value &value) {
   leave_if_stopped();
   const Index n = n_states();
   const double rate = rate_at(s);
@@ -83,10 +112,7 @@ void JointRates::evaluate(double s, ConstVectorView change, Value &value) {
       interval_.state.head(n) + state_size_ * scale_.cwiseInverse().cwiseProduct(change);
   const ConstVectorView state(full_.data(), full_.size());
   equations_.rates(time, state, VectorView(full_rates_.data(), full_rates_.size()));
-  equations_.jacobian(time, state, jacobian_);
   value.state = rate / state_size_ * scale_.cwiseProduct(full_rates_.head(n));
-  value.jacobian = rate * (scale_.asDiagonal() * jacobian_.topLeftCorner(n, n) *
-                           scale_.cwiseInverse().asDiagonal());
   value.keys.resize(n, static_cast<Index>(keys_.size()));
   for (std::size_t k = 0; k < keys_.size(); ++k)
     value.keys.col(static_cast<Index>(k)) =

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "motion/variation/key_tangent.h"
+#include "motion/variation/split_jacobian.h"
 
 #include <optional>
 
@@ -38,9 +39,14 @@ public:
   };
   /// At a change of the state.
   void evaluate(double s, ConstVectorView change, Value &value);
+  /// The same without the Jacobian, of which the product with columns is taken. Returns its trace.
+  double evaluate(double s, ConstVectorView change, Value &value,
+                  const Eigen::Ref<const Matrix> &columns, Eigen::Ref<Matrix> product);
   double start() const { return interval_.start; }
 
 private:
+  void evaluate_rates(double s, ConstVectorView change, Value &value);
+  void evaluate_jacobian(double s, Value &value);
   double root_at(double s) const;
   double time_at(double s) const;
   double rate_at(double s) const;
@@ -54,6 +60,7 @@ private:
   RowVector sizes_; ///< of the columns
   Vector full_, full_rates_;
   Matrix jacobian_;
+  std::optional<SplitJacobian> split_;
 };
 
 } // namespace vibroimpact::motion

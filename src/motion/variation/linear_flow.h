@@ -26,6 +26,8 @@ public:
 
   /// columns <- exp(A h) columns, physical_size() rows.
   void propagate(double h, Matrix &columns);
+  /// A [1/s]
+  const Matrix &generator() const { return phase_.system().matrix(); }
   /// tr A [1/s]: the determinant of the propagator is exp(h tr A).
   double divergence() const { return phase_.system().matrix().trace(); }
 

@@ -21,6 +21,15 @@ constexpr double equal_delays = 1e-6;
 // Of what is left of a column beside those before it: below, it is the rounding of the column.
 constexpr double dependent_column = 1e-14;
 
+std::optional<int> mode_without_force(const contact::ContactLaw &law) {
+  for (std::size_t i = 0; i < law.modes().size(); ++i) {
+    const contact::Mode &mode = law.modes()[i];
+    if (!mode.in_contact && !mode.holds_gap && mode.affine)
+      return static_cast<int>(i);
+  }
+  return std::nullopt;
+}
+
 bool same_instant(double one, double other) {
   return std::abs(one - other) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(other);
 }
@@ -118,6 +127,19 @@ bool Variation::pass_linear(double time, const Vector &state, double h) {
   return true;
 }
 
+// That of the phase in which the nonlinear contacts have no force, if it is linear.
+LinearFlow *Variation::free_flow() {
+  const std::vector<int> modes = equations_.modes();
+  for (std::size_t c = 0; c < modes.size(); ++c)
+    if (!equations_.mode(c).affine && !equations_.mode(c).holds_gap)
+      if (const auto mode = mode_without_force(*equations_.contacts().pairs()[c].law))
+        equations_.set_mode(c, *mode);
+  LinearPhase *const phase = phases_.find();
+  for (std::size_t c = 0; c < modes.size(); ++c)
+    equations_.set_mode(c, modes[c]);
+  return phase ? &flows_.try_emplace(phase, *phase).first->second : nullptr;
+}
+
 void Variation::check(double time) const {
   if (!columns_.allFinite())
     throw NumericalError(
@@ -127,7 +149,8 @@ void Variation::check(double time) const {
 void Variation::step(const StepView &view) {
   follow(view.equations(), view.start(), view.start_state());
   if (!pass_linear(view.start(), view.start_state(), view.length()))
-    determinant_.logarithm += integrate_beside(view, equations_, keys_, accuracy_, columns_);
+    determinant_.logarithm +=
+        integrate_beside(view, equations_, keys_, accuracy_, free_flow(), columns_);
   check(view.end());
 }
 

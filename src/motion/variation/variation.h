@@ -89,6 +89,7 @@ private:
   void follow(const Equations &motion, double time, const Vector &state);
   void pass_break(const Vector &state, double time, double next);
   bool pass_linear(double time, const Vector &state, double h);
+  LinearFlow *free_flow();
   void check(double time) const;
   bool contradicts(const Saltation &saltation, double time);
 

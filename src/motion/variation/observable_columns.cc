@@ -1,0 +1,83 @@
+#include "motion/variation/observable_columns.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+
+namespace vibroimpact::motion {
+
+namespace {
+
+constexpr int most_terms = 40;
+constexpr double last_term = 1e-17;   // of rows of length 1
+constexpr double largest_term = 100;  // beyond, the sum loses digits
+constexpr double independent = 1e-15; // of the largest direction
+constexpr double worth_it = 0.6;      // of the columns
+
+// Rows of gaps, gap rates and internal states, of length 1 in scaled coordinates.
+Matrix observed_rows(const Equations &equations, const Vector &scale) {
+  const StateLayout &layout = equations.layout();
+  std::vector<RowVector> rows;
+  const auto row_at = [&](Index first, const RowVector &entries) {
+    RowVector &row = rows.emplace_back(RowVector::Zero(scale.size()));
+    row.segment(first, entries.size()) = entries;
+  };
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c) {
+    if (equations.mode(c).affine || equations.mode(c).holds_gap)
+      continue;
+    const contact::ContactPair &pair = equations.contacts().pairs()[c];
+    row_at(0, pair.gap.row);
+    row_at(layout.velocity(), pair.gap.row);
+    for (Index i = 0; i < pair.n_internal(); ++i)
+      row_at(layout.internal() + pair.internal_offset + i, RowVector::Ones(1));
+  }
+  Matrix scaled(static_cast<Index>(rows.size()), scale.size());
+  for (Index i = 0; i < scaled.rows(); ++i)
+    scaled.row(i) = rows[static_cast<std::size_t>(i)].cwiseQuotient(scale.transpose()).normalized();
+  return scaled;
+}
+
+// Columns (w (A h)^k / k!)^T; none where there are too many terms.
+std::optional<Matrix> directions(const Matrix &rows, const Matrix &generator, double h) {
+  Matrix all(generator.rows(), 0);
+  Matrix term = rows;
+  for (int k = 1; k <= most_terms; ++k) {
+    all.conservativeResize(Eigen::NoChange, all.cols() + rows.rows());
+    all.rightCols(rows.rows()) = term.transpose();
+    term = (term * generator * (h / k)).eval();
+    const double size = rows.rows() > 0 ? term.rowwise().norm().maxCoeff() : 0;
+    if (size < last_term)
+      return all;
+    if (!(size < largest_term))
+      break;
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+std::optional<ObservableColumns> observable_columns(const Equations &equations, LinearFlow &free,
+                                                    const Vector &scale, double h,
+                                                    const Matrix &columns) {
+  const auto inverse = scale.cwiseInverse().asDiagonal();
+  const Matrix generator = scale.asDiagonal() * free.generator() * inverse;
+  const auto found = directions(observed_rows(equations, scale), generator, h);
+  if (!found)
+    return std::nullopt;
+  Matrix basis(scale.size(), 0);
+  if (found->cols() > 0) {
+    Eigen::ColPivHouseholderQR<Matrix> qr(*found);
+    qr.setThreshold(independent);
+    basis = qr.householderQ() * Matrix::Identity(scale.size(), qr.rank());
+  }
+  if (static_cast<double>(basis.cols()) > worth_it * static_cast<double>(columns.cols()))
+    return std::nullopt;
+  const Matrix scaled = scale.asDiagonal() * columns;
+  ObservableColumns split{
+      .basis = inverse * basis, .coefficients = basis.transpose() * scaled, .rest = {}};
+  split.rest = inverse * (scaled - basis * split.coefficients);
+  free.propagate(h, split.rest);
+  return split;
+}
+
+} // namespace vibroimpact::motion
