@@ -2,6 +2,7 @@
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/piecewise_stop.h"
 #include "contact/laws/relaxing_stop.h"
+#include "model/piecewise_function.h"
 #include "motion/trajectory.h"
 #include "support/lumped_models.h"
 
@@ -74,6 +75,26 @@ TEST(EnergyBalanceTest, ADashpotBetweenTwoBodies) {
   const double lost = mu / 2 * 1.5 * 1.5 * (1 - std::exp(-2 * 0.7 / mu * 1.5));
   EXPECT_NEAR(trajectory.state()[trajectory.layout().damping_work()], lost, 1e-12 * lost);
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-12);
+}
+
+// A ball under its weight on a stop that recovers ever faster: once that is over it sets neither
+// steps nor the parts over which work is integrated.
+TEST(EnergyBalanceTest, ADecayThatIsOverSetsNoSteps) {
+  const double gravity = 9.81, stiffness = 1e4;
+  for (const double recovery : {1e3, 1e5, 1e7, 1e9}) {
+    Model model({single_mass("ball", 2, 0, 0)});
+    model.add_gravity("weight", make_constant(Given::displacement, gravity), {0}, Vector3::UnitX());
+    const ContactSet contacts(
+        {contact_along_x(model, "ball.head", "", 0.3,
+                         std::make_shared<RelaxingStop>(stiffness, stiffness / recovery))});
+    Trajectory trajectory(model, contacts, Settings{});
+    Nobody nobody;
+    trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
+    trajectory.advance(3, nobody);
+    EXPECT_GT(trajectory.accuracy().events, 10) << recovery;
+    EXPECT_LT(trajectory.accuracy().steps, 2000) << recovery;
+    EXPECT_LT(trajectory.accuracy().energy_residual, 1e-12) << recovery;
+  }
 }
 
 // Steps with an error of the tolerance may leave a thousand times that.

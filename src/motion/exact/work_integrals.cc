@@ -7,6 +7,10 @@
 
 namespace vibroimpact::motion {
 
+namespace {
+constexpr double next_to_zero = 1e-3; // over the scale of time
+} // namespace
+
 WorkIntegrals::WorkIntegrals(const PowerForms &powers, const ExactPhase &phase,
                              const StateLayout &layout)
     : powers_(powers), phase_(phase), input_work_(layout.input_work()),
@@ -39,11 +43,12 @@ void WorkIntegrals::renew() {
     arrange();
     return;
   }
-  longest_ = 2 * std::numbers::pi / slowest_vibration();
+  set_scale();
   for (std::size_t k = 0; k < products_.size(); ++k)
     if (is_new(products_[k].first) || is_new(products_[k].second) ||
         products_[k].is_slow != is_slow(products_[k]))
       set_product(k);
+  limit_length();
   generation_ = phase_.generation();
 }
 
@@ -57,9 +62,10 @@ void WorkIntegrals::arrange() {
     set_forms(j);
   list_products();
   coefficients_.assign(n_blocks() * products_.size() * 16, 0);
-  longest_ = 2 * std::numbers::pi / slowest_vibration();
+  set_scale();
   for (std::size_t k = 0; k < products_.size(); ++k)
     set_product(k);
+  limit_length();
   view_ = {.n_products = static_cast<int>(products_.size()),
            .n_padded = phase_.view().n_padded,
            .n_blocks = static_cast<int>(n_blocks()),
@@ -96,8 +102,8 @@ bool WorkIntegrals::is_seen(std::size_t i, std::size_t j) const {
   return false;
 }
 
-// [rad/s]; the fastest exponent where nothing vibrates, and 0 where nothing moves at all.
-double WorkIntegrals::slowest_vibration() const {
+// A turn of the slowest vibration; by the fastest exponent where nothing vibrates.
+void WorkIntegrals::set_scale() {
   double slowest = std::numeric_limits<double>::infinity();
   double fastest = 0;
   for (const PhaseGroup &group : phase_.groups()) {
@@ -107,7 +113,17 @@ double WorkIntegrals::slowest_vibration() const {
     if (group.kind == BlockKind::pair)
       slowest = std::min(slowest, group.exponent.imag());
   }
-  return std::min(slowest, fastest);
+  vibrates_ = std::isfinite(slowest);
+  scale_ = 2 * std::numbers::pi / std::min(slowest, fastest);
+}
+
+// Over the longest part the trapezoidal rule is exact to 1e-12 / 720.
+void WorkIntegrals::limit_length() {
+  double fastest = 0;
+  for (const ProductView &product : products_)
+    if (product.is_slow)
+      fastest = std::max(fastest, std::hypot(product.sum_real, product.sum_imaginary));
+  longest_ = vibrates_ ? scale_ : next_to_zero / fastest;
 }
 
 // What both factors of all powers see of a group: Re(c a), the constants with the number 1. False:
@@ -132,10 +148,9 @@ bool WorkIntegrals::set_forms(std::size_t j) {
 
 // Does the trapezoidal rule take the place of a division by next to nothing?
 bool WorkIntegrals::is_slow(const ProductView &product) const {
-  constexpr double slow = 1e-3; // times the longest part
   const double squared =
       product.sum_real * product.sum_real + product.sum_imaginary * product.sum_imaginary;
-  return !(squared * longest_ * longest_ >= slow * slow);
+  return !(squared * scale_ * scale_ >= next_to_zero * next_to_zero);
 }
 
 // Re(c z) Re(d w) = (Re(c d z w) + Re(c conj(d) z conj(w))) / 2, the two being one where z or w is

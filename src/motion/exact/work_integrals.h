@@ -7,7 +7,8 @@
 //
 // likewise with conjugates. Where the sum of the exponents is next to zero that is lost in
 // rounding, and the integral is taken from both ends by the trapezoidal rule with its first
-// correction, which is exact to (|e_i + e_j| h)^4 / 720. Coordinates of dense blocks: dense_work.h.
+// correction, which is exact to (|e_i + e_j| h)^4 / 720: it sets how long a part may be, and a
+// decay that is over sets nothing. Coordinates of dense blocks: dense_work.h.
 #pragma once
 
 #include "motion/exact/dense_work.h"
@@ -25,7 +26,8 @@ public:
   /// The inputs of the phase are others.
   void renew();
 
-  /// The longest part that is integrated to rounding [s].
+  /// The longest part that is integrated to rounding [s], and no more than a turn of the slowest
+  /// vibration, over which the work of a load changes its sign.
   double longest() const { return longest_; }
 
   /// Adds the integrals over a part of length h to the entries of `state`. In place of the integral
@@ -40,13 +42,16 @@ private:
   void set_product(std::size_t k);
   bool is_slow(const ProductView &product) const;
   Complex coefficient(std::size_t power, const ProductView &product) const;
-  double slowest_vibration() const;
+  void set_scale();
+  void limit_length();
   std::size_t n_blocks() const { return (entries_.size() + 7) / 8; }
 
   const PowerForms &powers_;
   const ExactPhase &phase_;
   long arrangement_ = -1, generation_ = -1;
   Index input_work_, absolute_input_work_;
+  double scale_ = 0; ///< of time: sums of exponents far below its inverse are next to zero [s]
+  bool vibrates_ = false;
   double longest_ = 0;
   std::vector<Index> entries_;        ///< of the state
   std::vector<std::size_t> place_of_; ///< of the powers, among the entries
