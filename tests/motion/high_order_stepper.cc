@@ -3,11 +3,12 @@
 #include "motion/steps/high_order_stepper.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
+#include "contact/laws/relaxing_stop.h"
 #include "contact/laws/tsuji.h"
 #include "motion/event/impact_log.h"
 #include "motion/steps/time_transformation.h"
 #include "motion/trajectory.h"
-#include "support/lumped_models.h"
+#include "support/rigid_contacts.h"
 
 #include <gtest/gtest.h>
 
@@ -263,6 +264,71 @@ TEST(HighOrderStepperTest, MotionsDoNotDependOnEarlierOnes) {
   const Motion again = two_masses("exact", 1e-9, law, 1.0);
   EXPECT_EQ(once.state, again.state);
   EXPECT_EQ(once.accuracy.steps, again.accuracy.steps);
+}
+
+// A load presses a mass towards a rigid stop against a Hertz spring, which does not part there:
+// every flight back to the stop, e = 1, ends with the same speed but for a tolerance each. The
+// spring opens and closes on the way, but no flight ends at the root of its force.
+TEST(HighOrderStepperTest, RigidImpactsWithinAnotherContact) {
+  const double speed = 0.02, load = 60, tolerance = 1e-10;
+  Model model({testing::single_mass("mass", 2, 0, 0)});
+  model.add_force("load", make_constant(Given::displacement, load), {.body = 0, .point = 0},
+                  Vector3::UnitX());
+  const ContactSet contacts(
+      {testing::contact_along_x(model, "mass.head", "", 0, testing::newton(1)),
+       testing::contact_along_x(
+           model, "mass.head", "", -1e-3,
+           std::make_shared<Hertz>(HertzConstants{.stiffness = 1e6, .exponent = 1.5}))});
+  Trajectory trajectory(model, contacts, {.relative_tolerance = tolerance});
+  ImpactLog log(contacts, 0);
+  trajectory.start({.time = 0, .physical = testing::vector_of({0, -speed})});
+  trajectory.advance(1, log);
+  ASSERT_GT(log.impacts(0).size(), 100U);
+  for (const Impact &impact : log.impacts(0))
+    ASSERT_NEAR(impact.approach_speed / speed, 1,
+                static_cast<double>(log.impacts(0).size()) * tolerance);
+}
+
+// Half a vibration on a Hertz spring while a stop far behind recovers at another rate: once that is
+// over it bounds no step.
+TEST(HighOrderStepperTest, ADecayThatIsOverBoundsNoStep) {
+  const Model model({testing::single_mass("mass", 2, 0, 0)});
+  const double stiffness = 1e4, compression = 1e-3;
+  for (const double recovery : {1e4, 1e6, 1e8, 1e10}) {
+    const ContactSet contacts(
+        {testing::contact_along_x(model, "mass.head", "", 0, std::make_shared<Hertz>(constants)),
+         testing::contact_along_x(
+             model, "mass.head", "", 1,
+             std::make_shared<RelaxingStop>(stiffness, stiffness / recovery))});
+    Trajectory trajectory(model, contacts, {.relative_tolerance = 1e-10});
+    trajectory.start({.time = 0, .physical = testing::vector_of({1e-4, 0.1, compression})});
+    trajectory.advance(2e-3);
+    EXPECT_EQ(trajectory.accuracy().events, 0);
+    const Accuracy accuracy = trajectory.accuracy();
+    EXPECT_LT(accuracy.steps + accuracy.rejected_steps, 150) << recovery;
+    EXPECT_NEAR(trajectory.motion_state().physical[2], compression * std::exp(-recovery * 2e-3),
+                1e-15)
+        << recovery;
+  }
+}
+
+// Steps that one motion has learned are of no use to the next one, which must come out the same
+// whatever was computed before it.
+TEST(HighOrderStepperTest, AMotionDoesNotDependOnTheOneBefore) {
+  const Model model({testing::single_mass("a", 1, 100, 1), testing::single_mass("b", 2, 150, 2)});
+  const ContactSet contacts({testing::contact_along_x(
+      model, "a.head", "b.head", 0.01, HuntCrossley::with_dissipation(constants, 0.8))});
+  const auto run = [&](Trajectory &trajectory, double speed) {
+    trajectory.start(0, Vector::Zero(2), Vector{{speed, 0}});
+    trajectory.advance(0.5);
+    EXPECT_GT(trajectory.accuracy().events, 1);
+    return trajectory.motion_state().physical;
+  };
+  Trajectory used(model, contacts, {});
+  run(used, 30);
+  Trajectory fresh(model, contacts, {});
+  EXPECT_EQ(run(used, 0.7), run(fresh, 0.7));
+  EXPECT_EQ(used.accuracy().steps, fresh.accuracy().steps);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "common/error.h"
 #include "motion/steps/dormand_prince_8.h"
+#include "motion/system/decayed_states.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,6 +165,7 @@ void HighOrderStepper::add_stages(Factor factor, Index size, double *state) cons
 }
 
 double HighOrderStepper::attempt(const TimeTransformation &course) {
+  taken_ = course;
   take_stages(course);
   end_.time = course.start + course.length;
   end_.state.resize(start_.state.size());
@@ -364,6 +366,8 @@ double HighOrderStepper::wanted_step(double left) const {
 
 void HighOrderStepper::step(double limit) {
   std::swap(start_, end_);
+  if (clear_decayed(equations_, start_.time, start_.state))
+    complete(start_);
   const double rest_of_opening =
       opening() ? rest_of_contact() : std::numeric_limits<double>::infinity();
   // What the event tolerance cannot tell from parted sides has no end to step to.
@@ -425,13 +429,15 @@ bool HighOrderStepper::move_end(double time) {
   return true;
 }
 
+// The way that the error of the longer step was judged for: the shorter one has less. At the end of
+// the contact itself evenly in the root of the time until then.
 void HighOrderStepper::shorten(double time) {
   if (move_end(time))
     return;
-  const double start = start_.time;
-  attempt(opening()                          ? TimeTransformation::until(time, start, time)
-          : only_contact_ && begins_contact_ ? TimeTransformation::since(phase_start_, start, time)
-                                             : TimeTransformation::even(start, time));
+  constexpr double shallow = 1e-3; // part of the penetration at the start
+  attempt(taken_.to(time));
+  if (opening() && contact_at(end_).gap > shallow * contact_at(start_).gap)
+    attempt(TimeTransformation::until(time, start_.time, time));
   end_.time = time;
   if (!end_.state.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");

@@ -84,6 +84,7 @@ private:
   std::optional<std::size_t> only_contact_; ///< that is not linear; with its root at the start
   bool begins_contact_ = false;             ///< its penetration was zero at the start of the phase
   double phase_start_ = 0;
+  TimeTransformation taken_; ///< of the last attempt
   double natural_step_ = 0;
   bool first_of_phase_ = true;
   LearnedSteps steps_;

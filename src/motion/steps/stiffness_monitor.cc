@@ -18,11 +18,15 @@ constexpr double explicit_share = 0.4;
 constexpr double implicit_cost = 5;
 constexpr int looks_in_a_row = 2;
 
-// Largest |l| of eigenvalues that decay faster than they turn [1/s].
+// Largest |l| of eigenvalues that decay faster than they turn [1/s]. An internal state that is zero
+// and decays by itself stays so in a step of any length.
 double fastest_decay(const Equations &equations, double time, const Vector &x) {
   Matrix jacobian;
   equations.jacobian(time, ConstVectorView(x.data(), x.size()), jacobian);
   const Index size = equations.layout().physical_size();
+  for (Index i = equations.layout().internal(); i < equations.layout().drive(); ++i)
+    if (x[i] == 0 && jacobian.row(i).cwiseAbs().sum() == std::abs(jacobian(i, i)))
+      jacobian(i, i) = 0;
   const Eigen::EigenSolver<Matrix> solver(jacobian.topLeftCorner(size, size), false);
   double fastest = 0;
   for (const auto &eigenvalue : solver.eigenvalues())

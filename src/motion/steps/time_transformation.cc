@@ -1,5 +1,6 @@
 #include "motion/steps/time_transformation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibroimpact::motion {
@@ -23,6 +24,12 @@ TimeTransformation TimeTransformation::until(double instant, double start, doubl
   course.root = std::sqrt(instant - start);
   course.span = std::sqrt(instant - end) - course.root;
   return course;
+}
+
+TimeTransformation TimeTransformation::to(double end) const {
+  if (span == 0)
+    return even(start, end);
+  return sign > 0 ? since(origin, start, end) : until(std::max(origin, end), start, end);
 }
 
 } // namespace vibroimpact::motion

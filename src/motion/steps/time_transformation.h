@@ -14,6 +14,8 @@ struct TimeTransformation {
   static TimeTransformation since(double instant, double start, double end);
   /// Evenly in the root of the time until `instant`, which is `end` or after it.
   static TimeTransformation until(double instant, double start, double end);
+  /// The same to another end; where that is beyond the instant, until that end.
+  TimeTransformation to(double end) const;
 
   double time(double s) const {
     const double r = root + s * span;
