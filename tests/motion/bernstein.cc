@@ -133,5 +133,13 @@ TEST(BernsteinTest, FallsAgainAfterAnExactZeroAtTheStart) {
   EXPECT_NEAR(*parabola.first_down_crossing(), 0.4, 1e-15);
 }
 
+// The coefficient in the middle of degree 6 is that of t^3 (1 - t)^3, times 20.
+TEST(BernsteinTest, WhatIsAddedToTheMiddleVanishesThriceAtBothEnds) {
+  const Bernstein p = from_roots({-0.3, 0.2, 0.25, 0.7, 1.4}, 2);
+  const Bernstein q = p.with_middle(0.7);
+  for (const double t : {0.0, 0.1, 0.37, 0.5, 0.9, 1.0})
+    EXPECT_NEAR(q(t) - p(t), 20 * 0.7 * std::pow(t * (1 - t), 3), 1e-14) << t;
+}
+
 } // namespace
 } // namespace vibroimpact::motion

@@ -1,6 +1,7 @@
 // Bounds and estimates of errors against the errors they stand for.
 #include "contact/laws/linear_penalty.h"
 #include "motion/exact/exact_stepper.h"
+#include "motion/steps/error_measure.h"
 #include "motion/steps/high_order_stepper.h"
 #include "motion/trajectory.h"
 #include "support/lumped_models.h"
@@ -135,6 +136,93 @@ TEST(ErrorBoundsTest, UncertaintyOfSlowContacts) {
     trajectory.advance(1); // half a period of the contact is 0.1 s
     EXPECT_EQ(trajectory.accuracy().events, 2) << speed;
     EXPECT_LE(trajectory.accuracy().event_residual, 1e-12) << speed;
+  }
+}
+
+// What a step's errors are measured against, at a state that does not move.
+class Measured {
+public:
+  Measured(const Equations &equations, double tolerance)
+      : equations_(equations), measure_(equations, tolerance, 0) {
+    start_.state = Vector::Zero(equations.layout().size());
+  }
+  /// Begins there, with its rates.
+  void begin() {
+    start_.rates.resize(start_.state.size());
+    equations_.rates(0, ConstVectorView(start_.state.data(), start_.state.size()),
+                     VectorView(start_.rates.data(), start_.rates.size()));
+    measure_.begin(start_);
+  }
+  /// An error of one entry over its tolerance, in a step that adds `work`.
+  double of_step(Index entry, double error, double work = 0) {
+    const StateLayout &layout = equations_.layout();
+    EndPoint end = start_;
+    end.time = 1e-9;
+    end.state[layout.input_work()] = end.state[layout.absolute_input_work()] = work;
+    measure_.set_step(start_, end);
+    return measure_.of_step(error * Vector::Unit(start_.state.size(), entry));
+  }
+  Vector &state() { return start_.state; }
+
+private:
+  const Equations &equations_;
+  ErrorMeasure measure_;
+  EndPoint start_;
+};
+
+// Where a force works against a damper alone no energy shows what is turned over: the error of the
+// work is measured against the work of the step itself.
+TEST(ErrorBoundsTest, ErrorsOfWorkAreRelativeToTheWorkOfTheStep) {
+  constexpr double tolerance = 1e-6, work = 3;
+  const Model model({single_mass("mass", 1, 0, 0)});
+  const ContactSet none;
+  const Equations equations(model, none);
+  Measured measured(equations, tolerance);
+  measured.begin();
+  EXPECT_NEAR(measured.of_step(equations.layout().input_work(), tolerance * work, work), 1, 1e-6);
+}
+
+// Two masses of one body on a contact of the first, at its deepest penetration: its energy is that
+// of the body, a thousandth of the speed that this could give the second mass being what the error
+// of its speed is measured against.
+TEST(ErrorBoundsTest, AContactHoldsEnergyOfItsBody) {
+  constexpr double tolerance = 1e-6, mass = 2, stiffness = 1e3, penetration = 0.1;
+  auto body = std::make_shared<reduction::ReducedBody>(*single_mass("body", mass, 0, 0));
+  body->mass = Vector::Constant(2, mass);
+  body->stiffness = Vector::Zero(2);
+  body->damping = Matrix::Zero(2, 2);
+  body->base_participation = Matrix::Zero(2, 3);
+  body->points[0].rows = Matrix::Zero(6, 2);
+  body->points[0].rows(0, 0) = 1;
+  const Model model({body});
+  const ContactSet contacts(
+      {contact_along_x(model, "body.head", "", 0, std::make_shared<LinearPenalty>(stiffness))});
+  Equations equations(model, contacts);
+  equations.set_mode(0, 1);
+  Measured measured(equations, tolerance);
+  measured.state()[0] = penetration;
+  measured.begin();
+  const double energy = stiffness * penetration * penetration / 2;
+  const double error = tolerance * 1e-3 * std::sqrt(2 * energy / mass);
+  EXPECT_NEAR(measured.of_step(equations.layout().velocity() + 1, error), 1, 1e-3);
+}
+
+// Without a tolerance the impulse of a contact is as good as the rounding of the momentum
+// sqrt(2 m E) that the motion's energy gives its mass.
+TEST(ErrorBoundsTest, RoundingOfAnImpulse) {
+  constexpr double stiffness = 1e3, penetration = 0.1;
+  for (const double mass : {1e-6, 1.0, 1e6}) {
+    const Model model({single_mass("mass", mass, 0, 0)});
+    const ContactSet contacts(
+        {contact_along_x(model, "mass.head", "", 0, std::make_shared<LinearPenalty>(stiffness))});
+    Equations equations(model, contacts);
+    equations.set_mode(0, 1);
+    Measured measured(equations, 0);
+    measured.state()[0] = penetration;
+    measured.begin();
+    const double momentum = std::sqrt(mass * stiffness) * penetration;
+    const double error = 16 * std::numeric_limits<double>::epsilon() * momentum;
+    EXPECT_NEAR(measured.of_step(equations.layout().impulse(0), error), 1, 0.1) << mass;
   }
 }
 

@@ -1,6 +1,8 @@
 // Extreme values of sums of exponentials: as dense samples show them, and in closed form.
 #include "motion/exact/exact_outputs.h"
 #include "exponential_sums.h"
+#include "motion/trajectory.h"
+#include "support/lumped_models.h"
 
 #include <gtest/gtest.h>
 
@@ -175,6 +177,39 @@ TEST(ExactOutputsTest, ParallelFormsAreOneOutput) {
   EXPECT_NEAR(wider.maximum, 2, 1e-14);
   EXPECT_NEAR(rate.minimum, -3, 1e-14);
   EXPECT_NEAR(rate.maximum, 3, 1e-14);
+}
+
+// Displacement of one body.
+class Watch : public Observer, public OutputMonitor {
+public:
+  explicit Watch(Index body) : body_(body) {}
+  void step(const StepView & /*view*/) override {}
+  OutputMonitor *output_monitor() override { return this; }
+  void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override {
+    forms.push_back(monitored_state(equations, body_, 0, range));
+  }
+  ValueRange range;
+
+private:
+  Index body_;
+};
+
+// Two bodies vibrate with amplitudes 1 and 3: what one observer has asked for is not what the next
+// one sees.
+TEST(ExactOutputsTest, EachMonitorSeesItsOwnForms) {
+  const model::Model model(
+      {testing::single_mass("a", 1, 4, 0), testing::single_mass("b", 1, 9, 0)});
+  const contact::ContactSet none;
+  Trajectory trajectory(model, none, {});
+  Vector start(2);
+  start << 1, 3;
+  trajectory.start(0, start, Vector::Zero(2));
+  for (const Index body : {0, 1}) {
+    Watch watch(body);
+    trajectory.advance(trajectory.time() + 10, watch);
+    EXPECT_NEAR(watch.range.maximum, start[body], 1e-12) << body;
+    EXPECT_NEAR(watch.range.minimum, -start[body], 1e-12) << body;
+  }
 }
 
 } // namespace

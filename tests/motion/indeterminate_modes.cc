@@ -196,5 +196,21 @@ TEST_P(IndeterminateModesTest, ElasticFlightsWithoutEnergyEnd) {
   }
 }
 
+// In one step: a body turns at its stop to the last digit, and another one meets its own soon
+// afterwards. A third one leaves its stop at the start, so that the motion begins with a step.
+TEST(IndeterminateModesTest, TouchesBeforeAContactChangeAreCounted) {
+  const Model model({single_mass("turning", 1, 1, 0), single_mass("meeting", 1, 0, 0),
+                     single_mass("leaving", 1, 0, 0)});
+  const auto law = std::make_shared<contact::LinearPenalty>(10);
+  const ContactSet contacts({contact_along_x(model, "turning.head", "", 1, law),
+                             contact_along_x(model, "meeting.head", "", 0.07, law),
+                             contact_along_x(model, "leaving.head", "", 0, law)});
+  Trajectory trajectory(model, contacts, {});
+  trajectory.start(0, Vector{{std::cos(0.05), 0, 0}}, Vector{{std::sin(0.05), 1, -1}});
+  trajectory.advance(0.1);
+  EXPECT_EQ(trajectory.accuracy().events, 1);
+  EXPECT_EQ(trajectory.accuracy().undecided_events, 1);
+}
+
 } // namespace
 } // namespace vibroimpact::motion

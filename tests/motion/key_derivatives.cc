@@ -1,8 +1,10 @@
 // Derivatives of motions by keys: closed forms, and differences of the motions.
 #include "common/error.h"
+#include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/laws/relaxing_stop.h"
+#include "contact/laws/tsuji.h"
 #include "model/pulse.h"
 #include "motion/variation/linearised_motion.h"
 #include "support/motion_derivative.h"
@@ -255,6 +257,48 @@ TEST(KeyDerivativesTest, FrequencyOfAMovingBaseThroughImpacts) {
            .end = 2.5}
         .agrees_with_differences(4);
   }
+}
+
+// A nonlinear stop on a base that moves by the key: gap, gap rate and loads change with it, also
+// where the gap vanishes and the slope of the force has no bound.
+TEST(KeyDerivativesTest, AmplitudeOfAMovingBaseThroughNonlinearContacts) {
+  const contact::HertzConstants hertz{.stiffness = 2e4, .exponent = 1.5};
+  for (const std::shared_ptr<const contact::ContactLaw> &law :
+       {std::shared_ptr<const contact::ContactLaw>(
+            contact::HuntCrossley::with_dissipation(hertz, 0.8)),
+        std::shared_ptr<const contact::ContactLaw>(std::make_shared<contact::Tsuji>(2e4, 30))}) {
+    SCOPED_TRACE(law->name());
+    Family{.make =
+               [&](double amplitude) {
+                 Parts parts{Model({single_mass("block", 1, 40, 0.5)})};
+                 parts.model.add_base_motion("shake", force_of(amplitude, 7), {0},
+                                             Vector3::UnitX());
+                 parts.contacts =
+                     ContactSet({contact_along_x(parts.model, "block.head", "", 0.03, law)});
+                 return parts;
+               },
+           .value = 0.05,
+           .start = {.time = 0.3, .physical = vector_of({-0.1, 0.5})},
+           .end = 1.2}
+        .agrees_with_differences(2, 1e-7);
+  }
+}
+
+// The same force moves another mass otherwise, in contact too.
+TEST(KeyDerivativesTest, MassUnderAForceOnANonlinearStop) {
+  Family{.make =
+             [](double mass) {
+               Parts parts{pushed_mass(mass, 40, 0.5, force_of(60, 7))};
+               parts.contacts =
+                   ContactSet({contact_along_x(parts.model, "block.head", "", 0.03,
+                                               contact::HuntCrossley::with_dissipation(
+                                                   {.stiffness = 2e3, .exponent = 1.5}, 0.8))});
+               return parts;
+             },
+         .value = 1,
+         .start = {.time = 0.3, .physical = vector_of({-0.1, 0.5})},
+         .end = 1.2}
+      .agrees_with_differences(2, 1e-7);
 }
 
 // At rest on a table that a key lifts the body follows it.

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace vibroimpact::motion {
@@ -174,10 +176,29 @@ TEST(RenewedPhasesTest, ChangesBetweenThemEqualNewOnes) {
   const ExactChange made(*from, resets, *to);
   const auto n = static_cast<std::size_t>(made.view().n_padded);
   const auto count = static_cast<std::size_t>(made.view().n_columns);
+  // What rounding is measured by is no less than what it is the rounding of.
+  for (std::size_t j = 0; j < n; ++j)
+    EXPECT_GE(made.view().constant_sizes[j],
+              std::max(std::abs(made.view().constant[j]), std::abs(made.view().constant[n + j])));
   EXPECT_EQ(contents(renewed->view().columns, 2 * n * count),
             contents(made.view().columns, 2 * n * count));
   EXPECT_EQ(contents(renewed->view().magnitudes, n * count),
             contents(made.view().magnitudes, n * count));
+}
+
+// Only an excitation of another structure takes a new arrangement.
+TEST(RenewedPhasesTest, KeepTheirArrangement) {
+  Excitation changing;
+  const auto phase = make_phase();
+  changing.take(sources(0.5, -0.05));
+  phase->take(changing);
+  const long arrangement = phase->arrangement();
+  changing.take(sources(0.9, -0.09));
+  phase->take(changing);
+  EXPECT_EQ(phase->arrangement(), arrangement);
+  changing.take({{.origin = 0, .terms = {{.amplitude = 1, .exponent = {0, 2}}}}});
+  phase->take(changing);
+  EXPECT_NE(phase->arrangement(), arrangement);
 }
 
 } // namespace

@@ -314,5 +314,22 @@ TEST(RestingContactsTest, JammedContactsFailWithAMessage) {
   EXPECT_THROW(trajectory.advance(1, events), NumericalError);
 }
 
+// Nothing acts at the start, and what follows at once decides: on bodies of every frequency, long
+// after whose periods the force has another sign.
+TEST(RestingContactsTest, AForceThatOnlyBeginsDecidesAtEveryTimeScale) {
+  for (const double frequency : {1e2, 1e4, 1e6})
+    for (const double omega : {3.0, 3.2, 3.4, 3.6})
+      for (const double sign : {1.0, -1.0}) {
+        Model model({single_mass("block", 1, frequency * frequency, 0)});
+        model.add_force("push", std::make_shared<Harmonic>(Given::displacement, sign, omega, 0),
+                        {.body = 0, .point = 0}, Vector3::UnitX());
+        const ContactSet contacts({contact_along_x(model, "block.head", "", 0, newton(0.5))});
+        Trajectory trajectory(model, contacts, {});
+        trajectory.start(0, vector_of({0}), vector_of({0}));
+        EXPECT_EQ(trajectory.equations().modes()[0], sign > 0 ? 1 : 0)
+            << frequency << ' ' << omega << ' ' << sign;
+      }
+}
+
 } // namespace
 } // namespace vibroimpact::motion

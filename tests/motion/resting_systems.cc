@@ -1,5 +1,6 @@
 // Rest on rigid contacts as a constraint of larger systems: linear phases stay exact, nonlinear
 // ones keep it too.
+#include "motion/event/collision.h"
 #include "motion/system/linear_system.h"
 #include "support/rigid_contacts.h"
 #include "support/rotor_models.h"
@@ -174,6 +175,33 @@ TEST(RestingSystemsTest, RotorJumpsOnTheGround) {
   EXPECT_GT(log.begun(0), 3U);
   EXPECT_GT(trajectory.state()[trajectory.layout().contact_work(0)], 0.1);
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-7);
+}
+
+// A body comes to the floor, and at the same instant another one to its top, by 1e-9 m/s faster.
+// Only the body at rest gives that chatter an end, after 2 u / (g (1 - e)) with u = e 1e-9 m/s: it
+// is completed with the impact.
+TEST(RestingSystemsTest, AChatterThatARestMakesPossible) {
+  const double gravity = 9.81, restitution = 0.5, faster = 1e-9;
+  Model model({single_mass("lower", 1, 0, 0), single_mass("upper", 1, 0, 0)});
+  add_weight(model, gravity, {0, 1});
+  const ContactSet contacts(
+      {contact_along_x(model, "lower.head", "", 1, newton(0)),
+       contact_along_x(model, "upper.head", "lower.head", 0, newton(restitution))});
+  const Settings settings;
+  Equations equations(model, contacts);
+  Vector state = Vector::Zero(equations.layout().size());
+  state[0] = state[1] = 1;
+  state[equations.layout().velocity()] = 1;
+  state[equations.layout().velocity() + 1] = 1 + faster;
+  ContactScales scales(equations, settings);
+  scales.begin(0, state);
+  Collisions collisions(equations, settings, scales);
+  const Collisions::Outcome outcome =
+      collisions.resolve(0, settings.event_tolerance, 0, false, state);
+  EXPECT_EQ(outcome.record.modes_after, (std::vector<int>{1, 1}));
+  ASSERT_EQ(outcome.changes.size(), 2U);
+  const double expected = 2 * restitution * faster / (gravity * (1 - restitution));
+  EXPECT_NEAR(outcome.changes[1].chatter_duration, expected, 1e-6 * expected);
 }
 
 } // namespace

@@ -94,10 +94,7 @@ ExactPath::Transition ExactPath::find_transition(const PhaseGuard &passed) {
   if (transition.target->linear)
     for (const PhaseGuard &other : transition.target->guards())
       transition.proportion.push_back(
-          other.contact == passed.contact
-              ? proportion(linear_row(equations_, other.contact, indicator(equations_, other)),
-                           form)
-              : 0);
+          proportion(linear_row(equations_, other.contact, indicator(equations_, other)), form));
   set_modes(known_->linear->forms().contact_modes(), equations_);
   return transition;
 }

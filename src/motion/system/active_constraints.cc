@@ -28,11 +28,9 @@ ActiveConstraints::ActiveConstraints(const model::Model &model, const contact::C
   if (contacts_.empty())
     return;
   const double highest = model.highest_frequency() > 0 ? model.highest_frequency() : 1;
+  const Vector offsets = 0.0713 * Vector::LinSpaced(size(), 0, static_cast<double>(size() - 1));
   rates_.resize(size(), 2);
-  for (Index k = 0; k < size(); ++k) {
-    const double offset = 0.0713 * static_cast<double>(k);
-    rates_.row(k) << highest * (0.61 + offset), highest * (1.27 + offset);
-  }
+  rates_ << highest * (0.61 + offsets.array()), highest * (1.27 + offsets.array());
   rows_ = gap_rows(contacts, contacts_, model.size());
   set_response(model.mass().cwiseInverse().asDiagonal() * rows_.transpose());
 }
