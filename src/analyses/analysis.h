@@ -50,7 +50,8 @@ public:
   /// InputError when systems with other values of keys do not fit, which `build` makes, before
   /// anything runs.
   virtual void check_built(const SystemSource & /*build*/) const {}
-  /// Computes the points of one line. A NumericalError inside a point belongs into its result.
+  /// Computes the points of one line. A NumericalError inside a point belongs into its result. The
+  /// lines of one rank share the analysis, which may keep what does not change any result.
   virtual void run_line(std::size_t line, System &system, LineContext &context) const = 0;
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char *section_name = "Basins";
 constexpr const char *first_axis = "First axis", *second_axis = "Second axis";
-/// Rows are distributed over so many lines, each of which searches the coarse part by itself.
+/// Rows are distributed over so many lines. Each rank searches the coarse part by itself, once.
 constexpr std::size_t most_lines = 16;
 
 void declare_cell_axis(parameters::Section &section, const std::string &name,
@@ -53,28 +53,31 @@ std::vector<std::size_t> thinned(std::size_t cells, long count) {
 
 } // namespace
 
-/// The rows of a line with the search that they share where they can.
+/// The present row with the search that rows share where they can.
 class Basins::Rows {
 public:
-  Rows(const Settings &settings, LineContext &context) : settings_(settings), context_(context) {}
+  explicit Rows(const Settings &settings) : settings_(settings) {}
 
-  /// Moves to a row. InputError, NumericalError.
-  void move_to(std::size_t row) {
+  /// Moves to a row, whose systems `context` builds. InputError, NumericalError.
+  void move_to(std::size_t row, const LineContext &context) {
+    context_ = &context;
     box_.emplace(box(row));
     if (search_ && same_motions(search_->system(), box_->system(), size())) {
       search_->forget_after(known_);
       return;
     }
-    search_ = std::make_unique<BasinSearch>(box_->system(), settings_.search);
+    search_.reset(); // one that fails half-way must not serve the next row
+    auto search = std::make_unique<BasinSearch>(box_->system(), settings_.search);
     const std::vector<model::InitialState> coarse = coarse_part();
-    search_->begin(coarse);
+    search->begin(coarse);
     for (const model::InitialState &start : coarse)
-      search_->follow(start);
-    search_->sort();
+      search->follow(start);
+    search->sort();
+    if (!settings_.exactly)
+      search->interpolate(settings_.nodes);
+    search_ = std::move(search);
     known_ = search_->attractors().list().size();
     find_plane();
-    if (!settings_.exactly)
-      search_->interpolate(settings_.nodes);
   }
   model::InitialState start(std::size_t cell) const { return start(*box_, cell); }
   BasinSearch &search() { return *search_; }
@@ -114,7 +117,7 @@ private:
   StartBox box(std::size_t row) const {
     return StartBox({settings_.first}, {settings_.second.at(settings_.second.values[row])},
                     [this](const std::vector<parameters::Override> &overrides) {
-                      return context_.build(overrides);
+                      return context_->build(overrides);
                     });
   }
   double size() const { return box_->size() > 0 ? box_->size() : 1; }
@@ -142,7 +145,7 @@ private:
   }
 
   const Settings &settings_;
-  LineContext &context_;
+  const LineContext *context_ = nullptr; ///< of the present row
   std::optional<StartBox> box_;
   std::unique_ptr<BasinSearch> search_;
   std::size_t known_ = 0;
@@ -243,7 +246,7 @@ void Basins::add_places(PointResult &result, const Rows &rows) const {
 }
 
 PointResult Basins::compute(std::size_t row, Rows &rows, LineContext &context) const {
-  rows.move_to(row);
+  rows.move_to(row, context);
   BasinSearch &search = rows.search();
   const std::size_t cells = settings_.first.values.size();
   std::vector<double> marks, periods;
@@ -280,9 +283,10 @@ PointResult Basins::compute(std::size_t row, Rows &rows, LineContext &context) c
 }
 
 // A line takes every n-th row. Motions found in one row do not count in the next, so that rows
-// after a resumption are what they would have been.
+// after a resumption, or after other lines of a rank, are what they would have been.
 void Basins::run_line(std::size_t line, System & /*system*/, LineContext &context) const {
-  Rows rows(settings_, context);
+  if (!rows_)
+    rows_ = std::make_shared<Rows>(settings_);
   for (std::size_t row = line; row < settings_.second.values.size(); row += lines()) {
     if (context.find({row})) {
       context.skip();
@@ -290,7 +294,7 @@ void Basins::run_line(std::size_t line, System & /*system*/, LineContext &contex
     }
     PointResult result;
     try {
-      result = compute(row, rows, context);
+      result = compute(row, *rows_, context);
     } catch (const NumericalError &error) {
       result = {.index = {row}, .status = Status::failed, .reason = error.what()};
     } catch (const InputError &error) {

@@ -40,12 +40,15 @@ public:
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:
-  class Rows; // of a line
+  class Rows;
   PointResult compute(std::size_t row, Rows &rows, LineContext &context) const;
   void add_places(PointResult &result, const Rows &rows) const;
   void add_cells(PointResult &result, std::vector<double> marks, std::vector<double> periods) const;
 
   Settings settings_;
+  /// What the lines of one rank have in common: the search of the coarse part. No row depends on
+  /// which others went before it.
+  mutable std::shared_ptr<Rows> rows_;
 };
 
 } // namespace vibroimpact::analyses

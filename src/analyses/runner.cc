@@ -194,14 +194,24 @@ Index state_size(const System &system) {
   return 2 * system.model.size() + system.contacts.n_internal() + system.model.n_drive();
 }
 
+/// The analysis of a grid point, which may keep what its lines have in common.
+struct KeptAnalysis {
+  std::size_t point = 0;
+  std::shared_ptr<const Analysis> analysis{};
+};
+
 // One line of one grid point.
 void run_task(std::size_t task, const std::vector<GridKey> &keys, std::size_t lines,
-              const std::vector<Axis> &axes, const CaseFactory &factory, GridLine &context) {
+              const std::vector<Axis> &axes, const CaseFactory &factory, KeptAnalysis &kept,
+              GridLine &context) {
   const std::size_t point = task / lines;
   const std::size_t line = task % lines;
   context.move_to(grid_index(keys, point));
   try {
     Case work = factory(grid_overrides(keys, point));
+    if (kept.analysis && kept.point == point)
+      work.analysis = kept.analysis;
+    kept = {.point = point, .analysis = work.analysis};
     if (work.analysis->axes().size() != axes.size() ||
         points_of(work.analysis->axes()) != points_of(axes))
       throw InputError("the swept key changes the number of points of the analysis");
@@ -250,10 +260,11 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
     PointCounter counter(counters, progress);
     const auto total = static_cast<long>(grid_size(keys) * lines);
     GridLine context(sink, inner_axes, counter, summary);
+    KeptAnalysis kept;
     try {
       for (long task = counters.add(next_line, 1); task < total && !stop_requested();
            task = counters.add(next_line, 1))
-        run_task(static_cast<std::size_t>(task), keys, lines, inner_axes, factory, context);
+        run_task(static_cast<std::size_t>(task), keys, lines, inner_axes, factory, kept, context);
     } catch (const Interrupted &) {
       summary.interrupted = true;
     }
