@@ -1,10 +1,10 @@
-#include "cases.h"
+#include "beam_case.h"
 
 #include "cantilever.h"
+#include "cases.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/restitution_relation.h"
-#include "equations_by_hand.h"
 #include "sides.h"
 
 namespace vibroimpact::benchmarks {
@@ -25,8 +25,6 @@ constexpr double damping_ratio = 0.02;
 constexpr double approach_speed = 0.2; // at which the restitution coefficient is 0.7 [m/s]
 
 using Beams = ModalBeams<coordinates, modes_per_beam, HertzHeads>;
-constexpr int modes_on_stop = 20;
-using BeamOnStop = ModalBeams<modes_on_stop, modes_on_stop, LinearSpring>;
 
 // Modes of the beam from `first` on, whose tip moves the gap by `sense`.
 template <class Beams>
@@ -96,7 +94,7 @@ Case beam_pair() {
   return case_of("two beams, 20 modes", problem_of(pair, modes), pair, pair.clearance, 200, 4);
 }
 
-Case beam_on_stop() {
+BeamOnStopEquations beam_on_stop_equations() {
   const CantileverModes modes = cantilever_modes(beam, modes_on_stop);
   BeamOnStop system;
   system.clearance = 0.005;
@@ -104,8 +102,13 @@ Case beam_on_stop() {
   system.amplitude = 0.02;
   system.forcing = 2 * std::numbers::pi * 3;
   set_modes(modes, 0, -1, system);
-  return case_of("beam on a stop, 20 modes", problem_of(system, modes), system, system.clearance,
-                 200, 4);
+  return {.problem = problem_of(system, modes), .system = system};
+}
+
+Case beam_on_stop() {
+  BeamOnStopEquations beam = beam_on_stop_equations();
+  return case_of("beam on a stop, 20 modes", std::move(beam.problem), beam.system,
+                 beam.system.clearance, 200, 4);
 }
 
 } // namespace vibroimpact::benchmarks

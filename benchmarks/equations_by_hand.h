@@ -61,6 +61,39 @@ struct Bumpers {
   }
 };
 
+/// Unit mass between two stops at |y| = 1, each a spring and a dashpot. State: y, y'.
+struct Isolator {
+  static constexpr std::size_t size = 2, contacts = 2;
+  using State = std::array<double, size>;
+  double zeta0 = 0, zeta1 = 0, mu = 0, amplitude = 0, forcing = 0;
+  std::array<bool, contacts> touching{};
+  std::array<long, contacts> begun{};
+  long evaluations = 0;
+
+  static double sign(std::size_t side) { return side == 0 ? 1 : -1; }
+  double omega() const { return forcing; }
+  double highest_frequency() const { return std::max(forcing, std::sqrt(1 + mu)); }
+  bool is_touching(std::size_t i) const { return touching[i]; }
+  double recorded(const State &x, double /*time*/) const { return x[0]; }
+  double recorded_rate(const State &x, double /*time*/) const { return x[1]; }
+  double guard(std::size_t i, const State &x) const {
+    const double gap = 1 - sign(i) * x[0];
+    return touching[i] ? -gap : gap;
+  }
+  void pass(std::size_t i, State & /*x*/) {
+    touching[i] = !touching[i];
+    begun[i] += touching[i];
+  }
+  void operator()(const State &x, State &dxdt, double time) {
+    ++evaluations;
+    dxdt[0] = x[1];
+    dxdt[1] = amplitude * std::sin(forcing * time) - 2 * zeta0 * x[1] - x[0];
+    for (std::size_t i = 0; i < contacts; ++i)
+      if (touching[i])
+        dxdt[1] -= mu * (x[0] - sign(i)) + 2 * zeta1 * x[1];
+  }
+};
+
 /// Two masses on a shaken table that meet across a gap. State: both displacements relative to the
 /// table, their rates.
 struct Bilinear {

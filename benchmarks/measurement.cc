@@ -29,10 +29,11 @@ double cpu_seconds() {
 }
 
 double time_of(const Motion &motion, long calls) {
-  const double start = cpu_seconds();
-  for (long i = 0; i < calls; ++i)
-    motion();
-  return (cpu_seconds() - start) / static_cast<double>(calls);
+  return cpu_time_of([&] {
+           for (long i = 0; i < calls; ++i)
+             motion();
+         }) /
+         static_cast<double>(calls);
 }
 
 double quantile(std::vector<double> values, double fraction) {
@@ -171,6 +172,12 @@ Truth agreed_truth(const Case &system, double target, CaseResult &result) {
 }
 
 } // namespace
+
+double cpu_time_of(const std::function<void()> &work) {
+  const double start = cpu_seconds();
+  work();
+  return cpu_seconds() - start;
+}
 
 CaseResult measure(const Case &system, double target, int repetitions) {
   CaseResult result;

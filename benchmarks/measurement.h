@@ -64,6 +64,9 @@ struct CaseResult {
   std::vector<SideResult> sides;
 };
 
+/// Processor time of this process [s].
+double cpu_time_of(const std::function<void()> &work);
+
 /// Throws NumericalError when the references disagree beyond a tenth of `target`, or a side that is
 /// there does not reach the target with as many contacts as they count.
 CaseResult measure(const Case &system, double target, int repetitions);

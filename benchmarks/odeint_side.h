@@ -43,6 +43,9 @@ public:
     return outcome();
   }
 
+  /// Behind the motion.
+  const State &end_state() const { return stepper_.current_state(); }
+
 private:
   void begin() {
     system_ = begin_;

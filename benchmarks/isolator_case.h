@@ -1,0 +1,14 @@
+// An isolator between two damped elastic stops, y'' + 2 zeta0 y' + y + stops = f sin(lambda t): the
+// equations of both sides of a comparison.
+#pragma once
+
+#include "analyses/system.h"
+#include "equations_by_hand.h"
+
+namespace vibroimpact::benchmarks {
+
+/// mu = 2, f = 0.52, zeta0 = 0.01, zeta1 = 0.2.
+Isolator isolator_by_hand(double lambda);
+analyses::System isolator_system(double lambda);
+
+} // namespace vibroimpact::benchmarks
