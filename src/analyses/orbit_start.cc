@@ -13,7 +13,7 @@ using periodic::Symmetry;
 namespace {
 
 constexpr const char *settling_keys[] = {"Minimum settling cycles", "Settling cycles",
-                                         "Steadiness tolerance",    "Extrapolate",
+                                         "Steadiness tolerance",    "Settling method",
                                          "Longest period",          "Cycles without approach"};
 
 } // namespace
@@ -74,7 +74,7 @@ Vector OrbitSearch::first_state(long &multiple,
   motion::Trajectory &trajectory = forced_.trajectory();
   trajectory.start(0, system_.initial.displacement, system_.initial.velocity);
   const SettledMotion settled =
-      settle(trajectory, forced_.period(), scale_, start_.settling, after_period);
+      Settler(trajectory)(forced_.period(), scale_, start_.settling, after_period);
   cycles_ = settled.cycles;
   multiple = std::max(multiple, settled.multiple);
   return settled.state.physical;

@@ -26,7 +26,7 @@ public:
   /// another number of entries.
   OrbitSearch(const System &system, std::size_t source, const OrbitStart &start);
 
-  /// Settles, finds the symmetry, and shoots. `after_period` as for settle(). NumericalError.
+  /// Settles, finds the symmetry, and shoots. `after_period` as for Settler. NumericalError.
   periodic::Orbit run(const std::function<void(long periods)> &after_period = {});
 
   periodic::ForcedSystem &forced() { return forced_; }

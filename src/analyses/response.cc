@@ -87,12 +87,12 @@ SettledMotion Response::settle_motion(const System &system, Trajectory &trajecto
                                       double share, LineContext &context) const {
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   if (!settings_.by_time)
-    return settle(trajectory, period,
-                  state_scale(trajectory.equations(), 2 * std::numbers::pi / period),
-                  settings_.settling, [&](long periods) {
-                    context.note_progress(share * static_cast<double>(periods) /
-                                          static_cast<double>(settings_.settling.maximum));
-                  });
+    return Settler(trajectory)(
+        period, state_scale(trajectory.equations(), 2 * std::numbers::pi / period),
+        settings_.settling, [&](long periods) {
+          context.note_progress(share * static_cast<double>(periods) /
+                                static_cast<double>(settings_.settling.maximum));
+        });
   constexpr int parts = 100; // after each of which the progress is noted
   for (int i = 1; settings_.settling_time > 0 && i <= parts; ++i) {
     trajectory.advance(i == parts ? settings_.settling_time : settings_.settling_time * i / parts);

@@ -1,11 +1,11 @@
 #include "analyses/settling.h"
 
-#include "analyses/sequence_limit.h"
 #include "analyses/steadiness.h"
+#include "analyses/steady_orbit.h"
 #include "common/error.h"
+#include "periodic/forced_system.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace vibroimpact::analyses {
 
@@ -13,11 +13,11 @@ using motion::Trajectory;
 
 namespace {
 
-void find_range(const LastStates &states, Index count, SettledMotion &motion) {
-  motion.lowest = motion.highest = states[0];
-  for (Index i = 1; i < std::min(count, states.count()); ++i) {
-    motion.lowest = motion.lowest.cwiseMin(states[i]);
-    motion.highest = motion.highest.cwiseMax(states[i]);
+void find_range(const std::vector<Vector> &states, SettledMotion &motion) {
+  motion.lowest = motion.highest = states.front();
+  for (const Vector &state : states) {
+    motion.lowest = motion.lowest.cwiseMin(state);
+    motion.highest = motion.highest.cwiseMax(state);
   }
 }
 
@@ -25,38 +25,60 @@ double largest(const Vector &states, const Vector &scale) {
   return states.cwiseProduct(scale).cwiseAbs().maxCoeff();
 }
 
+// Newton's method is tried after so many periods at first, of which it takes one more itself: that
+// the motion approaches what is found is seen in the last two.
+constexpr long first_search = 2;
+// Another periodic motion is tried when the state repeats itself so much better after its periods.
+constexpr double better_repetition = 0.25;
+// Of the derivative, for Newton's method and the multipliers.
+constexpr double tangent_tolerance = 1e-7;
+constexpr double arrived = 1e-9; // distance to a periodic motion, over its size, that is rounding
+
 class Settling {
 public:
-  Settling(Trajectory &trajectory, double period, const Vector &scale, const SettlingRule &rule)
-      : trajectory_(trajectory), period_(period), scale_(scale), rule_(rule),
-        steadiness_(scale, rule.longest_multiple, rule.tolerance), sequence_(scale),
-        states_(scale.size(), 2 * rule.longest_multiple + 1), extrapolates_(rule.extrapolates) {
-    begin(physical_state());
+  Settling(Trajectory &trajectory, double period, const Vector &scale, const SettlingRule &rule,
+           SteadyOrbitSearch *search)
+      : trajectory_(trajectory), period_(period), scale_(scale), rule_(rule), search_(search),
+        steadiness_(scale, rule.longest_multiple, rule.tolerance),
+        states_(scale.size(), 2 * rule.longest_multiple + 1),
+        next_search_(std::max(first_search, rule.minimum - 3)) {
+    states_.add(physical_state());
   }
 
   long cycles() const { return cycles_; }
-  bool steady() const { return steadiness_.steady(); }
   bool over() const;
   SettledMotion motion() const;
   void advance();
 
 private:
   ConstVectorView physical_state() const;
-  void begin(const Eigen::Ref<const Vector> &state);
-  void extrapolate();
-  bool leap(const Vector &state);
+  bool steady() const { return on_orbit_ || steadiness_.steady(); }
+  void take(const Eigen::Ref<const Vector> &state);
+  void look_for_orbit();
+  bool can_search(long multiple) const {
+    return cycles_ + SteadyOrbitSearch::most_periods * multiple <= rule_.maximum;
+  }
+  void search(long multiple);
+  long better_multiple() const;
+  bool approaches() const;
+  double distance(Index age) const { return orbit_->norm(deviation(age)); }
+  Vector deviation(Index age) const {
+    return (states_[age] - orbit_->states.front()).cwiseProduct(search_->scale());
+  }
+  void go_to(const Vector &state);
 
   Trajectory &trajectory_;
   double period_;
   const Vector &scale_;
   const SettlingRule &rule_;
+  SteadyOrbitSearch *search_; ///< none: the motion settles by itself
   Steadiness steadiness_;
-  SequenceLimit sequence_;
   LastStates states_;
   long cycles_ = 0;
-  bool extrapolates_;
-  Vector left_;            ///< where the last leap began; empty after another period
-  double left_change_ = 0; ///< over the last period before it
+  long next_search_;
+  std::optional<SteadyOrbit> orbit_;
+  long since_ = 0; ///< periods of the motion since the search for it began
+  bool on_orbit_ = false;
 };
 
 bool Settling::over() const {
@@ -71,62 +93,92 @@ ConstVectorView Settling::physical_state() const {
   return {trajectory_.state().data(), trajectory_.layout().physical_size()};
 }
 
-void Settling::begin(const Eigen::Ref<const Vector> &state) {
-  states_.clear();
+void Settling::take(const Eigen::Ref<const Vector> &state) {
   states_.add(state);
-  sequence_.clear();
-  sequence_.add(state);
+  steadiness_.add(state);
+  ++since_;
 }
 
 void Settling::advance() {
   ++cycles_;
   trajectory_.advance(static_cast<double>(cycles_) * period_);
-  states_.add(physical_state());
-  steadiness_.add(physical_state());
-  if (extrapolates_)
-    extrapolate();
+  take(physical_state());
+  if (search_ && !steady())
+    look_for_orbit();
 }
 
-// A leap that does not bring the motion nearer is taken back, and is the last.
-void Settling::extrapolate() {
-  sequence_.add(physical_state());
-  if (left_.size() > 0 && !(sequence_.last_change() <= left_change_)) {
-    extrapolates_ = false;
-    leap(left_);
-    return;
+// What has been found is looked for anew when the motion does not approach it for as long as it
+// took to find it.
+void Settling::look_for_orbit() {
+  if (cycles_ >= next_search_ && can_search(1)) {
+    orbit_.reset();
+    search(1);
+    if (const long multiple = better_multiple(); !orbit_ && multiple > 1 && can_search(multiple))
+      search(multiple);
+    next_search_ = 2 * cycles_;
   }
-  left_.resize(0);
-  if (steady())
-    return;
-  if (const std::optional<Vector> limit = sequence_.limit()) {
-    left_ = states_[0];
-    left_change_ = sequence_.last_change();
-    if (!leap(*limit)) {
-      extrapolates_ = false;
-      leap(left_);
-    }
+  if (orbit_ && approaches()) {
+    on_orbit_ = true;
+    go_to(orbit_->states.front());
   }
 }
 
-// False: no motion can start there.
-bool Settling::leap(const Vector &state) {
-  try {
-    trajectory_.start({.time = static_cast<double>(cycles_) * period_, .physical = state});
-  } catch (const NumericalError &) {
+void Settling::search(long multiple) {
+  const Vector from = states_[0];
+  SteadyOrbitSearch::Result result = search_->run(from, cycles_, multiple);
+  since_ = 0;
+  for (const Vector &state : result.carried)
+    take(state);
+  cycles_ += result.periods;
+  orbit_ = std::move(result.orbit);
+  go_to(states_[0]);
+}
+
+// The least number of periods after which the state repeats itself nearly best; 1 where that is
+// hardly better than after one.
+long Settling::better_multiple() const {
+  const auto change = [&](Index k) {
+    return (states_[0] - states_[k]).cwiseProduct(scale_).cwiseAbs().maxCoeff();
+  };
+  const Index longest = std::min<Index>(rule_.longest_multiple, (states_.count() - 1) / 2);
+  Index best = 1;
+  for (Index k = 2; k <= longest; ++k)
+    if (change(k) < better_repetition * change(best))
+      best = k;
+  return best;
+}
+
+// In the last two periods of the periodic motion.
+bool Settling::approaches() const {
+  const Index k = orbit_->multiple();
+  if (since_ % k != 0 || states_.count() <= 2 * k)
     return false;
-  }
-  begin(state);
-  steadiness_.clear();
-  steadiness_.add(state);
-  return true;
+  const double size = orbit_->states.front().cwiseProduct(search_->scale()).cwiseAbs().maxCoeff();
+  if (deviation(0).cwiseAbs().maxCoeff() <= arrived * size)
+    return true;
+  const double contraction = 0.5 * (1 + orbit_->norm.contraction());
+  return distance(0) <= contraction * distance(k) && distance(k) <= contraction * distance(2 * k);
+}
+
+void Settling::go_to(const Vector &state) {
+  trajectory_.start({.time = static_cast<double>(cycles_) * period_, .physical = state});
 }
 
 SettledMotion Settling::motion() const {
   SettledMotion motion;
   motion.cycles = cycles_;
-  motion.state = {.time = 0, .physical = states_[0]};
+  motion.state = {.time = 0, .physical = physical_state()};
+  if (on_orbit_) {
+    motion.multiple = orbit_->multiple();
+    find_range(orbit_->states, motion);
+    return motion;
+  }
   motion.multiple = steadiness_.multiple();
-  find_range(states_, motion.steady() ? motion.multiple : states_.count(), motion);
+  std::vector<Vector> last;
+  const Index count = motion.steady() ? motion.multiple : states_.count();
+  for (Index i = 0; i < std::min(count, states_.count()); ++i)
+    last.emplace_back(states_[i]);
+  find_range(last, motion);
   return motion;
 }
 
@@ -142,11 +194,12 @@ void declare_settling(parameters::Section &section) {
       .quantity("Steadiness tolerance", "1e-6", dimension::none, Range{.lower = 0, .upper = 1}, "",
                 "Relative distance to the periodic motion at which it counts as steady; 0 always "
                 "takes all settling cycles.")
-      .boolean(
-          "Extrapolate", "false",
-          "Go straight to the motion that the last periods lead to, once they tell where, and on "
-          "from there. The motion that is recorded must be steady by itself as ever. Off, the "
-          "motion goes through its whole transient as a real one does.")
+      .choice("Settling method", "transient", {"transient", "Newton"},
+              "How the steady motion is reached: by waiting until the transient has decayed, as "
+              "that of a real system does, or by Newton's method after a few periods. What that "
+              "finds counts only where it is stable and the motion is seen to approach it; else "
+              "the transient goes on, as it does for rotors and for excitations that do not repeat "
+              "themselves.")
       .integer("Cycles without approach", "0", Range{.lower = 0, .upper = 1e9}, "",
                "Periods that bring the motion no nearer to repeating itself, after which it is "
                "recorded as not steady without waiting for all Settling cycles, since it is mostly "
@@ -165,20 +218,38 @@ SettlingRule read_settling(const parameters::Values &section) {
           .maximum = maximum,
           .tolerance = section.quantity("Steadiness tolerance"),
           .longest_multiple = section.integer("Longest period"),
-          .extrapolates = section.boolean("Extrapolate"),
+          .by_newton = section.choice("Settling method") == "Newton",
           .without_approach = section.integer("Cycles without approach")};
 }
 
-SettledMotion settle(Trajectory &trajectory, double period, const Vector &scale,
-                     const SettlingRule &rule,
-                     const std::function<void(long periods)> &after_period) {
-  Settling settling(trajectory, period, scale, rule);
+SettledMotion Settler::operator()(double period, const Vector &scale, const SettlingRule &rule,
+                                  const std::function<void(long periods)> &after_period) {
+  std::optional<SteadyOrbitSearch> search;
+  if (rule.by_newton && rule.tolerance > 0 && repeats(period))
+    search.emplace(trajectory_, lineariser((scale.array() > 0).select(scale, 1)), scale_, period);
+  Settling settling(trajectory_, period, scale, rule, search ? &*search : nullptr);
   while (!settling.over()) {
     settling.advance();
     if (after_period)
       after_period(settling.cycles());
   }
   return settling.motion();
+}
+
+// False for motions that do not repeat themselves after the period, whatever they do.
+bool Settler::repeats(double period) const {
+  const model::Model &model = trajectory_.equations().model();
+  return model.rotors().empty() && !periodic::source_without_period(model, period);
+}
+
+// What one has done before must leave no trace in what it does next.
+motion::Lineariser &Settler::lineariser(const Vector &scale) {
+  if (!lineariser_ || scale_ != scale) {
+    scale_ = scale;
+    lineariser_.emplace(trajectory_,
+                        motion::VariationAccuracy{.scale = scale_, .tolerance = tangent_tolerance});
+  }
+  return *lineariser_;
 }
 
 double relative_distance(const SettledMotion &a, const SettledMotion &b, const Vector &scale) {

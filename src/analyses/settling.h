@@ -1,10 +1,11 @@
 // Lets a periodically forced motion settle, and says what it has settled to.
 #pragma once
 
-#include "motion/trajectory.h"
+#include "motion/variation/linearised_motion.h"
 #include "parameters/values.h"
 
 #include <functional>
+#include <optional>
 
 namespace vibroimpact::analyses {
 
@@ -13,7 +14,7 @@ struct SettlingRule {
   long maximum = 0;          ///< [periods]
   double tolerance = 0;      ///< see Steadiness
   long longest_multiple = 1; ///< [periods]
-  bool extrapolates = false; ///< goes to where the periods lead as soon as that is clear
+  bool by_newton = false;    ///< goes to the periodic motion that it is seen to approach
   /// Ends, not steady, after so many periods that bring the motion no nearer to a repetition; 0:
   /// never [periods]
   long without_approach = 0;
@@ -34,13 +35,29 @@ struct SettledMotion {
   bool steady() const { return multiple > 0; }
 };
 
-/// Goes on from where the trajectory stands, at time zero, period by period and without being
-/// observed, or straight to the limit of the periods, from which it must go on to be steady by
-/// itself. `scale` as for Steadiness. `after_period`, where given, is called with the number of
-/// periods behind each of them. NumericalError.
-SettledMotion settle(motion::Trajectory &trajectory, double period, const Vector &scale,
-                     const SettlingRule &rule,
-                     const std::function<void(long periods)> &after_period = {});
+/// Lets motions of one trajectory settle, one after the other.
+class Settler {
+public:
+  /// Keeps a reference.
+  explicit Settler(motion::Trajectory &trajectory) : trajectory_(trajectory) {}
+
+  /// Goes on from where the trajectory stands, at time zero, period by period and without being
+  /// observed, or by Newton's method straight to the periodic motion. Where there is no variation
+  /// for that, as for rotors and excitations that do not repeat themselves, or the motion is not
+  /// seen to approach what is found, it goes on by itself. `scale` as for Steadiness.
+  /// `after_period`, where given, is called with the number of periods behind each of them.
+  /// NumericalError.
+  SettledMotion operator()(double period, const Vector &scale, const SettlingRule &rule,
+                           const std::function<void(long periods)> &after_period = {});
+
+private:
+  bool repeats(double period) const;
+  motion::Lineariser &lineariser(const Vector &scale);
+
+  motion::Trajectory &trajectory_;
+  Vector scale_;                                 ///< of deviations
+  std::optional<motion::Lineariser> lineariser_; ///< once asked for
+};
 
 /// Largest difference of two ranges over the largest state in either, both times `scale`.
 double relative_distance(const SettledMotion &a, const SettledMotion &b, const Vector &scale);

@@ -226,8 +226,8 @@ PointResult SteppedSweep::compute(const Step &step, SweptSystem &swept, const Mo
   result.fields.reserve(usual_fields);
   result.summary.reserve(usual_fields);
   trajectory.start(from);
-  settled = settle(trajectory, swept.period(), swept.scale(), settings_.settling,
-                   [&](long periods) { note(periods, context); });
+  settled = swept.settler()(swept.period(), swept.scale(), settings_.settling,
+                            [&](long periods) { note(periods, context); });
   recording.run(periods_window(static_cast<double>(settled.cycles) * swept.period(), swept.period(),
                                settings_.recorded),
                 trajectory, [&](long period) { note(settled.cycles + period, context); });
@@ -248,8 +248,8 @@ Jump SteppedSweep::search(const BranchPoint &before, const BranchPoint &after, S
       [&](double value, const MotionState &from) {
         swept.move_to(value);
         swept.trajectory().start(from);
-        return settle(swept.trajectory(), swept.period(), swept.scale(), settings_.settling,
-                      [&](long /*periods*/) { context.note_progress(0); });
+        return swept.settler()(swept.period(), swept.scale(), settings_.settling,
+                               [&](long /*periods*/) { context.note_progress(0); });
       },
       [&](const SettledMotion &a, const SettledMotion &b) {
         return relative_distance(a, b, scale);

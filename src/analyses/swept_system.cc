@@ -47,7 +47,9 @@ SweptSystem::SweptSystem(const SweptParameter &parameter, const std::string &exc
                          const LineContext &context)
     : parameter_(parameter), excitation_(excitation), recorders_(recorders), original_(system),
       context_(context), present_(&system), trajectory_(trajectory_of(system)),
-      size_(trajectory_->layout().physical_size()) {}
+      size_(trajectory_->layout().physical_size()) {
+  settler_.emplace(*trajectory_);
+}
 
 void SweptSystem::move_to(double value) {
   if (!parameter_.is_frequency()) {
@@ -64,10 +66,12 @@ WindowRecording &SweptSystem::recording() {
 
 void SweptSystem::build(double value) {
   recording_.reset();
+  settler_.reset();
   trajectory_.reset();
   built_ = std::make_unique<System>(context_.build({parameter_.at(value)}));
   present_ = built_.get();
   trajectory_ = trajectory_of(*built_);
+  settler_.emplace(*trajectory_);
   if (trajectory_->layout().physical_size() != size_)
     throw InputError("the swept key " + parameter_.path + " changes the number of coordinates");
   const std::size_t source = sweep_source(*built_, excitation_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyses/analysis.h"
+#include "analyses/settling.h"
 #include "analyses/swept_parameter.h"
 #include "analyses/window_recording.h"
 #include "motion/trajectory.h"
@@ -30,6 +31,8 @@ public:
 
   const System &system() const { return *present_; }
   motion::Trajectory &trajectory() { return *trajectory_; }
+  /// Settles motions of that trajectory.
+  Settler &settler() { return *settler_; }
   /// The recorders of the analysis for the present system.
   WindowRecording &recording();
   double period() const { return period_; } ///< [s]
@@ -47,6 +50,7 @@ private:
   std::unique_ptr<System> built_;
   const System *present_;
   std::unique_ptr<motion::Trajectory> trajectory_;
+  std::optional<Settler> settler_;
   std::optional<WindowRecording> recording_; ///< once asked for
   Index size_ = 0;
   double period_ = 0;

@@ -44,11 +44,10 @@ ForcedSystem::ForcedSystem(const model::Model &model, const contact::ContactSet 
   if (!model.rotors().empty())
     throw InputError("A periodic motion is looked for, but the model has a rotor: its speed is a "
                      "second frequency, so that the motion repeats itself after no period.");
-  for (const model::Source &other : model.sources())
-    if (!repeats(*other.function, period(), period(), 1))
-      throw InputError("A periodic motion is looked for, but the excitation " + other.name +
-                       " does not repeat itself after the period of " +
-                       model.sources()[source].name + ".");
+  if (const model::Source *other = source_without_period(model, period()))
+    throw InputError("A periodic motion is looked for, but the excitation " + other->name +
+                     " does not repeat itself after the period of " + model.sources()[source].name +
+                     ".");
 }
 
 ForcedKey forced_key(const std::string &name, const ForcedSystem &system,
@@ -65,6 +64,17 @@ ForcedKey forced_key(const std::string &name, const ForcedSystem &system,
   return {.tangent =
               motion::KeyTangent(name, system.model(), system.contacts(), std::move(neighbours)),
           .period = derivative};
+}
+
+const model::Source *source_without_period(const model::Model &model, double period) {
+  const auto harmonic = [&](const model::TimeFunction &function) { // known without looking
+    return dynamic_cast<const model::Harmonic *>(&function) != nullptr &&
+           std::abs(function.period() - period) <= 1e-12 * period;
+  };
+  for (const model::Source &source : model.sources())
+    if (!harmonic(*source.function) && !repeats(*source.function, period, period, 1))
+      return &source;
+  return nullptr;
 }
 
 bool forcing_is_odd(const ForcedSystem &system) {

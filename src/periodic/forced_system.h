@@ -47,6 +47,10 @@ struct ForcedKey {
 ForcedKey forced_key(const std::string &name, const ForcedSystem &system,
                      std::vector<motion::KeyNeighbour> neighbours);
 
+/// The first source that does not repeat itself after this period [s] from time zero on; nullptr:
+/// all do.
+const model::Source *source_without_period(const model::Model &model, double period);
+
 /// s(t + T/2) = -s(t) for every source.
 bool forcing_is_odd(const ForcedSystem &system);
 

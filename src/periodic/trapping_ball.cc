@@ -2,13 +2,9 @@
 
 #include "common/error.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <stdexcept>
 
 namespace vibroimpact::periodic {
 
@@ -22,7 +18,6 @@ constexpr double least_share = 1e-10;  ///< below which differences are rounding
 /// Of the last sphere that was tested. In the plane its points are an angle of 0.1 apart; in more
 /// dimensions they are a sample.
 constexpr double safe_share_plane = 0.8, safe_share = 0.5;
-constexpr int most_doublings = 60;
 
 // Unit vectors as columns: evenly in the plane, else a fixed sample of all directions.
 Matrix unit_vectors(Index size, Index count) {
@@ -47,33 +42,18 @@ Matrix unit_vectors(Index size, Index count) {
 
 } // namespace
 
-Matrix discrete_lyapunov(const Matrix &a) {
-  Matrix sum = Matrix::Identity(a.rows(), a.cols());
-  Matrix power = a;
-  // The sum of the first 2^k terms; what is left is below the square of the last power.
-  for (int k = 0; k < most_doublings && power.norm() > 1e-20; ++k) {
-    sum += (power.transpose() * sum * power).eval();
-    power = (power * power).eval();
-  }
-  return sum;
-}
-
 TrappingBall::TrappingBall(const StateMap &map, Vector fixed_point, const Matrix &by_state,
                            double largest, Index points)
-    : fixed_point_(std::move(fixed_point)) {
-  const double multiplier = by_state.eigenvalues().cwiseAbs().maxCoeff();
-  if (!(multiplier < 1))
-    throw std::logic_error("a trapping ball needs a stable fixed point");
-  contraction_ = 1 - required_share * (1 - multiplier);
-  root_ = discrete_lyapunov(by_state / (0.5 * (1 + multiplier))).llt().matrixL();
+    : fixed_point_(std::move(fixed_point)), norm_(by_state, spectral_radius(by_state)),
+      contraction_(1 - required_share * (1 - norm_.multiplier())) {
   const Index size = fixed_point_.size();
   const Index count = points > 0 ? points : std::max<Index>(64, 8 * size);
-  // y = L^-T u has |y|_S = |u|.
+  const Matrix &root = norm_.root();
   const Matrix directions =
-      root_.transpose().triangularView<Eigen::Upper>().solve(unit_vectors(size, count));
+      root.transpose().triangularView<Eigen::Upper>().solve(unit_vectors(size, count));
   // |y|_S <= |L| |y|.
   radius_ =
-      reach(map, directions, root_.norm() * largest) * (size == 2 ? safe_share_plane : safe_share);
+      reach(map, directions, root.norm() * largest) * (size == 2 ? safe_share_plane : safe_share);
 }
 
 bool TrappingBall::contracts(const StateMap &map, const Matrix &directions, double radius) const {

@@ -1,20 +1,15 @@
 // A ball around a stable fixed point that attracts all of its states, measured in the norm in which
 // the map contracts.
 //
-// With J the derivative of the map at the fixed point, |mu| < 1 its spectral radius and
-// rho = (1 + |mu|) / 2,
-//
-//   |y|_S^2 = y^T S y,   S = sum over k of (J^T)^k J^k / rho^(2k)
-//
-// obeys |J y|_S <= rho |y|_S, since J^T S J = rho^2 (S - I): no eigenvectors are needed, so that
-// defective multipliers are like any other. How far the contraction reaches is tested: the radius
-// grows as long as the images of points on the sphere lie within
+// Linear maps contract by rho there (adapted_norm.h). How far the contraction of the map itself
+// reaches is tested: the radius grows as long as the images of points on the sphere lie within
 //
 //   r (1 - 0.3 (1 - |mu|)) > rho r
 //
 // A ball like that decides which motion a state leads to long before the state is near it.
 #pragma once
 
+#include "periodic/adapted_norm.h"
 #include "periodic/state_map.h"
 
 namespace vibroimpact::periodic {
@@ -31,9 +26,7 @@ public:
   /// In the adapted norm; the least semi-axis in that of the states is radius() / sqrt(largest
   /// eigenvalue of S).
   double radius() const { return radius_; }
-  double distance(const Vector &state) const {
-    return (root_.transpose() * (state - fixed_point_)).norm();
-  }
+  double distance(const Vector &state) const { return norm_(state - fixed_point_); }
   /// Within this share of the radius?
   bool contains(const Vector &state, double share = 1) const {
     return distance(state) < share * radius_;
@@ -45,13 +38,9 @@ private:
   double reach(const StateMap &map, const Matrix &directions, double largest) const;
 
   Vector fixed_point_;
-  Matrix root_;            ///< L of S = L L^T
+  AdaptedNorm norm_;
   double contraction_ = 0; ///< required of the sphere
   double radius_ = 0;
 };
-
-/// sum over k of (A^T)^k A^k for a matrix of spectral radius below one: S = I + A^T S A, by
-/// doubling (Smith 1968).
-Matrix discrete_lyapunov(const Matrix &a);
 
 } // namespace vibroimpact::periodic

@@ -22,7 +22,7 @@ SettledMotion settled(double damping, const SettlingRule &rule) {
   const System system = testing::system_of(std::move(model));
   motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
-  return settle(trajectory, period, Vector::Ones(2), rule);
+  return Settler(trajectory)(period, Vector::Ones(2), rule);
 }
 
 SettlingRule rule(long without_approach) {
