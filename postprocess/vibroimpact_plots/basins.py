@@ -126,19 +126,25 @@ def stack(analysis: Analysis):
 
 def follow(states: np.ndarray) -> list[list[int]]:
     """For each value of the key, which motion each attractor belongs to: the one whose last state
-    is nearest, unless that is far off. `states`: values x attractors x entries, padded by NaN."""
-    reach = np.nanmax(states, axis=(0, 1)) - np.nanmin(states, axis=(0, 1))
-    reach[reach == 0] = 1
+    is nearest, unless that is far off. `states`: values x attractors x entries, padded by NaN. The
+    many small entries of a body with many modes must not outweigh the few that say how it moves:
+    distances are those of whole states over the length of the range. What one value and the next
+    have left over, one attractor each, is the same motion too."""
+    reach = np.linalg.norm(np.nanmax(states, axis=(0, 1)) - np.nanmin(states, axis=(0, 1))) or 1.0
     last: list[np.ndarray] = []
     tracks = []
     for row in states / reach:
         present = [state for state in row if np.all(np.isfinite(state))]
-        pairs = sorted((np.max(np.abs(state - known)), a, t)
+        pairs = sorted((np.linalg.norm(state - known), a, t)
                        for a, state in enumerate(present) for t, known in enumerate(last))
         chosen: dict[int, int] = {}
         for distance, a, t in pairs:
             if distance < SAME_MOTION and a not in chosen and t not in chosen.values():
                 chosen[a] = t
+        before = tracks[-1] if tracks else []
+        lost = [t for t in before if t not in chosen.values()]
+        if len(lost) == 1 and len(present) == len(before) == len(chosen) + 1:
+            chosen[next(a for a in range(len(present)) if a not in chosen)] = lost[0]
         for a, state in enumerate(present):
             if a not in chosen:
                 chosen[a] = len(last)

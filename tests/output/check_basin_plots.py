@@ -88,6 +88,14 @@ class BasinFigures(unittest.TestCase):
         texts = [text.get_text() for text in axes.get_legend().get_texts()]
         self.assertEqual(texts, ["motion 1", "motion 2", "undecided"])
 
+    def test_small_entries_and_a_single_jump_do_not_part_a_motion(self):
+        gone = [np.nan] * 3
+        states = np.array([[[1, 0, 0], [5, 1e-3, 0]],         # two motions, the third entry is noise
+                           [[1.2, 0, 1e-3], [4.8, 0, -1e-3]],
+                           [[2.9, 0, 0], [1.3, 1e-3, 1e-3]],  # the order changes, one jumps
+                           [[1.4, 0, 0], gone]])
+        self.assertEqual(basins.follow(states), [[0, 1], [0, 1], [1, 0], [0]])
+
 
 if __name__ == "__main__":
     unittest.main()
