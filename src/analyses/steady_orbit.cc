@@ -1,6 +1,7 @@
 #include "analyses/steady_orbit.h"
 
 #include "common/error.h"
+#include "periodic/contact_memory.h"
 
 #include <Eigen/LU>
 
@@ -30,6 +31,8 @@ std::vector<Vector> SteadyOrbitSearch::linearised(const Vector &state) {
   std::vector<Vector> states;
   Matrix by_state;
   motion::MotionState from{.time = static_cast<double>(cycle_) * period_, .physical = state};
+  trajectory_.start(from);
+  const std::vector<Index> unseen = periodic::idle_memory(trajectory_.equations());
   for (long k = 1; k <= multiple_; ++k) {
     const motion::LinearisedMotion motion =
         lineariser_(from, static_cast<double>(cycle_ + k) * period_);
@@ -40,6 +43,7 @@ std::vector<Vector> SteadyOrbitSearch::linearised(const Vector &state) {
     by_state = k == 1 ? motion.by_state : Matrix(motion.by_state * by_state);
     from = motion.end;
   }
+  by_state(Eigen::all, unseen).setZero();
   by_state_ = scale_.asDiagonal() * by_state * scale_.cwiseInverse().asDiagonal();
   return states;
 }

@@ -2,6 +2,7 @@
 #include "analyses/settling.h"
 
 #include "analyses/steadiness.h"
+#include "contact/laws/hunt_crossley.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/laws/newton_restitution.h"
 #include "contact/laws/piecewise_stop.h"
@@ -71,6 +72,16 @@ void expect_same(const SettledMotion &newton, const SettledMotion &waited, doubl
   const double size = waited.highest.cwiseAbs().cwiseMax(waited.lowest.cwiseAbs()).maxCoeff();
   EXPECT_LT((newton.lowest - waited.lowest).cwiseAbs().maxCoeff(), tolerance * size);
   EXPECT_LT((newton.highest - waited.highest).cwiseAbs().maxCoeff(), tolerance * size);
+}
+
+// A stop out of reach that would remember the speed of an impact has no say in it.
+TEST(SettlingByNewtonTest, AContactThatRemembersDoesNotHoldALinearMotionUp) {
+  Oscillator linear(400, 0.06, 2, 15);
+  linear.stop(1, contact::HuntCrossley::with_dimensionless_damping(
+                     {.stiffness = 1e6, .exponent = 1.5}, 0.4, 1e-6));
+  const SettledMotion motion = linear.settled(rule(true));
+  EXPECT_TRUE(motion.steady());
+  EXPECT_LE(motion.cycles, 6);
 }
 
 // x = Im(X exp(i omega t)) in closed form; a linear map needs one step and its check.
