@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import fnmatch
 import sys
+from contextlib import ExitStack
 from pathlib import Path
 
 from .choice import choose
@@ -12,7 +13,8 @@ from .results import Analysis, ResultError, Results
 
 EPILOG = """--figure may be repeated and takes shell patterns: --figure 'response-contact-*'.
 --at picks points of an axis by their nearest values, in the unit of the figures or in SI:
---at "Clearance=3 mm, 5 mm" --at frequency=2.4 --at direction=forward."""
+--at "Clearance=3 mm, 5 mm" --at frequency=2.4 --at direction=forward.
+--overlay may be repeated: --overlay balance --overlay other-results:sweep."""
 
 
 def main(arguments=None) -> int:
@@ -35,6 +37,9 @@ def parse(arguments) -> argparse.Namespace:
                         help="only figures whose name matches")
     parser.add_argument("--at", metavar="AXIS=VALUES", action="append", default=[],
                         help="only these points of an axis")
+    parser.add_argument("--overlay", metavar="[FOLDER:]ANALYSIS", action="append", default=[],
+                        help="drawn over the figures of branches: a stepped sweep, a harmonic "
+                             "balance or another branch along the same key")
     parser.add_argument("--angular", action="store_true", help="frequencies in rad/s")
     parser.add_argument("--list", action="store_true", help="names of the figures, nothing drawn")
     parser.add_argument("--format", choices=["png", "pdf", "svg"], default="png")
@@ -57,7 +62,7 @@ def size(text: str) -> tuple[float, float]:
 
 
 def draw(options: argparse.Namespace) -> int:
-    with Results(options.results) as results:
+    with Results(options.results) as results, ExitStack() as others:
         chosen = chosen_analyses(results, options.analysis)
         for analysis in chosen:
             choose(analysis, options.at)
@@ -65,8 +70,10 @@ def draw(options: argparse.Namespace) -> int:
         import matplotlib.pyplot as plt
 
         from .labels import ANGULAR
+        from .overlays import attach
         from .style import SETTINGS
 
+        attach(results, chosen, options.overlay, others)
         ANGULAR["frequencies"] = options.angular
         with plt.rc_context(SETTINGS):
             wanted = [entry for analysis in chosen

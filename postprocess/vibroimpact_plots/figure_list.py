@@ -25,7 +25,8 @@ from . import (
 KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits,
          relative_motion, spectra, time_frequency, maps, derived_curves]
 # Analyses whose fields are of their own kind.
-OWN = {branches.TYPE: [branches], **{name: [basins] for name in basins.TYPES}}
+OWN = {**{name: [branches] for name in branches.TYPES},
+       **{name: [basins] for name in basins.TYPES}}
 
 
 def figures(results, analysis):

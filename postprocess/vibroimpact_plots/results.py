@@ -40,6 +40,11 @@ class Analysis:
         self.grid = [str(key) for key in group.attrs.get("grid", [])]
         self.parameters = parameters or {}
         self.chosen: dict[str, list[int]] = {}  # indices along an axis, of the axes with a choice
+        self.overlays: list[Analysis] = []  # drawn over the figures of this one
+
+    @property
+    def file(self) -> str:
+        return self._group.file.filename
 
     @property
     def axes(self) -> list[str]:

@@ -1,6 +1,7 @@
 // The list of analyses.
 #include "analyses/analysis.h"
 
+#include "analyses/balance_branch.h"
 #include "analyses/basin_shares.h"
 #include "analyses/basins.h"
 #include "analyses/frequency_response.h"
@@ -34,6 +35,7 @@ constexpr Entry entries[] = {
     {"frequency response", FrequencyResponse::declare, FrequencyResponse::create},
     {"response", Response::declare, Response::create, true},
     {"branch", OrbitBranch::declare, OrbitBranch::create, true},
+    {"harmonic balance", BalanceBranch::declare, BalanceBranch::create},
     {"periodic orbit", PeriodicOrbit::declare, PeriodicOrbit::create, true},
     {"basins", Basins::declare, Basins::create},
     {"basin shares", BasinShares::declare, BasinShares::create},

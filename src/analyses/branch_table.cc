@@ -2,16 +2,14 @@
 
 #include "analyses/fields.h"
 #include "analyses/orbit_fields.h"
-#include "analyses/stacked_points.h"
 #include "analyses/window_recording.h"
 #include "common/error.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace vibroimpact::analyses {
 
 using continuation::BranchPoint;
-using continuation::End;
 using continuation::Special;
 using continuation::SpecialPoint;
 using periodic::Orbit;
@@ -19,64 +17,32 @@ using periodic::Section;
 
 namespace {
 
-constexpr const char *kinds = "1 fold, 2 branch point, 3 period doubling, 4 loss of symmetry, 5 "
-                              "Neimark-Sacker, 6 graze, 7 grazing fold, 8 change of the contact "
-                              "changes";
-constexpr const char *reasons = "0 lower end of the key, 1 upper end of the key, 2 the branch "
-                                "closes on itself, 3 it falls onto motions of a smaller multiple, "
-                                "4 least step, 5 most points, 6 a graze it returns to again and "
-                                "again, 7 the motion grows beyond all measure";
-
-int number_of(End end) {
-  switch (end) {
-  case End::lower_bound:
-    return 0;
-  case End::upper_bound:
-    return 1;
-  case End::closed:
-    return 2;
-  case End::shorter_return:
-    return 3;
-  case End::least_step:
-    return 4;
-  case End::most_points:
-    return 5;
-  case End::graze:
-    return 6;
-  case End::far:
-    return 7;
-  }
-  return -1;
-}
-
 int number_of(Special kind, const Section &section) {
   switch (kind) {
   case Special::fold:
-    return 1;
+    return SpecialKind::fold;
   case Special::branch_point:
-    return 2;
+    return SpecialKind::branch_point;
   case Special::flip:
-    return section.with_symmetry() ? 4 : 3;
+    return section.with_symmetry() ? SpecialKind::loss_of_symmetry : SpecialKind::period_doubling;
   case Special::neimark_sacker:
-    return 5;
+    return SpecialKind::neimark_sacker;
   case Special::graze:
-    return 6;
+    return SpecialKind::graze;
   case Special::grazing_fold:
-    return 7;
+    return SpecialKind::grazing_fold;
   case Special::pattern_change:
-    return 8;
+    return SpecialKind::pattern_change;
   }
   return 0;
 }
 
 std::string per(const std::string &unit) { return unit == "1" ? unit : "1/(" + unit + ")"; }
 
-void add_special_values(PointResult &row, const SpecialPoint &special, const Section &section,
-                        const std::string &unit) {
+void add_special_values(PointResult &row, const SpecialPoint &special, const std::string &unit) {
   const auto add = [&row](const char *name, double value, const std::string &in, const char *text) {
     row.fields.push_back(scalar_field(name, value, in, text));
   };
-  add("kind", number_of(special.kind, section), "1", kinds);
   add("unstable_before", special.unstable_before, "1",
       "multipliers outside the unit circle on the side of smaller arclength");
   add("unstable_after", special.unstable_after, "1",
@@ -91,18 +57,12 @@ void add_special_values(PointResult &row, const SpecialPoint &special, const Sec
 
 BranchTable::BranchTable(const SweptParameter &parameter, KeyedMap &maps,
                          const std::vector<RecorderFactory> &recorders)
-    : parameter_(parameter), maps_(maps), recorders_(recorders),
-      key_(parameter.axis_name(), parameter.unit, parameter.axis().description),
-      arclength_("arclength", "1",
-                 "from the start of the branch, in unknowns made comparable; negative behind it"),
-      branch_("branch", "1",
-              "number of the branch: 0 is that of the start, the others begin at "
-              "special points") {}
+    : parameter_(parameter), maps_(maps), recorders_(recorders), rows_(parameter) {}
 
 void BranchTable::begin(long number, long halves, double sign) {
-  number_ = number;
   halves_ = halves;
   sign_ = sign;
+  rows_.begin(number, sign);
 }
 
 PointResult BranchTable::orbit_of(const BranchPoint &point) const {
@@ -132,71 +92,16 @@ void BranchTable::record(const Vector &state, double period, long periods, Point
   add_accuracy(row, trajectory.accuracy(), maps_.system().integration);
 }
 
-BranchTable::Row BranchTable::row_of(const BranchPoint &point) const {
-  Row row{.arclength = sign_ * point.arclength, .branch = number_};
-  row.values.fields = {scalar_field(branch_, static_cast<double>(number_)),
-                       scalar_field(arclength_, row.arclength),
-                       scalar_field(key_, point.point.keys[0])};
-  const PointResult orbit = orbit_of(point);
-  row.values.fields.insert(row.values.fields.end(), orbit.fields.begin(), orbit.fields.end());
-  return row;
-}
-
-void BranchTable::add(const BranchPoint &point) { points_.push_back(row_of(point)); }
+void BranchTable::add(const BranchPoint &point) { rows_.add_point(point, orbit_of(point)); }
 
 void BranchTable::add(const SpecialPoint &special) {
-  Row row = row_of(special.at);
   SpecialPoint ordered = special;
   if (sign_ < 0)
     std::swap(ordered.unstable_before, ordered.unstable_after);
-  add_special_values(row.values, ordered, {.phase = 0, .halves = halves_}, parameter_.unit);
-  special_.push_back(std::move(row));
-}
-
-void BranchTable::drop(long number) {
-  for (std::vector<Row> *rows : {&points_, &special_, &ends_})
-    std::erase_if(*rows, [number](const Row &row) { return row.branch == number; });
-}
-
-void BranchTable::end(const continuation::Branch &branch) {
-  if (branch.points.empty())
-    return;
-  const BranchPoint &last = branch.points.back();
-  Row row{.arclength = sign_ * last.arclength, .branch = number_};
-  row.values.fields = {scalar_field(branch_, static_cast<double>(number_)),
-                       scalar_field(key_, last.point.keys[0]),
-                       scalar_field("reason", number_of(branch.end), "1", reasons)};
-  ends_.push_back(std::move(row));
-}
-
-std::vector<PointResult> BranchTable::in_order(std::vector<Row> rows) {
-  std::stable_sort(rows.begin(), rows.end(), [](const Row &a, const Row &b) {
-    return std::pair(a.branch, a.arclength) < std::pair(b.branch, b.arclength);
-  });
-  std::vector<PointResult> values;
-  values.reserve(rows.size());
-  for (Row &row : rows)
-    values.push_back(std::move(row.values));
-  return values;
-}
-
-void BranchTable::add_fields(PointResult &result) const {
-  const auto add = [&result](const std::vector<PointResult> &rows, const char *dimension,
-                             const char *prefix) {
-    for (Field &field : stacked(rows, dimension, prefix))
-      result.fields.push_back(std::move(field));
-  };
-  add(in_order(points_), "branch_point", "");
-  const std::vector<PointResult> special = in_order(special_);
-  add(special, "special_point", "special/");
-  add(in_order(ends_), "branch_end", "end/");
-  result.summary.push_back(scalar_line("points", static_cast<double>(points_.size()), "1"));
-  for (std::size_t i = 0; i < special.size(); ++i)
-    for (const Field &field : special[i].fields)
-      if (field.name() == "kind" || field.label == key_ || field.name() == "orbit_residual")
-        result.summary.push_back(
-            scalar_line("special[" + std::to_string(i + 1) + "]." + field.name(), field.values[0],
-                        field.unit()));
+  PointResult values = orbit_of(special.at);
+  add_special_values(values, ordered, parameter_.unit);
+  rows_.add_special(special.at, number_of(special.kind, {.phase = 0, .halves = halves_}),
+                    std::move(values));
 }
 
 } // namespace vibroimpact::analyses

@@ -1,9 +1,9 @@
 // What is kept of the branches of an analysis: their points, special points and ends, as arrays.
 #pragma once
 
+#include "analyses/branch_rows.h"
 #include "analyses/keyed_map.h"
 #include "analyses/recorders.h"
-#include "continuation/branch.h"
 
 namespace vibroimpact::analyses {
 
@@ -19,32 +19,23 @@ public:
   void add(const continuation::BranchPoint &point);
   void add(const continuation::SpecialPoint &special);
   /// Forgets all of a branch.
-  void drop(long number);
+  void drop(long number) { rows_.drop(number); }
   /// The part ends.
-  void end(const continuation::Branch &branch);
+  void end(const continuation::Branch &branch) { rows_.end(branch); }
 
-  std::size_t size() const { return points_.size(); }
-  void add_fields(PointResult &result) const;
+  std::size_t size() const { return rows_.size(); }
+  void add_fields(PointResult &result) const { rows_.add_fields(result, "orbit_residual"); }
 
 private:
-  struct Row {
-    double arclength = 0;
-    long branch = 0;
-    PointResult values{};
-  };
   PointResult orbit_of(const continuation::BranchPoint &point) const;
   void record(const Vector &state, double period, long periods, PointResult &row) const;
-  Row row_of(const continuation::BranchPoint &point) const;
-  static std::vector<PointResult> in_order(std::vector<Row> rows);
 
   const SweptParameter &parameter_;
   KeyedMap &maps_;
   const std::vector<RecorderFactory> &recorders_;
-  Label key_, arclength_, branch_;
-  long number_ = 0;
+  BranchRows rows_;
   long halves_ = 2;
   double sign_ = 1;
-  std::vector<Row> points_, special_, ends_;
 };
 
 } // namespace vibroimpact::analyses

@@ -23,35 +23,6 @@ namespace {
 
 constexpr const char *section_name = "Branch";
 
-OrbitBranch::Directions read_direction(const parameters::Values &values) {
-  const std::string name = values.choice("Direction");
-  if (name == "both")
-    return OrbitBranch::Directions::both;
-  return name == "forward" ? OrbitBranch::Directions::forward : OrbitBranch::Directions::backward;
-}
-
-double start_of(const SweptParameter &parameter, const parameters::Values &values) {
-  if (parameter.is_frequency())
-    return 0;
-  const auto number = values.parameters().number_at(parameter.path);
-  if (!number)
-    values.reject("Parameter", "a key with one number as its value, at which the branch begins.");
-  return number->value;
-}
-
-continuation::Settings read_continuation(const parameters::Values &values,
-                                         const SweptParameter &parameter) {
-  continuation::Settings settings;
-  settings.first_key = {.lower = parameter.values.front(), .upper = parameter.values.back()};
-  settings.most_points = static_cast<int>(values.integer("Most points"));
-  settings.longest_step = values.quantity("Longest step");
-  settings.least_step = values.quantity("Least step");
-  settings.first_step = std::min(settings.first_step, settings.longest_step);
-  if (settings.least_step >= settings.first_step)
-    values.reject("Least step", "a step below Longest step and below 0.01.");
-  return settings;
-}
-
 /// A branch that is still to be followed.
 struct Task {
   std::shared_ptr<OrbitProblem> problem;
@@ -68,7 +39,6 @@ public:
       : settings_(settings), table_(table), context_(context) {}
 
   void start(const std::shared_ptr<OrbitProblem> &problem, const BranchPoint &first) {
-    using Directions = OrbitBranch::Directions;
     if (settings_.directions != Directions::backward)
       tasks_.push_back({.problem = problem, .start = {.point = first.point, .direction = {}}});
     if (settings_.directions != Directions::forward)
@@ -100,7 +70,7 @@ private:
 
   continuation::End follow(const Task &task) {
     table_.begin(task.number, task.problem->halves(), task.sign);
-    bool first = task.sign > 0 || settings_.directions == OrbitBranch::Directions::backward;
+    bool first = task.sign > 0 || settings_.directions == Directions::backward;
     const Branch branch = continuation::follow(
         *task.problem, task.start, settings_.continuation,
         {.point =
@@ -165,24 +135,11 @@ void OrbitBranch::declare(parameters::Section &analysis) {
       section_name,
       "Periodic motions, stable and unstable, along a key, from the one that the file "
       "describes: where they turn, double their period or lose their symmetry.");
-  declare_key_range(section);
-  section
-      .choice("Direction", "both", {"both", "forward", "backward"},
-              "Where the branch is followed from its start: with the key rising at first, falling, "
-              "or both.")
-      .integer("Most points", "1000", Range{.lower = 2, .upper = 1e6}, "",
-               "Points in each direction, after which it ends.")
-      .quantity(
-          "Longest step", "0.1", dimension::none, Range{.lower = 0, .upper = 1, .lower_open = true},
-          "",
-          "Longest distance between neighbouring points, the key counted in its range and the "
-          "state in the size of the motion; 0.03 to 0.05 for stiff contacts.")
-      .quantity("Least step", "1e-9", dimension::none,
-                Range{.lower = 0, .upper = 0.01, .lower_open = true}, "",
-                "Where shorter steps would be needed the branch ends.")
-      .integer("Switching levels", "0", Range{.lower = 0, .upper = 20}, "",
-               "Branches that begin at a period doubling or loss of symmetry are followed as well: "
-               "those of the first branch with 1, those of these too with 2...");
+  declare_branch_keys(section);
+  section.integer(
+      "Switching levels", "0", Range{.lower = 0, .upper = 20}, "",
+      "Branches that begin at a period doubling or loss of symmetry are followed as well: "
+      "those of the first branch with 1, those of these too with 2...");
   declare_orbit_start(section);
   section.text("Excitation", "",
                "Excitation whose period is that of the forcing, or whose frequency is the key; "
@@ -193,7 +150,7 @@ std::shared_ptr<const Analysis> OrbitBranch::create(const parameters::Values &an
   const parameters::Values values = analysis.subsection(section_name);
   const SweptParameter parameter = read_key_range(values);
   Settings settings{.parameter = parameter,
-                    .start_value = start_of(parameter, values),
+                    .start_value = read_start(parameter, values),
                     .start = read_orbit_start(values),
                     .directions = read_direction(values),
                     .continuation = read_continuation(values, parameter),
@@ -203,40 +160,21 @@ std::shared_ptr<const Analysis> OrbitBranch::create(const parameters::Values &an
   return std::make_shared<OrbitBranch>(std::move(settings));
 }
 
-double OrbitBranch::start_value(const System &system) const {
-  if (!settings_.parameter.is_frequency())
-    return settings_.start_value;
-  const std::size_t source = sweep_source(system, settings_.excitation, "A branch");
-  return 1 / system.model.sources()[source].function->period();
-}
-
 void OrbitBranch::check(const System &system) const {
+  check_start(settings_.parameter, settings_.start_value, system, settings_.excitation, "A branch");
   const std::size_t source = sweep_source(system, settings_.excitation, "A branch");
-  const SweptParameter &parameter = settings_.parameter;
-  const double value = start_value(system);
-  if (value < parameter.values.front() || value > parameter.values.back())
-    throw InputError("A branch begins at the value that the file gives to its key, " +
-                     std::to_string(value) + " " + parameter.unit +
-                     ", which must lie between its ends, " +
-                     std::to_string(parameter.values.front()) + " and " +
-                     std::to_string(parameter.values.back()) + " " + parameter.unit + ".");
-  if (parameter.is_frequency() && !system.model.sources()[source].function->with_frequency(1))
-    throw InputError("The excitation " + system.model.sources()[source].name +
-                     " has no frequency that a branch could change; its History must be harmonic.");
   OrbitSearch search(system, source, settings_.start);
   search.forced().trajectory().start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
 }
 
 std::vector<std::vector<parameters::Override>> OrbitBranch::variants() const {
-  if (settings_.parameter.is_frequency())
-    return {};
-  return {{settings_.parameter.at(settings_.parameter.values.front())},
-          {settings_.parameter.at(settings_.parameter.values.back())}};
+  return end_variants(settings_.parameter);
 }
 
 PointResult OrbitBranch::compute(System &system, LineContext &context) const {
-  const double value = start_value(system);
+  const double value = start_value(settings_.parameter, settings_.start_value, system,
+                                   settings_.excitation, "A branch");
   OrbitSearch search(system, sweep_source(system, settings_.excitation, "A branch"),
                      settings_.start);
   const periodic::Orbit orbit = search.run([&](long /*periods*/) { context.note_progress(0); });

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "analyses/analysis.h"
+#include "analyses/branch_keys.h"
 #include "analyses/orbit_start.h"
 #include "analyses/recorders.h"
 #include "analyses/swept_parameter.h"
@@ -16,8 +17,6 @@ namespace vibroimpact::analyses {
 
 class OrbitBranch : public Analysis {
 public:
-  enum class Directions { both, forward, backward };
-
   struct Settings {
     SweptParameter parameter; ///< with the two ends as values
     double start_value = 0;   ///< of the key, unless it is a frequency [its unit]
@@ -40,7 +39,6 @@ public:
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:
-  double start_value(const System &system) const;
   PointResult compute(System &system, LineContext &context) const;
 
   Settings settings_;

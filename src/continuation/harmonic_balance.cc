@@ -1,52 +1,103 @@
 #include "continuation/harmonic_balance.h"
 
+#include "continuation/harmonic_series.h"
+
+#include <Eigen/LU>
+
 #include <algorithm>
-#include <stdexcept>
 
 namespace vibroimpact::continuation {
 
 namespace {
 
-// 1, cos phi, sin phi, cos 2 phi...
-RowVector basis(double phase, Index harmonics) {
-  RowVector values(2 * harmonics + 1);
-  values(0) = 1;
-  for (Index h = 1; h <= harmonics; ++h) {
-    values(2 * h - 1) = std::cos(static_cast<double>(h) * phase);
-    values(2 * h) = std::sin(static_cast<double>(h) * phase);
-  }
-  return values;
+using ComplexMatrix = Eigen::MatrixXcd;
+
+// a cos + b sin = Re[(a - i b) exp(i h phi)]
+ComplexMatrix harmonic(const Matrix &series, Index h) {
+  ComplexMatrix column(series.rows(), 1);
+  column.real() = series.col(h == 0 ? 0 : 2 * h - 1);
+  if (h == 0)
+    column.imag().setZero();
+  else
+    column.imag() = -series.col(2 * h);
+  return column;
 }
 
-// kron(series^T, matrix): d(matrix X series)/dX for X by columns.
-void add_product(Matrix &total, const Matrix &series, const Matrix &matrix, double factor) {
-  const Index n = matrix.rows();
-  for (Index column = 0; column < series.cols(); ++column)
-    for (Index row = 0; row < series.rows(); ++row)
-      if (series(row, column) != 0)
-        total.block(column * n, row * n, n, n) += factor * series(row, column) * matrix;
+void set_harmonic(Matrix &series, Index h, const ComplexMatrix &column) {
+  series.col(h == 0 ? 0 : 2 * h - 1) = column.real();
+  if (h > 0)
+    series.col(2 * h) = -column.imag();
+}
+
+using Factors = Eigen::PartialPivLU<ComplexMatrix>;
+
+Factors dynamic_stiffness(const HarmonicEquations &at, Index h) {
+  const double omega = static_cast<double>(h) * at.frequency;
+  ComplexMatrix stiffness(at.mass.rows(), at.mass.rows());
+  stiffness.real() = at.stiffness - omega * omega * at.mass;
+  stiffness.imag() = omega * at.damping;
+  return Factors(stiffness);
+}
+
+// Z^-1 of all harmonics of a load.
+Matrix response(const HarmonicEquations &at, const Matrix &load) {
+  Matrix coordinates(load.rows(), load.cols());
+  for (Index h = 0; h <= harmonics_of(load.cols()); ++h)
+    set_harmonic(coordinates, h, dynamic_stiffness(at, h).solve(harmonic(load, h)));
+  if (!coordinates.allFinite())
+    throw NumericalError("the linear part has an undamped resonance here");
+  return coordinates;
+}
+
+Matrix forces_of(const std::vector<ForceSeries> &forces, Index coefficients) {
+  Matrix all(static_cast<Index>(forces.size()), coefficients);
+  for (std::size_t e = 0; e < forces.size(); ++e)
+    all.row(static_cast<Index>(e)) = forces[e].force;
+  return all;
+}
+
+// Compliance G = r_e Z_h^-1 r_f^T of each harmonic, m x m.
+std::vector<ComplexMatrix> compliances(const HarmonicEquations &at, Index harmonics) {
+  std::vector<ComplexMatrix> list;
+  for (Index h = 0; h <= harmonics; ++h)
+    list.emplace_back(at.rows * dynamic_stiffness(at, h).solve(ComplexMatrix(at.rows.transpose())));
+  return list;
+}
+
+// G as it acts on coefficients: x_a - i x_b = G (f_a - i f_b), harmonic by harmonic.
+Matrix yielding(const std::vector<ComplexMatrix> &compliance, Index e, Index f,
+                const Matrix &forces) {
+  Matrix result(forces.rows(), forces.cols());
+  result.row(0) = compliance[0](e, f).real() * forces.row(0);
+  for (std::size_t k = 1; k < compliance.size(); ++k) {
+    const Index a = 2 * static_cast<Index>(k) - 1, b = a + 1;
+    const std::complex<double> g = compliance[k](e, f);
+    result.row(a) = g.real() * forces.row(a) + g.imag() * forces.row(b);
+    result.row(b) = g.real() * forces.row(b) - g.imag() * forces.row(a);
+  }
+  return result;
+}
+
+// dF/dx = 1 + G df/dy
+Matrix derivative(const HarmonicEquations &at, const std::vector<ForceSeries> &forces,
+                  Index coefficients) {
+  const auto m = static_cast<Index>(forces.size());
+  const std::vector<ComplexMatrix> compliance = compliances(at, harmonics_of(coefficients));
+  Matrix result = Matrix::Identity(m * coefficients, m * coefficients);
+  for (Index f = 0; f < m; ++f) {
+    const Matrix &slope = forces[static_cast<std::size_t>(f)].by_displacement;
+    for (Index e = 0; e < m; ++e)
+      result(Eigen::seqN(e, coefficients, m), Eigen::seqN(f, coefficients, m)) +=
+          yielding(compliance, e, f, slope);
+  }
+  return result;
 }
 
 } // namespace
 
-HarmonicBalance::HarmonicBalance(HarmonicSystem &system, Index harmonics, Index samples,
-                                 Vector size, double key_size)
-    : system_{system}, harmonics_{harmonics}, size_{std::move(size)}, key_size_{key_size},
-      synthesis_(samples, coefficients()), rate_{Matrix::Zero(coefficients(), coefficients())} {
-  if (samples < coefficients())
-    throw std::logic_error("harmonic balance needs a sample for each coefficient");
-  for (Index i = 0; i < samples; ++i)
-    synthesis_.row(i) =
-        basis(2 * M_PI * static_cast<double>(i) / static_cast<double>(samples), harmonics);
-  // Columns of the synthesis are orthogonal over equal samples; their squares sum to half the
-  // number.
-  projection_ = synthesis_.transpose() * (2.0 / static_cast<double>(samples));
-  projection_.row(0) /= 2;
-  for (Index h = 1; h <= harmonics; ++h) {
-    rate_(2 * h - 1, 2 * h) = -static_cast<double>(h);
-    rate_(2 * h, 2 * h - 1) = static_cast<double>(h);
-  }
-}
+HarmonicBalance::HarmonicBalance(HarmonicSystem &system, Index harmonics, Vector size,
+                                 double key_size)
+    : system_{system}, harmonics_{harmonics}, size_{std::move(size)}, key_size_{key_size} {}
 
 Vector HarmonicBalance::scales() const {
   Vector scales(size_.size() * coefficients() + 1);
@@ -54,67 +105,82 @@ Vector HarmonicBalance::scales() const {
   return scales;
 }
 
+Matrix HarmonicBalance::series(const Vector &state) const {
+  return Eigen::Map<const Matrix>(state.data(), size_.size(), coefficients());
+}
+
 Evaluation HarmonicBalance::evaluate(const Point &point) {
-  const double key = point.keys(0), step = 1e-6 * key_size_;
+  const double key = point.keys(0);
   Evaluation result;
   result.residual = residual(point.state, key, &result.by_state);
-  result.by_keys =
-      (residual(point.state, key + step, nullptr) - residual(point.state, key - step, nullptr)) /
-      (2 * step);
+  result.by_keys = key_derivative(point.state, key, result.residual);
   return result;
 }
 
-// For each coefficient an equation, in the unit of force.
+// Where there is no system on one side of the key, such as at a clearance below zero, by three
+// values on the other.
+Vector HarmonicBalance::key_derivative(const Vector &state, double key, const Vector &here) {
+  const double step = 1e-6 * key_size_;
+  const auto at = [&](double place) { return residual(state, key + place * step, nullptr); };
+  const auto one_sided = [&](double side) {
+    return Vector(side * (4 * at(side) - 3 * here - at(2 * side)) / (2 * step));
+  };
+  Vector behind;
+  try {
+    behind = at(-1);
+  } catch (const NumericalError &) {
+    return one_sided(1);
+  }
+  try {
+    return (at(1) - behind) / (2 * step);
+  } catch (const NumericalError &) {
+    return one_sided(-1);
+  }
+}
+
+// Of each coefficient the displacement less that which the forces leave, in its own unit.
 Vector HarmonicBalance::residual(const Vector &state, double key, Matrix *by_state) {
+  const HarmonicMotion motion = this->motion(state, key, by_state != nullptr);
   const HarmonicEquations equations = system_.equations(key);
-  const double omega = equations.frequency;
-  const Index n = size_.size();
-  const Matrix series = Eigen::Map<const Matrix>(state.data(), n, coefficients());
-  const Matrix twice = rate_ * rate_;
-  Matrix rest = omega * omega * equations.mass * series * twice +
-                omega * equations.damping * series * rate_ + equations.stiffness * series;
-  const Index shared = std::min(equations.load.cols(), coefficients());
-  rest.leftCols(shared) -= equations.load.leftCols(shared);
-  if (by_state) {
-    by_state->setZero(state.size(), state.size());
-    add_product(*by_state, twice, equations.mass, omega * omega);
-    add_product(*by_state, rate_, equations.damping, omega);
-    add_product(*by_state, Matrix::Identity(coefficients(), coefficients()), equations.stiffness,
-                1);
-  }
-  add_forces(series, omega, key, rest, by_state);
-  return rest.reshaped();
+  if (by_state)
+    *by_state = derivative(equations, motion.forces, coefficients());
+  return (motion.elements - equations.rows * motion.coordinates - equations.offset).reshaped();
 }
 
-void HarmonicBalance::add_forces(const Matrix &series, double frequency, double key,
-                                 Matrix &residual, Matrix *by_state) {
-  const double samples = static_cast<double>(synthesis_.rows());
-  const Matrix rates = frequency * rate_;
-  for (Index i = 0; i < synthesis_.rows(); ++i) {
-    const RowVector now = synthesis_.row(i);
-    const ForceSample sample =
-        system_.force(series * now.transpose(), series * rates * now.transpose(),
-                      2 * M_PI * static_cast<double>(i) / samples, key);
-    const Vector weights = projection_.col(i);
-    residual += sample.force * weights.transpose();
-    if (!by_state)
-      continue;
-    // X enters the sample as X now^T and X rates now^T.
-    add_product(*by_state, now.transpose() * weights.transpose(), sample.by_displacement, 1);
-    add_product(*by_state, rates * now.transpose() * weights.transpose(), sample.by_velocity, 1);
-  }
+Vector HarmonicBalance::linear_response(double key) {
+  const HarmonicEquations at = system_.equations(key);
+  return (at.rows * response(at, at.load) + at.offset).reshaped();
 }
 
-Vector HarmonicBalance::displacement(const Vector &state, double phase) const {
-  return Eigen::Map<const Matrix>(state.data(), size_.size(), coefficients()) *
-         basis(phase, harmonics_).transpose();
+Vector HarmonicBalance::state_of(const Matrix &coordinates, double key) {
+  const HarmonicEquations at = system_.equations(key);
+  return (at.rows * coordinates + at.offset).reshaped();
 }
 
-Vector HarmonicBalance::amplitudes(const Vector &state, Index harmonic) const {
-  const Eigen::Map<const Matrix> series(state.data(), size_.size(), coefficients());
-  if (harmonic == 0)
-    return series.col(0).cwiseAbs();
-  return series.middleCols(2 * harmonic - 1, 2).rowwise().norm();
+HarmonicMotion HarmonicBalance::motion(const Vector &state, double key, bool slopes) {
+  const HarmonicEquations at = system_.equations(key);
+  HarmonicMotion motion{
+      .frequency = at.frequency, .elements = series(state), .coordinates = {}, .forces = {}};
+  for (Index e = 0; e < motion.elements.rows(); ++e)
+    motion.forces.push_back(system_.force(e, motion.elements.row(e), slopes));
+  const Matrix forces = forces_of(motion.forces, coefficients());
+  motion.coordinates = response(at, at.load - at.rows.transpose() * forces);
+  return motion;
+}
+
+LeftOut HarmonicBalance::left_out(const HarmonicMotion &motion, double key) {
+  const HarmonicEquations at = system_.equations(key);
+  const Index most = 3 * harmonics_;
+  const Matrix elements = with_harmonics(motion.elements, most);
+  Matrix forces(elements.rows(), elements.cols());
+  for (Index e = 0; e < elements.rows(); ++e)
+    forces.row(e) = system_.force(e, elements.row(e), false).force;
+  // Parseval: the mean square is a_0^2 + sum (a^2 + b^2) / 2.
+  const double above = forces.rightCols(forces.cols() - coefficients()).squaredNorm() / 2;
+  const double all = forces.col(0).squaredNorm() + forces.rightCols(2 * most).squaredNorm() / 2;
+  forces.leftCols(coefficients()).setZero();
+  return {.force = all > 0 ? std::sqrt(above / all) : 0,
+          .coordinates = response(at, -at.rows.transpose() * forces)};
 }
 
 } // namespace vibroimpact::continuation

@@ -169,5 +169,64 @@ TEST(BrokenInputPeriodicTest, BranchSteps) {
                         {"Direction", "up"});
 }
 
+const std::string balance = R"(subsection Harmonic balance
+    set First frequency = 1 Hz
+    set Last frequency = 9 Hz
+    set Harmonics = 3
+  end
+)";
+
+std::string balance_file() {
+  return changed(
+      changed(sound, "set Type = periodic orbit", "set Type = harmonic balance\n  " + balance),
+      "  subsection Periodic orbit\n    set State = 0.001, 0.02\n  end\n", "");
+}
+
+void expect_balance_message(const std::string &from, const std::string &to,
+                            const std::vector<std::string> &parts) {
+  const std::string message = message_of(changed(balance_file(), from, to));
+  EXPECT_FALSE(message.empty());
+  for (const std::string &part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in:\n" << message;
+}
+
+TEST(BrokenInputPeriodicTest, HarmonicBalance) {
+  EXPECT_EQ(message_of(balance_file()), "");
+  const std::string here = "set Harmonics = 3";
+  expect_balance_message(here, "set Harmonics = 0", {"Harmonics = 0"});
+  expect_balance_message(here, "set Harmonics = 1.5", {"Harmonics", "1.5"});
+  expect_balance_message(here, here + "\n    set Samples per period = 13",
+                         {"Samples per period = 13", "at least 14 for 3 Harmonics"});
+  expect_balance_message(here, here + "\n    set Samples per period = -1", {"Samples per period"});
+  expect_balance_message(here, here + "\n    set Guess = 0, 0.001",
+                         {"test.prm", "Guess", "odd number of coefficients, 7 at most"});
+  expect_balance_message(here, here + "\n    set Guess = 0, 0, 0, 0, 0, 0, 0, 0, 0", {"Guess"});
+  EXPECT_EQ(message_of(changed(balance_file(), here, here + "\n    set Guess = 0, 1e-3, 0")), "");
+  expect_balance_message(here, here + "\n    set Direction = up", {"Direction", "up"});
+  expect_balance_message(here, here + "\n    set Least step = 0.02", {"Least step"});
+  expect_balance_message("Last frequency = 9 Hz", "Last frequency = 2 Hz",
+                         {"A harmonic balance begins", "must lie between its ends"});
+  expect_balance_message("subsection Harmonic balance",
+                         "set Record = impacts\n  subsection Harmonic balance",
+                         {"Record", "no recorders"});
+}
+
+TEST(BrokenInputPeriodicTest, HarmonicBalanceOfWhatItCannotExpress) {
+  expect_balance_message("set Law = linear penalty\n  subsection Linear penalty\n"
+                         "    set Stiffness = 100 kN/m\n  end",
+                         "set Law = newton restitution\n  subsection Newton restitution\n"
+                         "    set Restitution coefficient = 0.8\n  end",
+                         {"the contact stop is rigid", "Law = newton restitution"});
+  expect_balance_message("    set Stiffness = 1 kN/m\n", "", {"no spring or support holds them"});
+  expect_balance_message("set Type = harmonic balance",
+                         "set Type = harmonic balance\n"
+                         "  set Active contacts = none",
+                         {"no contact and no cubic spring", "frequency response"});
+  const std::string second = "subsection Excitation hum\n  set Type = force\n"
+                             "  set At = block.head\n  set Amplitude = 1 N\n"
+                             "  set Frequency = 12 Hz\nend\nsubsection Analysis orbit";
+  expect_balance_message("subsection Analysis orbit", second, {"the key Excitation"});
+}
+
 } // namespace
 } // namespace vibroimpact

@@ -1,0 +1,35 @@
+// What is kept of the motions of a harmonic balance along a key, as arrays.
+#pragma once
+
+#include "analyses/branch_rows.h"
+#include "analyses/keyed_balance.h"
+
+namespace vibroimpact::analyses {
+
+class BalanceTable {
+public:
+  /// Keeps references.
+  BalanceTable(const SweptParameter &parameter, KeyedBalance &system,
+               continuation::HarmonicBalance &problem);
+
+  /// `sign`: -1 where the arclength falls.
+  void begin(double sign) { rows_.begin(0, sign); }
+  void add(const continuation::BranchPoint &point) { rows_.add_point(point, values_of(point)); }
+  void add(const continuation::SpecialPoint &special);
+  void end(const continuation::Branch &branch) { rows_.end(branch); }
+
+  std::size_t size() const { return rows_.size(); }
+  void add_fields(PointResult &result) const { rows_.add_fields(result, "balance_residual"); }
+
+private:
+  PointResult values_of(const continuation::BranchPoint &point) const;
+  void add_points(const continuation::HarmonicMotion &motion, const continuation::LeftOut &left,
+                  PointResult &row) const;
+  void add_contacts(const continuation::HarmonicMotion &motion, PointResult &row) const;
+
+  KeyedBalance &system_;
+  continuation::HarmonicBalance &problem_;
+  BranchRows rows_;
+};
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,52 @@
+// What is known of a branch point by point, until all is there and becomes arrays: those of the
+// points run along `branch_point`, of special points along `special_point`, of the ends along
+// `branch_end`.
+#pragma once
+
+#include "analyses/swept_parameter.h"
+#include "common/result_sink.h"
+#include "continuation/branch.h"
+
+namespace vibroimpact::analyses {
+
+/// Numbers of the field `special/kind`.
+struct SpecialKind {
+  static constexpr int fold = 1, branch_point = 2, period_doubling = 3, loss_of_symmetry = 4,
+                       neimark_sacker = 5, graze = 6, grazing_fold = 7, pattern_change = 8;
+};
+
+class BranchRows {
+public:
+  /// Keeps a reference.
+  explicit BranchRows(const SweptParameter &parameter);
+
+  /// What follows is part of branch `number`; `sign`: -1 where the arclength falls.
+  void begin(long number, double sign);
+  /// All with the fields branch, arclength and key before those given.
+  void add_point(const continuation::BranchPoint &point, PointResult values);
+  void add_special(const continuation::BranchPoint &point, int kind, PointResult values);
+  void end(const continuation::Branch &branch);
+  /// Forgets all of a branch.
+  void drop(long number);
+
+  std::size_t size() const { return points_.size(); }
+  /// Arrays of everything; in the summary the number of points, and kind, key and field `residual`
+  /// of each special point.
+  void add_fields(PointResult &result, const std::string &residual) const;
+
+private:
+  struct Row {
+    double arclength = 0;
+    long branch = 0;
+    PointResult values{};
+  };
+  Row row(const continuation::BranchPoint &point, PointResult values) const;
+  static std::vector<PointResult> in_order(std::vector<Row> rows);
+
+  Label key_, arclength_, branch_;
+  long number_ = 0;
+  double sign_ = 1;
+  std::vector<Row> points_, special_, ends_;
+};
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,46 @@
+// The harmonic balance of a system at any value of a key, for continuation.
+#pragma once
+
+#include "analyses/analysis.h"
+#include "analyses/swept_parameter.h"
+#include "periodic/harmonic_model.h"
+
+#include <memory>
+#include <optional>
+
+namespace vibroimpact::analyses {
+
+class KeyedBalance : public continuation::HarmonicSystem {
+public:
+  /// Keeps references. A frequency is set in `system` itself; for another key the systems are built
+  /// by `context`. `intervals` of a period for `harmonics`.
+  KeyedBalance(const SweptParameter &parameter, const std::string &excitation, System &system,
+               const LineContext &context, Index harmonics, Index intervals);
+
+  continuation::HarmonicEquations equations(double key) override;
+  continuation::ForceSeries force(Index element, const RowVector &displacement,
+                                  bool slopes) override {
+    return balance_->force(element, displacement, slopes);
+  }
+
+  /// Of the last equations().
+  const System &system() const { return *present_; }
+  const periodic::HarmonicModel &balance() const { return *balance_; }
+
+private:
+  void move_to(double key);
+
+  const SweptParameter &parameter_;
+  std::string excitation_;
+  System &original_;
+  const LineContext &context_;
+  Index harmonics_;
+  periodic::HarmonicGrids grids_;
+  std::unique_ptr<System> built_;
+  const System *present_;
+  std::optional<periodic::HarmonicModel> balance_;
+  continuation::HarmonicEquations equations_;
+  std::optional<double> key_; ///< of these
+};
+
+} // namespace vibroimpact::analyses
