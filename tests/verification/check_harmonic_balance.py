@@ -75,12 +75,12 @@ def exact(table, name, found, wanted, digits):
 def beam(table):
     """At one frequency, where the force of the stop has a kink: what is left out of the displacement
     falls like H^-3, and the error of the largest one stays below it."""
-    orbit = table.run("beam-on-stop.prm", "beam-orbit", "Analyses=orbit")["analysis/orbit"]
+    orbit = table.run("beam-harmonics.prm", "beam-orbit", "Analyses=orbit")["analysis/orbit"]
     wanted, estimates = orbit[PEAK][()], []
     table.add("beam: the orbit touches the stop", 1, float(orbit["contact/stop/gap/minimum"][()] < 0),
               0, absolute=True)
     balances = table.run(
-        "beam-on-stop.prm", "beam-balances", "Analyses=balances",
+        "beam-harmonics.prm", "beam-balances", "Analyses=balances",
         "Analysis/balance/Harmonic balance/First frequency=2.799 Hz",
         "Analysis/balance/Harmonic balance/Last frequency=2.801 Hz",
         "Analysis/balance/Harmonic balance/Most points=2",
