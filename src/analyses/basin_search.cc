@@ -50,8 +50,11 @@ BasinSearch::BasinSearch(System system, const BasinSettings &settings)
 
 Vector BasinSearch::scaled_start(const model::InitialState &start) {
   motion::Trajectory &trajectory = forced_.trajectory();
+  present_.resize(0); // in case none can start
   trajectory.start(0, start.displacement, start.velocity);
-  return seen_state();
+  periods_ = 0;
+  present_ = seen_state();
+  return present_;
 }
 
 // Of the trajectory, scaled, without what later motions do not see.
@@ -61,17 +64,25 @@ Vector BasinSearch::seen_state() {
   return state;
 }
 
+// A motion that stands there already goes on, which costs less than a start.
 Vector BasinSearch::image(const Vector &scaled) {
   motion::Trajectory &trajectory = forced_.trajectory();
-  trajectory.start({.time = 0, .physical = scaled.cwiseQuotient(map_.scale())});
-  trajectory.advance(forced_.period());
-  return seen_state();
+  if (present_.size() == 0 || scaled != present_) {
+    trajectory.start({.time = 0, .physical = scaled.cwiseQuotient(map_.scale())});
+    periods_ = 0;
+  }
+  present_.resize(0); // in case it fails on the way
+  ++periods_;
+  trajectory.advance(static_cast<double>(periods_) * forced_.period());
+  present_ = seen_state();
+  return present_;
 }
 
 // Shooting finds the motion with a section away from its contact changes; from there it goes to
 // phase 0, where starts are given.
 std::optional<FoundMotion> BasinSearch::find(const Vector &scaled, long multiple) {
   const Vector &scale = map_.scale();
+  present_.resize(0); // the trajectory goes elsewhere
   try {
     const periodic::Orbit orbit = find_orbit(map_, multiple, scaled.cwiseQuotient(scale));
     if (!periodic::is_stable(orbit.multipliers(map_)))

@@ -60,6 +60,8 @@ private:
   periodic::StroboscopicMap map_;
   periodic::AttractorSettings settings_;
   Vector lowest_, highest_; ///< scaled states of the starts
+  Vector present_;          ///< scaled state at which the trajectory stands; empty: not known
+  long periods_ = 0;        ///< since the start of its motion, until there
   std::optional<periodic::Attractors> attractors_;
   std::optional<periodic::InterpolatedMap> interpolated_;
 };

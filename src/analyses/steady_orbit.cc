@@ -13,7 +13,7 @@ namespace vibroimpact::analyses {
 namespace {
 
 // All over the size of the motion.
-constexpr double first_step = 1;
+constexpr double first_step = 0.1;
 constexpr double exact = 1e-11;     // what is left of the way
 constexpr double rounding = 1e-7;   // steps below may be the error of the motion itself
 constexpr double same_state = 1e-7; // of two periods of one motion

@@ -4,8 +4,9 @@
 //   (I - J) d = P^k(x) - x,   x <- x + d,   J the derivative of P^k
 //
 // J is that of the first state as long as the steps with it shrink tenfold, since a period without
-// derivative costs a fraction of one with it, and is made anew where they do not. Steps that do not
-// shrink to 0.3 of those before them (Deuflhard's natural test) lead elsewhere: nothing is found.
+// derivative costs a fraction of one with it, and is made anew where they do not. A first step of
+// more than a tenth of the motion, and steps that do not shrink to 0.3 of those before them
+// (Deuflhard's natural test), may lead elsewhere: nothing is found then.
 #pragma once
 
 #include "motion/variation/linearised_motion.h"

@@ -45,6 +45,7 @@ struct Oscillator {
   void stop(double clearance, std::shared_ptr<const contact::ContactLaw> law, bool both = false) {
     std::vector<contact::ContactPair> pairs = {
         testing::contact_along_x(system.model, "block.head", "", clearance, law)};
+    pairs[0].accept_initial_penetration = true;
     if (both) {
       pairs.push_back(pairs[0]);
       pairs[1].gap.row *= -1;
@@ -81,16 +82,16 @@ TEST(SettlingByNewtonTest, AContactThatRemembersDoesNotHoldALinearMotionUp) {
                      {.stiffness = 1e6, .exponent = 1.5}, 0.4, 1e-6));
   const SettledMotion motion = linear.settled(rule(true));
   EXPECT_TRUE(motion.steady());
-  EXPECT_LE(motion.cycles, 6);
+  EXPECT_LT(4 * motion.cycles, linear.settled(rule(false)).cycles);
 }
 
-// x = Im(X exp(i omega t)) in closed form; a linear map needs one step and its check.
-TEST(SettlingByNewtonTest, ALinearMotionIsThereAtOnce) {
+// x = Im(X exp(i omega t)) in closed form.
+TEST(SettlingByNewtonTest, ALinearMotionIsThereBeforeItsTransientHasDecayed) {
   const Oscillator linear(400, 0.06, 2, 15);
   const SettledMotion motion = linear.settled(rule(true));
   const std::complex<double> amplitude = 2.0 / std::complex<double>(400 - 15 * 15, 15 * 0.06);
   EXPECT_EQ(motion.multiple, 1);
-  EXPECT_LE(motion.cycles, 6);
+  EXPECT_LT(4 * motion.cycles, linear.settled(rule(false)).cycles);
   EXPECT_NEAR(motion.state.physical[0], amplitude.imag(), 1e-10 * std::abs(amplitude));
   EXPECT_NEAR(motion.state.physical[1], 15 * amplitude.real(), 15e-10 * std::abs(amplitude));
 }
@@ -135,6 +136,24 @@ TEST(SettlingByNewtonTest, AnUnstableMotionIsLeft) {
     oscillator.system.initial.velocity[0] = -1.68129;
     expect_same(oscillator.settled(rule(true)), oscillator.settled(rule(false)), 1e-9);
   }
+}
+
+// Of two stable motions the one to which the start leads, not the one that Newton's method finds
+// from it.
+TEST(SettlingByNewtonTest, FromEveryStartItLeadsWhereWaitingDoes) {
+  Oscillator oscillator = isolator(1.3);
+  int small = 0;
+  constexpr int starts = 30;
+  for (int i = 0; i < starts; ++i)
+    for (int j = 0; j < starts; ++j) {
+      oscillator.system.initial.displacement[0] = -2.9 + 5.8 * i / (starts - 1);
+      oscillator.system.initial.velocity[0] = -2.9 + 5.8 * j / (starts - 1);
+      const SettledMotion newton = oscillator.settled(rule(true));
+      const SettledMotion waited = oscillator.settled(rule(false, 1e-6));
+      ASSERT_NEAR(newton.state.physical[0], waited.state.physical[0], 1e-4) << i << " " << j;
+      small += std::abs(newton.state.physical[0]) < 1 ? 1 : 0;
+    }
+  EXPECT_NEAR(small, 0.0879 * starts * starts, 12); // the share of the plane
 }
 
 // At resonance the free motion only grows, towards an amplitude that the stop does not allow.
