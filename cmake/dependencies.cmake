@@ -7,6 +7,7 @@ find_package(deal.II 9.4 REQUIRED)
 pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
 pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET SLEPc)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
+pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 find_package(ZLIB REQUIRED)
 
 # deal.II's own macro fixes build types and flags for a whole target; its library and headers are

@@ -8,7 +8,7 @@ set -euo pipefail
 
 packages=(
   build-essential cmake ninja-build pkg-config
-  libdeal.ii-dev petsc-dev slepc-dev libmumps-dev libfftw3-dev
+  libdeal.ii-dev petsc-dev slepc-dev libmumps-dev libfftw3-dev libnlopt-dev
   zlib1g-dev
   libhdf5-openmpi-dev libopenmpi-dev openmpi-bin
   libeigen3-dev libboost-dev libboost-serialization-dev libboost-program-options-dev

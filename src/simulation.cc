@@ -224,21 +224,6 @@ std::vector<std::shared_ptr<const ReducedBody>> Simulation::bodies(const Values 
   return list;
 }
 
-analyses::Case Simulation::build_case(const Job &job,
-                                      const std::vector<Override> &overrides) const {
-  const auto parameters = overrides.empty() ? parameters_ : parameters_->with(overrides);
-  const Values root = parameters->root();
-  const Values analysis = root.instance("Analysis", job.repeated);
-  return {.analysis = analyses::create_analysis(analysis),
-          .system = analyses::build_system(root, analysis, bodies(root)),
-          .source = [this, parameters, name = job.repeated](const std::vector<Override> &more) {
-            const auto changed = parameters->with(more);
-            const Values changed_root = changed->root();
-            return analyses::build_system(changed_root, changed_root.instance("Analysis", name),
-                                          bodies(changed_root));
-          }};
-}
-
 derived::DerivedQuantities Simulation::derived_quantities(const std::vector<Job> &jobs) const {
   const Values root = parameters_->root();
   derived::check_analyses(root);

@@ -4,6 +4,7 @@
 #include "analyses/runner.h"
 #include "contact/truncation.h"
 #include "derived/derived_quantities.h"
+#include "derived/repeated_analysis.h"
 #include "output/run_folder.h"
 #include "parameters/values.h"
 #include "reduction/reduce_body.h"
@@ -63,6 +64,10 @@ private:
   bodies(const parameters::Values &root) const;
   analyses::Case build_case(const Job &job,
                             const std::vector<parameters::Override> &overrides) const;
+  analyses::Case build_case(const std::shared_ptr<const parameters::ParameterSet> &parameters,
+                            const std::string &name) const;
+  derived::Repetition repetition(const std::shared_ptr<const parameters::ParameterSet> &parameters,
+                                 const std::string &name) const;
   std::optional<reduction::ReducedBody> kept_body(const std::string &fingerprint) const;
   void keep_bodies(output::RunFolder &folder) const;
   derived::DerivedQuantities derived_quantities(const std::vector<Job> &jobs) const;

@@ -78,16 +78,14 @@ void Simulation::check_length(const Job &job, const analyses::Case &work) const 
 // A grid and the sweep that it repeats must not change the same key.
 void Simulation::check_swept_key(const Job &job) const {
   const Values root = parameters_->with(analyses::grid_overrides(job.keys, 0))->root();
-  const auto variants =
-      analyses::create_analysis(root.instance("Analysis", job.repeated))->variants();
-  if (variants.empty())
-    return;
-  const std::string swept = parameters_->key_path(variants.front().front().path);
-  for (const GridKey &key : job.keys) {
-    refuse_swept(job, key, swept);
-    for (const GridKey &follower : key.followers)
-      refuse_swept(job, follower, swept);
-  }
+  const auto analysis = analyses::create_analysis(root.instance("Analysis", job.repeated));
+  for (const std::string &path : analysis->changed_keys())
+    for (const GridKey &key : job.keys) {
+      const std::string swept = parameters_->key_path(path);
+      refuse_swept(job, key, swept);
+      for (const GridKey &follower : key.followers)
+        refuse_swept(job, follower, swept);
+    }
 }
 
 void Simulation::refuse_swept(const Job &job, const GridKey &key, const std::string &swept) const {
@@ -97,7 +95,7 @@ void Simulation::refuse_swept(const Job &job, const GridKey &key, const std::str
         .subsection("Parameter grid")
         .instance("Key", key.name)
         .reject("Path", "Path must not name the key that the analysis '" + job.repeated +
-                            "' sweeps itself.");
+                            "' changes itself.");
 }
 
 } // namespace vibroimpact

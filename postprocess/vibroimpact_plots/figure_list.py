@@ -17,6 +17,7 @@ from . import (
     portraits,
     relative_motion,
     response_curves,
+    searches,
     spectra,
     time_frequency,
     transient,
@@ -26,6 +27,7 @@ KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cy
          relative_motion, spectra, time_frequency, maps, derived_curves]
 # Analyses whose fields are of their own kind.
 OWN = {**{name: [branches] for name in branches.TYPES},
+       searches.TYPE: [searches, derived_curves],
        **{name: [basins] for name in basins.TYPES}}
 
 

@@ -16,6 +16,8 @@
 
 namespace vibroimpact::analyses {
 
+class Outcomes;
+
 /// Where a line finds what is already done and leaves what it has computed.
 class LineContext {
 public:
@@ -33,6 +35,10 @@ public:
   virtual System build(const std::vector<parameters::Override> & /*overrides*/) const {
     throw std::logic_error("no other systems can be built here");
   }
+  /// Of the analysis that this one evaluates.
+  virtual const Outcomes &outcomes() const {
+    throw std::logic_error("no other analysis can be evaluated here");
+  }
 };
 
 class Analysis {
@@ -47,6 +53,17 @@ public:
   /// Values of keys at which run_line() will build other systems, known beforehand so that their
   /// bodies are reduced and their sizes compared before anything runs.
   virtual std::vector<std::vector<parameters::Override>> variants() const { return {}; }
+  /// Name of the analysis that this one evaluates at other values of keys; empty when there is
+  /// none.
+  virtual std::string evaluated() const { return {}; }
+  /// Paths of the keys that the analysis changes itself.
+  virtual std::vector<std::string> changed_keys() const {
+    const auto changes = variants();
+    return changes.empty() ? std::vector<std::string>{}
+                           : std::vector<std::string>{changes.front().front().path};
+  }
+  /// InputError when the other analysis cannot be evaluated as this one will, before anything runs.
+  virtual void check_outcomes(const Outcomes & /*outcomes*/) const {}
   /// InputError when systems with other values of keys do not fit, which `build` makes, before
   /// anything runs.
   virtual void check_built(const SystemSource & /*build*/) const {}

@@ -21,8 +21,8 @@ constexpr double least_told = 0.01;  // [s]
 /// The steps first ... last of a line, the others being left out, and the time each takes.
 class TriedSteps : public LineContext {
 public:
-  TriedSteps(std::size_t first, std::size_t last, const SystemSource &source)
-      : first_(first), last_(last), source_(source), begun_(processor_seconds()) {
+  TriedSteps(std::size_t first, std::size_t last, const Case &work)
+      : first_(first), last_(last), work_(work), begun_(processor_seconds()) {
     left_out_.status = Status::failed; // no state to go on from
   }
 
@@ -46,8 +46,9 @@ public:
   }
   void skip() override {}
   System build(const std::vector<parameters::Override> &overrides) const override {
-    return source_(overrides);
+    return work_.source(overrides);
   }
+  const Outcomes &outcomes() const override { return *work_.outcomes; }
 
   const std::vector<double> &times() const { return times_; } ///< of the finished steps [s]
   std::size_t failed() const { return failed_; }
@@ -58,7 +59,7 @@ public:
 
 private:
   std::size_t first_, last_;
-  const SystemSource &source_;
+  const Case &work_;
   double begun_;
   mutable std::size_t asked_ = 0;
   PointResult left_out_;
@@ -148,7 +149,7 @@ private:
     try {
       Case work = factory_(grid_overrides(keys_, task / lines_));
       building_.add(processor_seconds() - start);
-      TriedSteps steps(first, last, work.source);
+      TriedSteps steps(first, last, work);
       try {
         work.analysis->run_line(task % lines_, work.system, steps);
         note(steps, false);

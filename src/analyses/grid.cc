@@ -54,33 +54,32 @@ void attach_follower(const parameters::Values &key, const std::string &name,
   leader.followers.push_back(std::move(follower));
 }
 
-/// A grid changes what its analysis reads, and every key once.
-void check_target(const parameters::Values &key, const GridKey &read, const std::string &repeated,
-                  std::vector<std::string> &taken) {
-  const std::string own = "Analysis " + repeated + "/";
-  const bool reaches = read.target.starts_with("Analysis ")
-                           ? read.target.starts_with(own) && read.target != own + "Type"
-                           : !read.target.starts_with("Derived ");
-  static const std::vector<std::string> fixed{"Title", "Analyses", "File folder", "File checksums"};
-  if (!reaches || std::find(fixed.begin(), fixed.end(), read.target) != fixed.end())
-    key.reject("Path", "Path must name a key that changes the model or the analysis '" + repeated +
-                           "', which the grid repeats, other than its Type.");
-  if (std::find(taken.begin(), taken.end(), read.target) != taken.end())
-    key.reject("Path", "Path must not name a key that another Key of this grid changes.");
-  taken.push_back(read.target);
-}
-
 } // namespace
 
-void declare_grid(parameters::Section &analysis) {
+void check_changed_key(const parameters::Values &key, const std::string &target,
+                       const std::string &repeated, const std::string &owner,
+                       std::vector<std::string> &taken) {
+  const std::string own = "Analysis " + repeated + "/";
+  const bool reaches = target.starts_with("Analysis ")
+                           ? target.starts_with(own) && target != own + "Type"
+                           : !target.starts_with("Derived ");
+  static const std::vector<std::string> fixed{"Title", "Analyses", "File folder", "File checksums"};
+  if (!reaches || std::find(fixed.begin(), fixed.end(), target) != fixed.end())
+    key.reject("Path", "Path must name a key that changes the model or the analysis '" + repeated +
+                           "', which the " + owner + " repeats, other than its Type.");
+  if (std::find(taken.begin(), taken.end(), target) != taken.end())
+    key.reject("Path", "Path must not name a key that another Key of this " + owner + " changes.");
+  taken.push_back(target);
+}
+
+void declare_grid_keys(parameters::Section &section, const std::string &kind,
+                       const std::string &sentence) {
   using namespace parameters;
-  Section &grid = analysis.subsection(
-      section_name, "Repeats another analysis at every combination of the values of some keys.");
-  grid.text("Repeat", "", "Name of the analysis to repeat.");
-  grid.named_subsection("Key", "A key that takes several values; the last one varies fastest.")
+  section.named_subsection(kind, sentence)
       .text("Follows", "",
-            "Name of another Key: the two change together, so that this one must have as many "
-            "values and adds no axis of its own.")
+            "Name of another " + kind +
+                ": the two change together, so that this one must have as many values and adds no "
+                "axis of its own.")
       .text("Path", "", "The key, as for --set: Contact/heads/Clearance, or Variables/lambda.")
       .text("Values", "", "Its values, separated by commas.")
       .text("First", "", "First of equally spaced values, instead of Values.")
@@ -89,33 +88,48 @@ void declare_grid(parameters::Section &analysis) {
                "Number of equally spaced values.");
 }
 
-std::vector<GridKey> read_grid(const parameters::Values &analysis, const std::string &repeated) {
-  const parameters::Values grid = analysis.subsection(section_name);
+void declare_grid(parameters::Section &analysis) {
+  parameters::Section &grid = analysis.subsection(
+      section_name, "Repeats another analysis at every combination of the values of some keys.");
+  grid.text("Repeat", "", "Name of the analysis to repeat.");
+  declare_grid_keys(grid, "Key", "A key that takes several values; the last one varies fastest.");
+}
+
+std::vector<GridKey> read_grid_keys(const parameters::Values &section, const std::string &kind,
+                               const std::string &repeated, const std::string &owner,
+                               std::vector<std::string> &taken) {
   std::vector<GridKey> keys;
   std::vector<std::string> leaders;
-  for (const std::string &name : grid.instances("Key"))
-    if (!grid.instance("Key", name).has("Follows")) {
-      keys.push_back(read_key(grid.instance("Key", name)));
+  for (const std::string &name : section.instances(kind))
+    if (!section.instance(kind, name).has("Follows")) {
+      keys.push_back(read_key(section.instance(kind, name)));
       keys.back().name = name;
       leaders.push_back(name);
     }
-  if (keys.empty())
-    grid.reject_section("a parameter grid needs at least one subsection Key NAME.");
-  for (const std::string &name : grid.instances("Key"))
-    if (const parameters::Values key = grid.instance("Key", name); key.has("Follows"))
+  for (const std::string &name : section.instances(kind))
+    if (const parameters::Values key = section.instance(kind, name); key.has("Follows"))
       attach_follower(key, name, leaders, keys);
   double cases = 1; // whose product may be larger than any integer
   for (const GridKey &key : keys)
     cases *= static_cast<double>(key.values.size());
   if (cases > 1e6)
-    grid.reject_section("a parameter grid may have at most 1e6 cases; this one has " +
-                        parameters::number_text(cases));
-  std::vector<std::string> taken;
+    section.reject_section("the sections " + kind + " may have at most 1e6 cases; these have " +
+                           parameters::number_text(cases));
   for (const GridKey &key : keys) {
-    check_target(grid.instance("Key", key.name), key, repeated, taken);
+    check_changed_key(section.instance(kind, key.name), key.target, repeated, owner, taken);
     for (const GridKey &follower : key.followers)
-      check_target(grid.instance("Key", follower.name), follower, repeated, taken);
+      check_changed_key(section.instance(kind, follower.name), follower.target, repeated, owner,
+                        taken);
   }
+  return keys;
+}
+
+std::vector<GridKey> read_grid(const parameters::Values &analysis, const std::string &repeated) {
+  const parameters::Values grid = analysis.subsection(section_name);
+  std::vector<std::string> taken;
+  std::vector<GridKey> keys = read_grid_keys(grid, "Key", repeated, "grid", taken);
+  if (keys.empty())
+    grid.reject_section("a parameter grid needs at least one subsection Key NAME.");
   return keys;
 }
 

@@ -24,6 +24,20 @@ struct GridKey {
   std::string origin{}; ///< file and line of its values, for messages
 };
 
+/// Declares the sections `kind` NAME, each of a key that takes several values.
+void declare_grid_keys(parameters::Section &section, const std::string &kind,
+                       const std::string &sentence);
+/// These keys in the order of the file, none of them among `taken`, where they are put. InputError.
+std::vector<GridKey> read_grid_keys(const parameters::Values &section, const std::string &kind,
+                                    const std::string &repeated, const std::string &owner,
+                                    std::vector<std::string> &taken);
+/// reject()s the key Path of `key`, whose one spelling is `target`, where it changes nothing that
+/// the analysis `repeated` reads, or is among `taken`; else it is put there. `owner` repeats the
+/// analysis: "grid".
+void check_changed_key(const parameters::Values &key, const std::string &target,
+                       const std::string &repeated, const std::string &owner,
+                       std::vector<std::string> &taken);
+
 /// Paths of all keys, followers included.
 std::vector<std::string> grid_paths(const std::vector<GridKey> &keys);
 

@@ -1,6 +1,6 @@
 #include "analyses/runner.h"
 
-#include "analyses/fields.h"
+#include "analyses/grid_line.h"
 #include "common/error.h"
 #include "common/progress.h"
 #include "common/signals.h"
@@ -53,18 +53,18 @@ enum : int { next_line = 0, points_done = 1 };
 // Points done, reported to the others only now and then: a message for each would cost more than a
 // cheap point itself. The clock decides when, for the display alone. Of the points at hand only
 // the share of this rank's is known.
-class PointCounter {
+class PointCounter : public LineProgress {
 public:
   PointCounter(SharedCounters &counters, Progress &progress)
       : counters_(counters), progress_(progress) {}
 
-  void count() {
+  void count() override {
     ++untold_;
     if (Clock::now() - last_told_ >= std::chrono::milliseconds(100))
       tell();
   }
 
-  void count_share(double share) {
+  void note_share(double share) override {
     if (Clock::now() - last_told_ >= std::chrono::milliseconds(100))
       tell(share);
   }
@@ -83,97 +83,6 @@ private:
   long untold_ = 0;
   Clock::time_point last_told_{};
 };
-
-// Puts the grid position before the point's own index and keeps count. The result file has one set
-// of axes, those of the first case: where a case has other values, its points tell them.
-class GridLine : public LineContext {
-public:
-  GridLine(ResultSink &sink, const std::vector<Axis> &axes, PointCounter &counter,
-           RunSummary &summary)
-      : sink_(sink), shared_axes_(axes), counter_(counter), summary_(summary) {}
-
-  void move_to(std::vector<std::size_t> position) {
-    position_ = std::move(position);
-    own_axes_.clear();
-  }
-  void use_axes(std::vector<Axis> axes) { own_axes_ = std::move(axes); }
-  void build_from(SystemSource source) { source_ = std::move(source); }
-
-  System build(const std::vector<parameters::Override> &overrides) const override {
-    return source_(overrides);
-  }
-
-  const PointResult *find(const std::vector<std::size_t> &index) const override {
-    return sink_.find(full(index));
-  }
-
-  void store(PointResult result) override {
-    if (result.status == Status::finished)
-      add_own_coordinates(result);
-    result.index = full(result.index);
-    sink_.store(result);
-    ++(result.status == Status::failed ? summary_.failed : summary_.finished);
-    summary_.unbalanced += unbalanced(result) ? 1 : 0;
-    count();
-    leave_if_stopped();
-  }
-
-  void note_progress(double share) override {
-    counter_.count_share(share);
-    leave_if_stopped();
-  }
-
-  void skip() override { count(); }
-
-private:
-  std::vector<std::size_t> full(const std::vector<std::size_t> &index) const {
-    std::vector<std::size_t> whole = position_;
-    whole.insert(whole.end(), index.begin(), index.end());
-    return whole;
-  }
-  void count() { counter_.count(); }
-
-  void add_own_coordinates(PointResult &result) const {
-    for (std::size_t k = 0; k < own_axes_.size(); ++k)
-      if (own_axes_[k].values != shared_axes_[k].values)
-        result.fields.push_back(scalar_field(
-            "own/" + own_axes_[k].name, own_axes_[k].values[result.index[k]], own_axes_[k].unit,
-            "where the grid changes the values of that axis: its "
-            "value at this point"));
-  }
-
-  ResultSink &sink_;
-  const std::vector<Axis> &shared_axes_;
-  PointCounter &counter_;
-  RunSummary &summary_;
-  std::vector<std::size_t> position_;
-  std::vector<Axis> own_axes_;
-  SystemSource source_;
-};
-
-std::size_t points_of(const std::vector<Axis> &axes) {
-  return std::accumulate(axes.begin(), axes.end(), std::size_t{1},
-                         [](std::size_t size, const Axis &axis) { return size * axis.size(); });
-}
-
-// Every point of the case that could not be built, recorded as failed.
-void record_unusable(const std::vector<Axis> &axes, const std::string &reason, std::size_t line,
-                     LineContext &context) {
-  if (line > 0)
-    return;
-  for (std::size_t point = 0; point < points_of(axes); ++point) {
-    std::vector<std::size_t> index(axes.size());
-    std::size_t rest = point;
-    for (std::size_t k = axes.size(); k-- > 0;) {
-      index[k] = rest % axes[k].size();
-      rest /= axes[k].size();
-    }
-    if (context.find(index))
-      context.skip();
-    else
-      context.store({.index = index, .status = Status::failed, .reason = reason});
-  }
-}
 
 // A rank that is done early waits here without burning its core, rank 0 with the progress in view.
 void wait_for_all(PointCounter &counter, MPI_Comm communicator) {
@@ -194,35 +103,6 @@ Index state_size(const System &system) {
   return 2 * system.model.size() + system.contacts.n_internal() + system.model.n_drive();
 }
 
-/// The analysis of a grid point, which may keep what its lines have in common.
-struct KeptAnalysis {
-  std::size_t point = 0;
-  std::shared_ptr<const Analysis> analysis{};
-};
-
-// One line of one grid point.
-void run_task(std::size_t task, const std::vector<GridKey> &keys, std::size_t lines,
-              const std::vector<Axis> &axes, const CaseFactory &factory, KeptAnalysis &kept,
-              GridLine &context) {
-  const std::size_t point = task / lines;
-  const std::size_t line = task % lines;
-  context.move_to(grid_index(keys, point));
-  try {
-    Case work = factory(grid_overrides(keys, point));
-    if (kept.analysis && kept.point == point)
-      work.analysis = kept.analysis;
-    kept = {.point = point, .analysis = work.analysis};
-    if (work.analysis->axes().size() != axes.size() ||
-        points_of(work.analysis->axes()) != points_of(axes))
-      throw InputError("the swept key changes the number of points of the analysis");
-    context.use_axes(work.analysis->axes());
-    context.build_from(work.source);
-    work.analysis->run_line(line, work.system, context);
-  } catch (const InputError &error) {
-    record_unusable(axes, error.what(), line, context);
-  }
-}
-
 } // namespace
 
 void check_case(const Case &work) {
@@ -236,6 +116,8 @@ void check_case(const Case &work) {
                        " changes the number of coordinates or of internal states at the value " +
                        variant.front().value + "; a state cannot be carried over.");
   work.analysis->check_built(work.source);
+  if (work.outcomes)
+    work.analysis->check_outcomes(*work.outcomes);
 }
 
 RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &keys,
@@ -264,7 +146,7 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
     try {
       for (long task = counters.add(next_line, 1); task < total && !stop_requested();
            task = counters.add(next_line, 1))
-        run_task(static_cast<std::size_t>(task), keys, lines, inner_axes, factory, kept, context);
+        run_task(static_cast<std::size_t>(task), keys, lines, factory, kept, context);
     } catch (const Interrupted &) {
       summary.interrupted = true;
     }

@@ -7,6 +7,7 @@
 
 #include "analyses/analysis.h"
 #include "analyses/grid.h"
+#include "analyses/outcomes.h"
 #include "common/result_sink.h"
 
 #include <functional>
@@ -21,6 +22,7 @@ struct Case {
   std::shared_ptr<const Analysis> analysis;
   System system;
   SystemSource source;
+  std::shared_ptr<const Outcomes> outcomes{}; ///< of the analysis that this one evaluates, if any
 };
 
 /// Everything that can be refused before the case runs, for all systems it will build. InputError.

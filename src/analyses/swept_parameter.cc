@@ -52,18 +52,23 @@ std::string origin_of(const parameters::Values &section, const char *key) {
 }
 
 // The number behind `path` when the file says `text` there.
-parameters::SiNumber read_end(const parameters::Values &section, const std::string &path,
-                              const char *key) {
+parameters::SiNumber read_end(const parameters::Values &section, const char *key) {
+  return read_number_for(section, "Parameter", key);
+}
+
+} // namespace
+
+parameters::SiNumber read_number_for(const parameters::Values &section, const char *path_key,
+                                     const char *key) {
   section.require(key);
+  const std::string path = section.text(path_key);
   const auto set = section.parameters().with(
       {{.path = path, .value = section.text(key), .origin = origin_of(section, key)}});
   const auto number = set->number_at(path);
   if (!number)
-    section.reject("Parameter", "a key that holds one number.");
+    section.reject(path_key, "a key that holds one number.");
   return *number;
 }
-
-} // namespace
 
 double SweptParameter::magnitude() const {
   return std::max(std::abs(values.front()), std::abs(values.back()));
@@ -143,8 +148,8 @@ SweptParameter read_key_range(const parameters::Values &section, long points) {
   for (const char *key : {"First frequency", "Last frequency"})
     if (section.has(key))
       section.reject(key, "nothing beside the key Parameter, whose ends are First and Last.");
-  const parameters::SiNumber first = read_end(section, path, "First");
-  const parameters::SiNumber last = read_end(section, path, "Last");
+  const parameters::SiNumber first = read_end(section, "First");
+  const parameters::SiNumber last = read_end(section, "Last");
   if (first.unit != last.unit)
     section.reject("Last", "a value in a unit like that of First.");
   if (!in_order({first.value, last.value}, points))

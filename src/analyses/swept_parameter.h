@@ -24,6 +24,11 @@ struct SweptParameter {
   std::string axis_name() const;
 };
 
+/// The number that the key `path_key` of a section names, if it had the value of `key`. InputError
+/// where either cannot be used.
+parameters::SiNumber read_number_for(const parameters::Values &section, const char *path_key,
+                                     const char *key);
+
 /// Keys that say what is varied and between which ends.
 void declare_key_range(parameters::Section &section);
 /// The same, and in which steps.

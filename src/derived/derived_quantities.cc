@@ -1,5 +1,6 @@
 #include "derived/derived_quantities.h"
 
+#include "derived/best_of_starts.h"
 #include "derived/operation.h"
 #include "parameters/text.h"
 
@@ -52,6 +53,15 @@ void check_section(const Values &section, const AxisNames &names) {
   check_axes(section, names);
   if (wanted.check != nullptr)
     wanted.check(section, names);
+}
+
+/// That of the analysis itself, or of the one that a grid repeats.
+Values computing_section(const Values &root, const std::string &analysis) {
+  const Values section = root.instance("Analysis", analysis);
+  return section.choice("Type") == analyses::grid_type
+             ? root.instance("Analysis",
+                             analyses::repeated_analysis(section, root.instances("Analysis")))
+             : section;
 }
 
 /// The sign of a NaN depends on how it came about.
@@ -127,7 +137,10 @@ void check_analyses(const Values &root) {
 void DerivedQuantities::add(const Values &root, const std::string &analysis,
                             const std::vector<Axis> &axes,
                             const std::vector<analyses::GridKey> &keys) {
-  Wanted wanted{AxisNames(axes, keys), {}, {}};
+  Wanted wanted{.names = AxisNames(axes, keys), .titles = {}, .sections = {}};
+  const Values search = computing_section(root, analysis);
+  wanted.searches = search.choice("Type") == "optimise";
+  wanted.maximises = wanted.searches && search.subsection("Optimise").choice("Sense") == "maximise";
   for (const std::string &name : root.instances("Derived")) {
     const Values section = root.instance("Derived", name);
     if (section.text("From") != analysis)
@@ -136,7 +149,7 @@ void DerivedQuantities::add(const Values &root, const std::string &analysis,
     wanted.sections.push_back(section);
     wanted.titles.push_back(name);
   }
-  if (!wanted.sections.empty())
+  if (!wanted.sections.empty() || wanted.searches)
     wanted_[analysis] = std::move(wanted);
 }
 
@@ -146,10 +159,16 @@ DerivedQuantities::Result DerivedQuantities::evaluate(const std::string &analysi
   const auto found = wanted_.find(analysis);
   if (found == wanted_.end() || source.arrays.empty())
     return result;
-  const auto &[names, titles, sections] = found->second;
+  const Wanted &wanted = found->second;
+  if (wanted.searches)
+    for (DerivedArray &array : best_of_starts(source, wanted.maximises))
+      if (!holds(wanted.titles, array.name))
+        result.arrays.push_back(std::move(array));
+  const auto &sections = wanted.sections;
   for (std::size_t i = 0; i < sections.size(); ++i)
     try {
-      result.arrays.push_back(evaluate_one(sections[i], titles[i], names, source, result.arrays));
+      result.arrays.push_back(
+          evaluate_one(sections[i], wanted.titles[i], wanted.names, source, result.arrays));
     } catch (const InputError &error) {
       result.problems.emplace_back(error.what());
     }

@@ -39,6 +39,8 @@ private:
     AxisNames names;
     std::vector<std::string> titles; ///< "Derived TITLE"
     std::vector<parameters::Values> sections;
+    bool searches = false; ///< from several starts, see best_of_starts.h
+    bool maximises = false;
   };
   std::map<std::string, Wanted> wanted_; ///< by analysis
 };

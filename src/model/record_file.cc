@@ -2,6 +2,7 @@
 
 #include "common/hdf5_file.h"
 #include "parameters/text.h"
+#include "reduction/body_file.h"
 
 #include <boost/algorithm/string.hpp>
 
@@ -117,6 +118,32 @@ std::vector<double> dataset(const Hdf5File &file, const std::string &key, const 
   return values;
 }
 
+using parameters::Values;
+
+std::string file_name(const Values &section, const std::string &file_folder) {
+  section.require("File");
+  return (std::filesystem::path(file_folder) / section.text("File")).string();
+}
+
+// The whole file, of either kind.
+std::string file_content(const Values &section, const std::string &file) {
+  std::string content = reduction::read_file(file).value_or("");
+  if (content.empty())
+    section.reject("File",
+                   "must name a file that can be read and is not empty; there is none at " + file);
+  return content;
+}
+
+void check_content(const Values &section, const std::string &content,
+                   const std::vector<std::string> &checksums) {
+  const std::string start = section.text("File") + " ";
+  for (const std::string &checksum : checksums)
+    if (checksum.starts_with(start) && checksum != start + reduction::content_hash(content))
+      section.reject("File", "its content is not what it was when the checksum '" + checksum +
+                                 "' was noted in File checksums; it has " +
+                                 reduction::content_hash(content) + " now");
+}
+
 } // namespace
 
 bool is_hdf5(const std::string &file) {
@@ -125,7 +152,7 @@ bool is_hdf5(const std::string &file) {
 }
 
 Samples read_text_record(const std::string &content, const RecordLayout &layout) {
-  Column time("Time column", layout.time_column);
+  Column time(layout.time_key, layout.time_column);
   Column value("Value column", layout.value_column);
   if (content.find('\0') != std::string::npos)
     throw RecordError("File",
@@ -178,6 +205,25 @@ Samples read_hdf5_record(const std::string &file, const RecordLayout &layout) {
     throw RecordError("File",
                       std::string("must be an HDF5 file that can be read: ") + error.what());
   }
+}
+
+Samples read_record(const Values &section, const std::string &file_folder,
+                    const std::vector<std::string> &file_checksums, const RecordLayout &layout) {
+  const std::string file = file_name(section, file_folder);
+  const std::string content = file_content(section, file);
+  check_content(section, content, file_checksums);
+  try {
+    return is_hdf5(file) ? read_hdf5_record(file, layout) : read_text_record(content, layout);
+  } catch (const RecordError &error) {
+    section.reject(error.key() == "Time column" ? layout.time_key : error.key(), error.what());
+  }
+}
+
+std::string file_checksum(const Values &section, const std::string &file_folder) {
+  if (!section.has("File"))
+    return "";
+  const std::string content = reduction::read_file(file_name(section, file_folder)).value_or("");
+  return content.empty() ? "" : section.text("File") + " " + reduction::content_hash(content);
 }
 
 } // namespace vibroimpact::model

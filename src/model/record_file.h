@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/recorded_history.h"
+#include "parameters/values.h"
 
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,7 @@ struct RecordLayout {
   std::string time_column; ///< number from 1 or name of a column; path of a dataset in HDF5
   std::string value_column;
   std::string separator; ///< of a text file: "comma", "semicolon" or "space" (blanks and tabs)
+  std::string time_key = "Time column"; ///< of the section that names the first column
 };
 
 /// What is wrong with a record, and the key of the section that says where to look.
@@ -37,5 +39,13 @@ Samples read_text_record(const std::string &content, const RecordLayout &layout)
 
 /// The samples of two one-dimensional datasets of equal length. Throws RecordError likewise.
 Samples read_hdf5_record(const std::string &file, const RecordLayout &layout);
+
+/// The samples of the file that the key File of a section names, relative to `file_folder`.
+/// reject()s a file that cannot be read, whose content differs from a checksum noted earlier, or
+/// that is no record.
+Samples read_record(const parameters::Values &section, const std::string &file_folder,
+                    const std::vector<std::string> &file_checksums, const RecordLayout &layout);
+/// "NAME HASH" of that file; "" where none is named or can be read. Local.
+std::string file_checksum(const parameters::Values &section, const std::string &file_folder);
 
 } // namespace vibroimpact::model

@@ -3,12 +3,10 @@
 #include "common/linear_algebra.h"
 #include "model/piecewise_function.h"
 #include "model/record_file.h"
-#include "reduction/body_file.h"
 
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
-#include <filesystem>
 #include <numbers>
 
 namespace vibroimpact::model {
@@ -124,30 +122,6 @@ namespace {
 
 using parameters::Values;
 
-std::string file_name(const Values &recorded, const std::string &file_folder) {
-  recorded.require("File");
-  return (std::filesystem::path(file_folder) / recorded.text("File")).string();
-}
-
-// The whole file, of either kind.
-std::string file_content(const Values &recorded, const std::string &file) {
-  std::string content = reduction::read_file(file).value_or("");
-  if (content.empty())
-    recorded.reject("File",
-                    "must name a file that can be read and is not empty; there is none at " + file);
-  return content;
-}
-
-void check_content(const Values &recorded, const std::string &content,
-                   const std::vector<std::string> &checksums) {
-  const std::string start = recorded.text("File") + " ";
-  for (const std::string &checksum : checksums)
-    if (checksum.starts_with(start) && checksum != start + reduction::content_hash(content))
-      recorded.reject("File", "its content is not what it was when the checksum '" + checksum +
-                                  "' was noted in File checksums; it has " +
-                                  reduction::content_hash(content) + " now");
-}
-
 RecordLayout read_layout(const Values &recorded) {
   return {.time_column = recorded.text("Time column"),
           .value_column = recorded.text("Value column"),
@@ -157,18 +131,6 @@ RecordLayout read_layout(const Values &recorded) {
 double unit(const Values &recorded, const std::string &key,
             const parameters::Dimension &dimension) {
   return recorded.has(key) ? recorded.part(key, "1 " + recorded.text(key), dimension) : 1;
-}
-
-Samples read_samples(const Values &recorded, const HistoryContext &context) {
-  const std::string file = file_name(recorded, context.file_folder);
-  const std::string content = file_content(recorded, file);
-  check_content(recorded, content, context.file_checksums);
-  try {
-    const RecordLayout layout = read_layout(recorded);
-    return is_hdf5(file) ? read_hdf5_record(file, layout) : read_text_record(content, layout);
-  } catch (const RecordError &error) {
-    recorded.reject(error.key(), error.what());
-  }
 }
 
 } // namespace
@@ -183,7 +145,8 @@ TimeFunctionPointer create_recorded(const Values &excitation, const HistoryConte
     recorded.reject("Interpolation",
                     "straight lines of a base displacement have infinite accelerations at the "
                     "samples; use cubic spline, or give a velocity or acceleration");
-  Samples samples = read_samples(recorded, context);
+  Samples samples =
+      read_record(recorded, context.file_folder, context.file_checksums, read_layout(recorded));
   const double time_unit = unit(recorded, "Time unit", parameters::dimension::time);
   const double scale =
       recorded.quantity("Scale factor") * unit(recorded, "Unit", context.dimension);
@@ -198,10 +161,7 @@ TimeFunctionPointer create_recorded(const Values &excitation, const HistoryConte
 
 std::string record_checksum(const Values &excitation, const std::string &file_folder) {
   const Values recorded = excitation.subsection("Recorded");
-  if (excitation.choice("History") != "recorded" || !recorded.has("File"))
-    return "";
-  const std::string content = reduction::read_file(file_name(recorded, file_folder)).value_or("");
-  return content.empty() ? "" : recorded.text("File") + " " + reduction::content_hash(content);
+  return excitation.choice("History") == "recorded" ? file_checksum(recorded, file_folder) : "";
 }
 
 } // namespace vibroimpact::model

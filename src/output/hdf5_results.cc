@@ -6,6 +6,9 @@
 
 namespace vibroimpact::output {
 
+using derived::AnalysisArrays;
+using derived::AssembledField;
+using derived::InnerDimension;
 using reduction::Recovery;
 using reduction::ReducedBody;
 
@@ -328,7 +331,7 @@ void write_analysis(Hdf5File &file, const AnalysisHeader &header, const Analysis
     outer_scales.push_back(group + "/" + link_name(axis.name));
     write_axis(file, outer_scales.back(), axis);
   }
-  write_status(file, group, outer_shape(header), arrays, outer_scales);
+  write_status(file, group, derived::outer_shape(header), arrays, outer_scales);
   const std::map<std::string, std::string> scales = inner_scales(file, group, arrays);
   // Coordinates first: a scale must exist before it can be attached.
   for (const bool over_axes : {false, true})

@@ -16,8 +16,8 @@
 
 #include "common/hdf5_file.h"
 #include "contact/truncation.h"
+#include "derived/analysis_arrays.h"
 #include "derived/labelled_array.h"
-#include "output/analysis_arrays.h"
 #include "reduction/reduced_body.h"
 
 #include <string>
@@ -40,7 +40,8 @@ void write_information(Hdf5File &file, const RunInformation &information);
 void write_body(Hdf5File &file, const reduction::ReducedBody &body);
 /// Nothing without contacts.
 void write_contacts(Hdf5File &file, const std::vector<contact::ContactFigures> &contacts);
-void write_analysis(Hdf5File &file, const AnalysisHeader &header, const AnalysisArrays &arrays,
+void write_analysis(Hdf5File &file, const AnalysisHeader &header,
+                    const derived::AnalysisArrays &arrays,
                     const std::vector<derived::DerivedArray> &quantities = {});
 
 } // namespace vibroimpact::output

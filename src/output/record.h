@@ -6,6 +6,7 @@
 #pragma once
 
 #include "common/result_sink.h"
+#include "derived/analysis_arrays.h"
 #include "output/journal.h"
 #include "output/point_bytes.h"
 
@@ -41,16 +42,12 @@ private:
   std::size_t latest_ = 0; ///< the layout of the point before
 };
 
-/// Calls `visit` for the points of an analysis in the order of their index. A point is valid until
-/// `visit` returns.
-using PointSequence = std::function<void(const std::function<void(const PointResult &)> &visit)>;
-
 /// The points of an analysis as they lie in the journals: little more memory than their numbers.
 class StoredPoints {
 public:
   std::size_t size() const { return entries_.size(); }
   void visit(const std::function<void(const PointResult &)> &visit) const;
-  PointSequence sequence() const {
+  derived::PointSequence sequence() const {
     return [this](const auto &visitor) { visit(visitor); };
   }
   /// The point at an index, or nullptr; valid until the next call.

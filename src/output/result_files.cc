@@ -4,7 +4,7 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "common/signals.h"
-#include "output/analysis_arrays.h"
+#include "derived/analysis_arrays.h"
 #include "output/collective.h"
 #include "output/derived_results.h"
 #include "output/summary.h"
@@ -72,7 +72,7 @@ const PointResult *FileSink::find(const std::vector<std::size_t> &index) const {
 }
 
 void FileSink::store(const PointResult &result) {
-  check_point(header_, result);
+  derived::check_point(header_, result);
   record_writer_->append(header_.name, result);
   if (rank_in(communicator_) == 0 && Clock::now() >= next_rebuild_)
     try_to_write([this] { replace_files(); });
@@ -146,9 +146,9 @@ std::vector<std::string> FileSink::write_results(const std::filesystem::path &fi
     write_body(results, body);
   write_contacts(results, contacts_);
   for (const auto &[header, points] : analyses) {
-    const AnalysisArrays arrays = assemble(header, points.sequence());
+    const derived::AnalysisArrays arrays = derived::assemble(header, points.sequence());
     const auto [quantities, problems] =
-        derived_.evaluate(header.name, derivation_source(header, arrays));
+        derived_.evaluate(header.name, derived::derivation_source(header, arrays));
     note_problems(problems);
     write_analysis(results, header, arrays, quantities);
     derived_lines.push_back(derived_summary(header, quantities));

@@ -84,7 +84,7 @@ std::string contact_summary(const std::vector<contact::ContactFigures> &contacts
   return text;
 }
 
-std::string analysis_summary(const AnalysisHeader &header, const PointSequence &points,
+std::string analysis_summary(const AnalysisHeader &header, const derived::PointSequence &points,
                              PointTotals &totals) {
   const std::string prefix = "analysis." + header.name;
   std::string text;

@@ -25,7 +25,7 @@ constexpr std::size_t most_listed_points = 10000;
 /// outer axes `analysis.NAME[2,1,17].name`, counted from 1; then the lines of `totals`, to which
 /// all points are added. With more than most_listed_points the lines of the points are left out and
 /// `analysis.NAME.points` tells their number.
-std::string analysis_summary(const AnalysisHeader &header, const PointSequence &points,
+std::string analysis_summary(const AnalysisHeader &header, const derived::PointSequence &points,
                              PointTotals &totals);
 
 /// One line; numbers with 12 significant digits.

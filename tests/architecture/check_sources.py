@@ -21,7 +21,7 @@ ALLOWED = {"common": {"common"}, "parameters": {"common", "parameters"},
            "continuation": {"common", "continuation"}}
 # The files above all folders, each with those of its kind that it may include.
 PROGRAM = {"command_line": set(), "run_information": set(), "simulation": {"run_information"},
-           "simulation_checks": {"simulation"},
+           "simulation_cases": {"simulation"}, "simulation_checks": {"simulation"},
            "program": {"command_line", "run_information", "simulation"}, "main": {"program"}}
 GENERATED = {"version.h"}
 
@@ -33,6 +33,7 @@ FENCES = [
      "deal.II belongs to structure/ and the VTU writer"),
     (r"slepcversion\.h", r"modes/|run_information\.cc", "SLEPc belongs to modes/"),
     (r"slepc(?!version)", r"modes/", "SLEPc belongs to modes/"),
+    (r"nlopt\.h", r"analyses/design/", "NLopt belongs to analyses/design/"),
     (r"petscts\.h", r"motion/steps/", "PETSc TS belongs to motion/steps/"),
     (r"petscversion\.h", r"structure/|modes/|motion/|program\.cc|run_information\.cc",
      "PETSc belongs to structure/, modes/ and motion/"),
@@ -260,6 +261,7 @@ VIOLATIONS = [
     ("src/structure/a.cc", "#include <slepceps.h>", "SLEPc belongs"),
     ("src/run_information.cc", "#include <slepceps.h>", "SLEPc belongs"),
     ("src/simulation.cc", "#include <slepcversion.h>", "SLEPc belongs"),
+    ("src/analyses/a.cc", "#include <nlopt.h>", "NLopt belongs"),
     ("src/modes/a.cc", "#include <petscts.h>", "PETSc TS belongs"),
     ("src/contact/a.cc", "#include <petscvec.h>", "PETSc belongs"),
     ("src/run_information.cc", "#include <petscsys.h>", "PETSc belongs"),

@@ -7,7 +7,7 @@
 namespace vibroimpact::output {
 namespace {
 
-PointSequence sequence(const std::vector<PointResult> &points) {
+derived::PointSequence sequence(const std::vector<PointResult> &points) {
   return [points](const auto &visit) { std::for_each(points.begin(), points.end(), visit); };
 }
 

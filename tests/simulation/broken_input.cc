@@ -305,7 +305,7 @@ const Broken cases[] = {
     {"grid over what its sweep sweeps",
      "    set First frequency = 1 Hz\n    set Last frequency = 5 Hz",
      "    set Parameter = Contact heads/Clearance\n    set First = 6 mm\n    set Last = 9 mm",
-     {"test.prm:", "Key clearance / Path", "sweeps itself"}},
+     {"test.prm:", "Key clearance / Path", "changes itself"}},
     {"grid of an empty value",
      "Values = 1 mm, 2 mm",
      "Values = 1 mm,, 2 mm",

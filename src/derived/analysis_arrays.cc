@@ -1,10 +1,11 @@
-#include "output/analysis_arrays.h"
+#include "derived/analysis_arrays.h"
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
-namespace vibroimpact::output {
+namespace vibroimpact::derived {
 
 namespace {
 
@@ -147,6 +148,30 @@ void fill_point(const PointResult &point, std::size_t position,
   }
 }
 
+/// Its coordinate field, or an index from 1.
+Axis inner_axis(const InnerDimension &dimension, const AnalysisArrays &arrays) {
+  const auto field = std::find_if(
+      arrays.fields.begin(), arrays.fields.end(), [&](const AssembledField &candidate) {
+        return !candidate.over_axes && candidate.name() == dimension.coordinate;
+      });
+  if (field != arrays.fields.end())
+    return {dimension.name, field->values, {}, field->label.unit(), field->label.description()};
+  Axis axis{dimension.name, std::vector<double>(dimension.length), {}, "1", "index from 1"};
+  std::iota(axis.values.begin(), axis.values.end(), 1);
+  return axis;
+}
+
+LabelledArray labelled(const AnalysisHeader &header, const AssembledField &field) {
+  LabelledArray array{field.name(), field.label.unit(), field.label.description(),
+                      {},           field.shape,        field.values.data()};
+  if (field.over_axes)
+    for (const Axis &axis : header.axes)
+      array.dimensions.push_back(axis.name);
+  array.dimensions.insert(array.dimensions.end(), field.inner_dimensions().begin(),
+                          field.inner_dimensions().end());
+  return array;
+}
+
 } // namespace
 
 Shape outer_shape(const AnalysisHeader &header) {
@@ -191,4 +216,13 @@ AnalysisArrays assemble(const AnalysisHeader &header, const PointSequence &point
   return arrays;
 }
 
-} // namespace vibroimpact::output
+Source derivation_source(const AnalysisHeader &header, const AnalysisArrays &arrays) {
+  Source source{header.axes, {}};
+  for (const InnerDimension &dimension : arrays.dimensions)
+    source.dimensions.push_back(inner_axis(dimension, arrays));
+  for (const AssembledField &field : arrays.fields)
+    source.arrays.push_back(labelled(header, field));
+  return source;
+}
+
+} // namespace vibroimpact::derived

@@ -4,9 +4,15 @@
 
 #include "common/hdf5_file.h"
 #include "common/result_sink.h"
-#include "output/record.h"
+#include "derived/labelled_array.h"
 
-namespace vibroimpact::output {
+#include <functional>
+
+namespace vibroimpact::derived {
+
+/// Calls `visit` for the points of an analysis in the order of their index. A point is valid until
+/// `visit` returns.
+using PointSequence = std::function<void(const std::function<void(const PointResult &)> &visit)>;
 
 /// One field over all points: outer axes first, then its own dimensions.
 struct AssembledField {
@@ -46,4 +52,7 @@ void check_point(const AnalysisHeader &header, const PointResult &result);
 /// Goes through the points up to three times.
 AnalysisArrays assemble(const AnalysisHeader &header, const PointSequence &points);
 
-} // namespace vibroimpact::output
+/// Looks at the values in `arrays`, which must outlive it.
+Source derivation_source(const AnalysisHeader &header, const AnalysisArrays &arrays);
+
+} // namespace vibroimpact::derived

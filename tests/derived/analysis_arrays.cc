@@ -1,10 +1,10 @@
-#include "output/analysis_arrays.h"
+#include "derived/analysis_arrays.h"
 
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace vibroimpact::output {
+namespace vibroimpact::derived {
 namespace {
 
 Field field(const std::string &name, const std::vector<std::string> &dimensions, const Shape &shape,
@@ -112,4 +112,4 @@ TEST(AnalysisArrays, ValuesMustFillTheShape) {
 }
 
 } // namespace
-} // namespace vibroimpact::output
+} // namespace vibroimpact::derived

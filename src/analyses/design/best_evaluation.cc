@@ -1,0 +1,114 @@
+#include "analyses/design/best_evaluation.h"
+
+#include "analyses/fields.h"
+#include "parameters/text.h"
+
+#include <algorithm>
+
+namespace vibroimpact::analyses {
+
+namespace {
+
+using Evaluations = std::deque<Evaluation>;
+
+std::size_t failures(const Evaluations &evaluations) {
+  return static_cast<std::size_t>(
+      std::count_if(evaluations.begin(), evaluations.end(),
+                    [](const Evaluation &evaluation) { return evaluation.value.failed(); }));
+}
+
+std::string why_nothing_is_good(const Evaluations &evaluations, const Objective &objective) {
+  if (evaluations.empty())
+    return "no evaluation was done";
+  const std::size_t failed = failures(evaluations);
+  if (failed == evaluations.size())
+    return "all " + std::to_string(failed) +
+           " evaluations failed, the first one: " + evaluations.front().value.failure;
+  const Evaluation *nearest = nullptr;
+  for (const Evaluation &evaluation : evaluations)
+    if (!evaluation.value.failed() &&
+        (nearest == nullptr || evaluation.value.largest_excess() < nearest->value.largest_excess()))
+      nearest = &evaluation;
+  const std::vector<double> &excess = nearest->value.excess;
+  const auto worst = std::max_element(excess.begin(), excess.end());
+  return "no evaluation meets the constraints; the nearest, number " +
+         std::to_string(nearest->number) + ", misses '" +
+         objective.constraints()[static_cast<std::size_t>(worst - excess.begin())] + "' by " +
+         parameters::number_text(*worst) + " of its limit";
+}
+
+void add(PointResult &result, const std::string &name, double value,
+         const std::string &description) {
+  result.fields.push_back(scalar_field("search/" + name, value, "1", description));
+}
+
+void add_active(PointResult &result, const Evaluation &best, const std::vector<DesignKey> &keys,
+                const Objective &objective, double tolerance, double constraint_tolerance) {
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    add(result, "bound/" + keys[k].name,
+        bound_at(keys[k], keys[k].value(best.coordinates[static_cast<Index>(k)]), tolerance),
+        "-1 where the best value is at the lower bound, 1 at the upper one, else 0");
+  for (std::size_t c = 0; c < best.value.excess.size(); ++c)
+    add(result, "active/" + objective.constraints()[c],
+        best.value.excess[c] >= -std::max(tolerance, constraint_tolerance) ? 1 : 0,
+        "1 where the constraint is at its limit");
+}
+
+void add_summary(PointResult &result, const Evaluation &best, const std::vector<DesignKey> &keys,
+                 const Objective &objective) {
+  result.summary.push_back(scalar_line("objective", best.value.objective, best.value.unit));
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    result.summary.push_back(scalar_line("key." + keys[k].name,
+                                         keys[k].value(best.coordinates[static_cast<Index>(k)]),
+                                         keys[k].parameter.unit));
+  for (std::size_t c = 0; c < best.value.excess.size(); ++c)
+    result.summary.push_back(scalar_line("constraint." + objective.constraints()[c],
+                                         best.value.constrained[c],
+                                         best.value.constrained_units[c]));
+  for (const Field &field : result.fields)
+    if (field.name().starts_with("search/")) {
+      std::string name = field.name();
+      std::replace(name.begin(), name.end(), '/', '.');
+      result.summary.push_back(scalar_line(name, field.values[0], field.unit()));
+    }
+}
+
+} // namespace
+
+const Evaluation *best_evaluation(const std::deque<Evaluation> &evaluations,
+                                  const Objective &objective, double constraint_tolerance) {
+  const Evaluation *best = nullptr;
+  for (const Evaluation &evaluation : evaluations) {
+    const DesignValue &value = evaluation.value;
+    if (value.failed() || value.largest_excess() > constraint_tolerance)
+      continue;
+    if (best == nullptr ||
+        objective.to_minimise(value.objective) < objective.to_minimise(best->value.objective))
+      best = &evaluation;
+  }
+  return best;
+}
+
+PointResult result_of_search(std::size_t line, const std::deque<Evaluation> &evaluations,
+                             const std::vector<DesignKey> &keys, const Objective &objective,
+                             double tolerance, double constraint_tolerance, SearchEnd end) {
+  const std::vector<std::size_t> index{line, 0};
+  const Evaluation *best = best_evaluation(evaluations, objective, constraint_tolerance);
+  if (best == nullptr)
+    return {.index = index,
+            .status = Status::failed,
+            .reason = why_nothing_is_good(evaluations, objective)};
+  PointResult result = evaluation_point(index, *best, keys, objective);
+  add(result, "best", static_cast<double>(best->number), "number of the best evaluation");
+  add(result, "evaluations", static_cast<double>(evaluations.size()), "evaluations of the search");
+  add(result, "failed", static_cast<double>(failures(evaluations)), "of these, those that failed");
+  add(result, "end", static_cast<double>(end),
+      "why the search ended: 1 the keys change by less than Tolerance, 2 the objective by less "
+      "than "
+      "Objective tolerance, 3 Most evaluations, 4 rounding, 0 the method's own end");
+  add_active(result, *best, keys, objective, tolerance, constraint_tolerance);
+  add_summary(result, *best, keys, objective);
+  return result;
+}
+
+} // namespace vibroimpact::analyses

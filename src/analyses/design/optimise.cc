@@ -1,0 +1,180 @@
+#include "analyses/design/optimise.h"
+
+#include "analyses/design/best_evaluation.h"
+#include "common/error.h"
+
+#include <cmath>
+#include <limits>
+
+namespace vibroimpact::analyses {
+
+using parameters::Values;
+
+namespace {
+
+constexpr const char *section_name = "Optimise";
+
+/// Calls of the objective that a method may make for each evaluation: most repeat a known one.
+constexpr int calls_for_an_evaluation = 20;
+
+void check_method(const Values &section, const Optimise::Settings &settings) {
+  const SearchMethod &method = search_method(settings.method);
+  if (!method.takes_constraints && !settings.objective.constraints().empty())
+    section.reject("Method", "COBYLA or ISRES where there are sections Constraint; bounds of keys "
+                             "need none.");
+  if (!method.needs_bounds && section.given("Population"))
+    section.reject("Population", "nothing: this method has no population.");
+  if (all_bounded(settings.keys))
+    return;
+  if (method.needs_bounds)
+    section.reject("Method", "another method where a key has no Lower or no Upper.");
+  if (settings.starts > 1)
+    section.reject("Starts", "1 where a key has no Lower or no Upper, between which starts could "
+                             "be drawn.");
+}
+
+/// What a failed evaluation counts as: worse than all before it. Models of the objective, as BOBYQA
+/// and COBYLA make them, need a finite value of the size of the others.
+double penalty(const std::deque<Evaluation> &evaluations, const Objective &objective) {
+  double best = std::numeric_limits<double>::infinity(), worst = -best;
+  for (const Evaluation &evaluation : evaluations)
+    if (!evaluation.value.failed()) {
+      const double value = objective.to_minimise(evaluation.value.objective);
+      best = std::min(best, value);
+      worst = std::max(worst, value);
+    }
+  if (!std::isfinite(worst))
+    return 1e30;
+  return worst + (worst > best ? worst - best : std::max(std::abs(worst), 1e-300));
+}
+
+} // namespace
+
+void Optimise::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  Section &section = analysis.subsection(
+      section_name, "Makes a quantity of another analysis smallest or largest by changing keys.");
+  section.text("Repeat", "", "Name of the analysis that is evaluated.");
+  Objective::declare(section);
+  declare_design_keys(section);
+  std::vector<std::string> methods;
+  for (const SearchMethod &method : search_methods())
+    methods.push_back(method.name);
+  section
+      .choice("Method", "Nelder-Mead", methods,
+              "Local: Nelder-Mead and subplex (by comparisons alone), BOBYQA (a quadratic model), "
+              "COBYLA (linear models, with constraints). Global: DIRECT (divides the box between "
+              "the bounds), ISRES (evolution, with constraints).")
+      .quantity("Tolerance", "1e-4", dimension::none, range::positive, "",
+                "A search ends when the keys change by less than this part of their length, which "
+                "is Upper - Lower or else Start.")
+      .quantity("Objective tolerance", "0", dimension::none, range::non_negative, "",
+                "Or when the objective changes by less than this part of it; 0 for no such end.")
+      .quantity("Constraint tolerance", "1e-6", dimension::none, range::non_negative, "",
+                "A constraint counts as met when it misses its limit by no more than this part "
+                "of it.")
+      .integer("Most evaluations", "200", Range{.lower = 1, .upper = 1e6}, "", "Of each start.")
+      .integer("Starts", "1", Range{.lower = 1, .upper = 1e5}, "",
+               "The first begins at Start, the others at random between the bounds.")
+      .integer("Seed", "1", Range{.lower = 0, .upper = 1e9}, "",
+               "Of what is drawn at random: equal seeds give equal results.")
+      .integer("Population", "0", Range{.lower = 0, .upper = 1e6}, "",
+               "Of ISRES; 0 means 20 for each key and 20 more.");
+}
+
+std::shared_ptr<const Analysis> Optimise::create(const Values &analysis) {
+  const Values section = analysis.subsection(section_name);
+  const std::string evaluated = read_evaluated(section);
+  refuse_selections(analysis, evaluated);
+  std::vector<std::string> taken;
+  std::vector<DesignKey> keys = read_design_keys(section, evaluated, taken);
+  Settings settings{.evaluated = evaluated,
+                    .keys = std::move(keys),
+                    .objective = Objective(section, evaluated, taken),
+                    .method = section.choice("Method"),
+                    .tolerance = section.quantity("Tolerance"),
+                    .objective_tolerance = section.quantity("Objective tolerance"),
+                    .constraint_tolerance = section.quantity("Constraint tolerance"),
+                    .most = static_cast<std::size_t>(section.integer("Most evaluations")),
+                    .starts = static_cast<std::size_t>(section.integer("Starts")),
+                    .population = static_cast<unsigned>(section.integer("Population")),
+                    .seed = section.integer("Seed")};
+  check_method(section, settings);
+  return std::make_shared<Optimise>(std::move(settings));
+}
+
+std::vector<Axis> Optimise::axes() const { return search_axes(settings_.starts, settings_.most); }
+
+std::vector<std::string> Optimise::changed_keys() const {
+  std::vector<std::string> paths;
+  for (const DesignKey &key : settings_.keys)
+    paths.push_back(key.parameter.path);
+  for (const std::string &path : settings_.objective.worst_keys())
+    paths.push_back(path);
+  return paths;
+}
+
+void Optimise::check_outcomes(const Outcomes &outcomes) const {
+  check_at_bounds(settings_.keys, settings_.evaluated,
+                  [&](const std::vector<parameters::Override> &overrides) {
+                    settings_.objective.check(outcomes, overrides);
+                  });
+}
+
+SearchProblem Optimise::problem(std::size_t line, Evaluations &evaluations) const {
+  const auto n = static_cast<Index>(settings_.keys.size());
+  SearchProblem problem{.lower = Vector(n),
+                        .upper = Vector(n),
+                        .start = start_of_search(settings_.keys, settings_.seed, line),
+                        .step = Vector(n),
+                        .objective = {},
+                        .constraints = {},
+                        .constraint_tolerance = settings_.constraint_tolerance,
+                        .tolerance = settings_.tolerance,
+                        .objective_tolerance = settings_.objective_tolerance,
+                        .most_calls = static_cast<int>(settings_.most) * calls_for_an_evaluation,
+                        .population = settings_.population,
+                        .seed = static_cast<unsigned long>(settings_.seed) + line};
+  for (std::size_t k = 0; k < settings_.keys.size(); ++k) {
+    const DesignKey &key = settings_.keys[k];
+    const auto i = static_cast<Index>(k);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    problem.lower[i] = std::isfinite(key.lower) ? key.coordinate(key.lower) : -infinity;
+    problem.upper[i] = std::isfinite(key.upper) ? key.coordinate(key.upper) : infinity;
+    problem.step[i] = key.step;
+  }
+  const bool compares = search_method(settings_.method).only_compares;
+  problem.objective = [this, compares, &evaluations](const Vector &coordinates) {
+    const DesignValue &value = evaluations.at(coordinates).value;
+    if (!value.failed())
+      return settings_.objective.to_minimise(value.objective);
+    return compares ? HUGE_VAL : penalty(evaluations.all(), settings_.objective);
+  };
+  for (std::size_t c = 0; c < settings_.objective.constraints().size(); ++c)
+    problem.constraints.emplace_back([c, &evaluations](const Vector &coordinates) {
+      const DesignValue &value = evaluations.at(coordinates).value;
+      return value.failed() ? 1 : value.excess[c];
+    });
+  return problem;
+}
+
+SearchEnd Optimise::search_from(std::size_t line, Evaluations &evaluations) const {
+  try {
+    return search(search_method(settings_.method), problem(line, evaluations));
+  } catch (const EvaluationsSpent &) {
+    return SearchEnd::evaluations;
+  }
+}
+
+void Optimise::run_line(std::size_t line, System & /*system*/, LineContext &context) const {
+  const bool done = context.find({line, 0}) != nullptr;
+  Evaluations evaluations(settings_.keys, settings_.objective, line, settings_.most, context);
+  if (!done) {
+    const SearchEnd end = search_from(line, evaluations);
+    context.store(result_of_search(line, evaluations.all(), settings_.keys, settings_.objective,
+                                   settings_.tolerance, settings_.constraint_tolerance, end));
+  }
+  skip_the_rest(settings_.most, evaluations.all().size() + (done ? 0 : 1), context);
+}
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,60 @@
+#include "analyses/design/stored_evaluations.h"
+
+#include "analyses/fields.h"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace vibroimpact::analyses {
+
+namespace {
+
+std::vector<double> counted(std::size_t first, std::size_t size) {
+  std::vector<double> numbers(size);
+  std::iota(numbers.begin(), numbers.end(), static_cast<double>(first));
+  return numbers;
+}
+
+} // namespace
+
+void skip_the_rest(std::size_t most, std::size_t points, LineContext &context) {
+  for (std::size_t i = points; i < most + 1; ++i)
+    context.skip();
+}
+
+std::vector<Axis> search_axes(std::size_t starts, std::size_t most) {
+  return {{.name = "start",
+           .values = counted(1, starts),
+           .labels = {},
+           .unit = "1",
+           .description = "start of a search"},
+          {.name = "evaluation",
+           .values = counted(0, most + 1),
+           .labels = {},
+           .unit = "1",
+           .description = "evaluation of a start, in their order; 0 is the best of them again"}};
+}
+
+void add_keys(PointResult &point, const std::vector<DesignKey> &keys, const Vector &coordinates) {
+  const std::vector<double> values = values_at(keys, coordinates);
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    point.fields.push_back(scalar_field("key/" + keys[k].name, values[k], keys[k].parameter.unit,
+                                        "value of the key " + keys[k].parameter.path));
+}
+
+double bound_at(const DesignKey &key, double value, double tolerance) {
+  const double coordinate = key.coordinate(value);
+  if (std::isfinite(key.lower) && coordinate - key.coordinate(key.lower) <= tolerance)
+    return -1;
+  return std::isfinite(key.upper) && key.coordinate(key.upper) - coordinate <= tolerance ? 1 : 0;
+}
+
+double stored_value(const PointResult &point, const std::string &name) {
+  for (const Field &field : point.fields)
+    if (field.name() == name)
+      return field.values.at(0);
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,85 @@
+"""Figures of searches show every evaluation, the best so far, failed ones and those that miss a
+constraint: check_search_plots.py PROGRAM
+"""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = Path(sys.argv[1]).resolve()
+del sys.argv[1:]
+sys.dont_write_bytecode = True
+sys.path[:0] = [str(PROGRAM.parent), str(Path(__file__).resolve().parent)]
+
+from vibroimpact_plots import style  # noqa: E402
+from vibroimpact_plots.figure_list import figures  # noqa: E402
+from vibroimpact_plots.results import Results  # noqa: E402
+
+import matplotlib.pyplot as plt  # noqa: E402  (after style has chosen the backend)
+import numpy as np  # noqa: E402
+
+from plot_examples import Writer  # noqa: E402
+
+NAN = np.nan
+# Two starts of up to five evaluations behind the result; the first one's second evaluation failed,
+# its third misses the constraint, its fifth was not needed.
+OBJECTIVE = np.array([[2.0, 4, NAN, 1, 2, NAN], [3.0, 5, 3, 4, 6, 7]])
+EXCESS = np.array([[-0.5, -0.5, NAN, 0.3, -0.1, NAN], [-0.1, -0.1, -0.1, -0.1, -0.1, -0.1]])
+X = np.array([[0.4, 0.1, 0.2, 0.3, 0.4, NAN], [0.6, 0.5, 0.6, 0.7, 0.8, 0.9]])
+
+
+def write(folder, sign):
+    writer = Writer(folder)
+    writer.analysis("search", "optimise",
+                    [("start", np.array([1.0, 2]), "1"), ("evaluation", np.arange(6.0), "1")])
+    writer.field("objective", sign * OBJECTIVE, "m")
+    writer.field("excess/force", EXCESS, "1")
+    writer.field("key/x", X, "1")
+    writer.field("key/y", 1e-3 * X, "m")
+    writer.file.close()
+
+
+class SearchFigures(unittest.TestCase):
+    def draw(self, sign=1):
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        write(folder, sign)
+        results = self.enterContext(Results(folder))
+        self.enterContext(plt.rc_context(style.SETTINGS))
+        self.addCleanup(plt.close, "all")
+        return {name: draw() for analysis in results.analyses()
+                for name, draw in figures(results, analysis)}
+
+    def test_names(self):
+        self.assertEqual(set(self.draw()), {"search-history", "search-plane"})
+
+    def test_the_best_so_far_never_gets_worse_and_meets_the_constraint(self):
+        for sign in (1, -1):
+            axes = self.draw(sign)["search-history"].axes[0]
+            steps = [line.get_ydata() for line in axes.get_lines()
+                     if line.get_drawstyle() == "steps-post"]
+            np.testing.assert_allclose(steps[0], sign * np.array([4, 4, 4, 2]))
+            np.testing.assert_allclose(steps[1], sign * np.array([5, 3, 3, 3, 3]))
+
+    def test_every_evaluation_is_marked(self):
+        axes = self.draw()["search-history"].axes
+        marks = {(line.get_marker(), line.get_markerfacecolor() == "none"): line.get_xdata()
+                 for line in axes[0].get_lines()[:4] if line.get_drawstyle() == "default"}
+        np.testing.assert_array_equal(marks[".", False], [1, 4])
+        np.testing.assert_array_equal(marks["x", False], [2])
+        np.testing.assert_array_equal(marks[".", True][np.isin(marks[".", True], [3])], [3])
+        texts = [text.get_text() for text in axes[0].get_legend().get_texts()]
+        self.assertEqual(texts, ["start 1", "start 2", "misses a constraint", "failed"])
+        self.assertEqual(len(axes), 3)
+        self.assertEqual(axes[2].get_ylabel(), "$y$ (µm)")
+
+    def test_the_plane_marks_the_best_of_all_starts(self):
+        axes = self.draw()["search-plane"].axes[0]
+        star = next(line for line in axes.get_lines() if line.get_marker() == "*")
+        np.testing.assert_allclose(star.get_xydata(), [[0.4, 400]])
+        colours = axes.collections[0].get_array()
+        np.testing.assert_allclose(sorted(colours), [2, 3, 4, 4, 5, 6, 7])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,165 @@
+// Searches that cannot be done: what the message says.
+#include "support/simulation_files.h"
+
+#include <gtest/gtest.h>
+
+namespace vibroimpact {
+namespace {
+
+using testing::changed;
+using testing::message_of;
+
+const std::string sound = R"(set Title = a block on a spring
+set Variables = k = 1000
+subsection Body block
+  set Type = lumped
+  subsection Mass head
+    set Mass = 2 kg
+    set Stiffness = k * 1 N/m
+    set Damping = 3 N s/m
+  end
+end
+subsection Excitation shaker
+  set Type = force
+  set At = block.head
+  set Amplitude = 1 N
+  set Frequency = 3 Hz
+end
+subsection Analysis steady
+  set Type = response
+end
+subsection Analysis search
+  set Type = optimise
+  subsection Optimise
+    set Repeat = steady
+    set Objective = amplitude
+    subsection Key stiffness
+      set Path = Variables/k
+      set Lower = 500
+      set Upper = 2000
+      set Start = 700
+    end
+  end
+end
+)";
+
+TEST(BrokenInputSearchesTest, TheFileIsSound) { EXPECT_EQ(message_of(sound), ""); }
+
+struct Mistake {
+  std::string from, to;
+  std::vector<std::string> words;
+};
+
+class BrokenInputSearchesFile : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(BrokenInputSearchesFile, IsRefusedWithAMessage) {
+  const auto &[from, to, words] = GetParam();
+  const std::string message = message_of(changed(sound, from, to));
+  for (const std::string &word : words)
+    EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
+}
+
+const std::string mass_key = R"(    subsection Key mass
+      set Path = Body/block/Mass/head/Mass
+      set Lower = -1 kg
+      set Upper = 3 kg
+    end
+)";
+
+const Mistake mistakes[] = {
+    {"set Repeat = steady", "", {"Optimise / Repeat", "must be given"}},
+    {"set Repeat = steady",
+     "set Repeat = stady",
+     {"test.prm:24", "Repeat", "did you mean 'steady'"}},
+    {"set Repeat = steady", "set Repeat = search", {"Repeat", "does not evaluate another one"}},
+    {"set Objective = amplitude", "", {"Optimise / Objective", "must be given"}},
+    {"subsection Key stiffness", "subsection Worst over stiffness", {"not declared"}},
+    {"set Path = Variables/k", "", {"Key stiffness / Path", "must be given"}},
+    {"set Path = Variables/k", "set Path = Variables/c", {"Key stiffness / Path"}},
+    {"set Path = Variables/k", "set Path = Title", {"Path", "changes the model or the analysis"}},
+    {"set Path = Variables/k", "set Path = Analysis/search/Optimise/Seed", {"Path", "'steady'"}},
+    {"set Path = Variables/k", "set Path = Analysis/steady/Type", {"Path", "one number"}},
+    {"set Lower = 500", "set Lower = 500 kg", {"test.prm:29", "Lower"}},
+    {"set Lower = 500", "set Lower = 2000", {"Key stiffness / Upper", "above Lower"}},
+    {"set Lower = 500", "set Lower = 800", {"Key stiffness / Start", "from Lower to Upper"}},
+    {"set Lower = 500\n", "set Step = 0\n", {"Key stiffness / Step", "above zero"}},
+    {"set Lower = 500", "set Lower = 500\nset Step = 1600", {"Step", "below Upper - Lower"}},
+    {"set Lower = 500\n      set Upper = 2000\n      set Start = 700",
+     "set Upper = 2000",
+     {"Key stiffness / Start", "must be given"}},
+    {"set Lower = 500\n      set Upper = 2000\n      set Start = 700",
+     "set Start = 0",
+     {"Key stiffness / Start", "Step must be given"}},
+    {"set Lower = 500", "set Lower = 0\nset Scale = logarithmic", {"Lower", "above zero"}},
+    {"set Lower = 500",
+     "set Lower = 500\nset Step = 1\nset Scale = logarithmic",
+     {"Step", "nothing where Scale"}},
+    {"    subsection Key",
+     mass_key + "    subsection Key",
+     {"Mass", "This is the case", "Body/block/Mass/head/Mass = -1 kg"}},
+    {"    subsection Key",
+     "subsection Key again\nset Path = Variables/k\nset Start = 700\nend\n    subsection Key",
+     {"Path", "another Key of this analysis"}},
+    {"    subsection Key",
+     "subsection Worst over k\nset Path = Variables/k\nset Values = 1, 2\nend\n    subsection Key",
+     {"Worst over k / Path", "another Key of this analysis"}},
+    {"    subsection Key",
+     "subsection Constraint c\nset Upper = 1 N\nend\n    subsection Key",
+     {"Constraint c / Quantity", "must be given"}},
+    {"    subsection Key",
+     "subsection Constraint c\nset Quantity = force\nend\n    subsection Key",
+     {"Constraint c / Upper", "must be given"}},
+    {"    subsection Key",
+     "subsection Constraint c\nset Quantity = force\nset Upper = 1 N\nend\n    subsection Key",
+     {"Optimise / Method", "COBYLA or ISRES"}},
+    {"set Objective = amplitude",
+     "set Objective = amplitude\nset Population = 9",
+     {"Population", "no population"}},
+    {"  set Type = optimise",
+     "  set Type = optimise\n  set Excitations = none",
+     {"Analysis search / Excitations", "of the analysis steady"}},
+    {"set Objective = amplitude",
+     "set Objective = amplitude\nset Tolerance = 0",
+     {"Tolerance", "greater than 0"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(BrokenInputSearches, BrokenInputSearchesFile,
+                         ::testing::ValuesIn(mistakes));
+
+TEST(BrokenInputSearchesTest, WithoutABoundSomeMethodsCannotSearch) {
+  const std::string unbounded = changed(sound, "      set Lower = 500\n", "");
+  EXPECT_EQ(message_of(unbounded), "");
+  const auto with = [&](const std::string &line) {
+    return message_of(changed(unbounded, "set Repeat = steady", "set Repeat = steady\n" + line));
+  };
+  EXPECT_NE(with("set Method = DIRECT").find("Optimise / Method"), std::string::npos);
+  EXPECT_NE(with("set Method = ISRES").find("another method where"), std::string::npos);
+  EXPECT_NE(with("set Starts = 2").find("Optimise / Starts"), std::string::npos);
+}
+
+TEST(BrokenInputSearchesTest, AKeyIsChangedOnce) {
+  const std::string grid = R"(subsection Analysis grid
+  set Type = parameter grid
+  subsection Parameter grid
+    set Repeat = search
+    subsection Key k
+      set Path = Variables/k
+      set Values = 1, 2
+    end
+  end
+end
+)";
+  const std::string message = message_of(sound + grid);
+  EXPECT_NE(message.find("changes itself"), std::string::npos) << message;
+  const std::string swept = changed(sound, "  set Type = response\n", R"(  set Type = stepped sweep
+  subsection Stepped sweep
+    set Parameter = Variables/k
+    set First = 1
+    set Last = 2
+  end
+)");
+  EXPECT_NE(message_of(swept).find("changes it itself"), std::string::npos) << message_of(swept);
+}
+
+} // namespace
+} // namespace vibroimpact
