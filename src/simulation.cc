@@ -1,6 +1,7 @@
 #include "simulation.h"
 
 #include "analyses/cost.h"
+#include "analyses/design/measured_data.h"
 #include "common/error.h"
 #include "common/log.h"
 #include "common/petsc_stage.h"
@@ -101,10 +102,12 @@ void Simulation::note_records() {
     return;
   int rank = 0;
   MPI_Comm_rank(communicator_, &rank);
-  std::string checksums;
+  std::set<std::string> noted;
   if (rank == 0)
-    for (const std::string &checksum : model::record_checksums(parameters_->root(), file_folder()))
-      checksums += (checksums.empty() ? "" : ", ") + checksum;
+    for (const auto &list : {model::record_checksums(parameters_->root(), file_folder()),
+                             analyses::data_checksums(parameters_->root(), file_folder())})
+      noted.insert(list.begin(), list.end());
+  std::string checksums = parameters::join({noted.begin(), noted.end()}, ", ");
   checksums = reduction::broadcast(std::move(checksums), communicator_);
   if (!checksums.empty())
     parameters_ = parameters_->with(

@@ -10,6 +10,7 @@ from . import (
     branches,
     cycles,
     derived_curves,
+    fits,
     histories,
     identify,
     maps,
@@ -28,6 +29,7 @@ KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cy
 # Analyses whose fields are of their own kind.
 OWN = {**{name: [branches] for name in branches.TYPES},
        searches.TYPE: [searches, derived_curves],
+       fits.TYPE: [fits, derived_curves],
        **{name: [basins] for name in basins.TYPES}}
 
 

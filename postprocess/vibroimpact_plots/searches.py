@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from . import style
-from .labels import key_label, scale_for, words
+from .labels import key_label, quantity_label, scale_for, words
 from .layout import describe, kept
 from .results import Analysis, Results
 
@@ -40,9 +40,9 @@ def values_of(analysis: Analysis, path: str, case: dict) -> np.ndarray:
     return values[kept(analysis, "start")[:MOST_STARTS]]
 
 
-def good(analysis: Analysis, case: dict) -> np.ndarray:
+def good(analysis: Analysis, case: dict, path: str = "objective") -> np.ndarray:
     """Where an evaluation meets all constraints."""
-    meets = np.isfinite(values_of(analysis, "objective", case))
+    meets = np.isfinite(values_of(analysis, path, case))
     for name in analysis.members("excess"):
         meets &= values_of(analysis, f"excess/{name}", case) <= 1e-6
     return meets
@@ -61,13 +61,13 @@ def sense_of(objective: np.ndarray, meets: np.ndarray) -> float:
     return 1.0
 
 
-def history(analysis: Analysis, case: dict):
+def history(analysis: Analysis, case: dict, path: str = "objective"):
     keys = analysis.members("key")[:MOST_KEYS]
     figure, panels = style.panels(1 + len(keys), height=1.6)
-    objective, meets = values_of(analysis, "objective", case), good(analysis, case)
+    objective, meets = values_of(analysis, path, case), good(analysis, case, path)
     sense = sense_of(objective, meets)
-    scale = scale_for(analysis.read("objective").unit, objective)
-    panels[0].set_ylabel(scale.label(objective_name(analysis)))
+    scale = scale_for(analysis.read(path).unit, objective)
+    panels[0].set_ylabel(scale.label(objective_name(analysis, path)))
     colours = style.colours_along(len(objective))
     tried = np.isfinite(values_of(analysis, f"key/{keys[0]}", case))
     for start, colour in enumerate(colours):
@@ -98,8 +98,10 @@ def dots(axes, number, values, meets, colour) -> None:
     axes.plot(number[~allowed], values[number[~allowed]], ".", color=colour, markerfacecolor="none")
 
 
-def objective_name(analysis: Analysis) -> str:
-    name = str(analysis.attributes("objective").get("description", "objective"))
+def objective_name(analysis: Analysis, path: str = "objective") -> str:
+    if path != "objective":
+        return quantity_label(path)
+    name = str(analysis.attributes(path).get("description", path))
     return words(name.split(",")[0].rsplit("/", 1)[-1])
 
 

@@ -4,6 +4,7 @@
 #include "analyses/balance_branch.h"
 #include "analyses/basin_shares.h"
 #include "analyses/basins.h"
+#include "analyses/design/estimate.h"
 #include "analyses/design/optimise.h"
 #include "analyses/frequency_response.h"
 #include "analyses/grid.h"
@@ -41,6 +42,7 @@ constexpr Entry entries[] = {
     {"basins", Basins::declare, Basins::create},
     {"basin shares", BasinShares::declare, BasinShares::create},
     {"identify", Identify::declare, Identify::create},
+    {"estimate", Estimate::declare, Estimate::create},
     {"optimise", Optimise::declare, Optimise::create},
 };
 

@@ -10,10 +10,9 @@ namespace {
 
 constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-const LabelledArray *objective_of(const Source &source) {
-  const auto found =
-      std::find_if(source.arrays.begin(), source.arrays.end(),
-                   [](const LabelledArray &array) { return array.name == "objective"; });
+const LabelledArray *find(const Source &source, const std::string &name) {
+  const auto found = std::find_if(source.arrays.begin(), source.arrays.end(),
+                                  [&](const LabelledArray &array) { return array.name == name; });
   return found == source.arrays.end() ? nullptr : &*found;
 }
 
@@ -56,8 +55,9 @@ DerivedArray result(const LabelledArray &like, const std::string &name, const st
 
 } // namespace
 
-std::vector<DerivedArray> best_of_starts(const Source &source, bool maximise) {
-  const LabelledArray *objective = objective_of(source);
+std::vector<DerivedArray> best_of_starts(const Source &source, const std::string &name,
+                                         bool maximise) {
+  const LabelledArray *objective = find(source, name);
   if (objective == nullptr)
     return {};
   const Starts starts(objective->shape);
@@ -65,17 +65,19 @@ std::vector<DerivedArray> best_of_starts(const Source &source, bool maximise) {
   std::vector<std::size_t> best;
   for (std::size_t cell = 0; cell < starts.cells(); ++cell)
     best.push_back(starts.best(objective->values, cell, maximise ? -1 : 1));
-  const auto add = [&](const LabelledArray &array, const std::string &name) {
-    DerivedArray &values = results.emplace_back(result(
-        array, "best_" + name, array.unit, array.description + ", at the best of all starts"));
+  const auto add = [&](const LabelledArray &array, const std::string &title) {
+    DerivedArray &values = results.emplace_back(
+        result(array, title, array.unit, array.description + ", at the best of all starts"));
     for (std::size_t cell = 0; cell < starts.cells(); ++cell)
       if (best[cell] != nowhere)
         values.values[cell] = starts.value(array.values, cell, best[cell]);
   };
-  add(*objective, "objective");
+  add(*objective, "best_" + name);
   for (const LabelledArray &array : source.arrays)
     if (array.name.starts_with("key/"))
-      add(array, array.name.substr(4));
+      add(array, "best_" + array.name.substr(4));
+    else if (array.name.starts_with("standard_error/"))
+      add(array, "standard_error_" + array.name.substr(15));
   if (starts.number() > 1) {
     results.push_back(
         result(*objective, "best_start", "1", "start whose search has found the best, from 1"));

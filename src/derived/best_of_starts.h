@@ -7,9 +7,11 @@
 
 namespace vibroimpact::derived {
 
-/// `best_objective`, `best_KEY` of every key and, of several starts, `best_start` (from 1), over
-/// the axes before start and evaluation; NaN where no start has found anything. Nothing before the
+/// `best_OBJECTIVE`, where `objective` is the field that is made small or large, `best_KEY` and, of
+/// a fit, `standard_error_KEY` of every key and, of several starts, `best_start` (from 1), over the
+/// axes before start and evaluation; NaN where no start has found anything. Nothing before the
 /// first result.
-std::vector<DerivedArray> best_of_starts(const Source &source, bool maximise);
+std::vector<DerivedArray> best_of_starts(const Source &source, const std::string &objective,
+                                         bool maximise);
 
 } // namespace vibroimpact::derived

@@ -139,8 +139,10 @@ void DerivedQuantities::add(const Values &root, const std::string &analysis,
                             const std::vector<analyses::GridKey> &keys) {
   Wanted wanted{.names = AxisNames(axes, keys), .titles = {}, .sections = {}};
   const Values search = computing_section(root, analysis);
-  wanted.searches = search.choice("Type") == "optimise";
-  wanted.maximises = wanted.searches && search.subsection("Optimise").choice("Sense") == "maximise";
+  const std::string type = search.choice("Type");
+  wanted.objective = type == "optimise" ? "objective" : type == "estimate" ? "sum_of_squares" : "";
+  wanted.maximises =
+      type == "optimise" && search.subsection("Optimise").choice("Sense") == "maximise";
   for (const std::string &name : root.instances("Derived")) {
     const Values section = root.instance("Derived", name);
     if (section.text("From") != analysis)
@@ -149,7 +151,7 @@ void DerivedQuantities::add(const Values &root, const std::string &analysis,
     wanted.sections.push_back(section);
     wanted.titles.push_back(name);
   }
-  if (!wanted.sections.empty() || wanted.searches)
+  if (!wanted.sections.empty() || !wanted.objective.empty())
     wanted_[analysis] = std::move(wanted);
 }
 
@@ -160,8 +162,8 @@ DerivedQuantities::Result DerivedQuantities::evaluate(const std::string &analysi
   if (found == wanted_.end() || source.arrays.empty())
     return result;
   const Wanted &wanted = found->second;
-  if (wanted.searches)
-    for (DerivedArray &array : best_of_starts(source, wanted.maximises))
+  if (!wanted.objective.empty())
+    for (DerivedArray &array : best_of_starts(source, wanted.objective, wanted.maximises))
       if (!holds(wanted.titles, array.name))
         result.arrays.push_back(std::move(array));
   const auto &sections = wanted.sections;

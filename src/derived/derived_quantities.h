@@ -39,7 +39,7 @@ private:
     AxisNames names;
     std::vector<std::string> titles; ///< "Derived TITLE"
     std::vector<parameters::Values> sections;
-    bool searches = false; ///< from several starts, see best_of_starts.h
+    std::string objective{}; ///< field of a search from several starts, see best_of_starts.h
     bool maximises = false;
   };
   std::map<std::string, Wanted> wanted_; ///< by analysis

@@ -98,6 +98,8 @@ std::string analysis_summary(const AnalysisHeader &header, const derived::PointS
       return;
     const std::string point_prefix =
         point.summary.empty() ? "" : prefix + index_in_brackets(point.index) + ".";
+    if (point.status == Status::finished && !point.reason.empty())
+      text += "# " + prefix + index_in_brackets(point.index) + ": " + point.reason + "\n";
     for (const SummaryLine &line : point.summary) {
       const bool absolute = line.name().starts_with('/');
       text += summary_line(absolute ? line.name().substr(1) : point_prefix + line.name(),

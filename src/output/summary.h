@@ -22,7 +22,8 @@ std::string contact_summary(const std::vector<contact::ContactFigures> &contacts
 constexpr std::size_t most_listed_points = 10000;
 
 /// The lines of all points in the order of their index: `analysis.NAME.name = value [unit]`, with
-/// outer axes `analysis.NAME[2,1,17].name`, counted from 1; then the lines of `totals`, to which
+/// outer axes `analysis.NAME[2,1,17].name`, counted from 1, below `# analysis.NAME[2,1,17]: TEXT`
+/// for what a finished point says in words; then the lines of `totals`, to which
 /// all points are added. With more than most_listed_points the lines of the points are left out and
 /// `analysis.NAME.points` tells their number.
 std::string analysis_summary(const AnalysisHeader &header, const derived::PointSequence &points,

@@ -103,6 +103,13 @@ class Searches(ProgramRuns):
         exact = FORCE / np.abs(k - MASS * w ** 2 + 1j * DAMPING * w)
         np.testing.assert_allclose(x[np.isfinite(x)], exact[np.isfinite(x)], rtol=1e-10)
 
+    def test_the_cost_is_known_beforehand(self):
+        self.file.write_text(MODEL + SEARCH + GRID, encoding="utf-8")
+        done = self.run_program(self.file, "--check")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("analysis search: 303 points", done.stdout)
+        self.assertIn("analysis grid: 909 points", done.stdout)
+
     def test_a_grid_repeats_the_search(self):
         grid = self.results(MODEL + SEARCH + GRID)["grid"]
         frequency = grid["Variables.f"][:]

@@ -24,8 +24,6 @@ double read_bound(const Values &section, const char *key, double otherwise) {
 double read_start(const Values &section, const DesignKey &key) {
   if (section.has("Start"))
     return read_number_for(section, "Path", "Start").value;
-  if (!key.bounded())
-    section.require("Start");
   return key.logarithmic ? std::sqrt(key.lower * key.upper) : 0.5 * (key.lower + key.upper);
 }
 
@@ -52,7 +50,8 @@ double read_length(const Values &section, const DesignKey &key, double step) {
 }
 
 DesignKey read_key(const Values &section, const std::string &name) {
-  section.require("Path");
+  if (!section.has("Lower") || !section.has("Upper"))
+    section.require("Start");
   const char *example = section.has("Start") ? "Start" : "Lower";
   const parameters::SiNumber number = read_number_for(section, "Path", example);
   DesignKey key{.name = name,
@@ -123,8 +122,9 @@ std::vector<DesignKey> read_design_keys(const Values &section, const std::string
   std::vector<DesignKey> keys;
   for (const std::string &name : section.instances("Key")) {
     const Values key = section.instance("Key", name);
-    keys.push_back(read_key(key, name));
+    key.require("Path");
     check_changed_key(key, key.key_path("Path"), repeated, "analysis", taken);
+    keys.push_back(read_key(key, name));
   }
   if (keys.empty())
     section.reject_section("at least one subsection Key NAME is needed.");

@@ -57,7 +57,7 @@ PointResult Evaluations::point(const std::vector<std::size_t> &index,
 
 DesignValue Evaluations::read(const PointResult &point) const {
   if (point.status == Status::failed)
-    return {.failure = point.reason};
+    return {.failure = stored_failure(point)};
   DesignValue value;
   value.objective = stored_value(point, "objective");
   value.unbalanced = stored_value(point, "unbalanced");

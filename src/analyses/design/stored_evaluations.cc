@@ -50,6 +50,10 @@ double bound_at(const DesignKey &key, double value, double tolerance) {
   return std::isfinite(key.upper) && key.coordinate(key.upper) - coordinate <= tolerance ? 1 : 0;
 }
 
+std::string stored_failure(const PointResult &point) {
+  return point.reason.empty() ? "an evaluation that was left out" : point.reason;
+}
+
 double stored_value(const PointResult &point, const std::string &name) {
   for (const Field &field : point.fields)
     if (field.name() == name)

@@ -87,6 +87,8 @@ void add_keys(PointResult &point, const std::vector<DesignKey> &keys, const Vect
 /// -1 where the value is at the lower bound within `tolerance` of the coordinate, 1 at the upper
 /// one, else 0.
 double bound_at(const DesignKey &key, double value, double tolerance);
+/// Why a point failed; never empty.
+std::string stored_failure(const PointResult &point);
 /// Value of a scalar field; NaN without one.
 double stored_value(const PointResult &point, const std::string &name);
 

@@ -95,7 +95,7 @@ TEST(NloptSearchTest, ExceptionsComeThrough) {
 }
 
 TEST(NloptSearchTest, EndsAreKnown) {
-  SearchProblem small = problem(2, valley);
+  SearchProblem small = problem(2, [](const Vector &x) { return 1 + valley(x); });
   EXPECT_EQ(search(search_method("Nelder-Mead"), small), SearchEnd::tolerance);
   small.most_calls = 7;
   EXPECT_EQ(search(search_method("Nelder-Mead"), small), SearchEnd::evaluations);

@@ -1,0 +1,341 @@
+#include "analyses/design/estimate.h"
+
+#include "analyses/design/fit_statistics.h"
+#include "analyses/fields.h"
+#include "common/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vibroimpact::analyses {
+
+using parameters::Values;
+
+namespace {
+
+constexpr const char *section_name = "Estimate";
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void check_settings(const Values &section, const Estimate::Settings &settings) {
+  if (settings.starts > 1 && !all_bounded(settings.keys))
+    section.reject("Starts", "1 where a key has no Lower or no Upper, between which starts could "
+                             "be drawn.");
+  std::size_t data = 0;
+  for (const DataSet &set : settings.data)
+    data += set.size();
+  if (data < settings.keys.size())
+    section.reject_section("there are fewer data than keys: " + std::to_string(data) + " for " +
+                           std::to_string(settings.keys.size()) + ".");
+}
+
+const FitEvaluation *best_fit(const std::deque<FitEvaluation> &evaluations) {
+  const FitEvaluation *best = nullptr;
+  for (const FitEvaluation &evaluation : evaluations)
+    if (!evaluation.value.failed() &&
+        (best == nullptr ||
+         evaluation.value.residuals().squaredNorm() < best->value.residuals().squaredNorm()))
+      best = &evaluation;
+  return best;
+}
+
+std::size_t failures(const std::deque<FitEvaluation> &evaluations) {
+  return static_cast<std::size_t>(
+      std::count_if(evaluations.begin(), evaluations.end(),
+                    [](const FitEvaluation &evaluation) { return evaluation.value.failed(); }));
+}
+
+/// Rate of a key's value over its coordinate.
+double rate(const DesignKey &key, double value) {
+  return key.length * (key.logarithmic ? value : 1);
+}
+
+void add_search(PointResult &result, const std::string &name, double value,
+                const std::string &description) {
+  result.fields.push_back(scalar_field("search/" + name, value, "1", description));
+  std::string line = "search." + name;
+  std::replace(line.begin(), line.end(), '/', '.');
+  result.summary.push_back(scalar_line(line, value, "1"));
+}
+
+/// Row by row.
+std::vector<double> rows_of(const Matrix &matrix) {
+  const Matrix transposed = matrix.transpose();
+  return {transposed.data(), transposed.data() + transposed.size()};
+}
+
+void add_matrices(PointResult &result, const FitStatistics &statistics) {
+  const auto n = static_cast<std::size_t>(statistics.correlation.rows());
+  result.fields.push_back({Label("correlation", "1", "of the estimates of two keys, in their order",
+                                 {"fitted_key", "other_key"}),
+                           {n, n},
+                           rows_of(statistics.correlation)});
+  result.fields.push_back(
+      {Label("direction", "1", "relative change of each key in each combination, one a row",
+             {"combination", "fitted_key"}),
+       {n, n},
+       rows_of(statistics.direction)});
+  const auto add = [&](const std::string &name, const Vector &values,
+                       const std::string &description) {
+    result.fields.push_back(
+        series_field(name, "combination", {values.begin(), values.end()}, "1", description));
+  };
+  add("singular_value", statistics.singular_value,
+      "of the derivatives of the residuals by relative changes of all keys");
+  add("direction_error", statistics.direction_error,
+      "standard error of each combination of relative changes; infinite where the data say "
+      "nothing");
+}
+
+} // namespace
+
+void Estimate::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  Section &section = analysis.subsection(
+      section_name, "Fits keys to measured data by bounded nonlinear least squares.");
+  declare_design_keys(section);
+  DataSet::declare(section);
+  section
+      .quantity("Tolerance", "1e-6", dimension::none, range::positive, "",
+                "A fit ends when the keys change by less than this part of their length, which is "
+                "Upper - Lower or else Start.")
+      .quantity("Difference", "1e-4", dimension::none, Range{.lower = 1e-9, .upper = 0.1}, "",
+                "Step of the keys for derivatives, as a part of the same length; well above the "
+                "relative error of the quantities.")
+      .integer("Most evaluations", "200", Range{.lower = 1, .upper = 1e6}, "",
+               "Of each start, those for derivatives included; the last derivatives take two more "
+               "for each key.")
+      .integer("Starts", "1", Range{.lower = 1, .upper = 1e5}, "",
+               "The first begins at Start, the others at random between the bounds.")
+      .integer("Seed", "1", Range{.lower = 0, .upper = 1e9}, "",
+               "Of what is drawn at random: equal seeds give equal results.");
+}
+
+std::shared_ptr<const Analysis> Estimate::create(const Values &analysis) {
+  const Values section = analysis.subsection(section_name);
+  std::vector<DataSet> data = read_data_sets(section);
+  refuse_selections(analysis, data.front().analysis());
+  std::vector<std::string> taken;
+  Settings settings{.keys = read_design_keys(section, data.front().analysis(), taken),
+                    .data = std::move(data),
+                    .tolerance = section.quantity("Tolerance"),
+                    .difference = section.quantity("Difference"),
+                    .most = static_cast<std::size_t>(section.integer("Most evaluations")),
+                    .starts = static_cast<std::size_t>(section.integer("Starts")),
+                    .seed = section.integer("Seed")};
+  check_settings(section, settings);
+  return std::make_shared<Estimate>(std::move(settings));
+}
+
+std::vector<Axis> Estimate::axes() const {
+  return search_axes(settings_.starts, all_evaluations());
+}
+
+std::vector<std::string> Estimate::changed_keys() const {
+  std::vector<std::string> paths;
+  for (const DesignKey &key : settings_.keys)
+    paths.push_back(key.parameter.path);
+  return paths;
+}
+
+void Estimate::check_outcomes(const Outcomes &outcomes) const {
+  for (const DataSet &set : settings_.data)
+    check_at_bounds(settings_.keys, set.analysis(),
+                    [&](const std::vector<parameters::Override> &overrides) {
+                      outcomes.check(set.analysis(), overrides);
+                    });
+}
+
+// A failed evaluation counts as ten times worse than the worst before it.
+Vector Estimate::residuals(const Vector &coordinates, FitEvaluations &evaluations) const {
+  const FitValue &value = evaluations.at(coordinates).value;
+  if (!value.failed())
+    return value.residuals();
+  Vector worst;
+  for (const FitEvaluation &other : evaluations.all())
+    if (!other.value.failed() &&
+        (worst.size() == 0 || other.value.residuals().squaredNorm() > worst.squaredNorm()))
+      worst = other.value.residuals();
+  if (worst.size() == 0)
+    throw NumericalError("the evaluation at the start failed: " + value.failure);
+  return 10 * worst;
+}
+
+// The residuals beside a place, and by how much the coordinate is another there; nothing beyond a
+// bound or where the evaluation fails, which `failure` then says.
+std::optional<std::pair<double, Vector>> Estimate::beside(const Vector &coordinates, Index k,
+                                                          double step, FitEvaluations &evaluations,
+                                                          std::string &failure) const {
+  const DesignKey &key = settings_.keys[static_cast<std::size_t>(k)];
+  Vector there = coordinates;
+  there[k] += step;
+  const double moved =
+      key.coordinate(key.value(there[k])) - key.coordinate(key.value(coordinates[k]));
+  if (!(std::abs(moved - step) < 0.5 * std::abs(step)))
+    return std::nullopt;
+  const FitValue &value = evaluations.at(there).value;
+  if (value.failed()) {
+    failure = value.failure;
+    return std::nullopt;
+  }
+  return std::pair{moved, value.residuals()};
+}
+
+// Differences of first order while the fit is under way, of second order for what it says at the
+// end: a combination that the data leave free shows by the errors of the differences alone.
+Matrix Estimate::jacobian(const Vector &coordinates, bool second_order,
+                          FitEvaluations &evaluations) const {
+  const FitValue &value = evaluations.at(coordinates).value;
+  if (value.failed())
+    throw NumericalError("no derivatives where the evaluation failed: " + value.failure);
+  const Vector here = value.residuals();
+  Matrix jacobian(here.size(), coordinates.size());
+  const double h = settings_.difference;
+  for (Index k = 0; k < coordinates.size(); ++k) {
+    std::string failure = "bounds on both sides";
+    const auto at = [&](double step) { return beside(coordinates, k, step, evaluations, failure); };
+    auto one = at(h);
+    auto other = one && !second_order ? std::nullopt : at(-h);
+    if (second_order && one.has_value() != other.has_value())
+      (one ? other : one) = at(one ? 2 * h : -2 * h);
+    if (!one)
+      std::swap(one, other);
+    if (!one)
+      throw NumericalError("no derivative by the key " +
+                           settings_.keys[static_cast<std::size_t>(k)].name + ": " + failure);
+    const Vector slope = (one->second - here) / one->first;
+    if (!second_order || !other)
+      jacobian.col(k) = slope;
+    else // of the parabola through all three
+      jacobian.col(k) = slope + ((other->second - here) / other->first - slope) * one->first /
+                                    (one->first - other->first);
+  }
+  return jacobian;
+}
+
+SearchEnd Estimate::fit_from(std::size_t line, FitEvaluations &evaluations) const {
+  const auto n = static_cast<Index>(settings_.keys.size());
+  LeastSquaresProblem problem{.lower = Vector(n),
+                              .upper = Vector(n),
+                              .start = start_of_search(settings_.keys, settings_.seed, line),
+                              .residuals = {},
+                              .jacobian = {},
+                              .size = 0,
+                              .tolerance = settings_.tolerance,
+                              .most_iterations = static_cast<int>(settings_.most)};
+  for (Index k = 0; k < n; ++k) {
+    const DesignKey &key = settings_.keys[static_cast<std::size_t>(k)];
+    problem.lower[k] = std::isfinite(key.lower) ? key.coordinate(key.lower) : -infinity;
+    problem.upper[k] = std::isfinite(key.upper) ? key.coordinate(key.upper) : infinity;
+  }
+  const auto within = [&] {
+    if (evaluations.all().size() >= settings_.most)
+      throw EvaluationsSpent{};
+  };
+  problem.residuals = [&](const Vector &coordinates) {
+    within();
+    return residuals(coordinates, evaluations);
+  };
+  problem.jacobian = [&](const Vector &coordinates) {
+    within();
+    return jacobian(coordinates, false, evaluations);
+  };
+  try {
+    problem.size = residuals(problem.start, evaluations).size();
+    return least_squares(problem);
+  } catch (const EvaluationsSpent &) {
+    return SearchEnd::evaluations;
+  } catch (const NumericalError &) {
+    return SearchEnd::other; // the evaluations say why
+  }
+}
+
+void Estimate::add_statistics(PointResult &result, const FitEvaluation &best,
+                              FitEvaluations &evaluations) const {
+  const std::vector<double> values = values_at(settings_.keys, best.coordinates);
+  const auto n = static_cast<Index>(values.size());
+  Matrix by_keys = jacobian(best.coordinates, true, evaluations);
+  Vector sizes(n);
+  std::vector<bool> fixed;
+  std::vector<std::string> names;
+  for (Index k = 0; k < n; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const DesignKey &key = settings_.keys[i];
+    by_keys.col(k) /= rate(key, values[i]);
+    sizes[k] = values[i] != 0 ? std::abs(values[i]) : key.length;
+    fixed.push_back(bound_at(key, values[i], settings_.tolerance) != 0);
+    names.push_back(key.name);
+  }
+  const bool known = std::all_of(settings_.data.begin(), settings_.data.end(),
+                                 [](const DataSet &set) { return set.has_deviation(); });
+  const FitStatistics statistics =
+      fit_statistics(best.value.residuals(), by_keys, sizes, fixed, known);
+  for (Index k = 0; k < n; ++k) {
+    const DesignKey &key = settings_.keys[static_cast<std::size_t>(k)];
+    const double value = values[static_cast<std::size_t>(k)];
+    const auto add = [&](const std::string &group, double number, const std::string &description) {
+      result.fields.push_back(
+          scalar_field(group + "/" + key.name, number, key.parameter.unit, description));
+    };
+    add("standard_error", statistics.standard_error[k],
+        "of the key; infinite where the data leave it free, NaN where a bound fixes it");
+    add("interval_lower", value - statistics.half_width[k], "lower end of the interval of 95 %");
+    add("interval_upper", value + statistics.half_width[k], "upper end of the interval of 95 %");
+    result.summary.push_back(scalar_line("standard_error." + key.name, statistics.standard_error[k],
+                                         key.parameter.unit));
+  }
+  add_search(result, "residual_variance", statistics.residual_variance,
+             "sum of squares over the degrees of freedom");
+  add_matrices(result, statistics);
+  result.reason = combinations_in_words(statistics, names);
+}
+
+PointResult Estimate::result(std::size_t line, FitEvaluations &evaluations, SearchEnd end) const {
+  const std::vector<std::size_t> index{line, 0};
+  const FitEvaluation *best = best_fit(evaluations.all());
+  if (best == nullptr)
+    return {.index = index,
+            .status = Status::failed,
+            .reason =
+                "all " + std::to_string(evaluations.all().size()) +
+                " evaluations failed, the first one: " + evaluations.all().front().value.failure};
+  PointResult result = fit_point(index, *best, settings_.keys, settings_.data);
+  result.summary.push_back(
+      scalar_line("sum_of_squares", best->value.residuals().squaredNorm(), "1"));
+  const std::vector<double> values = values_at(settings_.keys, best->coordinates);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    result.summary.push_back(
+        scalar_line("key." + settings_.keys[k].name, values[k], settings_.keys[k].parameter.unit));
+  try {
+    add_statistics(result, *best, evaluations);
+  } catch (const NumericalError &error) {
+    result.reason = std::string("no standard errors: ") + error.what();
+  }
+  add_search(result, "best", static_cast<double>(best->number), "number of the best evaluation");
+  add_search(result, "evaluations", static_cast<double>(evaluations.all().size()),
+             "evaluations of the fit, those for derivatives included");
+  add_search(result, "failed", static_cast<double>(failures(evaluations.all())),
+             "of these, those that failed");
+  add_search(result, "end", static_cast<double>(end),
+             "why the fit ended: 1 the keys change by less than Tolerance, 2 the sum of squares by "
+             "less than "
+             "1e-9 of it, "
+             "3 Most evaluations, 4 rounding, 0 an evaluation that failed");
+  for (std::size_t k = 0; k < values.size(); ++k)
+    add_search(result, "bound/" + settings_.keys[k].name,
+               bound_at(settings_.keys[k], values[k], settings_.tolerance),
+               "-1 where the best value is at the lower bound, 1 at the upper one, else 0");
+  return result;
+}
+
+void Estimate::run_line(std::size_t line, System & /*system*/, LineContext &context) const {
+  const bool done = context.find({line, 0}) != nullptr;
+  FitEvaluations evaluations(settings_.keys, settings_.data, line, all_evaluations(), context);
+  if (!done) {
+    const SearchEnd end = fit_from(line, evaluations);
+    context.store(result(line, evaluations, end));
+  }
+  skip_the_rest(all_evaluations(), evaluations.all().size() + (done ? 0 : 1), context);
+}
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,205 @@
+#include "analyses/design/measured_data.h"
+
+#include "analyses/design/design_keys.h"
+#include "common/error.h"
+#include "model/record_file.h"
+#include "parameters/text.h"
+
+#include <math.h> // before Boost 1.74, which calls isnan without its namespace
+
+#include <boost/math/interpolators/pchip.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibroimpact::analyses {
+
+using parameters::Number;
+using parameters::Values;
+
+namespace {
+
+double root_mean_square(const std::vector<double> &values) {
+  double sum = 0;
+  for (const double value : values)
+    sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+double on_lines(const std::vector<double> &x, const std::vector<double> &y, double at) {
+  const auto after =
+      std::clamp<std::ptrdiff_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin(), 1,
+                                 static_cast<std::ptrdiff_t>(x.size()) - 1);
+  const auto i = static_cast<std::size_t>(after);
+  const double share = (at - x[i - 1]) / (x[i] - x[i - 1]);
+  return y[i - 1] + share * (y[i] - y[i - 1]);
+}
+
+} // namespace
+
+void DataSet::declare(parameters::Section &section) {
+  using namespace parameters;
+  section.named_subsection("Data", "Measurements that the model is to meet.")
+      .text("Repeat", "", "Name of the analysis that shows the same.")
+      .text("Quantity", "",
+            "The path of a field of that analysis or the name of a Derived of it; along one axis "
+            "where the data are a curve.")
+      .text("File", "",
+            "Text file, or HDF5 file by its suffix .h5 or .hdf5, relative to the folder of the "
+            "parameter file. In a text empty lines and lines from # or % on do not count; its "
+            "first line may hold the names of the columns.")
+      .text("Abscissa column", "1",
+            "Number or name of a column of the text, path of an HDF5 dataset: values of the axis, "
+            "increasing.")
+      .text("Value column", "2", "The same for the measured quantity.")
+      .choice("Separator", "comma", {"comma", "semicolon", "space"},
+              "What stands between the columns; space is any number of blanks and tabs.")
+      .text("Abscissa unit", "", "Unit of the abscissa in the file; empty means that of the axis.")
+      .text("Value unit", "", "Unit of the values in the file; empty means that of the quantity.")
+      .quantity("Value", "", dimension::any, range::any, "",
+                "A single measured value instead of a file, such as a natural frequency.")
+      .quantity("Standard deviation", "", dimension::any, range::positive, "",
+                "Of the measured values; empty means that it is not known, and that differences "
+                "are counted in the root mean square of the values.")
+      .quantity("Weight", "1", dimension::none, range::positive, "",
+                "Multiplies the squares of the differences.");
+}
+
+DataSet::DataSet(const Values &section, std::string name)
+    : name_(std::move(name)), analysis_(read_evaluated(section)),
+      quantity_(section.text("Quantity")), single_(section.has("Value")),
+      weight_(section.quantity("Weight")), section_(section) {
+  section.require("Quantity");
+  if (single_)
+    read_single();
+  else
+    read_curve();
+}
+
+void DataSet::read_single() {
+  for (const char *key :
+       {"File", "Abscissa column", "Value column", "Separator", "Abscissa unit", "Value unit"})
+    if (section_.given(key))
+      section_.reject(key, "nothing beside the key Value.");
+  value_ = {0}; // its unit is that of the quantity, which is not known yet
+}
+
+void DataSet::read_curve() {
+  if (!section_.has("File"))
+    section_.reject("File", "a file, or else Value must be given.");
+  const Values root = section_.parameters().root();
+  model::Samples samples =
+      model::read_record(section_, root.text("File folder"), root.names("File checksums"),
+                         {.time_column = section_.text("Abscissa column"),
+                          .value_column = section_.text("Value column"),
+                          .separator = section_.choice("Separator"),
+                          .time_key = "Abscissa column"});
+  abscissa_ = std::move(samples.time);
+  value_ = std::move(samples.value);
+}
+
+// What the file's unit is in units of the outcome.
+double DataSet::unit_factor(const char *key, const Number &one) const {
+  return section_.has(key)
+             ? section_.part(key, "1 " + section_.text(key), one.dimension) / one.value
+             : 1;
+}
+
+double DataSet::deviation(const std::vector<double> &measured, const Number &one) const {
+  if (has_deviation())
+    return section_.quantity_of("Standard deviation", one.dimension) / one.value;
+  const double size = root_mean_square(measured);
+  if (!(size > 0))
+    section_.reject_section("values that are all zero need a Standard deviation.");
+  return size;
+}
+
+std::vector<double> DataSet::interpolated(const Outcome &outcome,
+                                          const std::vector<double> &abscissa) const {
+  std::vector<double> x = outcome.axes.at(0).values, y = outcome.values;
+  if (x.size() > 1 && x.back() < x.front()) {
+    std::reverse(x.begin(), x.end());
+    std::reverse(y.begin(), y.end());
+  }
+  for (const double value : y)
+    if (!std::isfinite(value))
+      throw NumericalError(quantity_ + " is not finite everywhere along " + outcome.axes[0].name);
+  const double reach = 1e-9 * std::max(std::abs(x.front()), std::abs(x.back()));
+  for (const double at : {abscissa.front(), abscissa.back()})
+    if (x.size() < 2 || at < x.front() - reach || at > x.back() + reach)
+      section_.reject("Abscissa column",
+                      "values along the axis " + outcome.axes[0].name + ", which goes from " +
+                          parameters::number_text(x.front()) + " to " +
+                          parameters::number_text(x.back()) + " " + outcome.axes[0].unit +
+                          "; the data have " + parameters::number_text(at) + " there");
+  const auto inside = [&](double at) { return std::clamp(at, x.front(), x.back()); };
+  std::vector<double> values;
+  if (x.size() < 4) {
+    for (const double at : abscissa)
+      values.push_back(on_lines(x, y, inside(at)));
+    return values;
+  }
+  const std::vector<double> ends{x.front(), x.back()};
+  const boost::math::interpolators::pchip<std::vector<double>> curve(std::move(x), std::move(y));
+  for (const double at : abscissa)
+    values.push_back(curve(std::clamp(at, ends[0], ends[1])));
+  return values;
+}
+
+FittedSet DataSet::compare(const Outcome &outcome) const {
+  FittedSet set;
+  set.unit = outcome.unit;
+  if (single_) {
+    if (outcome.values.size() != 1)
+      section_.reject("Quantity", "a single number beside the key Value.");
+    set.abscissa_unit = "1";
+    set.abscissa = {0};
+    set.measured = {section_.quantity_of("Value", outcome.one.dimension) / outcome.one.value};
+    set.model = outcome.values;
+    if (!std::isfinite(set.model[0]))
+      throw NumericalError(quantity_ + " is no finite number");
+  } else {
+    if (outcome.axes.size() != 1 || !outcome.axes[0].labels.empty())
+      section_.reject("Quantity",
+                      "a quantity along one axis with numbers; this one goes over " +
+                          std::to_string(outcome.axes.size()) +
+                          ". A section Derived with Operation = select makes one of it.");
+    const double factor = unit_factor("Abscissa unit", outcome.axis_ones[0]);
+    const double scale = unit_factor("Value unit", outcome.one);
+    set.abscissa_unit = outcome.axes[0].unit;
+    for (std::size_t i = 0; i < value_.size(); ++i) {
+      set.abscissa.push_back(factor * abscissa_[i]);
+      set.measured.push_back(scale * value_[i]);
+    }
+    set.model = interpolated(outcome, set.abscissa);
+  }
+  const double factor = std::sqrt(weight_) / deviation(set.measured, outcome.one);
+  for (std::size_t i = 0; i < set.model.size(); ++i)
+    set.residual.push_back(factor * (set.model[i] - set.measured[i]));
+  return set;
+}
+
+std::vector<DataSet> read_data_sets(const Values &section) {
+  std::vector<DataSet> sets;
+  for (const std::string &name : section.instances("Data"))
+    sets.emplace_back(section.instance("Data", name), name);
+  if (sets.empty())
+    section.reject_section("at least one subsection Data NAME is needed.");
+  return sets;
+}
+
+std::vector<std::string> data_checksums(const Values &root, const std::string &file_folder) {
+  std::vector<std::string> checksums;
+  for (const std::string &analysis : root.instances("Analysis")) {
+    const Values section = root.instance("Analysis", analysis).subsection("Estimate");
+    for (const std::string &name : section.instances("Data")) {
+      const std::string checksum =
+          model::file_checksum(section.instance("Data", name), file_folder);
+      if (!checksum.empty())
+        checksums.push_back(checksum);
+    }
+  }
+  return checksums;
+}
+
+} // namespace vibroimpact::analyses
