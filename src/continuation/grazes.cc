@@ -7,16 +7,25 @@ namespace vibroimpact::continuation {
 
 namespace {
 
-double slope_along(const LocatedGraze &graze, const Vector &direction) {
-  return graze.at.gradient.dot(direction);
-}
+/// Is a node on the branch before a graze or behind it?
+enum class Place { before, behind };
 
-bool is_open_at(const LocatedGraze &graze, const Node &node) {
-  return slope_along(graze, node.u - graze.u) > 0;
-}
+/// Which side of the guard a node lies on.
+struct Side {
+  Side(const ScaledProblem &problem, const LocatedGraze &graze, const Node &node, Place place) {
+    constexpr double rounding = 1e-13;
+    depth = depth_at(problem, graze, node.u);
+    at_graze = std::abs(depth) <= rounding;
+    // There the sign is that of rounding; but the guard falls on the way to it from the open side.
+    const bool falls = graze.at.gradient.dot(node.tangent) < 0;
+    open = at_graze ? falls == (place == Place::before) : depth < 0;
+  }
+  double depth; ///< scaled
+  bool open, at_graze;
+};
 
-// Derivatives on the side where the guard is open, or has just closed: there they jump by a matrix
-// of rank one at corners, and have no limit at square roots.
+// Derivatives at the graze itself, on the side where the guard is open or has just closed: there
+// they jump by a matrix of rank one at corners, and have no limit at square roots.
 std::optional<Linearisation> one_sided(const LocatedGraze &graze, bool open) {
   Linearisation at = graze.at.smooth;
   if (open || graze.at.touch == Touch::smooth)
@@ -28,82 +37,101 @@ std::optional<Linearisation> one_sided(const LocatedGraze &graze, bool open) {
   return std::nullopt;
 }
 
-// A point of the branch so close to the graze that the signs of its tests are those of the limit.
-Node close_to(const ScaledProblem &problem, const LocatedGraze &graze, const Node &other,
-              const Vector &ahead, const Settings &settings) {
-  const Vector chord = other.u - graze.u;
-  for (const double share : {1e-8, 1e-6, 1e-4}) {
-    try {
-      Corrected corrected = correct(problem, graze.u + share * chord, graze.chart,
-                                    chord.normalized(), share * chord.norm(), settings);
-      return make_node(problem, corrected.u, graze.chart, std::move(corrected.at), ahead);
-    } catch (const NumericalError &) {
-    }
+/// The part of the branch between a graze and a node, with its end at the graze.
+class Part {
+public:
+  Part(const ScaledProblem &problem, const LocatedGraze &graze, const Node &far, Place place,
+       const Settings &settings)
+      : problem_{problem}, settings_{settings}, far_{far}, place_{place},
+        side_{problem, graze, far, place}, at_graze_{far} {
+    if (side_.at_graze)
+      return;
+    const bool falls = side_.open == (place == Place::before);
+    auto at = one_sided(graze, side_.open);
+    if (!side_.open)
+      contact_.emplace(ContactSide(problem, graze, settings), far, std::sqrt(side_.depth),
+                       falls ? Depth::grows : Depth::falls, at.has_value());
+    at_graze_ = at ? make_node(problem, graze.u, graze.chart, std::move(*at),
+                               (falls ? -1.0 : 1.0) * graze.at.gradient.transpose())
+                   : contact_->at(contact_->first_share());
   }
-  throw NumericalError("no solution is found close to the graze of " + graze.graze.name);
+
+  bool is_open() const { return side_.open; }
+  Node &at_graze() { return at_graze_; }
+  std::vector<SpecialPoint> special() const {
+    if (side_.at_graze)
+      return {};
+    const bool leads = place_ == Place::before;
+    const Node &begin = leads ? far_ : at_graze_, &end = leads ? at_graze_ : far_;
+    return special_points(problem_,
+                          contact_ ? Piece(problem_, settings_, begin, end, *contact_)
+                                   : Piece(problem_, settings_, begin, end),
+                          settings_);
+  }
+
+private:
+  const ScaledProblem &problem_;
+  const Settings &settings_;
+  const Node &far_;
+  Place place_;
+  Side side_;
+  std::optional<ContactPath> contact_;
+  Node at_graze_;
+};
+
+// The tangents at a node behind the graze and of the way to it agree: nothing is hidden between
+// them.
+bool is_straight(const LocatedGraze &graze, const Node &node) {
+  constexpr double agreement = 0.9; // cosine of the largest angle
+  return node.tangent.dot((node.u - graze.u).normalized()) > agreement;
 }
 
-// The node at the graze for the part of the branch that leads to `other`.
-Node node_towards(const ScaledProblem &problem, const LocatedGraze &graze, const Node &other,
-                  const Vector &ahead, const Settings &settings) {
-  auto at = one_sided(graze, is_open_at(graze, other));
-  if (!at)
-    return close_to(problem, graze, other, ahead, settings);
-  return make_node(problem, graze.u, graze.chart, std::move(*at), ahead);
+bool is_within(const ScaledProblem &problem, const Node &node, const Range &range) {
+  const double key = problem.point(node.u, node.chart).keys[0];
+  return range.lower <= key && key <= range.upper;
 }
 
-// Lengths of trials behind a graze: within the smallest ones even stiff contacts are smooth.
-std::vector<double> trial_lengths() {
-  std::vector<double> lengths;
-  constexpr int count = 12; // down to 2e-10
-  for (int i = 0; i < count; ++i)
-    lengths.push_back(std::ldexp(1e-3, -2 * i));
-  return lengths;
+Node enter_contact(const ScaledProblem &problem, const LocatedGraze &graze, double y,
+                   const Settings &settings) {
+  return ContactSide(problem, graze, settings)
+      .at(y, graze.u, 10 * settings.graze_step, Depth::grows);
 }
 
-// Tangent on the contact side: of J at a point that is a little in contact, with the guard falling.
-Vector tangent_in_contact(const ScaledProblem &problem, const LocatedGraze &graze,
-                          const Vector &open_tangent, double depth) {
-  const Vector inside = graze.u - depth * open_tangent;
-  const Index n = problem.states();
-  Matrix bordered(n + 1, n + 1);
-  bordered << problem.evaluate(inside, graze.chart).slope, graze.at.gradient;
-  return -solve_dense(bordered, Vector::Unit(n + 1, n)).normalized();
-}
-
-std::optional<Node> enter(const ScaledProblem &problem, const LocatedGraze &graze,
-                          const Vector &tangent, double length, const Pattern &left,
-                          const Settings &settings) {
-  constexpr double agreement = 0.9; // cosine of the largest angle between both tangents
+Node enter_open(const ScaledProblem &problem, const LocatedGraze &graze, double y,
+                const Settings &settings) {
+  const double length = y * y;
+  const Vector gradient = graze.at.gradient.transpose();
+  const Vector tangent = tangent_of(graze.at.smooth.slope, gradient);
   Corrected corrected = correct(problem, graze.u + length * tangent, graze.chart, tangent,
                                 settings.largest_correction * length, settings);
-  if (corrected.at.pattern == left)
-    return std::nullopt;
-  Node node = make_node(problem, corrected.u, graze.chart, std::move(corrected.at), tangent);
-  if (node.tangent.dot(tangent) < agreement)
-    return std::nullopt;
-  return node;
+  return make_node(problem, corrected.u, graze.chart, std::move(corrected.at), gradient);
+}
+
+// Roots of the depths of trials behind a graze: within the smallest ones even stiff contacts are
+// smooth.
+std::vector<double> trial_roots() {
+  std::vector<double> roots;
+  constexpr int count = 12; // down to depths of 2e-10
+  for (int i = 0; i < count; ++i)
+    roots.push_back(std::ldexp(0.03, -i));
+  return roots;
 }
 
 std::optional<Crossing> go_beyond(const ScaledProblem &problem, const LocatedGraze &graze,
                                   const Node &begin, const Settings &settings) {
-  const bool gains = is_open_at(graze, begin);
-  Vector open_tangent = tangent_of(graze.at.smooth.slope, begin.tangent);
-  if (slope_along(graze, open_tangent) < 0)
-    open_tangent = -open_tangent;
-  for (const double length : trial_lengths())
-    for (const double share : {1e-2, 1e-4}) {
-      try {
-        const Vector tangent =
-            gains ? tangent_in_contact(problem, graze, open_tangent, share * length) : open_tangent;
-        auto node = enter(problem, graze, tangent, length, begin.at.pattern, settings);
-        if (node) {
-          node->arclength = begin.arclength + (graze.u - begin.u).norm() + length;
-          return Crossing{graze, std::move(*node), length};
-        }
-      } catch (const NumericalError &) {
-      }
+  const auto enter = Side(problem, graze, begin, Place::before).open ? enter_contact : enter_open;
+  for (const double y : trial_roots()) {
+    try {
+      Node node = enter(problem, graze, y, settings);
+      if (node.at.pattern == begin.at.pattern || !is_straight(graze, node) ||
+          !is_within(problem, node, settings.first_key))
+        continue;
+      const double length = (node.u - graze.u).norm();
+      node.arclength = begin.arclength + (graze.u - begin.u).norm() + length;
+      return Crossing{graze, std::move(node), length};
+    } catch (const NumericalError &) {
     }
+  }
   return std::nullopt;
 }
 
@@ -178,22 +206,19 @@ std::optional<Crossing> cross_graze(const ScaledProblem &problem, const Node &be
 std::vector<SpecialPoint> special_points_across(const ScaledProblem &problem, const Node &begin,
                                                 const LocatedGraze &graze, const Node &end,
                                                 const Settings &settings) {
-  Node before = node_towards(problem, graze, begin, begin.tangent, settings);
-  Node after = node_towards(problem, graze, end, end.tangent, settings);
-  before.arclength = after.arclength = begin.arclength + (graze.u - begin.u).norm();
-  const auto root = [&](const Node &node, Root there) {
-    return is_open_at(graze, node) ? Root::none : there;
-  };
-  auto found = special_points(
-      problem, Piece(problem, settings, begin, before, root(begin, Root::at_end)), settings);
-  const bool turns = (before.tests.fold < 0) != (after.tests.fold < 0);
+  Part before(problem, graze, begin, Place::before, settings);
+  Part after(problem, graze, end, Place::behind, settings);
+  if (before.is_open() == after.is_open())
+    throw NumericalError("the guard of " + graze.graze.name + " does not change its sign");
+  Node &first = before.at_graze(), &second = after.at_graze();
+  first.arclength = second.arclength = begin.arclength + (graze.u - begin.u).norm();
+  auto found = before.special();
+  const bool turns = (first.tests.fold < 0) != (second.tests.fold < 0);
   const Special kind = turns ? Special::grazing_fold : Special::graze;
   // The solution is that of the graze, whichever side its derivatives are of.
-  Node at = is_open_at(graze, begin) ? before : after;
-  found.push_back(make_special(problem, kind, at, before, after));
+  found.push_back(make_special(problem, kind, before.is_open() ? first : second, first, second));
   found.back().graze = graze.graze;
-  const auto behind = special_points(
-      problem, Piece(problem, settings, after, end, root(end, Root::at_begin)), settings);
+  const auto behind = after.special();
   found.insert(found.end(), behind.begin(), behind.end());
   return found;
 }

@@ -27,29 +27,35 @@ bool Hermite::turns_twice(Index unknown) const {
   return vertex > 0 && vertex < 1 && a * (a - linear * linear / quadratic) < 0;
 }
 
-Piece::Piece(const ScaledProblem &problem, const Settings &settings, Node begin, Node end,
-             Root root)
+Piece::Piece(const ScaledProblem &problem, const Settings &settings, Node begin, Node end)
     : problem_{problem}, settings_{settings}, begin_{std::move(begin)}, end_{std::move(end)},
-      root_{root}, path_{begin_.u, begin_.tangent, end_.u, end_.tangent} {
+      path_{begin_.u, begin_.tangent, end_.u, end_.tangent} {
   if (begin_.chart != end_.chart)
     throw std::logic_error("the ends of a piece have different charts");
 }
 
-double Piece::share(double way) const {
-  if (root_ == Root::at_begin)
-    return way * way;
-  if (root_ == Root::at_end)
-    return 1 - (1 - way) * (1 - way);
-  return way;
+Piece::Piece(const ScaledProblem &problem, const Settings &settings, Node begin, Node end,
+             const ContactPath &contact)
+    : Piece(problem, settings, std::move(begin), std::move(end)) {
+  contact_.emplace(contact);
+}
+
+Node Piece::on_chord(double way) const {
+  Corrected corrected =
+      correct(problem_, path_.at(way), begin_.chart, path_.chord(),
+              settings_.largest_correction * length(), settings_, Until::rounding);
+  return make_node(problem_, corrected.u, begin_.chart, std::move(corrected.at), begin_.tangent);
+}
+
+Node Piece::in_contact(double way) const {
+  const double from = contact_->first_share();
+  const double share = contact_->depth() == Depth::grows ? way : 1 - way;
+  return contact_->at(from + share * (1 - from));
 }
 
 Node Piece::at(double way) const {
-  Corrected corrected =
-      correct(problem_, path_.at(share(way)), begin_.chart, path_.chord(),
-              settings_.largest_correction * length(), settings_, Until::rounding);
-  Node node =
-      make_node(problem_, corrected.u, begin_.chart, std::move(corrected.at), begin_.tangent);
-  node.arclength = begin_.arclength + length() * share(way);
+  Node node = contact_ ? in_contact(way) : on_chord(way);
+  node.arclength = begin_.arclength + (node.u - begin_.u).norm();
   return node;
 }
 

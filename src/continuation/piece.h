@@ -2,12 +2,12 @@
 // tests.
 //
 // The point at the distance s from the beginning along the chord lies on the hyperplane normal to
-// the chord; a zero of a test in s is found by the method of Alefeld, Potra and Shi (1995). Nothing
-// is interpolated: what is located is a solution, accurate to rounding where the derivatives are.
+// the chord; behind a graze the depth of the touch takes the place of s. A zero of a test along the
+// way is found by the method of Alefeld, Potra and Shi (1995). Nothing is interpolated: what is
+// located is a solution, accurate to rounding where the derivatives are.
 #pragma once
 
-#include "continuation/newton.h"
-#include "continuation/node.h"
+#include "continuation/contact_side.h"
 
 namespace vibroimpact::continuation {
 
@@ -29,21 +29,19 @@ private:
   Vector begin_slope_, end_slope_; ///< by the share
 };
 
-/// At an end where a guard touches zero, derivatives run as the square root of the distance from
-/// it.
-enum class Root { none, at_begin, at_end };
-
 class Piece {
 public:
   /// Both nodes have the same chart, and tangents that point forward.
+  Piece(const ScaledProblem &problem, const Settings &settings, Node begin, Node end);
+  /// From a graze into contact where the depth grows, otherwise out of contact to the graze.
   Piece(const ScaledProblem &problem, const Settings &settings, Node begin, Node end,
-        Root root = Root::none);
+        const ContactPath &contact);
 
   const Node &begin() const { return begin_; }
   const Node &end() const { return end_; }
   double length() const { return path_.length(); }
-  /// NumericalError where Newton's method fails. `way`: 0 at the beginning, 1 at the end; evenly
-  /// along the chord, or such that the distance from a root grows as the square.
+  /// NumericalError where Newton's method fails. `way`: 0 at the beginning, 1 at the end; in parts
+  /// of the chord, or of the root of the depth.
   Node at(double way) const;
   /// The key turns twice although its slope has one sign at both ends, by the cubic through both.
   bool key_turns_twice() const;
@@ -51,13 +49,14 @@ public:
   std::optional<Node> zero_of(const std::function<double(const Node &)> &test) const;
 
 private:
-  double share(double way) const;
+  Node on_chord(double way) const;
+  Node in_contact(double way) const;
 
   const ScaledProblem &problem_;
   const Settings &settings_;
   Node begin_, end_;
-  Root root_;
   Hermite path_;
+  std::optional<ContactPath> contact_;
 };
 
 } // namespace vibroimpact::continuation

@@ -141,7 +141,7 @@ Node Walk::at_bound(const Node &beyond, const Bound &bound) const {
   return make_node(problem_, corrected.u, here_.chart, std::move(corrected.at), here_.tangent);
 }
 
-std::vector<SpecialPoint> Walk::examine(const Node &next) {
+std::vector<SpecialPoint> Walk::examine(Node &next) {
   const Piece piece(problem_, settings_, here_, next);
   check_pairs(piece);
   if (next.at.pattern == here_.at.pattern)
@@ -149,8 +149,11 @@ std::vector<SpecialPoint> Walk::examine(const Node &next) {
   const auto grazes = grazes_between(problem_, here_, next, settings_);
   if (grazes.size() > 1)
     throw NumericalError("several guards touch zero within a step");
-  if (grazes.size() == 1)
+  if (grazes.size() == 1) {
+    const Vector &at = grazes.front().u;
+    next.arclength = here_.arclength + (at - here_.u).norm() + (next.u - at).norm();
     return special_points_across(problem_, here_, grazes.front(), next, settings_);
+  }
   auto special = special_points(problem_, piece, settings_);
   special.push_back(make_special(problem_, Special::pattern_change, next, here_, next));
   return special;

@@ -25,7 +25,8 @@ private:
   Node next_node();
   Node attempt();
   Node at_bound(const Node &beyond, const Bound &bound) const;
-  std::vector<SpecialPoint> examine(const Node &next);
+  /// Special points up to the next point; its arclength is that through the graze on the way.
+  std::vector<SpecialPoint> examine(Node &next);
   /// Refuses a step in which two special points may hide, whose tests have one sign at both its
   /// ends.
   void check_pairs(const Piece &piece);

@@ -2,6 +2,8 @@
 
 #include "periodic/open_contact.h"
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,12 +15,24 @@ using motion::Bernstein;
 
 namespace {
 
-// Where a polynomial has a minimum inside the step.
-std::optional<double> minimum_of(const Bernstein &curve) {
-  Bernstein falling = curve.derivative();
-  if (!(falling.start() < 0 && falling.end() >= 0))
-    return std::nullopt;
-  return (falling *= -1).first_down_crossing();
+// Where a polynomial has minima inside the step, which may last for a large part of the period:
+// where its derivative changes its sign between neighbouring instants.
+std::vector<double> minima_of(const Bernstein &curve) {
+  constexpr int parts = 16;
+  const Bernstein slope = curve.derivative();
+  std::vector<double> minima;
+  for (int i = 0; i < parts; ++i) {
+    const double from = static_cast<double>(i) / parts, to = static_cast<double>(i + 1) / parts;
+    const double before = slope(from), after = slope(to);
+    if (!(before < 0 && after >= 0))
+      continue;
+    std::uintmax_t most = 60;
+    const auto [low, high] =
+        boost::math::tools::toms748_solve([&](double tau) { return slope(tau); }, from, to, before,
+                                          after, boost::math::tools::eps_tolerance<double>(), most);
+    minima.push_back((low + high) / 2);
+  }
+  return minima;
 }
 
 } // namespace
@@ -33,15 +47,15 @@ void MinimumObserver::step(const motion::StepView &view) {
       if (!closes(law, guards[g]))
         continue;
       const Bernstein curve = view.indicator(c, guards[g].indicator);
-      if (const std::optional<double> tau = minimum_of(curve)) {
-        const double time = view.start() + *tau * view.length();
+      for (const double tau : minima_of(curve)) {
+        const double time = view.start() + tau * view.length();
         minima_.push_back({.contact = c,
                            .mode = mode,
                            .guard = g,
                            .time = time,
                            .begin = time,
                            .end = time,
-                           .value = curve(*tau)});
+                           .value = curve(tau)});
       }
     }
   }

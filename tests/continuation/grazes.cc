@@ -101,6 +101,36 @@ TEST(GrazesTest, AreFoldsAtSquareRootsWithTheFoldBehind) {
   }
 }
 
+// The end of the key just behind the graze is not stepped over.
+TEST(GrazesTest, AreCrossedCloseToTheEndOfTheKey) {
+  const double a = 0.4, s = 0.3;
+  for (const double last : {1e-2, 1e-4}) {
+    PiecewiseMap map = scalar_map(a, -s, Touch::square_root);
+    const Branch branch = follow(map, open_start(a, -0.5), within(-1, last));
+    EXPECT_EQ(branch.end, End::upper_bound) << branch.reason;
+    EXPECT_EQ(branch.points.back().point.keys(0), last);
+    const double y = std::sqrt(branch.points.back().point.state(0));
+    EXPECT_NEAR((1 - a) * y * y + s * y, last, 1e-14);
+    for (const BranchPoint &point : branch.points)
+      EXPECT_LE(point.point.keys(0), last);
+  }
+}
+
+// Arclengths of points and special points grow along the branch, also where it turns.
+TEST(GrazesTest, LieBetweenTheirNeighbours) {
+  for (const double s : {-0.3, -0.01, 0.3}) {
+    PiecewiseMap map = scalar_map(0.4, -s, Touch::square_root);
+    const Branch branch = follow(map, open_start(0.4, -0.5), within(-1, 1));
+    double last = 0;
+    for (const SpecialPoint &special : branch.special) {
+      EXPECT_GE(special.at.arclength, last);
+      EXPECT_GE(special.at.arclength, branch.points[special.after].arclength);
+      EXPECT_LE(special.at.arclength, branch.points[special.after + 1].arclength);
+      last = special.at.arclength;
+    }
+  }
+}
+
 // The multiplier a - 3/2 k sqrt x is continuous, but -1 at x = (2 (1 + a) / (3 k))^2 already: a
 // flip, no jump of stability.
 TEST(GrazesTest, HaveTrueFlipsCloseBehindWhereTheForceIsContinuous) {
@@ -152,6 +182,46 @@ TEST(GrazesTest, OfSeveralCoordinates) {
     EXPECT_LT((branch.special[0].at.point.state - open_slope * p).norm(), 1e-14);
     EXPECT_EQ(branch.points.back().point.keys(0), beyond) << branch.reason;
     EXPECT_LT((branch.points.back().point.state - on_contact(beyond)).norm(), 1e-13);
+  }
+}
+
+// The same with a square root: at a given depth d = y^2 the system is linear for state and key, so
+// that both are polynomials of y.
+TEST(GrazesTest, OfSeveralCoordinatesAtSquareRoots) {
+  PiecewiseMap map;
+  map.by_state.resize(2, 2);
+  map.by_state << 0.5, 0.3, -0.4, 0.6;
+  map.by_keys = vector({0.7, -0.2});
+  map.guard_by_state = vector({-1, 0.4}).transpose();
+  map.guard_by_keys = RowVector::Constant(1, -0.3);
+  map.guard_constant = 0.25;
+  map.touch = Touch::square_root;
+  const Matrix open = Matrix::Identity(2, 2) - map.by_state;
+  Matrix system(3, 3);
+  system << open, -map.by_keys, map.guard_by_state, map.guard_by_keys;
+  for (const double strength : {-0.4, 0.02, 0.4}) {
+    map.impulse = strength * vector({-1, 0.2});
+    const auto behind = [&](double y) {
+      Vector right(3);
+      right << map.impulse * y, -map.guard_constant - y * y;
+      return Vector(system.inverse() * right);
+    };
+    const Vector start = open.inverse() * map.by_keys * -1;
+    const Branch branch = follow(map, {{start, vector({-1})}, {}, true}, within(-2, 2));
+    EXPECT_TRUE(branch.end == End::lower_bound || branch.end == End::upper_bound) << branch.reason;
+    ASSERT_FALSE(branch.special.empty());
+    EXPECT_NEAR(branch.special[0].at.point.keys(0), behind(0)(2), 1e-14);
+    int touching = 0;
+    for (const BranchPoint &point : branch.points) {
+      const double depth = -map.guard(point.point);
+      if (depth <= 0)
+        continue;
+      const Vector expected = behind(std::sqrt(depth));
+      EXPECT_LT((point.point.state - expected.head(2)).norm(), 1e-11);
+      EXPECT_NEAR(point.point.keys(0), expected(2), 1e-11);
+      ++touching;
+    }
+    EXPECT_GT(touching, 5) << strength;
   }
 }
 

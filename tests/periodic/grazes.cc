@@ -5,11 +5,13 @@
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/relaxing_stop.h"
 #include "family.h"
+#include "periodic/guard_minima.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <complex>
 
 namespace vibroimpact::periodic {
@@ -82,6 +84,50 @@ TEST(GrazesTest, FirstTouchOfARigidStop) {
       const Extension at = problem.extend(found, problem.grazes_near(found).at(0));
       EXPECT_EQ(at.touch, Touch::square_root);
     }
+}
+
+// Two harmonics: all minima of the gap of a motion that never touches, wherever a period begins.
+TEST(GrazesTest, AllMinimaOfTheGap) {
+  const double w = 0.3;
+  Oscillator model = oscillator(1, 1, damping);
+  model.push(0.3, w);
+  model.push(0.1, 3 * w, 0.4);
+  model.stop({{1.0, testing::newton(0.8)}}, {{1.0, testing::newton(0.8)}});
+  const testing::ForcedMap forced(model, false);
+  const Orbit orbit = find_orbit(forced.map, 1, Vector::Zero(2));
+  const auto first = amplitude(0.3, w);
+  const auto third = amplitude(0.1, 3 * w) * std::polar(1.0, 0.4);
+  const auto position = [&](double phase) {
+    const double angle = 2 * std::numbers::pi * phase;
+    return (first * std::polar(1.0, angle) + third * std::polar(1.0, 3 * angle)).imag();
+  };
+  std::vector<double> peaks, troughs;
+  constexpr int grid = 100000;
+  for (int i = 0; i < grid; ++i) {
+    const double before = position((i - 1.0) / grid), at = position(1.0 * i / grid),
+                 after = position((i + 1.0) / grid);
+    if (at > before && at >= after)
+      peaks.push_back(at);
+    if (at < before && at <= after)
+      troughs.push_back(-at);
+  }
+  ASSERT_GT(peaks.size(), 1u);
+  for (const double begin : {0.0, 0.13, 0.37, 0.71}) {
+    MinimumObserver observer(forced.system.contacts());
+    const Vector state = forced.map.carry(0, begin, state_at_zero_phase(forced.map, orbit));
+    forced.map.observe(begin, begin + 1, state, observer);
+    for (const std::size_t contact : {0u, 1u}) {
+      std::vector<double> expected = contact == 0 ? peaks : troughs, found;
+      for (const GuardMinimum &minimum : observer.minima())
+        if (minimum.contact == contact)
+          found.push_back(1 - minimum.value);
+      std::sort(expected.begin(), expected.end());
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found.size(), expected.size()) << begin;
+      for (std::size_t i = 0; i < found.size(); ++i)
+        EXPECT_NEAR(found[i], expected[i], 1e-8);
+    }
+  }
 }
 
 // Over the frequency, where the instants of the graze and of the section move.
