@@ -22,12 +22,14 @@ KeyedMap::KeyedMap(const SweptParameter &parameter, const std::string &excitatio
 
 // A key that changes one of two equal stops takes the symmetry away.
 void KeyedMap::find_symmetry(double size) {
-  for (const double end : {parameter_.values.back(), parameter_.values.front()}) {
-    move_to(end);
-    symmetry_ = Symmetry::find(*maps_.forced, accuracy_.scale, size);
-    if (!symmetry_)
-      break;
-  }
+  move_to(parameter_.values.back());
+  const std::optional<Symmetry> last = Symmetry::find(*maps_.forced, accuracy_.scale, size);
+  if (!last)
+    return;
+  move_to(parameter_.values.front());
+  const std::optional<Symmetry> first = Symmetry::find(*maps_.forced, accuracy_.scale, size);
+  if (first == last)
+    symmetry_ = first;
 }
 
 void KeyedMap::build(double value) {

@@ -31,16 +31,33 @@ bool near(double a, double b) {
   return std::abs(a - b) <= equal_up_to * std::max(std::abs(a), std::abs(b));
 }
 
-bool opposite(const ContactPair &a, const ContactPair &b) {
-  const double largest = a.gap.row.cwiseAbs().maxCoeff();
-  if (!near(a.clearance, b.clearance) ||
-      (a.gap.row + b.gap.row).cwiseAbs().maxCoeff() > equal_up_to * largest)
-    return false;
-  const std::vector<double> &one = a.gap.base_coefficients, &other = b.gap.base_coefficients;
-  for (std::size_t k = 0; k < one.size(); ++k)
-    if (std::abs(one[k] + other[k]) > equal_up_to)
-      return false;
-  return true;
+using Exchange = std::vector<std::size_t>; // the body that each body takes the place of
+
+// All ways in which bodies of equal sizes change places in pairs, no exchange first.
+void add_exchanges(const model::Model &model, std::size_t body, Exchange &from,
+                   std::vector<Exchange> &exchanges) {
+  if (body == from.size()) {
+    exchanges.push_back(from);
+    return;
+  }
+  add_exchanges(model, body + 1, from, exchanges);
+  for (std::size_t other = body + 1; from[body] == body && other < from.size(); ++other)
+    if (from[other] == other && model.bodies()[body]->size() == model.bodies()[other]->size()) {
+      std::swap(from[body], from[other]);
+      add_exchanges(model, body + 1, from, exchanges);
+      std::swap(from[body], from[other]);
+    }
+}
+
+std::vector<Exchange> exchanges_of(const model::Model &model) {
+  constexpr std::size_t most_bodies = 8;
+  Exchange from(model.bodies().size());
+  std::iota(from.begin(), from.end(), std::size_t{0});
+  if (from.size() > most_bodies)
+    return {from};
+  std::vector<Exchange> exchanges;
+  add_exchanges(model, 0, from, exchanges);
+  return exchanges;
 }
 
 // For the rigid contacts of a state, which must not overlap: half as far from the origin until none
@@ -66,6 +83,34 @@ Vector half_period_on(ForcedSystem &system, double start, const Vector &state) {
 
 } // namespace
 
+Symmetry::Symmetry(const ForcedSystem &system, const Exchange &from, double sign)
+    : taken_from_(static_cast<std::size_t>(system.layout().physical_size())),
+      factor_(Vector::Ones(system.layout().physical_size())) {
+  std::iota(taken_from_.begin(), taken_from_.end(), Index{0});
+  factor_.head(system.layout().internal()).setConstant(sign);
+  for (std::size_t body = 0; body < from.size(); ++body)
+    for (Index i = 0; i < system.model().bodies()[body]->size(); ++i)
+      for (const Index start : {Index{0}, system.layout().velocity()})
+        taken_from_[static_cast<std::size_t>(start + system.model().offset(body) + i)] =
+            start + system.model().offset(from[body]) + i;
+}
+
+// The gap of a in the state sigma x, half a period later, is that of b in the state x.
+bool Symmetry::matches(const ContactPair &a, const ContactPair &b) const {
+  RowVector row = RowVector::Zero(a.gap.row.size());
+  for (Index i = 0; i < row.size(); ++i)
+    row[taken_from_[static_cast<std::size_t>(i)]] += factor_[i] * a.gap.row[i];
+  const double largest = row.cwiseAbs().maxCoeff();
+  if (!near(a.clearance, b.clearance) ||
+      (row - RowVector(b.gap.row)).cwiseAbs().maxCoeff() > equal_up_to * largest)
+    return false;
+  const std::vector<double> &one = a.gap.base_coefficients, &other = b.gap.base_coefficients;
+  for (std::size_t k = 0; k < one.size(); ++k)
+    if (std::abs(one[k] + other[k]) > equal_up_to)
+      return false;
+  return true;
+}
+
 bool Symmetry::pair_contacts(const ForcedSystem &system, double size) {
   const std::vector<ContactPair> &pairs = system.contacts().pairs();
   const Index internal = system.layout().internal();
@@ -73,8 +118,8 @@ bool Symmetry::pair_contacts(const ForcedSystem &system, double size) {
   for (std::size_t a = 0; a < pairs.size(); ++a) {
     if (paired[a])
       continue;
-    std::size_t b = a + 1;
-    while (b < pairs.size() && (paired[b] || !opposite(pairs[a], pairs[b]) ||
+    std::size_t b = a;
+    while (b < pairs.size() && (paired[b] || !matches(pairs[a], pairs[b]) ||
                                 !same_law(*pairs[a].law, *pairs[b].law, size)))
       ++b;
     if (b == pairs.size())
@@ -122,15 +167,16 @@ bool Symmetry::holds(ForcedSystem &system, const Vector &scale, double size) con
 std::optional<Symmetry> Symmetry::find(ForcedSystem &system, const Vector &scale, double size) {
   if (!forcing_is_odd(system))
     return std::nullopt;
-  const motion::StateLayout &layout = system.layout();
-  Symmetry symmetry;
-  symmetry.taken_from_.resize(static_cast<std::size_t>(layout.physical_size()));
-  std::iota(symmetry.taken_from_.begin(), symmetry.taken_from_.end(), Index{0});
-  symmetry.factor_ = Vector::Ones(layout.physical_size());
-  symmetry.factor_.head(layout.internal()).setConstant(-1);
-  if (!symmetry.pair_contacts(system, size) || !symmetry.holds(system, scale, size))
-    return std::nullopt;
-  return symmetry;
+  const std::vector<Exchange> exchanges = exchanges_of(system.model());
+  for (const Exchange &from : exchanges)
+    for (const double sign : {-1.0, 1.0}) {
+      if (sign > 0 && from == exchanges.front())
+        continue; // nothing would change
+      Symmetry symmetry(system, from, sign);
+      if (symmetry.pair_contacts(system, size) && symmetry.holds(system, scale, size))
+        return symmetry;
+    }
+  return std::nullopt;
 }
 
 Matrix Symmetry::apply(const Matrix &columns) const {

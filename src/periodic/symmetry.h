@@ -1,7 +1,9 @@
-// The symmetry of a model that vibrates between equal stops under odd forcing.
+// The symmetry of a model under odd forcing: one that vibrates between equal stops, or bodies that
+// exchange their parts after half a period.
 //
-//   sigma x: coordinates and velocities change their sign, contacts exchange their internal states
-//   with those of their partner. If sigma x(t + T/2) is a motion whenever x(t) is one, then
+//   sigma x: coordinates and velocities change their sign, or equal bodies exchange theirs with or
+//   without a change of sign; contacts exchange their internal states with those of their partner.
+//   If sigma x(t + T/2) is a motion whenever x(t) is one, then
 //
 //   P = H^2,   H = sigma P_(T/2)
 //
@@ -19,16 +21,23 @@ namespace vibroimpact::periodic {
 
 class Symmetry {
 public:
-  /// Nothing where the model does not have it: a source with an even part, a contact without a
-  /// partner that has the opposite gap row, the same clearance and the same law, or a motion that
-  /// contradicts what follows from that. `scale`: factors that make entries of a state comparable;
-  /// `size`: of a state times its scale, at which motions and laws are compared.
+  /// Nothing where the model has none: a source with an even part, a contact whose gap is not that
+  /// of a partner (which may be itself) after sigma, with the same clearance and the same law, or a
+  /// motion that contradicts what follows from that. The change of sign alone comes first.
+  /// Exchanges are looked for among up to eight bodies. `scale`: factors that make entries of a
+  /// state comparable; `size`: of a state times its scale, at which motions and laws are compared.
   static std::optional<Symmetry> find(ForcedSystem &system, const Vector &scale, double size);
 
   /// sigma applied to each column.
   Matrix apply(const Matrix &columns) const;
+  bool operator==(const Symmetry &other) const {
+    return taken_from_ == other.taken_from_ && factor_ == other.factor_;
+  }
 
 private:
+  /// Coordinates of body b become those of body `from[b]` times `sign`.
+  Symmetry(const ForcedSystem &system, const std::vector<std::size_t> &from, double sign);
+  bool matches(const contact::ContactPair &a, const contact::ContactPair &b) const;
   bool pair_contacts(const ForcedSystem &system, double size);
   bool holds(ForcedSystem &system, const Vector &scale, double size) const;
 

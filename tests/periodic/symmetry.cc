@@ -70,6 +70,79 @@ TEST(SymmetryTest, HalfMapTwiceIsTheMapOfThePeriod) {
   EXPECT_LT((twice.by_state * once.by_state - direct.by_state).norm(), 1e-9);
 }
 
+// Two oscillators on one spring, pushed with the phases 0 and `phase`.
+Oscillator pair_of(double second_mass, double phase) {
+  Oscillator pair{.model = model::Model({testing::single_mass("one", 1, 1, 0.1),
+                                         testing::single_mass("two", second_mass, 1, 0.1)})};
+  for (const auto &[head, lag] : {std::pair("one.head", 0.0), std::pair("two.head", phase)}) {
+    model::PointReference at;
+    pair.model.find_point(head, at);
+    pair.model.add_force(
+        head, std::make_shared<model::Harmonic>(model::Given::displacement, 0.8, 1.1, lag), at,
+        Vector3::UnitX());
+  }
+  model::PointReference one, two;
+  pair.model.find_point("one.head", one);
+  pair.model.find_point("two.head", two);
+  model::Projection elongation = pair.model.displacement(two, Vector3::UnitX(), false);
+  elongation.row -= pair.model.displacement(one, Vector3::UnitX(), false).row;
+  pair.model.add_connection({.name = "spring",
+                             .side_a = "one.head",
+                             .side_b = "two.head",
+                             .elongation = elongation,
+                             .stiffness = 0.3,
+                             .damping = 0.02});
+  return pair;
+}
+
+void put_walls(Oscillator &pair, double first, double second) {
+  const auto law = std::make_shared<RelaxingStop>(1.0, 1.0);
+  pair.contacts =
+      contact::ContactSet({testing::contact_along_x(pair.model, "one.head", "", first, law),
+                           testing::contact_along_x(pair.model, "two.head", "", second, law)});
+}
+
+void expect_half_map(const Oscillator &model, const Vector &state) {
+  ForcedMap forced(model);
+  ASSERT_TRUE(forced.map.symmetric());
+  const Section half{.phase = 0.13, .halves = 1}, whole{.phase = 0.13, .halves = 2};
+  const Flow once = forced.map.image(half, state);
+  const Flow twice = forced.map.image(half, once.state);
+  const Flow direct = forced.map.image(whole, state);
+  EXPECT_GE(direct.pattern.events.size(), 2u);
+  EXPECT_LT((twice.state - direct.state).norm(), 1e-11);
+  EXPECT_LT((twice.by_state * once.by_state - direct.by_state).norm(), 1e-9);
+}
+
+// Each has a wall to its right, and does half a period later what the other does.
+TEST(SymmetryTest, EqualBodiesThatExchangeTheirParts) {
+  Oscillator pair = pair_of(1, std::numbers::pi);
+  put_walls(pair, 0.4, 0.4);
+  expect_half_map(pair, vector_of({-0.1, 0.2, 0.9, -0.4, 0.02, 0.15}));
+  put_walls(pair, 0.4, 0.41);
+  EXPECT_FALSE(has_symmetry(pair));
+  Oscillator unequal = pair_of(1.001, std::numbers::pi), together = pair_of(1, 0);
+  put_walls(unequal, 0.4, 0.4);
+  put_walls(together, 0.4, 0.4);
+  EXPECT_FALSE(has_symmetry(unequal));
+  EXPECT_FALSE(has_symmetry(together));
+}
+
+// Pushed together they exchange their parts with the opposite sign: the contact between them is its
+// own partner.
+TEST(SymmetryTest, EqualBodiesThatStrikeEachOther) {
+  const auto law = std::make_shared<RelaxingStop>(1.0, 1.0);
+  for (const double phase : {0.0, 1.0}) {
+    Oscillator pair = pair_of(1, phase);
+    pair.contacts = contact::ContactSet(
+        {testing::contact_along_x(pair.model, "one.head", "two.head", 0.2, law)});
+    if (phase == 0)
+      expect_half_map(pair, vector_of({0.3, -0.2, 0.9, -0.4, 0.02}));
+    else
+      EXPECT_FALSE(has_symmetry(pair));
+  }
+}
+
 TEST(SymmetryTest, MultipliersOfAPeriodAreSquares) {
   const Oscillator model = isolator(1.3002392653669812);
   ForcedMap half(model), whole(model, false);
