@@ -23,6 +23,13 @@ bool is_last(double length, double before, Until until, const Settings &settings
   return length == 0 || stalls || (until == Until::tolerance && length <= settings.tolerance);
 }
 
+// Close behind a square-root graze convergence is quadratic within the depth of the touch only, so
+// that what is expected is also looked at.
+bool is_solved(const SquareSystem &at, const Settings &settings) {
+  constexpr double evaluations = 10; // whose own error need not be corrected
+  return solve_dense(at.slope, -at.residual).norm() <= evaluations * settings.tolerance;
+}
+
 } // namespace
 
 Vector solve_dense(const Matrix &a, const Vector &b) {
@@ -50,10 +57,8 @@ Converged newton(const std::function<SquareSystem(const Vector &)> &system, Vect
     if (is_last(length, before, until, settings))
       return {u, iteration};
     if (until == Until::tolerance && length <= settings.quadratic &&
-        next_is_rounding(length, before)) {
-      system(u);
+        next_is_rounding(length, before) && is_solved(system(u), settings))
       return {u, iteration};
-    }
     before = length;
   }
   throw NumericalError("Newton's method does not converge within " + std::to_string(most) +
