@@ -332,6 +332,36 @@ TEST(KeyDerivativesTest, InternalStateThatFollowsTheGapIsProjected) {
   EXPECT_NEAR(motion.by_state(2, 0), motion.by_state(0, 0), 1e-12);
 }
 
+// At rest on a spring, k x + k3 x^3 = f: the derivative of the coordinate by k3 is a free
+// vibration, y'' + (k + 3 k3 x^2) y = -x^3 / m. The force x^3 by which the key acts is 1e-10 of
+// those that balance each other; differences of these would leave seven of its digits to rounding.
+TEST(KeyDerivativesTest, KeyThatActsByLittleBesideLargeForces) {
+  const double m = 2, k = 1e4, x = 1e-3, k3 = 3;
+  const double force = k * x + k3 * x * x * x;
+  const Family rest{
+      .make =
+          [&](double cubic) {
+            Model model({single_mass("block", m, k, 0)});
+            model.add_force("push", make_constant(Given::displacement, force),
+                            {.body = 0, .point = 0}, Vector3::UnitX());
+            model.add_connection(
+                {.name = "spring",
+                 .side_a = "block.head",
+                 .side_b = "base",
+                 .elongation = model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), false),
+                 .cubic_stiffness = cubic});
+            return Parts{.model = std::move(model), .contacts = {}};
+          },
+      .value = k3,
+      .start = {.time = 0, .physical = vector_of({x, 0})},
+      .end = 0.3};
+  const double omega = std::sqrt((k + 3 * k3 * x * x) / m);
+  const double amplitude = -x * x * x / (m * omega * omega);
+  const Vector exact = vector_of({amplitude * (1 - std::cos(omega * rest.end)),
+                                  amplitude * omega * std::sin(omega * rest.end)});
+  EXPECT_LT((rest.linearised().by_key.col(0) - exact).norm(), 1e-9 * exact.norm());
+}
+
 TEST(KeyDerivativesTest, KeysThatChangeTheModelItselfAreRefused) {
   const auto family = [](std::function<double(double)> mass) {
     return Family{

@@ -61,8 +61,12 @@ public:
       return;
     const VariationAccuracy accuracy{.scale = Vector::Ones(size_), .tolerance = 1e-11};
     Matrix all = Matrix::Identity(size_, size_), some = all;
-    const double of_all = integrate_beside(view, view.equations(), {}, accuracy, nullptr, all);
-    const double of_some = integrate_beside(view, view.equations(), {}, accuracy, &free_, some);
+    const SmoothPart part{.start = view.start(),
+                          .end = view.end(),
+                          .start_state = view.start_state(),
+                          .end_state = view.end_state()};
+    const double of_all = integrate_beside(part, view.equations(), {}, accuracy, nullptr, all);
+    const double of_some = integrate_beside(part, view.equations(), {}, accuracy, &free_, some);
     largest = std::max(largest, (some - all).cwiseAbs().maxCoeff() / all.cwiseAbs().maxCoeff());
     EXPECT_NEAR(of_some, of_all, 1e-9 * std::max(1.0, std::abs(of_all)));
     if (const auto split =

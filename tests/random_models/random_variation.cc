@@ -7,6 +7,7 @@
 #include "motion/variation/linearised_motion.h"
 #include "random_models/random_model.h"
 #include "random_models/random_text.h"
+#include "random_models/windowed_motion.h"
 #include "reduction/reduce_body.h"
 #include "simulation.h"
 #include "support/motion_derivative.h"
@@ -14,6 +15,8 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <ctime>
 #include <sstream>
 
@@ -27,12 +30,9 @@ using Overrides = std::vector<parameters::Override>;
 constexpr double agreement = 1e-7;
 constexpr double resolved = 1e-8;
 constexpr double hopeless = 1e-4;
-// A motion that takes more steps in its window is stiff and followed by an implicit method of low
-// order, whose error cannot be made as small as differences need.
-constexpr long most_steps = 4000;
-constexpr int most_motions = 400; // for one model
+constexpr int most_motions = 2000; // for one model
 // In a window, where differences do not agree: they see the error of the motion's own steps.
-constexpr long short_steps = 2000;
+constexpr std::array<double, 3> short_steps = {2e3, 2e4, 2e5};
 
 // Builds the system of one random model at other values of its keys.
 class Builder {
@@ -81,109 +81,6 @@ private:
   mutable std::vector<std::shared_ptr<const reduction::ReducedBody>> bodies_;
 };
 
-struct Sequence : motion::Observer {
-  struct Event {
-    std::size_t contact = 0;
-    int from = 0, to = 0;
-    bool operator==(const Event &) const = default;
-  };
-  void step(const motion::StepView & /*view*/) override {}
-  void event(const motion::ContactEvent &event) override {
-    list.push_back({event.contact, event.from, event.to});
-    times.push_back(event.time);
-    const contact::ContactPair *pair = &(*contacts)[event.contact];
-    laws.insert(pair->law->name());
-    kinds.insert(kind(event, *pair->law));
-  }
-  static std::string kind(const motion::ContactEvent &event, const contact::ContactLaw &law) {
-    const auto holds = [&](int mode) {
-      return law.modes()[static_cast<std::size_t>(mode)].holds_gap;
-    };
-    if (event.chatter_duration > 0)
-      return "chatter";
-    if (event.guard->action == contact::GuardAction::impact)
-      return holds(event.to)                                           ? "begin of rest"
-             : event.collision && event.collision->contacts.size() > 1 ? "impact of several"
-                                                                       : "impact";
-    if (holds(event.from))
-      return "end of rest";
-    return event.guard->reset.empty() ? "change of mode" : "reset";
-  }
-  const std::vector<contact::ContactPair> *contacts = nullptr;
-  std::vector<Event> list;
-  std::vector<double> times;
-  std::set<std::string> laws, kinds;
-};
-
-motion::Settings tight(const System &system) {
-  motion::Settings settings = system.integration;
-  settings.absolute_tolerance = 1e-17;
-  settings.event_tolerance = 1e-15;
-  settings.maximum_steps = most_steps;
-  return settings;
-}
-
-std::optional<Vector> flow(const System &system, const MotionState &start, double end,
-                           const std::vector<Sequence::Event> &events, double maximum_step) {
-  motion::Settings settings = tight(system);
-  settings.maximum_step = maximum_step;
-  settings.maximum_steps += maximum_step > 0 ? 2 * short_steps : 0;
-  try {
-    motion::Trajectory trajectory(system.model, system.contacts, settings);
-    trajectory.start(start);
-    Sequence sequence;
-    sequence.contacts = &system.contacts.pairs();
-    trajectory.advance(end, sequence);
-    if (sequence.list != events)
-      return std::nullopt;
-    return trajectory.motion_state().physical;
-  } catch (const InputError &) {
-    return std::nullopt;
-  } catch (const NumericalError &) {
-    return std::nullopt;
-  }
-}
-
-// An interval of the motion with up to five events, away from them at both ends.
-struct Window {
-  MotionState start;
-  double end = 0;
-};
-
-Window find_window(const System &system, double duration) {
-  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
-  trajectory.start(0, system.initial.displacement, system.initial.velocity);
-  Sequence sequence;
-  sequence.contacts = &system.contacts.pairs();
-  trajectory.advance(duration, sequence);
-  double from = 0.31 * duration;
-  double to = 0.73 * duration;
-  std::vector<double> times = sequence.times;
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  if (times.size() > 2) {
-    const std::size_t first = times.size() / 4;
-    const std::size_t last = std::min(first + 5, times.size() - 1);
-    from = 0.5 * ((first > 0 ? times[first - 1] : 0) + times[first]);
-    to = last + 1 < times.size() ? 0.5 * (times[last] + times[last + 1]) : duration;
-  }
-  trajectory.start(0, system.initial.displacement, system.initial.velocity);
-  Sequence nothing;
-  nothing.contacts = &system.contacts.pairs();
-  trajectory.advance(from, nothing);
-  return {.start = trajectory.motion_state(), .end = to};
-}
-
-// A mode with a node at every point of its body moves these by rounding alone.
-Vector scale_of(const System &system) {
-  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
-  Vector scale = analyses::state_scale(trajectory.equations(), 10);
-  const Index n = trajectory.layout().n;
-  for (const Index first : {Index{0}, n})
-    scale.segment(first, n) =
-        scale.segment(first, n).cwiseMax(1e-3 * scale.segment(first, n).maxCoeff());
-  return scale;
-}
-
 // Keys that most models have, as far as this one has them.
 std::vector<analyses::SweptParameter> keys_of(const Builder &builder) {
   std::vector<analyses::SweptParameter> keys;
@@ -224,6 +121,8 @@ struct Comparison {
 Comparison compare(const Vector &own, const NumericalDerivative &differences, const Vector &scale,
                    double least) {
   const double size = std::max(own.cwiseProduct(scale).cwiseAbs().maxCoeff(), least);
+  if (size == 0 && differences.value.isZero(0)) // nothing moves
+    return {.compared = true};
   if (!(differences.error < hopeless) || size == 0)
     return {.open = differences.error};
   const double apart = (own.cwiseProduct(scale) - differences.value).cwiseAbs().maxCoeff() / size;
@@ -275,7 +174,7 @@ private:
     compare_keys();
     compare_determinant();
     if (verdict_.word.empty())
-      verdict_.word = verdict_.columns > 0 ? "agree" : "unresolved";
+      verdict_.word = verdict_.columns > 0 || !unresolved_ ? "agree" : "unresolved";
   }
 
   // As tightly as the number of steps allows.
@@ -313,7 +212,7 @@ private:
       tangents.push_back(tangent.get());
     const motion::Variation at_start(trajectory, scale_, 1e-12, tangents);
     projection_ = at_start.projection();
-    Sequence sequence;
+    EventSequence sequence;
     sequence.contacts = &system_->contacts.pairs();
     const double with = seconds_of([&] {
       own_ = motion::linearise(trajectory, window_.start, window_.end,
@@ -322,7 +221,7 @@ private:
     own_ = motion::linearise(trajectory, window_.start, window_.end,
                              {.scale = scale_, .tolerance = 1e-12}, tangents);
     const double without =
-        seconds_of([&] { flow(*system_, window_.start, window_.end, sequence.list, 0); });
+        seconds_of([&] { end_of_motion(*system_, window_.start, window_.end, sequence.list, 0); });
     events_ = sequence.list;
     verdict_.cost = with / without;
     verdict_.events = static_cast<int>(sequence.list.size());
@@ -337,6 +236,7 @@ private:
 
   void note(const Comparison &comparison, const std::string &what, double &largest, int &count) {
     if (!comparison.compared) {
+      unresolved_ = true;
       verdict_.detail += " " + what + " unresolved (" + digits(comparison.open) + ");";
       return;
     }
@@ -356,20 +256,23 @@ private:
                            " motions");
     MotionState start = window_.start;
     start.physical += deviation;
-    std::optional<Vector> end = flow(system, start, window_.end, events_, maximum_step_);
+    std::optional<Vector> end = end_of_motion(system, start, window_.end, events_, maximum_step_);
     if (end)
       *end = end->cwiseProduct(scale_);
     return end;
   }
 
+  // By shorter and shorter steps of the motions.
   Comparison compare_with_care(const std::function<Comparison()> &compare_once) {
-    const Comparison first = compare_once();
-    if (!first.compared || first.agrees)
-      return first;
-    maximum_step_ = (window_.end - window_.start.time) / static_cast<double>(short_steps);
-    const Comparison second = compare_once();
+    Comparison comparison = compare_once();
+    for (const double steps : short_steps) {
+      if ((comparison.compared && comparison.agrees) || std::isinf(comparison.open))
+        break;
+      maximum_step_ = (window_.end - window_.start.time) / steps;
+      comparison = compare_once();
+    }
     maximum_step_ = 0; // none
-    return second;
+    return comparison;
   }
 
   void compare_states() {
@@ -429,15 +332,16 @@ private:
 
   mutable int motions_ = 0; ///< for the differences
   double maximum_step_ = 0; ///< of theirs [s]
+  bool unresolved_ = false;
   Builder builder_;
   std::optional<System> system_;
-  Window window_;
+  MotionWindow window_;
   Vector scale_;
   std::vector<analyses::SweptParameter> keys_;
   std::vector<std::unique_ptr<motion::KeyTangent>> tangents_;
   motion::LinearMap projection_;
   motion::LinearisedMotion own_;
-  std::vector<Sequence::Event> events_;
+  std::vector<EventSequence::Event> events_;
   VariationVerdict verdict_;
 };
 

@@ -20,20 +20,21 @@ struct NumericalDerivative {
 };
 
 /// Of f at 0. `f` gives nothing where it is not to be compared (another sequence of events): the
-/// differences begin where it is. Errors of order h^2, h^4 ... are taken out one by one (Ridders
-/// 1982); the step is halved while that helps.
+/// differences begin where it is, after `tries` halvings at most. Errors of order h^2, h^4 ... are
+/// taken out one by one (Ridders 1982); the step is halved while that helps, `steps` times.
 inline NumericalDerivative
 numerical_derivative(const std::function<std::optional<Vector>(double)> &f, double step,
-                     int steps = 12) {
+                     int steps = 12, int tries = 16) {
   NumericalDerivative best;
   std::vector<Vector> before;
-  for (int i = 0; i < steps; ++i, step /= 2) {
+  for (int taken = 0, tried = 0; taken < steps && tried < steps + tries; ++tried, step /= 2) {
     const std::optional<Vector> up = f(step);
-    const std::optional<Vector> down = f(-step);
+    const std::optional<Vector> down = up ? f(-step) : std::nullopt;
     if (!up || !down) {
       before.clear();
       continue;
     }
+    ++taken;
     std::vector<Vector> row = {(*up - *down) / (2 * step)};
     double factor = 4;
     for (const Vector &coarse : before) {

@@ -3,7 +3,6 @@
 #include "common/error.h"
 #include "motion/variation/implicit_integration.h"
 #include "motion/variation/observable_columns.h"
-#include "motion/variation/vanishing_gap.h"
 
 #include <Eigen/LU>
 
@@ -30,6 +29,8 @@ using Extrapolation = odeint::bulirsch_stoer<std::vector<double>>;
 constexpr double stiff_length = 30;
 // The same, over which deviations may grow on the way back from the end.
 constexpr double length_of_return = 2;
+// Of the model's own time scale: where a slope is infinite it still falls there.
+constexpr double short_time = 1e-4;
 // A step that takes more evaluations of the rates finds no end.
 constexpr long most_evaluations = 300000;
 // As one list of numbers, for the explicit method: the change of the state, the columns, and the
@@ -40,13 +41,13 @@ public:
 
   std::vector<double> list(const Matrix &packed) const {
     const Index n = rates_.n_states();
-    std::vector<double> x(static_cast<std::size_t>(n * (packed.cols() + 1) + 1), 0.0);
-    Eigen::Map<Matrix>(x.data() + n, n, packed.cols()) = packed;
+    std::vector<double> x(static_cast<std::size_t>(n + packed.size() + 1), 0.0);
+    Eigen::Map<Matrix>(x.data() + n, packed.rows(), packed.cols()) = packed;
     return x;
   }
   Matrix packed(const std::vector<double> &x) const {
-    const Index n = rates_.n_states();
-    return Eigen::Map<const Matrix>(x.data() + n, n, rates_.n_columns());
+    return Eigen::Map<const Matrix>(x.data() + rates_.n_states(), rates_.n_rows(),
+                                    rates_.n_columns());
   }
 
   void operator()(const std::vector<double> &x, std::vector<double> &dxds, double s) {
@@ -54,10 +55,11 @@ public:
       throw NumericalError("the variation of the motion takes too many steps at t = " +
                            std::to_string(rates_.start()) + " s");
     const Index n = rates_.n_states();
-    Eigen::Map<Matrix> columns(dxds.data() + n, n, rates_.n_columns());
+    const Index rows = rates_.n_rows();
+    Eigen::Map<Matrix> columns(dxds.data() + n, rows, rates_.n_columns());
     dxds.back() =
         rates_.evaluate(s, ConstVectorView(x.data(), n), value_,
-                        Eigen::Map<const Matrix>(x.data() + n, n, rates_.n_columns()), columns);
+                        Eigen::Map<const Matrix>(x.data() + n, rows, rates_.n_columns()), columns);
     Eigen::Map<Vector>(dxds.data(), n) = value_.state;
     columns.rightCols(value_.keys.cols()) += value_.keys;
   }
@@ -68,27 +70,48 @@ private:
   long evaluations_ = 0;
 };
 
-// The instant about which a gap vanishes, where that is within the duration before `time` (or after
-// it, for a negative one): the nearest one.
-std::optional<double> zero_of_gap(const Equations &equations, double time, const Vector &state,
-                                  double duration) {
+// About the instant at which a gap vanishes.
+struct ZeroOfGap {
+  double instant = 0;
+  std::optional<std::size_t> steep{}; ///< the contact, where the slope of its force is infinite
+};
+
+// Does the slope of the force fall without bounds as the gap grows from zero?
+bool is_steep(const Equations &equations, std::size_t c, contact::LocalState local,
+              double duration) {
+  const auto slope_after = [&](double dt) {
+    contact::LawResponse response;
+    local.gap = -std::abs(local.gap_rate) * dt;
+    equations.contacts().pairs()[c].law->evaluate(equations.modes()[c], local, response);
+    return std::abs(response.force_by_gap);
+  };
+  const double dt =
+      std::min(duration, short_time / std::max(equations.model().highest_frequency(), 1.0));
+  return slope_after(dt / 4) > 1.2 * slope_after(dt);
+}
+
+// Within the duration before `time` (or after it, for a negative one): the nearest one.
+std::optional<ZeroOfGap> zero_of_gap(const Equations &equations, double time, const Vector &state,
+                                     double duration) {
   double nearest = std::abs(duration);
-  bool found = false;
+  std::optional<ZeroOfGap> found;
   for (std::size_t c = 0; c < equations.contacts().size(); ++c) {
     if (equations.inactive(c) || equations.mode(c).affine || equations.mode(c).holds_gap)
       continue;
     const contact::LocalState local =
         equations.local_state(c, time, ConstVectorView(state.data(), state.size()));
-    const double elapsed = local.gap / local.gap_rate;
-    if (std::isfinite(elapsed) && std::copysign(elapsed, duration) == elapsed &&
-        std::abs(elapsed) <= nearest) {
-      nearest = std::abs(elapsed);
-      found = true;
-    }
+    double elapsed = local.gap / local.gap_rate;
+    if (std::abs(local.gap) <= equations.rounding(c, {.gap = 1}, time, state))
+      elapsed = std::copysign(0.0, duration);
+    if (!std::isfinite(elapsed) || std::copysign(elapsed, duration) != elapsed ||
+        std::abs(elapsed) > nearest)
+      continue;
+    nearest = std::abs(elapsed);
+    found = {.instant = time - elapsed, .steep = {}};
+    if (is_steep(equations, c, local, std::abs(duration)))
+      found->steep = c;
   }
-  if (!found)
-    return std::nullopt;
-  return time - std::copysign(nearest, duration);
+  return found;
 }
 
 struct Joint {
@@ -98,10 +121,16 @@ struct Joint {
   LinearFlow *free = nullptr;
 };
 
-double integrate_explicitly(const Joint &joint, const Interval &interval, double radius,
-                            JointRates &rates, Matrix &packed) {
+struct Integrated {
+  double divergence = 0;
+  Vector end_state; ///< with the work integrals of the start
+};
+
+Integrated integrate_all(const Joint &joint, const Interval &interval, double radius,
+                         const Vector &end_state, Matrix &columns) {
+  JointRates rates(interval, end_state, joint.equations, joint.keys, joint.accuracy.scale, columns);
   ExplicitRates explicit_rates(rates);
-  std::vector<double> x = explicit_rates.list(packed);
+  std::vector<double> x = explicit_rates.list(rates.pack(columns));
   const double first_step = 1 / std::max(1.0, radius * std::abs(interval.length()));
   try {
     odeint::integrate_adaptive(Extrapolation(joint.accuracy.tolerance, joint.accuracy.tolerance),
@@ -110,40 +139,53 @@ double integrate_explicitly(const Joint &joint, const Interval &interval, double
     throw NumericalError("the variation of the motion finds no step at t = " +
                          std::to_string(interval.start) + " s");
   }
-  packed = explicit_rates.packed(x);
-  return x.back();
+  columns = rates.unpack(explicit_rates.packed(x));
+  return {.divergence = x.back(),
+          .end_state = rates.state_after(ConstVectorView(x.data(), rates.n_states()))};
 }
 
-double integrate_all(const Joint &joint, const Interval &interval, const Vector &end_state,
-                     const RateScales &scales, Matrix &columns) {
+// The last columns belong to the keys.
+Integrated integrate_explicitly(const Joint &joint, const Interval &interval, double radius,
+                                const Vector &end_state, Matrix &columns) {
+  const auto n_keys = static_cast<Index>(joint.keys.size());
+  const Index n = columns.cols() - n_keys;
+  std::optional<ObservableColumns> split;
+  if (joint.free)
+    split = observable_columns(joint.equations, *joint.free, joint.accuracy.scale,
+                               interval.length(), columns.leftCols(n));
+  if (!split)
+    return integrate_all(joint, interval, radius, end_state, columns);
+  const Index k = split->basis.cols();
+  Matrix observed(columns.rows(), k + n_keys);
+  observed << split->basis, columns.rightCols(n_keys);
+  Integrated integrated = integrate_all(joint, interval, radius, end_state, observed);
+  columns.leftCols(n) = observed.leftCols(k) * split->coefficients + split->rest;
+  columns.rightCols(n_keys) = observed.rightCols(n_keys);
+  return integrated;
+}
+
+double integrate_stiff(const Joint &joint, const Interval &interval, const Vector &end_state,
+                       Matrix &columns) {
   JointRates rates(interval, end_state, joint.equations, joint.keys, joint.accuracy.scale, columns);
   Matrix packed = rates.pack(columns);
-  const double divergence =
-      scales.decay * interval.length() > stiff_length
-          ? integrate_implicitly(rates, joint.accuracy.tolerance, packed)
-          : integrate_explicitly(joint, interval, scales.radius, rates, packed);
+  const double divergence = integrate_implicitly(rates, joint.accuracy.tolerance, packed);
   columns = rates.unpack(packed);
   return divergence;
 }
 
-// The last columns belong to the keys.
+// Where the slope of a force is infinite at the start, the first instants are taken explicitly.
 double integrate(const Joint &joint, const Interval &interval, const Vector &end_state,
                  const RateScales &scales, Matrix &columns) {
-  const auto n_keys = static_cast<Index>(joint.keys.size());
-  const Index n = columns.cols() - n_keys;
-  std::optional<ObservableColumns> split;
-  if (joint.free && scales.decay * std::abs(interval.length()) <= stiff_length)
-    split = observable_columns(joint.equations, *joint.free, joint.accuracy.scale,
-                               interval.length(), columns.leftCols(n));
-  if (!split)
-    return integrate_all(joint, interval, end_state, scales, columns);
-  const Index k = split->basis.cols();
-  Matrix observed(columns.rows(), k + n_keys);
-  observed << split->basis, columns.rightCols(n_keys);
-  const double divergence = integrate_all(joint, interval, end_state, scales, observed);
-  columns.leftCols(n) = observed.leftCols(k) * split->coefficients + split->rest;
-  columns.rightCols(n_keys) = observed.rightCols(n_keys);
-  return divergence;
+  if (scales.decay * interval.length() <= stiff_length)
+    return integrate_explicitly(joint, interval, scales.radius, end_state, columns).divergence;
+  if (!interval.steep)
+    return integrate_stiff(joint, interval, end_state, columns);
+  Interval first = interval;
+  first.end = interval.start + stiff_length / scales.decay;
+  const Integrated begun = integrate_explicitly(joint, first, scales.radius, end_state, columns);
+  const Interval rest{
+      .start = first.end, .end = interval.end, .state = begun.end_state, .zero = interval.zero};
+  return begun.divergence + integrate_stiff(joint, rest, end_state, columns);
 }
 
 // From the end to the start: d(start) = P d(end) + g, solved for d(end).
@@ -167,7 +209,7 @@ double integrate_from_end(const Joint &joint, const Interval &reversed, const Ve
 // the gap, and a slope that grows beyond all bounds sees it: the last part is integrated from the
 // end, whose gap is known.
 double integrate_part(const Joint &joint, const Interval &interval, const Vector &end_state,
-                      std::optional<double> zero_at_end, Matrix &columns) {
+                      const std::optional<ZeroOfGap> &zero_at_end, Matrix &columns) {
   const RateScales scales = rate_scales(interval, end_state, joint.equations, joint.accuracy.scale);
   if (!zero_at_end)
     return integrate(joint, interval, end_state, scales, columns);
@@ -175,53 +217,28 @@ double integrate_part(const Joint &joint, const Interval &interval, const Vector
   const double last = std::min(0.5 * length, length_of_return / std::max(scales.decay, 1 / length));
   Interval first = interval;
   first.end = interval.end - last;
-  const Interval second{
-      .start = interval.end, .end = first.end, .state = end_state, .zero = zero_at_end};
+  const Interval second{.start = interval.end,
+                        .end = first.end,
+                        .state = end_state,
+                        .zero = zero_at_end->instant,
+                        .steep = zero_at_end->steep};
   const double divergence = integrate(joint, first, end_state, scales, columns);
   return divergence + integrate_from_end(joint, second, interval.state, scales, columns);
 }
 
 } // namespace
 
-double integrate_beside(const StepView &view, const Equations &equations,
+double integrate_beside(const SmoothPart &part, const Equations &equations,
                         const std::vector<KeyTangent *> &keys, const VariationAccuracy &accuracy,
                         LinearFlow *free, Matrix &columns) {
-  const double h = view.length();
-  std::optional<double> zero_at_end = zero_of_gap(equations, view.end(), view.end_state(), -h);
-  Interval interval{.start = view.start(),
-                    .end = view.end(),
-                    .state = view.start_state(),
-                    .zero = zero_of_gap(equations, view.start(), view.start_state(), h)};
-  Vector end_state = view.end_state();
-  double divergence = 0;
-  const auto first = vanishing_gap(equations, view.start(), view.start_state(), h);
-  if (first) {
-    interval.start = first->duration < h ? view.start() + first->duration : view.end();
-    const ShortInterval part{.contact = first->contact,
-                             .zero = view.start(),
-                             .other = interval.start,
-                             .state_at_zero = view.start_state()};
-    interval.state = state_at_other(equations, part);
-    interval.zero = view.start();
-    divergence += cross(equations, keys, part, columns);
+  const double h = part.length();
+  Interval interval{.start = part.start, .end = part.end, .state = part.start_state};
+  if (const auto zero = zero_of_gap(equations, part.start, part.start_state, h)) {
+    interval.zero = zero->instant;
+    interval.steep = zero->steep;
   }
-  const auto last = vanishing_gap(equations, view.end(), view.end_state(), h);
-  const ShortInterval end_part{.contact = last ? last->contact : 0,
-                               .zero = view.end(),
-                               .other = last ? std::max(interval.start, view.end() - last->duration)
-                                             : view.end(),
-                               .state_at_zero = view.end_state()};
-  if (last) {
-    interval.end = end_part.other;
-    end_state = state_at_other(equations, end_part);
-    zero_at_end = view.end();
-  }
-  if (interval.end > interval.start)
-    divergence += integrate_part({equations, keys, accuracy, free}, interval, end_state,
-                                 zero_at_end, columns);
-  if (last && view.end() > interval.end)
-    divergence += cross(equations, keys, end_part, columns);
-  return divergence;
+  return integrate_part({equations, keys, accuracy, free}, interval, part.end_state,
+                        zero_of_gap(equations, part.end, part.end_state, -h), columns);
 }
 
 } // namespace vibroimpact::motion

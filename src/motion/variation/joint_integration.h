@@ -21,10 +21,17 @@ struct VariationAccuracy {
   double tolerance = 1e-10;
 };
 
-/// Takes the columns from the start of the step to its end; the last ones belong to `keys`. Returns
-/// the integral of the divergence tr J over the step. `free`: the phase in which the nonlinear
+/// A part of the motion without events.
+struct SmoothPart {
+  double start = 0, end = 0; ///< [s]
+  Vector start_state, end_state;
+  double length() const { return end - start; }
+};
+
+/// Takes the columns from the start of the part to its end; the last ones belong to `keys`. Returns
+/// the integral of the divergence tr J over the part. `free`: the phase in which the nonlinear
 /// contacts have no force; with it columns that these do not observe are not integrated.
-double integrate_beside(const StepView &view, const Equations &equations,
+double integrate_beside(const SmoothPart &part, const Equations &equations,
                         const std::vector<KeyTangent *> &keys, const VariationAccuracy &accuracy,
                         LinearFlow *free, Matrix &columns);
 

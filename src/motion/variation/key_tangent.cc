@@ -6,6 +6,7 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -35,16 +36,20 @@ KeyTangent::KeyTangent(std::string key, const model::Model &model,
   const Vector weights = derivative_weights(offsets);
   near_.reserve(neighbours.size()); // the equations refer to the models
   std::vector<const model::Model *> models;
+  std::vector<WeightedModel> weighted;
   for (KeyNeighbour &neighbour : neighbours) {
     const double weight = weights[static_cast<Index>(near_.size())];
     near_.push_back({.data = std::move(neighbour), .equations = nullptr, .weight = weight});
-    models.push_back(&near_.back().data.model);
+    const KeyNeighbour &data = near_.back().data;
+    models.push_back(&data.model);
+    weighted.push_back({.model = &data.model, .contacts = &data.contacts, .weight = weight});
   }
   check_structure();
   check_smoothness();
   for (Near &near : near_)
     near.equations = std::make_unique<Equations>(near.data.model, near.data.contacts);
   sources_ = std::make_unique<SourceTangent>(model_, std::move(models), weights);
+  data_ = std::make_unique<ModelTangent>(model_, contacts_, weighted);
 }
 
 void KeyTangent::check_structure() const {
@@ -68,38 +73,27 @@ void KeyTangent::check_smoothness() const {
 }
 
 double KeyTangent::gap(std::size_t contact, double time, const Vector &state) const {
-  const ContactPair &pair = contacts_.pairs()[contact];
-  double change = 0;
-  for (const Near &near : near_) {
-    const ContactPair &other = near.data.contacts.pairs()[contact];
-    double difference = other.clearance - pair.clearance +
-                        (other.gap.row - pair.gap.row).dot(state.head(model_.size()));
-    for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k)
-      if (const double by = other.gap.base_coefficients[k] - pair.gap.base_coefficients[k]; by != 0)
-        difference += by * model_.sources()[k].function->value(time);
-    change += near.weight * difference;
-  }
-  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k)
-    if (pair.gap.base_coefficients[k] != 0)
-      change += pair.gap.base_coefficients[k] * sources_->at(k, time)[0];
-  return change;
+  const GapTangent &tangent = data_->gaps()[contact];
+  return tangent.clearance + tangent.gap.row.dot(state.head(model_.size())) +
+         gap_by_sources(contact, time, 0);
 }
 
 double KeyTangent::gap_rate(std::size_t contact, double time, const Vector &state) const {
-  const ContactPair &pair = contacts_.pairs()[contact];
-  const Index n = model_.size();
+  return data_->gaps()[contact].gap.row.dot(velocities(state, model_.size())) +
+         gap_by_sources(contact, time, 1);
+}
+
+// Of the gap's derivative by time of the given order, through moving bases.
+double KeyTangent::gap_by_sources(std::size_t contact, double time, std::size_t order) const {
+  const std::vector<double> &own = contacts_.pairs()[contact].gap.base_coefficients;
+  const std::vector<double> &tangent = data_->gaps()[contact].gap.base_coefficients;
   double change = 0;
-  for (const Near &near : near_) {
-    const ContactPair &other = near.data.contacts.pairs()[contact];
-    double difference = (other.gap.row - pair.gap.row).dot(velocities(state, n));
-    for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k)
-      if (const double by = other.gap.base_coefficients[k] - pair.gap.base_coefficients[k]; by != 0)
-        difference += by * model_.sources()[k].function->rate(time);
-    change += near.weight * difference;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    if (own[k] != 0)
+      change += own[k] * sources_->at(k, time)[order];
+    if (tangent[k] != 0)
+      change += tangent[k] * sources_->value(k, time)[order];
   }
-  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k)
-    if (pair.gap.base_coefficients[k] != 0)
-      change += pair.gap.base_coefficients[k] * sources_->at(k, time)[1];
   return change;
 }
 
@@ -155,8 +149,8 @@ KeyTangent::Forces KeyTangent::forces(const Equations &equations, double time, c
   return forces;
 }
 
-// Of a neighbouring model, or the present one, at the forces of the contacts and the values of the
-// sources that the present one has. What is equal in both cancels to the last digit.
+// With rotors, of a neighbouring model or the present one, at the forces of the contacts and the
+// values of the sources that the present one has. What is equal in both cancels to the last digit.
 Vector KeyTangent::acceleration(const model::Model &model, const contact::ContactSet &contacts,
                                 double time, const Vector &state,
                                 const std::vector<SourceValues> &sources,
@@ -184,14 +178,35 @@ Vector KeyTangent::acceleration(const model::Model &model, const contact::Contac
     if (forces[static_cast<Index>(c)] != 0)
       force += forces[static_cast<Index>(c)] * contacts.pairs()[c].gap.row.transpose();
   const model::RotorSet &rotors = model.rotors();
-  if (rotors.empty())
-    return force.cwiseQuotient(model.mass());
   const Index drive = 2 * n + contacts.n_internal();
   const VectorView acceleration(force.data(), n);
   rotors.add_torques(ConstVectorView(state.data() + drive, rotors.n_drive()), acceleration);
   force = force.cwiseQuotient(model.mass()).eval();
   rotors.couple(model.mass(), q, velocity, model.rotor_frame(time), acceleration);
   return force;
+}
+
+// What the rotors' own data and those of the model below them add to the rates.
+void KeyTangent::add_rates_with_rotors(const Equations &equations, double time, const Vector &state,
+                                       const std::vector<SourceValues> &sources,
+                                       const Vector &contact_forces, const Vector &rates,
+                                       Vector &change) const {
+  const StateLayout &layout = equations.layout();
+  const Index n = layout.n;
+  const Vector present = acceleration(model_, contacts_, time, state, sources, contact_forces);
+  Vector drive(layout.n_drive);
+  for (const Near &near : near_) {
+    change.segment(layout.velocity(), n) +=
+        near.weight *
+        (acceleration(near.data.model, near.data.contacts, time, state, sources, contact_forces) -
+         present);
+    near.data.model.rotors().drive_rates(
+        ConstVectorView(state.data() + n, n),
+        ConstVectorView(state.data() + layout.drive(), layout.n_drive),
+        VectorView(drive.data(), drive.size()));
+    change.segment(layout.drive(), layout.n_drive) +=
+        near.weight * (drive - rates.segment(layout.drive(), layout.n_drive));
+  }
 }
 
 // What the changes of the sources add, as a force: by loads and by cubic springs to moving bases.
@@ -224,26 +239,14 @@ Vector KeyTangent::force_of_sources(const Equations &equations, double time, con
 // The forces that hold gaps change so that these stay what they are:
 //   d(gap'' + (a + b) gap' + a b gap)/dp = 0
 void KeyTangent::hold(const Equations &equations, double time, const Vector &state,
-                      const std::vector<SourceValues> &sources, const Vector &rates,
-                      Vector &change) const {
+                      const Vector &rates, Vector &change) const {
   const ActiveConstraints &holding = equations.holding();
   const Index n = model_.size();
   auto accelerations = change.segment(n, n);
   Vector missing = -holding.rows() * accelerations;
   for (Index k = 0; k < holding.size(); ++k) {
     const std::size_t c = holding.contact(k);
-    const ContactPair &pair = contacts_.pairs()[c];
-    for (const Near &near : near_) {
-      const ContactPair &other = near.data.contacts.pairs()[c];
-      missing[k] -= near.weight * (other.gap.row - pair.gap.row).dot(velocities(rates, n));
-      for (std::size_t s = 0; s < sources.size(); ++s)
-        missing[k] -= near.weight *
-                      (other.gap.base_coefficients[s] - pair.gap.base_coefficients[s]) *
-                      sources[s][2];
-    }
-    for (std::size_t s = 0; s < sources.size(); ++s)
-      if (pair.gap.base_coefficients[s] != 0)
-        missing[k] -= pair.gap.base_coefficients[s] * sources_->at(s, time)[2];
+    missing[k] -= data_->gaps()[c].gap.row.dot(velocities(rates, n)) + gap_by_sources(c, time, 2);
     missing[k] -=
         holding.by_gap_rate(k) * gap_rate(c, time, state) + holding.by_gap(k) * gap(c, time, state);
   }
@@ -262,25 +265,15 @@ Vector KeyTangent::rates(const Equations &equations, double time, const Vector &
   Vector force = force_of_sources(equations, time, state, sources);
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     force += forces.change[static_cast<Index>(c)] * contacts_.pairs()[c].gap.row.transpose();
-  auto accelerations = change.segment(layout.velocity(), n);
-  accelerations = equations.response_to(force.transpose(), time, view(state));
-  const Vector present = acceleration(model_, contacts_, time, state, sources, forces.present);
-  for (const Near &near : near_) {
-    accelerations += near.weight * (acceleration(near.data.model, near.data.contacts, time, state,
-                                                 sources, forces.present) -
-                                    present);
-    if (layout.n_drive > 0) {
-      Vector drive(layout.n_drive);
-      near.data.model.rotors().drive_rates(
-          ConstVectorView(state.data() + n, n),
-          ConstVectorView(state.data() + layout.drive(), layout.n_drive),
-          VectorView(drive.data(), drive.size()));
-      change.segment(layout.drive(), layout.n_drive) +=
-          near.weight * (drive - rates.segment(layout.drive(), layout.n_drive));
-    }
-  }
+  if (model_.rotors().empty())
+    force += data_->force(ConstVectorView(state.data(), n), ConstVectorView(state.data() + n, n),
+                          ConstVectorView(rates.data() + n, n), sources, forces.present);
+  change.segment(layout.velocity(), n) =
+      equations.response_to(force.transpose(), time, view(state));
+  if (!model_.rotors().empty())
+    add_rates_with_rotors(equations, time, state, sources, forces.present, rates, change);
   if (!equations.holding().empty())
-    hold(equations, time, state, sources, rates, change);
+    hold(equations, time, state, rates, change);
   return change;
 }
 
@@ -322,6 +315,11 @@ Vector KeyTangent::jump(const Equations &equations, const Collision &collision, 
     change += near.weight * (jump - present);
   }
   return change;
+}
+
+bool KeyTangent::keeps_linear() const {
+  return std::all_of(near_.begin(), near_.end(),
+                     [](const Near &near) { return near.data.model.linear(); });
 }
 
 const KeyTangent::LinearTangent &KeyTangent::linear(const std::vector<int> &modes) {

@@ -14,6 +14,7 @@
 
 #include "motion/observer.h"
 #include "motion/system/linear_system.h"
+#include "motion/variation/model_tangent.h"
 #include "motion/variation/source_tangent.h"
 
 #include <functional>
@@ -67,6 +68,8 @@ public:
   };
   /// For these modes of the contacts; kept from the first call on.
   const LinearTangent &linear(const std::vector<int> &modes);
+  /// The neighbours are linear without contacts, as a cubic spring that begins with the key is not.
+  bool keeps_linear() const;
   /// No two keys have the same.
   long identity() const { return identity_; }
 
@@ -87,16 +90,21 @@ private:
   Vector acceleration(const model::Model &model, const contact::ContactSet &contacts, double time,
                       const Vector &state, const std::vector<SourceValues> &sources,
                       const Vector &forces) const;
+  void add_rates_with_rotors(const Equations &equations, double time, const Vector &state,
+                             const std::vector<SourceValues> &sources, const Vector &contact_forces,
+                             const Vector &rates, Vector &change) const;
+  double gap_by_sources(std::size_t contact, double time, std::size_t order) const;
   Vector force_of_sources(const Equations &equations, double time, const Vector &state,
                           const std::vector<SourceValues> &sources) const;
-  void hold(const Equations &equations, double time, const Vector &state,
-            const std::vector<SourceValues> &sources, const Vector &rates, Vector &change) const;
+  void hold(const Equations &equations, double time, const Vector &state, const Vector &rates,
+            Vector &change) const;
 
   std::string key_;
   const model::Model &model_;
   const contact::ContactSet &contacts_;
   std::vector<Near> near_;
   std::unique_ptr<SourceTangent> sources_;
+  std::unique_ptr<ModelTangent> data_;
   std::map<std::vector<int>, LinearTangent> linear_; ///< by the modes of the contacts
   long identity_;
 };

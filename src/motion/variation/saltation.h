@@ -51,6 +51,7 @@ private:
   struct Reset;    // of the state
 
   Vector rates(double time, const Vector &state) const;
+  Vector rates_at_guard(const ContactEvent &event, const Vector &state) const;
   RowVector gradient(std::size_t contact, const contact::AffineForm &form) const;
   double rate_along(std::size_t contact, const contact::AffineForm &form, const ContactEvent &event,
                     const Vector &rates) const;

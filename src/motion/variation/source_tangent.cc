@@ -2,6 +2,7 @@
 
 #include "common/error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -23,6 +24,14 @@ ExponentialForm derivative(const ExponentialForm &form) {
   return rate;
 }
 
+bool same_form(const ExponentialForm &a, const ExponentialForm &b) {
+  return a.origin == b.origin && a.polynomial == b.polynomial &&
+         std::equal(a.terms.begin(), a.terms.end(), b.terms.begin(), b.terms.end(),
+                    [](const ExponentialForm::Term &one, const ExponentialForm::Term &other) {
+                      return one.amplitude == other.amplitude && one.exponent == other.exponent;
+                    });
+}
+
 Values values_of(const TimeFunction &function, const std::optional<ExponentialForm> &form,
                  double time) {
   if (form)
@@ -39,6 +48,11 @@ const TimeFunction &function_of(const model::Model &model, std::size_t source) {
 SourceTangent::SourceTangent(const model::Model &model,
                              std::vector<const model::Model *> neighbours, Vector weights)
     : model_(model), neighbours_(std::move(neighbours)), weights_(std::move(weights)) {}
+
+// A source without closed form belongs to its next piece at the break itself.
+double SourceTangent::last_instant() const {
+  return std::nextafter(to_, -std::numeric_limits<double>::infinity());
+}
 
 double SourceTangent::inside() const {
   return std::isinf(to_) ? from_ + 1 + 1e-3 * std::abs(from_) : 0.5 * (from_ + to_);
@@ -63,8 +77,13 @@ void SourceTangent::enter(double from, double to) {
         throw NumericalError("a key that gives the excitation " + model_.sources()[k].name +
                              " another form has no derivative");
     }
-    if (interval.form)
+    if (interval.form) {
+      interval.changes = std::any_of(interval.neighbours.begin(), interval.neighbours.end(),
+                                     [&](const std::optional<ExponentialForm> &near) {
+                                       return !same_form(*interval.form, *near);
+                                     });
       take_inputs(interval);
+    }
   }
   find_input_generator();
   find_break_rate();
@@ -91,11 +110,18 @@ void SourceTangent::find_break_rate() {
   }
 }
 
+Values SourceTangent::value(std::size_t source, double time) const {
+  const Interval &interval = intervals_[source];
+  return values_of(function_of(model_, source), interval.form,
+                   interval.form ? time : std::min(time, last_instant()));
+}
+
 Values SourceTangent::at(std::size_t source, double time) const {
   const Interval &interval = intervals_[source];
+  if (!interval.changes)
+    return {};
   const TimeFunction &function = function_of(model_, source);
-  const double last = std::nextafter(to_, -std::numeric_limits<double>::infinity());
-  const double instant = interval.form ? time : std::min(time, last);
+  const double instant = interval.form ? time : std::min(time, last_instant());
   const Values own = values_of(function, interval.form, instant);
   Values change{};
   for (std::size_t i = 0; i < neighbours_.size(); ++i) {

@@ -32,6 +32,8 @@ public:
 
   /// d(s, s', s'')/dp of a source at a time.
   std::array<double, 3> at(std::size_t source, double time) const;
+  /// s, s', s'' themselves.
+  std::array<double, 3> value(std::size_t source, double time) const;
   /// d(to)/dp, of the break that ends the interval [s].
   double break_rate() const { return break_rate_; }
 
@@ -47,6 +49,7 @@ private:
   struct Interval {
     std::optional<model::ExponentialForm> form;
     std::vector<std::optional<model::ExponentialForm>> neighbours;
+    bool changes = true;              ///< with the key
     double stretch = 0;               ///< (d omega/dp) / omega
     std::vector<double> time_factors; ///< of each neighbour: the time at which it has the phase
     Excitation inputs{};              ///< of this source alone, where it has a closed form
@@ -55,6 +58,7 @@ private:
   void take_inputs(Interval &interval) const;
   void find_input_generator();
   double inside() const;
+  double last_instant() const;
   void find_break_rate();
 
   const model::Model &model_;

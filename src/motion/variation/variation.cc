@@ -21,6 +21,13 @@ constexpr double equal_delays = 1e-6;
 // Of what is left of a column beside those before it: below, it is the rounding of the column.
 constexpr double dependent_column = 1e-14;
 
+// Beside the part before it.
+constexpr double short_part = 1e-3;
+// Steps of the motion.
+constexpr int most_joined = 16;
+// Of the fastest mode [rad]: over longer parts contacts observe all modes (observable_columns.h).
+constexpr double longest_turn = 1;
+
 std::optional<int> mode_without_force(const contact::ContactLaw &law) {
   for (std::size_t i = 0; i < law.modes().size(); ++i) {
     const contact::Mode &mode = law.modes()[i];
@@ -57,15 +64,19 @@ void Variation::begin(const Trajectory &trajectory, std::vector<KeyTangent *> ke
   equations_.set_source_break(motion.source_break());
   for (KeyTangent *key : keys_)
     key->enter(start_, motion.source_break());
-  closed_forms_ = !keys_.empty() && phases_.take_sources(start_);
+  closed_forms_ = !keys_.empty() && keys_keep_linear() && phases_.take_sources(start_);
   projection_ = start_projection(equations_, keys_, start_, trajectory.state());
   columns_ = projection_.by_key;
   determinant_ = {};
+  waiting_.reset();
+  joined_ = 0;
+  last_part_.reset();
   instant_ = {};
   tangential_events_ = 0;
 }
 
 void Variation::set_columns(const Matrix &columns) {
+  forget_parts();
   Matrix all(columns.rows(), columns.cols() + n_keys());
   all.rightCols(n_keys()) = columns_.rightCols(n_keys());
   if (projection_.by_state.isIdentity(0))
@@ -76,6 +87,7 @@ void Variation::set_columns(const Matrix &columns) {
 }
 
 Vector Variation::orthonormalise() {
+  forget_parts();
   const Index count = columns_.cols() - n_keys();
   const Matrix scaled = accuracy_.scale.asDiagonal() * columns_.leftCols(count);
   const Eigen::HouseholderQR<Matrix> qr(scaled);
@@ -94,6 +106,8 @@ Vector Variation::orthonormalise() {
 // The modes and the interval between breaks that hold from a state on.
 void Variation::follow(const Equations &motion, double time, const Vector &state) {
   const auto &modes = motion.modes();
+  if (modes != equations_.modes())
+    forget_parts();
   for (std::size_t c = 0; c < modes.size(); ++c)
     equations_.set_mode(c, modes[c]);
   if (motion.source_break() != equations_.source_break())
@@ -101,12 +115,18 @@ void Variation::follow(const Equations &motion, double time, const Vector &state
 }
 
 void Variation::pass_break(const Vector &state, double time, double next) {
+  forget_parts();
   if (!keys_.empty())
     columns_.rightCols(n_keys()) += saltations_.at_break(state, next);
   equations_.set_source_break(next);
   for (KeyTangent *key : keys_)
     key->enter(time, next);
-  closed_forms_ = !keys_.empty() && phases_.take_sources(time);
+  closed_forms_ = !keys_.empty() && keys_keep_linear() && phases_.take_sources(time);
+}
+
+bool Variation::keys_keep_linear() const {
+  return std::all_of(keys_.begin(), keys_.end(),
+                     [](const KeyTangent *key) { return key->keeps_linear(); });
 }
 
 // False: the phase is not linear, or the sources have no closed form, which the keys need.
@@ -148,10 +168,52 @@ void Variation::check(double time) const {
 
 void Variation::step(const StepView &view) {
   follow(view.equations(), view.start(), view.start_state());
-  if (!pass_linear(view.start(), view.start_state(), view.length()))
-    determinant_.logarithm +=
-        integrate_beside(view, equations_, keys_, accuracy_, free_flow(), columns_);
-  check(view.end());
+  if (pass_linear(view.start(), view.start_state(), view.length())) {
+    last_part_.reset();
+    check(view.end());
+  } else {
+    join(view);
+  }
+}
+
+// The motion's steps follow its own error, and near an event where the slope of a force is infinite
+// they become so short that the gap within one is nothing but its rounding. Deviations are taken
+// through several at once.
+void Variation::join(const StepView &view) {
+  if (!waiting_)
+    waiting_ = {.start = view.start(),
+                .end = view.end(),
+                .start_state = view.start_state(),
+                .end_state = {}};
+  waiting_->end = view.end();
+  waiting_->end_state = view.end_state();
+  const double turn = equations_.model().highest_frequency() * waiting_->length();
+  if (++joined_ >= most_joined || turn > longest_turn)
+    catch_up();
+}
+
+// What is left may be far shorter than what was integrated before, and is passed together with it.
+void Variation::catch_up() {
+  if (!waiting_)
+    return;
+  SmoothPart part = std::move(*waiting_);
+  waiting_.reset();
+  joined_ = 0;
+  if (last_part_ && part.length() < short_part * last_part_->part.length()) {
+    part.start = last_part_->part.start;
+    part.start_state = std::move(last_part_->part.start_state);
+    columns_ = std::move(last_part_->columns);
+    determinant_.logarithm = last_part_->logarithm;
+  }
+  last_part_ = {.part = std::move(part), .columns = columns_, .logarithm = determinant_.logarithm};
+  determinant_.logarithm +=
+      integrate_beside(last_part_->part, equations_, keys_, accuracy_, free_flow(), columns_);
+  check(last_part_->part.end);
+}
+
+void Variation::forget_parts() {
+  catch_up();
+  last_part_.reset();
 }
 
 void Variation::part_begins(const Equations & /*equations*/, double /*start*/,
@@ -161,6 +223,7 @@ void Variation::part_begins(const Equations & /*equations*/, double /*start*/,
 
 void Variation::part_done(const Equations &equations, double start, double end) {
   follow(equations, start, part_state_);
+  forget_parts();
   pass_linear(start, part_state_, end - start);
   check(end);
 }
@@ -187,6 +250,7 @@ bool Variation::contradicts(const Saltation &saltation, double time) {
 }
 
 void Variation::event(const ContactEvent &event) {
+  forget_parts();
   const std::optional<Saltation> saltation = saltations_.of(event, start_);
   if (!saltation)
     return;

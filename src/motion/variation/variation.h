@@ -19,6 +19,7 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace vibroimpact::motion {
@@ -50,10 +51,16 @@ public:
   /// those with which the motion can start (start_projection).
   void set_columns(const Matrix &columns);
   /// Those that they have become.
-  Matrix columns() const { return columns_.leftCols(columns_.cols() - n_keys()); }
+  Matrix columns() {
+    catch_up();
+    return columns_.leftCols(columns_.cols() - n_keys());
+  }
   /// Derivatives of the state by the keys, at the present time and for the state at the start:
   /// physical_size() x keys.
-  Matrix key_columns() const { return columns_.rightCols(n_keys()); }
+  Matrix key_columns() {
+    catch_up();
+    return columns_.rightCols(n_keys());
+  }
   /// Makes the scaled columns of deviations orthonormal so that the first k span what they did, by
   /// a QR decomposition. Returns ln |R_kk|, by which the volume of k columns was larger than that
   /// of k - 1; -infinity where a column depends on those before it, up to rounding.
@@ -61,13 +68,16 @@ public:
 
   void step(const StepView &view) override;
   void event(const ContactEvent &event) override;
-  /// Linear phases pass as a whole.
-  OutputMonitor *output_monitor() override { return this; }
+  /// Linear phases pass as a whole, unless a key makes them something else.
+  OutputMonitor *output_monitor() override { return keys_keep_linear() ? this : nullptr; }
 
   /// What deviations at the start were projected by, and what that gives to the derivatives.
   const LinearMap &projection() const { return projection_; }
   /// Of the map from the start to here, behind the projection.
-  const Determinant &determinant() const { return determinant_; }
+  const Determinant &determinant() {
+    catch_up();
+    return determinant_;
+  }
   /// Events without a derivative: the guard had no rate, though something jumped; several contacts
   /// met or jumped at one instant, which deviating motions do one after the other.
   long tangential_events() const { return tangential_events_; }
@@ -80,16 +90,27 @@ private:
     bool jumps = false;
   };
 
+  /// The last part that was integrated.
+  struct LastPart {
+    SmoothPart part;
+    Matrix columns;       ///< at its start
+    double logarithm = 0; ///< of the determinant, at its start
+  };
+
   void add_forms(const Equations & /*equations*/, std::vector<MonitoredForm> & /*forms*/) override {
   }
   void part_begins(const Equations &equations, double start, const Vector &state) override;
   void part_done(const Equations &equations, double start, double end) override;
 
+  bool keys_keep_linear() const;
   Index n_keys() const { return static_cast<Index>(keys_.size()); }
   void follow(const Equations &motion, double time, const Vector &state);
   void pass_break(const Vector &state, double time, double next);
   bool pass_linear(double time, const Vector &state, double h);
   LinearFlow *free_flow();
+  void join(const StepView &view);
+  void catch_up();
+  void forget_parts();
   void check(double time) const;
   bool contradicts(const Saltation &saltation, double time);
 
@@ -102,7 +123,10 @@ private:
   bool closed_forms_ = false; ///< of the sources up to their next break; asked for by keys alone
   double start_ = 0;          ///< of the motion [s]
   Vector part_state_;         ///< at the start of a part
-  Matrix columns_;            ///< of deviations, then of keys
+  std::optional<SmoothPart> waiting_; ///< steps that deviations have not been taken through
+  int joined_ = 0;                    ///< how many
+  std::optional<LastPart> last_part_; ///< none after an event
+  Matrix columns_;                    ///< of deviations, then of keys
   LinearMap projection_;
   Determinant determinant_;
   Instant instant_; ///< of the last event

@@ -1,0 +1,68 @@
+// The derivative by a key of the numbers that a model and its gaps are made of.
+//
+// At a fixed state forces are linear in these numbers, but for the cubic springs, and
+//
+//   M a = F   =>   M da/dp = dF/dp - dM/dp a
+//
+// Differences of whole forces would lose what their largest terms leave of digits in every
+// evaluation; these derivatives are taken once, and what a key does not change stays zero.
+#pragma once
+
+#include "contact/contact_set.h"
+#include "model/model.h"
+#include "motion/system/equations.h"
+
+#include <vector>
+
+namespace vibroimpact::motion {
+
+/// A neighbouring model, with its weight in the derivative.
+struct WeightedModel {
+  const model::Model *model = nullptr;
+  const contact::ContactSet *contacts = nullptr;
+  double weight = 0;
+};
+
+/// Of a contact: gap = clearance + row q + base_coefficients s.
+struct GapTangent {
+  double clearance = 0;
+  model::Projection gap;
+};
+
+class ModelTangent {
+public:
+  /// Keeps a reference to the model. Of models with the same structure.
+  ModelTangent(const model::Model &model, const contact::ContactSet &contacts,
+               const std::vector<WeightedModel> &neighbours);
+
+  const std::vector<GapTangent> &gaps() const { return gaps_; }
+
+  /// What the accelerations at a fixed state, fixed values of the sources and fixed contact forces
+  /// [N] change by, as a force: dF/dp - dM/dp a. Rotors are left out.
+  Vector force(ConstVectorView q, ConstVectorView velocity, ConstVectorView acceleration,
+               const std::vector<SourceValues> &sources, const Vector &contact_forces) const;
+
+private:
+  struct Loads {
+    Vector load, rate_load, inertial_load;
+  };
+  /// k3 (row q + base_coefficients s)^3 row
+  struct CubicSpring {
+    std::size_t connection = 0;
+    double stiffness = 0; ///< derivative
+    model::Projection elongation;
+  };
+  void take_loads(const std::vector<WeightedModel> &neighbours);
+  void take_springs(const std::vector<WeightedModel> &neighbours);
+  void take_gaps(const contact::ContactSet &contacts, const std::vector<WeightedModel> &neighbours);
+  Vector cubic_forces(ConstVectorView q, const std::vector<SourceValues> &sources) const;
+
+  const model::Model &model_;
+  Vector mass_;
+  Matrix stiffness_, damping_; ///< 0 x 0: unchanged
+  std::vector<Loads> loads_;   ///< per source
+  std::vector<CubicSpring> springs_;
+  std::vector<GapTangent> gaps_; ///< per contact
+};
+
+} // namespace vibroimpact::motion
