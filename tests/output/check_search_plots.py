@@ -37,6 +37,16 @@ def write(folder, sign):
     writer.field("excess/force", EXCESS, "1")
     writer.field("key/x", X, "1")
     writer.field("key/y", 1e-3 * X, "m")
+    writer.analysis("fit", "estimate",
+                    [("start", np.array([1.0, 2]), "1"), ("evaluation", np.arange(2.0), "1")])
+    writer.field("sum_of_squares", np.array([[3.0, 3], [1, 1]]), "1")
+    writer.field("key/x", X[:, :2], "1")
+    at = np.broadcast_to([1.0, 2, 4], (2, 2, 3))
+    start = np.arange(2.0)[:, None, None]
+    for group, values, unit in (("abscissa", at, "Hz"), ("measured", 1e-3 * at, "m"),
+                                ("model", 1e-3 * (at + start), "m"),
+                                ("residual", at + start, "1")):
+        writer.field(f"{group}/sweep", values, unit, ("datum",))
     writer.file.close()
 
 
@@ -51,7 +61,7 @@ class SearchFigures(unittest.TestCase):
                 for name, draw in figures(results, analysis)}
 
     def test_names(self):
-        self.assertEqual(set(self.draw()), {"search-history", "search-plane"})
+        self.assertEqual(set(self.draw()), {"search-history", "search-plane", "fit-fit-sweep", "fit-history"})
 
     def test_the_best_so_far_never_gets_worse_and_meets_the_constraint(self):
         for sign in (1, -1):
@@ -79,6 +89,14 @@ class SearchFigures(unittest.TestCase):
         np.testing.assert_allclose(star.get_xydata(), [[0.4, 400]])
         colours = axes.collections[0].get_array()
         np.testing.assert_allclose(sorted(colours), [2, 3, 4, 4, 5, 6, 7])
+
+    def test_a_fit_shows_data_model_and_residuals_of_the_best_start(self):
+        above, below = self.draw()["fit-fit-sweep"].axes
+        model, measured = above.get_lines()
+        np.testing.assert_allclose(model.get_xydata(), [[1, 2], [2, 3], [4, 5]])
+        np.testing.assert_allclose(measured.get_xydata(), [[1, 1], [2, 2], [4, 4]])
+        np.testing.assert_allclose(below.get_lines()[1].get_xydata(), [[1, 2], [2, 3], [4, 5]])
+        self.assertEqual((above.get_ylabel(), below.get_xlabel()), ("Sweep (mm)", "Frequency (Hz)"))
 
 
 if __name__ == "__main__":
