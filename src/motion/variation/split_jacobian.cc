@@ -9,9 +9,16 @@ SplitJacobian::SplitJacobian(const Equations &equations, const Vector &scale)
   const Index n = layout.n;
   const Vector of_rates = scale.segment(n, n).cwiseQuotient(model.mass());
   by_velocity_ = scale.head(n).cwiseQuotient(scale.segment(n, n));
-  lower_.resize(n, 2 * n);
-  lower_ << -model.stiffness().dense(), -model.damping().dense();
-  lower_ = (of_rates.asDiagonal() * lower_ * scale.head(2 * n).cwiseInverse().asDiagonal()).eval();
+  const Vector inverse = scale.head(2 * n).cwiseInverse();
+  Matrix lower(n, 2 * n);
+  lower << -model.stiffness().dense(), -model.damping().dense();
+  lower = (of_rates.asDiagonal() * lower * inverse.asDiagonal()).eval();
+  stiffness_ = lower.leftCols(n).diagonal();
+  damping_ = lower.rightCols(n).diagonal();
+  lower.leftCols(n).diagonal().setZero();
+  lower.rightCols(n).diagonal().setZero();
+  if (!lower.isZero(0))
+    coupling_ = lower;
   for (std::size_t c = 0; c < equations.contacts().size(); ++c) {
     if (equations.inactive(c))
       continue;
@@ -28,9 +35,12 @@ double SplitJacobian::apply(double time, ConstVectorView state,
                             Eigen::Ref<Matrix> product) const {
   const Index n = equations_.layout().n;
   product.topRows(n).noalias() = by_velocity_.asDiagonal() * columns.middleRows(n, n);
-  product.middleRows(n, n).noalias() = lower_ * columns.topRows(2 * n);
+  product.middleRows(n, n) = stiffness_.asDiagonal() * columns.topRows(n) +
+                             damping_.asDiagonal() * columns.middleRows(n, n);
+  if (coupling_.size() > 0)
+    product.middleRows(n, n).noalias() += coupling_ * columns.topRows(2 * n);
   product.bottomRows(product.rows() - 2 * n).setZero();
-  double trace = lower_.rightCols(n).trace();
+  double trace = damping_.sum();
   for (const Acting &acting : acting_)
     trace += add_contact(acting, time, state, columns, product);
   return trace;

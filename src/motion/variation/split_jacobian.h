@@ -38,7 +38,9 @@ private:
   const Equations &equations_;
   Vector scale_;
   Vector by_velocity_; ///< diagonal of the upper right block
-  Matrix lower_;       ///< n x 2n
+  // The lower half: diagonals by displacements and velocities, and n x 2n off them, or 0 x 0.
+  Vector stiffness_, damping_;
+  Matrix coupling_;
   std::vector<Acting> acting_;
   mutable contact::LawResponse response_;
 };
