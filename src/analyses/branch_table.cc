@@ -5,6 +5,8 @@
 #include "analyses/window_recording.h"
 #include "common/error.h"
 
+#include <algorithm>
+#include <sstream>
 #include <utility>
 
 namespace vibroimpact::analyses {
@@ -65,7 +67,7 @@ void BranchTable::begin(long number, long halves, double sign) {
   rows_.begin(number, sign);
 }
 
-PointResult BranchTable::orbit_of(const BranchPoint &point) const {
+PointResult BranchTable::orbit_of(const BranchPoint &point) {
   const Section section{.phase = point.point.chart, .halves = halves_};
   const periodic::StroboscopicMap &map = maps_.at(point.point.keys[0]);
   Orbit orbit{
@@ -76,11 +78,46 @@ PointResult BranchTable::orbit_of(const BranchPoint &point) const {
   PointResult row;
   const Vector state = state_at_zero_phase(map, orbit);
   add_orbit(row, map, orbit, state);
+  bool recorded = true;
   try {
     record(state, map.period(), section.multiple(), row);
-  } catch (const NumericalError &) { // leaves the figures of this motion empty
+  } catch (const NumericalError &error) {
+    recorded = false;
+    remarks_.push_back("the motion at " + at(point.point.keys[0]) +
+                       " is not recorded: " + error.what());
   }
+  row.fields.push_back(scalar_field("recorded", recorded ? 1 : 0, "1",
+                                    "0 where the recording of the motion failed and its values are "
+                                    "NaN; why stands in reason"));
   return row;
+}
+
+std::string BranchTable::at(double key) const {
+  std::ostringstream text;
+  text.precision(10);
+  text << parameter_.axis_name() << " = " << key
+       << (parameter_.unit == "1" ? "" : " " + parameter_.unit);
+  return text.str();
+}
+
+void BranchTable::note_missing(double key, const std::string &why) {
+  remarks_.push_back("the branch that begins at " + at(key) + " is not followed: " + why);
+}
+
+void BranchTable::end(const continuation::Branch &branch) {
+  rows_.end(branch);
+  if (branch.end == continuation::End::least_step)
+    remarks_.push_back("a branch ends at " + at(branch.points.back().point.keys[0]) + ": " +
+                       branch.reason);
+}
+
+void BranchTable::add_fields(PointResult &result) const {
+  rows_.add_fields(result, "orbit_residual");
+  constexpr std::size_t most = 5;
+  for (std::size_t i = 0; i < std::min(most, remarks_.size()); ++i)
+    result.reason += (i == 0 ? "" : "; ") + remarks_[i];
+  if (remarks_.size() > most)
+    result.reason += "; and " + std::to_string(remarks_.size() - most) + " others";
 }
 
 void BranchTable::record(const Vector &state, double period, long periods, PointResult &row) const {

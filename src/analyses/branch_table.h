@@ -20,20 +20,24 @@ public:
   void add(const continuation::SpecialPoint &special);
   /// Forgets all of a branch.
   void drop(long number) { rows_.drop(number); }
+  /// A branch that begins at this value of the key is not followed.
+  void note_missing(double key, const std::string &why);
   /// The part ends.
-  void end(const continuation::Branch &branch) { rows_.end(branch); }
+  void end(const continuation::Branch &branch);
 
-  std::size_t size() const { return rows_.size(); }
-  void add_fields(PointResult &result) const { rows_.add_fields(result, "orbit_residual"); }
+  /// Arrays, and why something failed as the reason of the result.
+  void add_fields(PointResult &result) const;
 
 private:
-  PointResult orbit_of(const continuation::BranchPoint &point) const;
+  PointResult orbit_of(const continuation::BranchPoint &point);
+  std::string at(double key) const;
   void record(const Vector &state, double period, long periods, PointResult &row) const;
 
   const SweptParameter &parameter_;
   KeyedMap &maps_;
   const std::vector<RecorderFactory> &recorders_;
   BranchRows rows_;
+  std::vector<std::string> remarks_; ///< why something failed
   long halves_ = 2;
   double sign_ = 1;
 };

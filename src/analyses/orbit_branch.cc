@@ -57,14 +57,15 @@ public:
   }
 
 private:
-  // A branch whose first point is not found is left out.
+  // A branch whose first point is not found is left out with its reason.
   void enter(Task &task) {
     task.number = branches_ + 1;
     try {
       follow(task);
       ++branches_;
-    } catch (const NumericalError &) {
+    } catch (const NumericalError &error) {
       table_.drop(task.number);
+      table_.note_missing(task.key, error.what());
     }
   }
 
@@ -75,13 +76,15 @@ private:
         *task.problem, task.start, settings_.continuation,
         {.point =
              [&](const BranchPoint &point) {
-               note();
+               note(task, point.point.keys[0]);
                if (first)
                  table_.add(point);
                first = true; // the start of the second direction is there already
              },
          .special = [&](const SpecialPoint &special) { table_.add(special); }});
     table_.end(branch);
+    ++finished_;
+    reached_ = 0;
     if (branch.end == continuation::End::shorter_return)
       forget(task, branch.points.back().point.keys[0]);
     if (task.level < settings_.levels)
@@ -100,7 +103,7 @@ private:
     });
   }
 
-  // A branch that cannot be entered is left out.
+  // A branch that cannot be entered is left out with its reason; the special point stays.
   void switch_at(const Task &task, const SpecialPoint &special) {
     if (special.kind != continuation::Special::flip)
       return;
@@ -111,13 +114,22 @@ private:
                         .start = start,
                         .level = task.level + 1,
                         .key = special.at.point.keys[0]});
-    } catch (const NumericalError &) { // the special point stays
+    } catch (const NumericalError &error) {
+      table_.note_missing(special.at.point.keys[0], error.what());
     }
   }
 
-  void note() const {
-    const double most = 2.0 * settings_.continuation.most_points;
-    context_.note_progress(std::min(1.0, static_cast<double>(table_.size()) / most));
+  // How far a branch has come from its start to the end of the key ahead; folds are not known
+  // beforehand.
+  void note(const Task &task, double key) {
+    const continuation::Range &range = settings_.continuation.first_key;
+    const double from = task.start.point.keys[0];
+    const double ahead = key > from ? range.upper - from : from - range.lower;
+    if (ahead > 0)
+      reached_ = std::max(reached_, std::min(1.0, std::abs(key - from) / ahead));
+    share_ =
+        std::max(share_, (finished_ + reached_) / (finished_ + static_cast<double>(tasks_.size())));
+    context_.note_progress(share_);
   }
 
   const OrbitBranch::Settings &settings_;
@@ -125,6 +137,7 @@ private:
   LineContext &context_;
   std::list<Task> tasks_;
   long branches_ = 0;
+  double finished_ = 0, reached_ = 0, share_ = 0; ///< parts of branches, for the progress
 };
 
 } // namespace

@@ -125,7 +125,8 @@ void write_status(Hdf5File &file, const std::string &group, const Shape &shape,
   describe(file, group + "/status", "1", "-1 missing, 0 finished, 1 failed");
   attach_scales(file, group + "/status", scales);
   file.write(group + "/reason", shape, arrays.reason);
-  describe(file, group + "/reason", "1", "why a point failed, or what a finished one says in words");
+  describe(file, group + "/reason", "1",
+           "why a point failed, or what a finished one says in words");
   attach_scales(file, group + "/reason", scales);
 }
 

@@ -159,6 +159,26 @@ TEST(OrbitBranchTest, FoldAlongAnotherKey) {
   EXPECT_NEAR(folds[0], 2, 1e-9);
 }
 
+// A recorder that fails leaves the motions, with what has failed as the reason.
+TEST(OrbitBranchTest, MotionsThatAreNotRecordedSayWhy) {
+  class Failing : public Recorder {
+  public:
+    void begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) override {
+      throw NumericalError("the pen is broken");
+    }
+    void add_fields(PointResult & /*result*/) const override {}
+  };
+  OrbitBranch::Settings settings = along_frequency(1.8, 2);
+  settings.recorders = {[](const System & /*system*/) { return std::make_unique<Failing>(); }};
+  const PointResult result = run(settings, isolator(1.9, 2));
+  ASSERT_EQ(result.status, Status::finished) << result.reason;
+  const std::vector<double> &recorded = field_of(result, "recorded").values;
+  EXPECT_EQ(recorded, std::vector<double>(field_of(result, "frequency").values.size(), 0));
+  EXPECT_NE(result.reason.find("is not recorded: the pen is broken"), std::string::npos)
+      << result.reason;
+  EXPECT_EQ(field_of(run(along_frequency(1.8, 2), isolator(1.9, 2)), "recorded").values[0], 1);
+}
+
 TEST(OrbitBranchTest, LinearVibrationInClosedForm) {
   model::Model model({testing::single_mass("block", 2, 30, 0.6)});
   model.add_force("push", std::make_shared<model::Harmonic>(model::Given::displacement, 5, 3.1, 0),
