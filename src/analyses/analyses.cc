@@ -11,6 +11,7 @@
 #include "analyses/identify.h"
 #include "analyses/modal.h"
 #include "analyses/orbit_branch.h"
+#include "analyses/orbit_locus.h"
 #include "analyses/periodic_orbit.h"
 #include "analyses/recorders.h"
 #include "analyses/response.h"
@@ -38,6 +39,7 @@ constexpr Entry entries[] = {
     {"response", Response::declare, Response::create, true},
     {"branch", OrbitBranch::declare, OrbitBranch::create, true},
     {"harmonic balance", BalanceBranch::declare, BalanceBranch::create},
+    {"locus", OrbitLocus::declare, OrbitLocus::create, true},
     {"periodic orbit", PeriodicOrbit::declare, PeriodicOrbit::create, true},
     {"basins", Basins::declare, Basins::create},
     {"basin shares", BasinShares::declare, BasinShares::create},

@@ -8,22 +8,26 @@
 namespace vibroimpact::analyses {
 
 void declare_branch_keys(parameters::Section &section) {
-  using namespace parameters;
   declare_key_range(section);
+  section.choice("Direction", "both", {"both", "forward", "backward"},
+                 "Where the branch is followed from its start: with the key rising at first, "
+                 "falling, or both.");
+  declare_steps(section, "branch");
+}
+
+void declare_steps(parameters::Section &section, const std::string &curve) {
+  using namespace parameters;
   section
-      .choice("Direction", "both", {"both", "forward", "backward"},
-              "Where the branch is followed from its start: with the key rising at first, falling, "
-              "or both.")
       .integer("Most points", "1000", Range{.lower = 2, .upper = 1e6}, "",
                "Points in each direction, after which it ends.")
       .quantity(
           "Longest step", "0.1", dimension::none, Range{.lower = 0, .upper = 1, .lower_open = true},
           "",
-          "Longest distance between neighbouring points, the key counted in its range and the "
+          "Longest distance between neighbouring points, each key counted in its range and the "
           "state in the size of the motion; 0.03 to 0.05 for stiff contacts.")
       .quantity("Least step", "1e-9", dimension::none,
                 Range{.lower = 0, .upper = 0.01, .lower_open = true}, "",
-                "Where shorter steps would be needed the branch ends.");
+                "Where shorter steps would be needed the " + curve + " ends.");
 }
 
 Directions read_direction(const parameters::Values &section) {
@@ -42,10 +46,19 @@ double read_start(const SweptParameter &parameter, const parameters::Values &sec
   return number->value;
 }
 
+continuation::Range range_of(const SweptParameter &parameter) {
+  return {.lower = parameter.values.front(), .upper = parameter.values.back()};
+}
+
 continuation::Settings read_continuation(const parameters::Values &section,
                                          const SweptParameter &parameter) {
+  continuation::Settings settings = read_steps(section);
+  settings.first_key = range_of(parameter);
+  return settings;
+}
+
+continuation::Settings read_steps(const parameters::Values &section) {
   continuation::Settings settings;
-  settings.first_key = {.lower = parameter.values.front(), .upper = parameter.values.back()};
   settings.most_points = static_cast<int>(section.integer("Most points"));
   settings.longest_step = section.quantity("Longest step");
   settings.least_step = section.quantity("Least step");

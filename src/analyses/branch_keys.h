@@ -10,11 +10,16 @@ namespace vibroimpact::analyses {
 
 enum class Directions { both, forward, backward };
 
-/// Range of the key, Direction, Most points, Longest step and Least step.
+/// Range of the key, Direction, and the steps.
 void declare_branch_keys(parameters::Section &section);
+/// Most points, Longest step and Least step of a `curve`: "branch".
+void declare_steps(parameters::Section &section, const std::string &curve);
 
 Directions read_direction(const parameters::Values &section);
-/// Bounds, steps and points. InputError for steps that exclude each other.
+/// InputError for steps that exclude each other.
+continuation::Settings read_steps(const parameters::Values &section);
+continuation::Range range_of(const SweptParameter &parameter);
+/// Both.
 continuation::Settings read_continuation(const parameters::Values &section,
                                          const SweptParameter &parameter);
 /// What the file gives to the key [its unit]; 0 for a frequency, which only the system knows.

@@ -1,9 +1,8 @@
 #include "analyses/branch_rows.h"
 
 #include "analyses/fields.h"
-#include "analyses/stacked_points.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace vibroimpact::analyses {
 
@@ -57,8 +56,8 @@ void BranchRows::begin(long number, double sign) {
   sign_ = sign;
 }
 
-BranchRows::Row BranchRows::row(const BranchPoint &point, PointResult values) const {
-  Row row{.arclength = sign_ * point.arclength, .branch = number_, .values = std::move(values)};
+CurveRow BranchRows::row(const BranchPoint &point, PointResult values) const {
+  CurveRow row{.arclength = sign_ * point.arclength, .curve = number_, .values = std::move(values)};
   const std::vector<Field> place = {scalar_field(branch_, static_cast<double>(number_)),
                                     scalar_field(arclength_, row.arclength),
                                     scalar_field(key_, point.point.keys[0])};
@@ -79,7 +78,7 @@ void BranchRows::end(const continuation::Branch &branch) {
   if (branch.points.empty())
     return;
   const BranchPoint &last = branch.points.back();
-  Row row{.arclength = sign_ * last.arclength, .branch = number_};
+  CurveRow row{.arclength = sign_ * last.arclength, .curve = number_};
   row.values.fields = {scalar_field(branch_, static_cast<double>(number_)),
                        scalar_field(key_, last.point.keys[0]),
                        scalar_field("reason", number_of(branch.end), "1", reasons)};
@@ -87,38 +86,17 @@ void BranchRows::end(const continuation::Branch &branch) {
 }
 
 void BranchRows::drop(long number) {
-  for (std::vector<Row> *rows : {&points_, &special_, &ends_})
-    std::erase_if(*rows, [number](const Row &row) { return row.branch == number; });
-}
-
-std::vector<PointResult> BranchRows::in_order(std::vector<Row> rows) {
-  std::stable_sort(rows.begin(), rows.end(), [](const Row &a, const Row &b) {
-    return std::pair(a.branch, a.arclength) < std::pair(b.branch, b.arclength);
-  });
-  std::vector<PointResult> values;
-  values.reserve(rows.size());
-  for (Row &row : rows)
-    values.push_back(std::move(row.values));
-  return values;
+  for (std::vector<CurveRow> *rows : {&points_, &special_, &ends_})
+    std::erase_if(*rows, [number](const CurveRow &row) { return row.curve == number; });
 }
 
 void BranchRows::add_fields(PointResult &result, const std::string &residual) const {
-  const auto add = [&result](const std::vector<PointResult> &rows, const char *dimension,
-                             const char *prefix) {
-    for (Field &field : stacked(rows, dimension, prefix))
-      result.fields.push_back(std::move(field));
-  };
-  add(in_order(points_), "branch_point", "");
   const std::vector<PointResult> special = in_order(special_);
-  add(special, "special_point", "special/");
-  add(in_order(ends_), "branch_end", "end/");
+  add_rows(result, in_order(points_), "branch_point", "");
+  add_rows(result, special, "special_point", "special/");
+  add_rows(result, in_order(ends_), "branch_end", "end/");
   result.summary.push_back(scalar_line("points", static_cast<double>(points_.size()), "1"));
-  for (std::size_t i = 0; i < special.size(); ++i)
-    for (const Field &field : special[i].fields)
-      if (field.name() == "kind" || field.label == key_ || field.name() == residual)
-        result.summary.push_back(
-            scalar_line("special[" + std::to_string(i + 1) + "]." + field.name(), field.values[0],
-                        field.unit()));
+  summarise_special(result, special, {"kind", key_.name(), residual});
 }
 
 } // namespace vibroimpact::analyses

@@ -3,8 +3,8 @@
 // `branch_end`.
 #pragma once
 
+#include "analyses/curve_rows.h"
 #include "analyses/swept_parameter.h"
-#include "common/result_sink.h"
 #include "continuation/branch.h"
 
 namespace vibroimpact::analyses {
@@ -35,18 +35,12 @@ public:
   void add_fields(PointResult &result, const std::string &residual) const;
 
 private:
-  struct Row {
-    double arclength = 0;
-    long branch = 0;
-    PointResult values{};
-  };
-  Row row(const continuation::BranchPoint &point, PointResult values) const;
-  static std::vector<PointResult> in_order(std::vector<Row> rows);
+  CurveRow row(const continuation::BranchPoint &point, PointResult values) const;
 
   Label key_, arclength_, branch_;
   long number_ = 0;
   double sign_ = 1;
-  std::vector<Row> points_, special_, ends_;
+  std::vector<CurveRow> points_, special_, ends_;
 };
 
 } // namespace vibroimpact::analyses

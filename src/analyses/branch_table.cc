@@ -1,9 +1,6 @@
 #include "analyses/branch_table.h"
 
 #include "analyses/fields.h"
-#include "analyses/orbit_fields.h"
-#include "analyses/window_recording.h"
-#include "common/error.h"
 
 #include <algorithm>
 #include <sstream>
@@ -14,7 +11,6 @@ namespace vibroimpact::analyses {
 using continuation::BranchPoint;
 using continuation::Special;
 using continuation::SpecialPoint;
-using periodic::Orbit;
 using periodic::Section;
 
 namespace {
@@ -59,7 +55,7 @@ void add_special_values(PointResult &row, const SpecialPoint &special, const std
 
 BranchTable::BranchTable(const SweptParameter &parameter, KeyedMap &maps,
                          const std::vector<RecorderFactory> &recorders)
-    : parameter_(parameter), maps_(maps), recorders_(recorders), rows_(parameter) {}
+    : parameter_(parameter), orbits_(maps, recorders), rows_(parameter) {}
 
 void BranchTable::begin(long number, long halves, double sign) {
   halves_ = halves;
@@ -68,27 +64,11 @@ void BranchTable::begin(long number, long halves, double sign) {
 }
 
 PointResult BranchTable::orbit_of(const BranchPoint &point) {
-  const Section section{.phase = point.point.chart, .halves = halves_};
-  const periodic::StroboscopicMap &map = maps_.at(point.point.keys[0]);
-  Orbit orbit{
-      .section = section,
-      .point = {.state = point.point.state, .image = map.image(section, point.point.state)}};
-  orbit.point.residual =
-      map.norm(orbit.point.image.state - orbit.point.state) / map.norm(orbit.point.state);
-  PointResult row;
-  const Vector state = state_at_zero_phase(map, orbit);
-  add_orbit(row, map, orbit, state);
-  bool recorded = true;
-  try {
-    record(state, map.period(), section.multiple(), row);
-  } catch (const NumericalError &error) {
-    recorded = false;
+  PointResult row = orbits_.of(point.point.keys, {.phase = point.point.chart, .halves = halves_},
+                               point.point.state);
+  if (!row.reason.empty())
     remarks_.push_back("the motion at " + at(point.point.keys[0]) +
-                       " is not recorded: " + error.what());
-  }
-  row.fields.push_back(scalar_field("recorded", recorded ? 1 : 0, "1",
-                                    "0 where the recording of the motion failed and its values are "
-                                    "NaN; why stands in reason"));
+                       " is not recorded: " + row.reason);
   return row;
 }
 
@@ -118,15 +98,6 @@ void BranchTable::add_fields(PointResult &result) const {
     result.reason += (i == 0 ? "" : "; ") + remarks_[i];
   if (remarks_.size() > most)
     result.reason += "; and " + std::to_string(remarks_.size() - most) + " others";
-}
-
-void BranchTable::record(const Vector &state, double period, long periods, PointResult &row) const {
-  WindowRecording recording(recorders_, maps_.system());
-  motion::Trajectory &trajectory = maps_.trajectory();
-  trajectory.start({.time = 0, .physical = state});
-  recording.run(periods_window(0, period, periods), trajectory);
-  recording.add_fields(row);
-  add_accuracy(row, trajectory.accuracy(), maps_.system().integration);
 }
 
 void BranchTable::add(const BranchPoint &point) { rows_.add_point(point, orbit_of(point)); }

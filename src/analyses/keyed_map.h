@@ -1,4 +1,4 @@
-// The stroboscopic map of a system at any value of a key, for continuation.
+// The stroboscopic map of a system at any values of some keys, for continuation.
 #pragma once
 
 #include "analyses/analysis.h"
@@ -11,47 +11,53 @@
 
 namespace vibroimpact::analyses {
 
-class KeyedMap : public periodic::MapAlongKey {
+class KeyedMap : public periodic::MapAlongKeys {
 public:
-  /// Keeps references. A frequency is set in `system` itself; for another key the systems are built
-  /// by `context`. Maps measure states by `accuracy`; `size` as for Symmetry::find(), which must
-  /// hold at both ends of the key. InputError.
-  KeyedMap(const SweptParameter &parameter, const std::string &excitation, System &system,
+  /// Keeps references. A frequency alone is set in `system` itself; for other keys the systems are
+  /// built by `context`. Maps measure states by `accuracy`; `size` as for Symmetry::find(), which
+  /// must hold at all ends of the keys. InputError.
+  KeyedMap(std::vector<SweptParameter> keys, const std::string &excitation, System &system,
            const LineContext &context, motion::VariationAccuracy accuracy, double size);
 
-  const periodic::StroboscopicMap &at(double value) override;
-  const periodic::StroboscopicMap &with_open(double value, std::size_t contact) override;
+  const periodic::StroboscopicMap &at(const Vector &values) override;
+  const periodic::StroboscopicMap &with_open(const Vector &values, std::size_t contact) override;
   /// Of the last at().
   const System &system() const { return *present_; }
   motion::Trajectory &trajectory() { return maps_.forced->trajectory(); }
   bool symmetric() const { return symmetry_.has_value(); }
 
 private:
-  /// A forced system with its map, and its key at one value.
+  /// A forced system with its map, and its keys at one place.
   struct Maps {
     std::unique_ptr<contact::ContactSet> contacts; ///< none: those of the system
     std::unique_ptr<periodic::ForcedSystem> forced;
     std::unique_ptr<periodic::StroboscopicMap> map;
-    std::unique_ptr<periodic::ForcedKey> key;
+    std::vector<std::unique_ptr<periodic::ForcedKey>> keys;
   };
-  void move_to(double value);
-  void build(double value);
+  /// Neighbours along each key.
+  using Neighbours = std::vector<std::vector<motion::KeyNeighbour>>;
+
+  void move_to(const Vector &values);
+  std::vector<parameters::Override> overrides(const Vector &values) const;
+  void set_frequency(System &system, const Vector &values) const;
   void find_symmetry(double size);
   void make_forced(Maps &maps) const;
-  void finish(Maps &maps, std::vector<motion::KeyNeighbour> neighbours) const;
-  std::vector<motion::KeyNeighbour> neighbours(double value) const;
+  void finish(Maps &maps, Neighbours neighbours) const;
+  Neighbours neighbours(const Vector &values) const;
+  std::vector<motion::KeyNeighbour> neighbours(const Vector &values, Index key) const;
 
-  const SweptParameter &parameter_;
+  std::vector<SweptParameter> keys_;
   std::string excitation_;
   System &original_;
   const LineContext &context_;
   motion::VariationAccuracy accuracy_;
   std::optional<periodic::Symmetry> symmetry_;
   std::unique_ptr<System> built_;
-  const System *present_;
+  System *present_;
+  std::vector<parameters::Override> built_with_;
   Maps maps_;
   std::map<std::size_t, Maps> open_; ///< by the contact that stays open
-  std::optional<double> value_;      ///< at which the maps have their key
+  std::optional<Vector> values_;     ///< at which the maps have their keys
 };
 
 } // namespace vibroimpact::analyses

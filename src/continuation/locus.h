@@ -23,8 +23,11 @@ struct LocusPoint {
   Point point;
   Vector tangent;      ///< scaled, of length 1, n + 2
   double residual = 0; ///< of F and g, scaled
+  Vector defect;       ///< F, n
+  Matrix by_state;     ///< dF/dx, n x n; at grazes of F without the touch
   Pattern pattern;
-  double angle = 0; ///< Neimark-Sacker: argument of the multiplier [rad]
+  double angle = 0;     ///< Neimark-Sacker: argument of the multiplier [rad]
+  double arclength = 0; ///< from the start, scaled
 };
 
 enum class LocusSpecial {

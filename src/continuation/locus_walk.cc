@@ -35,6 +35,7 @@ LocusWalk::LocusWalk(Problem &problem, const LocusStart &start, const Settings &
   here_.chart = start.point.chart;
   here_.at = equation_->evaluate(here_.u, here_.chart);
   here_ = solve(here_.u, first_tangent(start.forward), settings_.longest_step, Until::tolerance);
+  here_.arclength = 0;
   equation_->renew(here_.u, here_.chart);
   move_chart();
   first_ = here_;
@@ -82,8 +83,11 @@ LocusNode LocusWalk::next_node() {
   closes_ = passes_start(next);
   const auto bound = bound_passed(next.u);
   bounded_ = bound && !closes_;
-  if (closes_)
-    return first_;
+  if (closes_) {
+    next = first_;
+    next.arclength = here_.arclength + (next.u - here_.u).norm();
+    return next;
+  }
   if (!bounded_)
     return next;
   const double share =
@@ -108,6 +112,7 @@ LocusNode LocusWalk::solve(const Vector &guess, const Vector &normal, double lar
   const Converged converged = newton(system, guess, largest, settings_, until);
   node.u = converged.u;
   node.iterations = converged.iterations;
+  node.arclength = here_.arclength + (node.u - here_.u).norm();
   node.tangent = tangent_of(slope_of(node.at), here_.tangent.size() > 0 ? here_.tangent : normal);
   return node;
 }
@@ -170,6 +175,7 @@ void LocusWalk::end_at_steps(const std::string &why) {
     return;
   }
   LocusNode last = here_;
+  last.arclength += (graze->u - last.u).norm();
   last.u = graze->u;
   last.at.at = graze->at;
   add(last);
@@ -215,10 +221,12 @@ void LocusWalk::move_chart() {
     return;
   Matrix tangent = here_.tangent;
   const Vector u = problem_.transfer(here_.u, here_.chart, chart, tangent);
+  const double arclength = here_.arclength;
   here_.chart = chart;
   here_.tangent = tangent.col(0).normalized();
   equation_->renew(u, chart);
   here_ = solve(u, here_.tangent, settings_.longest_step, Until::tolerance);
+  here_.arclength = arclength;
 }
 
 void LocusWalk::add(const LocusNode &node) {
@@ -230,12 +238,23 @@ void LocusWalk::add(const LocusNode &node) {
 LocusPoint LocusWalk::locus_point(const LocusNode &node) const {
   Vector residual(problem_.states() + 1);
   residual << node.at.at.residual, node.at.value;
-  return {problem_.point(node.u, node.chart), node.tangent, residual.norm(), node.at.at.pattern,
-          node.at.angle};
+  const Vector scales = problem_.scales().head(problem_.states());
+  const Matrix scaled = node.at.at.slope.leftCols(problem_.states());
+  return {.point = problem_.point(node.u, node.chart),
+          .tangent = node.tangent,
+          .residual = residual.norm(),
+          .defect = scales.cwiseProduct(node.at.at.residual),
+          .by_state = scales.asDiagonal() * scaled * scales.cwiseInverse().asDiagonal(),
+          .pattern = node.at.at.pattern,
+          .angle = node.at.angle,
+          .arclength = node.arclength};
 }
 
 Locus follow_locus(Problem &problem, const LocusStart &start, const Settings &settings,
                    const std::function<void(const LocusPoint &)> &listener) {
+  if (start.graze)
+    if (const std::unique_ptr<Problem> extended = problem.extended(*start.graze))
+      return LocusWalk(*extended, start, settings, listener).run();
   return LocusWalk(problem, start, settings, listener).run();
 }
 

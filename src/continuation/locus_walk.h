@@ -12,6 +12,7 @@ struct LocusNode {
   Vector tangent; ///< of length 1
   Augmented at;
   int iterations = 0;
+  double arclength = 0;
 };
 
 class LocusWalk {

@@ -103,6 +103,9 @@ public:
   virtual std::vector<Graze> grazes_near(const Point &) { return {}; }
   /// NumericalError where the guard has no such minimum.
   virtual Extension extend(const Point &point, const Graze &graze);
+  /// For a curve of grazes: F extended over this one, as a problem whose charts keep away from
+  /// where it grazes too; null where the charts of this problem will do.
+  virtual std::unique_ptr<Problem> extended(const Graze &) { return nullptr; }
 };
 
 } // namespace vibroimpact::continuation

@@ -4,6 +4,27 @@
 
 namespace vibroimpact::periodic {
 
+void EventPattern::append(const EventPattern &next) {
+  if (length == 0) {
+    *this = next;
+    return;
+  }
+  for (PatternEvent event : next.events) {
+    event.time += length;
+    events.push_back(event);
+  }
+  touches_after.insert(touches_after.end(), next.touches_after.begin(), next.touches_after.end());
+  length += next.length;
+}
+
+std::vector<int> EventPattern::numbers() const {
+  std::vector<int> numbers = modes;
+  for (const PatternEvent &event : events)
+    numbers.insert(numbers.end(),
+                   {static_cast<int>(event.contact), event.from, event.to, event.onset ? 1 : 0});
+  return numbers;
+}
+
 bool EventPattern::same_order(const EventPattern &other) const {
   return modes == other.modes &&
          std::equal(events.begin(), events.end(), other.events.begin(), other.events.end(),

@@ -30,6 +30,10 @@ struct EventPattern {
   std::vector<char> touches_after;
   double length = 0; ///< of the motion [s]
 
+  /// What the motion goes through next.
+  void append(const EventPattern &next);
+  /// Modes and changes without their times.
+  std::vector<int> numbers() const;
   /// The same contacts and changes in the same order, whenever they happen.
   bool same_order(const EventPattern &other) const;
   /// Distance in time from the start, which is also the end of a motion that repeats itself, to

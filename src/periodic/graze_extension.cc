@@ -60,16 +60,32 @@ GrazeWindow window_of(const std::vector<GuardMinimum> &minima, const GuardMinimu
 /// Parts of a motion one behind the other, with the derivatives of the whole.
 struct Chain {
   Vector state;
-  Matrix by_state;
-  Vector by_key;
+  Matrix by_state = Matrix::Identity(state.size(), state.size());
+  Matrix by_keys;
+  EventPattern pattern{};
+
+  static Chain at(const StroboscopicMap &map, const Vector &state) {
+    return {.state = state,
+            .by_keys = Matrix::Zero(state.size(), static_cast<Index>(map.keys().size()))};
+  }
 
   void go(const StroboscopicMap &map, double from, double to) {
     if (!(to > from))
       return;
     const Flow flow = map.flow(from, to, state);
     state = flow.state;
-    by_key = flow.by_state * by_key + flow.by_key;
+    by_keys = flow.by_state * by_keys + flow.by_keys;
     by_state = flow.by_state * by_state;
+    pattern.append(flow.pattern);
+  }
+  void touch(const GrazeWindow &window) {
+    const bool closed =
+        pattern.events.empty() ? pattern.touches : pattern.touches_after.back() != 0;
+    pattern.events.push_back({.time = pattern.length,
+                              .contact = window.contact,
+                              .from = window.mode,
+                              .to = window.mode});
+    pattern.touches_after.push_back(closed ? 1 : 0);
   }
 };
 
@@ -113,16 +129,22 @@ public:
     return row;
   }
 
-  // G_x x_p + G_p at a fixed time, where `by_key` is that at the fixed phase.
-  double by_key(const Vector &by_key) const {
-    const Vector fixed = by_key - open_.rates(phase_, state_) * (phase_ * open_.key()->period);
+  // G_x x_p + G_p at a fixed time, where x_p is given at the fixed phase.
+  RowVector by_keys(const Matrix &by_keys) const {
+    const Vector rates = open_.rates(phase_, state_);
     const auto pick = [this](const ContactLaw &law) -> const AffineForm & {
       return law.modes()[mode_].guards[guard_].indicator;
     };
     open_.start(phase_, state_);
-    motion::KeyTangent &tangent = map_.key()->tangent;
-    tangent.enter(time(), equations().source_break()); // no motion of this map may have led here
-    return gradient().dot(fixed) + tangent.form(equations(), contact_, pick, time(), state_);
+    RowVector row(by_keys.cols());
+    for (Index k = 0; k < row.size(); ++k) {
+      ForcedKey &key = *map_.keys()[static_cast<std::size_t>(k)];
+      key.tangent.enter(time(),
+                        equations().source_break()); // no motion of this map may have led here
+      row[k] = gradient().dot(by_keys.col(k) - rates * (phase_ * key.period)) +
+               key.tangent.form(equations(), contact_, pick, time(), state_);
+    }
+    return row;
   }
 
   Touch kind() const {
@@ -201,8 +223,8 @@ std::vector<GrazeWindow> graze_windows(const StroboscopicMap &map, const Section
   return windows;
 }
 
-Extension extend(const StroboscopicMap &map, const StroboscopicMap &open, const Section &section,
-                 const Vector &state, const GrazeWindow &window) {
+GrazingFlow extend(const StroboscopicMap &map, const StroboscopicMap &open, const Section &section,
+                   const Vector &state, const GrazeWindow &window) {
   const auto multiple = static_cast<double>(section.multiple());
   const double last = section.phase + section.length();
   const double ahead = window.begin - section.phase;
@@ -210,9 +232,7 @@ Extension extend(const StroboscopicMap &map, const StroboscopicMap &open, const 
   const double begin = std::max(section.phase, window.begin + shift), end = window.end + shift;
   if (end > last + 1e-12)
     throw NumericalError("the motion is cut where a contact is to graze");
-  Chain chain{.state = state,
-              .by_state = Matrix::Identity(state.size(), state.size()),
-              .by_key = Vector::Zero(state.size())};
+  Chain chain = Chain::at(map, state);
   const std::vector<Index> unseen = map.idle(section.phase, state);
   chain.state(unseen).setZero();
   chain.by_state(Eigen::all, unseen).setZero();
@@ -220,26 +240,41 @@ Extension extend(const StroboscopicMap &map, const StroboscopicMap &open, const 
   const double touch =
       minimum_near(map, open, begin, end, window.position + shift, window, chain.state);
   chain.go(open, begin, touch);
+  chain.touch(window);
   const Vector at_touch = chain.state;
   const Touching touching(map, open, window, touch, at_touch);
   Extension extension{.value = touching.value(),
                       .by_state = touching.gradient() * chain.by_state,
-                      .by_keys = RowVector::Constant(1, touching.by_key(chain.by_key)),
+                      .by_keys = touching.by_keys(chain.by_keys),
                       .touch = touching.kind()};
-  Chain behind{.state = at_touch,
-               .by_state = Matrix::Identity(state.size(), state.size()),
-               .by_key = Vector::Zero(state.size())};
+  Chain behind = Chain::at(map, at_touch);
   const Vector jump = extension.touch == Touch::corner ? touching.jump() : Vector();
   behind.go(open, touch, end);
   behind.go(map, end, last);
   const auto mirrored = [&](const Matrix &columns) { return map.mirrored(section, columns); };
   if (jump.size() > 0)
     extension.jump = mirrored(behind.by_state * jump);
-  extension.smooth = {.residual = mirrored(behind.state) - state,
-                      .by_state = mirrored(behind.by_state * chain.by_state) -
-                                  Matrix::Identity(state.size(), state.size()),
-                      .by_keys = mirrored(behind.by_state * chain.by_key + behind.by_key)};
-  return extension;
+  chain.pattern.append(behind.pattern);
+  extension.smooth.residual = mirrored(behind.state) - state;
+  extension.smooth.by_state =
+      mirrored(behind.by_state * chain.by_state) - Matrix::Identity(state.size(), state.size());
+  extension.smooth.by_keys = mirrored(behind.by_state * chain.by_keys + behind.by_keys);
+  extension.smooth.pattern = chain.pattern.numbers();
+  extension.smooth.chart_margin = chain.pattern.nearest_event() / map.period();
+  return {.extension = std::move(extension), .touch = touch, .pattern = std::move(chain.pattern)};
+}
+
+Flow flow_past(const StroboscopicMap &map, const StroboscopicMap &open, double from, double to,
+               const Vector &state, const GrazeWindow &window) {
+  Chain chain = Chain::at(map, state);
+  chain.go(map, from, std::min(to, window.begin));
+  chain.go(open, std::max(from, window.begin), std::min(to, window.end));
+  chain.go(map, window.end, to);
+  return {.state = chain.state,
+          .by_state = chain.by_state,
+          .by_keys = chain.by_keys,
+          .pattern = chain.pattern,
+          .determinant = {}};
 }
 
 } // namespace vibroimpact::periodic

@@ -35,10 +35,19 @@ struct GrazeWindow {
 std::vector<GrazeWindow> graze_windows(const StroboscopicMap &map, const Section &section,
                                        const Vector &state);
 
-/// Of x -> P(x; p) - x. `open`: the map with that contact kept open; both with a key.
+struct GrazingFlow {
+  continuation::Extension extension;
+  double touch = 0;     ///< phase of the least value [periods], in the section
+  EventPattern pattern; ///< with the touch as a change that leaves the mode as it is
+};
+
+/// Of x -> P(x; p) - x. `open`: the map with that contact kept open; both with the same keys.
 /// NumericalError when the section lies in the window, or the guard has no minimum there.
-continuation::Extension extend(const StroboscopicMap &map, const StroboscopicMap &open,
-                               const Section &section, const Vector &state,
-                               const GrazeWindow &window);
+GrazingFlow extend(const StroboscopicMap &map, const StroboscopicMap &open, const Section &section,
+                   const Vector &state, const GrazeWindow &window);
+
+/// From the start of a section to a later phase in it, past a window that lies in it.
+Flow flow_past(const StroboscopicMap &map, const StroboscopicMap &open, double from, double to,
+               const Vector &state, const GrazeWindow &window);
 
 } // namespace vibroimpact::periodic

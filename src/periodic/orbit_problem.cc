@@ -1,5 +1,7 @@
 #include "periodic/orbit_problem.h"
 
+#include "periodic/grazing_orbits.h"
+
 #include <cmath>
 
 namespace vibroimpact::periodic {
@@ -13,14 +15,6 @@ namespace {
 
 constexpr int instants = 16; // of a period at which the size of a motion is looked at
 
-continuation::Pattern numbers_of(const EventPattern &pattern) {
-  continuation::Pattern numbers = pattern.modes;
-  for (const PatternEvent &event : pattern.events)
-    numbers.insert(numbers.end(),
-                   {static_cast<int>(event.contact), event.from, event.to, event.onset ? 1 : 0});
-  return numbers;
-}
-
 } // namespace
 
 // Charts go on over the periods of the motion and begin again after its multiple.
@@ -29,19 +23,19 @@ double OrbitProblem::wrapped(double phase) const {
 }
 
 Evaluation OrbitProblem::evaluate(const Point &point) {
-  const StroboscopicMap &map = maps_.at(point.keys[0]);
+  const StroboscopicMap &map = maps_.at(point.keys);
   const Flow image = map.image(section_at(point.chart), point.state);
   return {.residual = image.state - point.state,
           .by_state = image.by_state - Matrix::Identity(map.size(), map.size()),
-          .by_keys = image.by_key,
-          .pattern = numbers_of(image.pattern),
+          .by_keys = image.by_keys,
+          .pattern = image.pattern.numbers(),
           .chart_margin = image.pattern.events.empty()
                               ? std::numeric_limits<double>::infinity()
                               : image.pattern.nearest_event() / map.period()};
 }
 
 std::vector<ShorterReturn> OrbitProblem::shorter_returns(const Point &point) {
-  const StroboscopicMap &map = maps_.at(point.keys[0]);
+  const StroboscopicMap &map = maps_.at(point.keys);
   std::vector<ShorterReturn> returns;
   for (long halves = 1; halves < halves_; ++halves) {
     const Section section{.phase = point.chart, .halves = halves};
@@ -57,22 +51,22 @@ std::unique_ptr<continuation::Problem> OrbitProblem::doubled() {
 }
 
 double OrbitProblem::best_chart(const Point &point) {
-  const StroboscopicMap &map = maps_.at(point.keys[0]);
+  const StroboscopicMap &map = maps_.at(point.keys);
   const EventPattern pattern = map.image(section_at(point.chart), point.state).pattern;
   return wrapped(point.chart + pattern.calmest_instant() / map.period());
 }
 
 Transfer OrbitProblem::transfer(const Point &point, double chart) {
-  const StroboscopicMap &map = maps_.at(point.keys[0]);
+  const StroboscopicMap &map = maps_.at(point.keys);
   const double shift = wrapped(chart - point.chart);
   const Flow flow = map.flow(point.chart, point.chart + shift, point.state);
   return {.point = {.state = flow.state, .keys = point.keys, .chart = chart},
           .by_state = flow.by_state,
-          .by_keys = flow.by_key};
+          .by_keys = flow.by_keys};
 }
 
 std::vector<continuation::Graze> OrbitProblem::grazes_near(const Point &point) {
-  const StroboscopicMap &map = maps_.at(point.keys[0]);
+  const StroboscopicMap &map = maps_.at(point.keys);
   std::vector<continuation::Graze> grazes;
   for (const GrazeWindow &window : graze_windows(map, section_at(point.chart), point.state)) {
     grazes.push_back({.guard = static_cast<int>(windows_.size()),
@@ -86,12 +80,18 @@ std::vector<continuation::Graze> OrbitProblem::grazes_near(const Point &point) {
 
 continuation::Extension OrbitProblem::extend(const Point &point, const continuation::Graze &graze) {
   const GrazeWindow &window = windows_.at(static_cast<std::size_t>(graze.guard));
-  const StroboscopicMap &map = maps_.at(point.keys[0]);
-  return periodic::extend(map, maps_.with_open(point.keys[0], window.contact),
-                          section_at(point.chart), point.state, window);
+  const StroboscopicMap &map = maps_.at(point.keys);
+  return periodic::extend(map, maps_.with_open(point.keys, window.contact), section_at(point.chart),
+                          point.state, window)
+      .extension;
 }
 
-Vector problem_sizes(const StroboscopicMap &map, const Orbit &orbit, double key) {
+std::unique_ptr<continuation::Problem> OrbitProblem::extended(const continuation::Graze &graze) {
+  return std::make_unique<GrazingOrbits>(maps_, halves_, sizes_,
+                                         windows_.at(static_cast<std::size_t>(graze.guard)));
+}
+
+Vector problem_sizes(const StroboscopicMap &map, const Orbit &orbit, const Vector &keys) {
   double size = map.norm(orbit.point.state);
   Vector state = orbit.point.state;
   const double from = orbit.section.phase;
@@ -100,8 +100,8 @@ Vector problem_sizes(const StroboscopicMap &map, const Orbit &orbit, double key)
                       from + static_cast<double>(i + 1) / instants, state);
     size = std::max(size, map.norm(state));
   }
-  Vector sizes(map.size() + 1);
-  sizes << (size > 0 ? size : 1) * map.scale().cwiseInverse(), key;
+  Vector sizes(map.size() + keys.size());
+  sizes << (size > 0 ? size : 1) * map.scale().cwiseInverse(), keys;
   return sizes;
 }
 

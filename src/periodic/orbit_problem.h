@@ -1,4 +1,4 @@
-// Periodic motions along a key as a continuation problem: F(x, p) = P(x; p) - x.
+// Periodic motions along one key or several as a continuation problem: F(x, p) = P(x; p) - x.
 //
 // A chart is the section phase at which the state is given, in periods from 0 up to the multiple of
 // the motion. It is moved where a contact change comes near, with the tangents of the motion to
@@ -11,22 +11,22 @@
 
 namespace vibroimpact::periodic {
 
-/// The map of a forced system at any value of a key.
-class MapAlongKey {
+/// The map of a forced system at any values of its keys.
+class MapAlongKeys {
 public:
-  virtual ~MapAlongKey() = default;
-  /// The map at this value, with its derivative by the key; valid until the next call.
-  /// NumericalError when there is no system at this value.
-  virtual const StroboscopicMap &at(double value) = 0;
-  /// The same map with a contact that stays open; valid as long as at() of the same value.
-  virtual const StroboscopicMap &with_open(double value, std::size_t contact) = 0;
+  virtual ~MapAlongKeys() = default;
+  /// The map at these values, with its derivatives by the keys; valid until the next call.
+  /// NumericalError when there is no system at these values.
+  virtual const StroboscopicMap &at(const Vector &keys) = 0;
+  /// The same map with a contact that stays open; valid as long as at() of the same values.
+  virtual const StroboscopicMap &with_open(const Vector &keys, std::size_t contact) = 0;
 };
 
 class OrbitProblem : public continuation::Problem {
 public:
   /// Keeps a reference to the maps. `halves` of the motions that are followed; `sizes`: what counts
-  /// as one of each entry of the state and of the key, n + 1 numbers.
-  OrbitProblem(MapAlongKey &maps, long halves, Vector sizes)
+  /// as one of each entry of the state and of each key, n + keys numbers.
+  OrbitProblem(MapAlongKeys &maps, long halves, Vector sizes)
       : maps_(maps), halves_(halves), sizes_(std::move(sizes)) {}
 
   long halves() const { return halves_; }
@@ -43,20 +43,21 @@ public:
   std::vector<continuation::Graze> grazes_near(const continuation::Point &point) override;
   continuation::Extension extend(const continuation::Point &point,
                                  const continuation::Graze &graze) override;
+  std::unique_ptr<continuation::Problem> extended(const continuation::Graze &graze) override;
 
 private:
   Section section_at(double chart) const { return {.phase = chart, .halves = halves_}; }
   double periods() const { return static_cast<double>(section_at(0).multiple()); }
   double wrapped(double phase) const;
 
-  MapAlongKey &maps_;
+  MapAlongKeys &maps_;
   long halves_;
   Vector sizes_;
   std::vector<GrazeWindow> windows_; ///< that a Graze::guard counts
 };
 
 /// Sizes for OrbitProblem: the largest scaled entry that the motion reaches, over the scale, for
-/// each entry of the state; `key` for the key.
-Vector problem_sizes(const StroboscopicMap &map, const Orbit &orbit, double key);
+/// each entry of the state; `keys` for the keys.
+Vector problem_sizes(const StroboscopicMap &map, const Orbit &orbit, const Vector &keys);
 
 } // namespace vibroimpact::periodic

@@ -33,22 +33,23 @@ Vector StroboscopicMap::rates(double phase, const Vector &state) const {
 Flow StroboscopicMap::flow(double from, double to, const Vector &state) const {
   const double begin = from * period(), end = to * period();
   std::vector<motion::KeyTangent *> keys;
-  if (key_ != nullptr)
-    keys.push_back(&key_->tangent);
+  for (ForcedKey *key : keys_)
+    keys.push_back(&key->tangent);
   PatternObserver pattern(system_.contacts(), begin);
   const motion::LinearisedMotion motion =
       (*lineariser_)({.time = begin, .physical = state}, end, keys, &pattern);
   Flow flow{.state = motion.end.physical,
             .by_state = motion.by_state,
-            .by_key = {},
+            .by_keys = Matrix(size(), static_cast<Index>(keys_.size())),
             .pattern = pattern.pattern(end),
             .determinant = motion.determinant,
             .without_derivative = motion.without_derivative};
-  if (key_ == nullptr)
-    return flow;
-  flow.by_key = motion.by_key.col(0) + motion.rates * (to * key_->period);
-  if (from != 0 && key_->period != 0)
-    flow.by_key -= flow.by_state * rates(from, state) * (from * key_->period);
+  for (Index k = 0; k < flow.by_keys.cols(); ++k) {
+    const double change = keys_[static_cast<std::size_t>(k)]->period;
+    flow.by_keys.col(k) = motion.by_key.col(k) + motion.rates * (to * change);
+    if (from != 0 && change != 0)
+      flow.by_keys.col(k) -= flow.by_state * rates(from, state) * (from * change);
+  }
   return flow;
 }
 
@@ -67,8 +68,7 @@ Flow StroboscopicMap::image(const Section &section, const Vector &state) const {
   image.by_state(Eigen::all, unseen).setZero();
   image.state = mirrored(section, image.state);
   image.by_state = mirrored(section, image.by_state);
-  if (key_ != nullptr)
-    image.by_key = mirrored(section, image.by_key);
+  image.by_keys = mirrored(section, image.by_keys);
   return image;
 }
 

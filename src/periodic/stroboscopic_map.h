@@ -41,7 +41,7 @@ struct Section {
 struct Flow {
   Vector state;    ///< at the end, behind sigma^h
   Matrix by_state; ///< n x n
-  Vector by_key;   ///< n, per unit of the key; empty without one
+  Matrix by_keys;  ///< n x keys, per unit of each
   EventPattern pattern;
   motion::Determinant determinant; ///< of by_state, behind the projection of the start
   long without_derivative = 0;     ///< events, see motion::LinearisedMotion
@@ -53,14 +53,14 @@ public:
   StroboscopicMap(ForcedSystem &system, motion::VariationAccuracy accuracy,
                   std::optional<Symmetry> symmetry = {});
 
-  /// The derivative by this key is wanted from now on; nullptr: by none.
-  void set_key(ForcedKey *key) { key_ = key; }
+  /// The derivatives by these keys are wanted from now on.
+  void set_keys(std::vector<ForcedKey *> keys) { keys_ = std::move(keys); }
   bool symmetric() const { return symmetry_.has_value(); }
-  /// Of the present key [s].
+  /// At the present keys [s].
   double period() const { return system_.period(); }
   Index size() const { return system_.layout().physical_size(); }
   const ForcedSystem &system() const { return system_; }
-  ForcedKey *key() const { return key_; }
+  const std::vector<ForcedKey *> &keys() const { return keys_; }
   const Vector &scale() const { return accuracy_.scale; }
   /// Largest scaled entry.
   double norm(const Vector &state) const {
@@ -85,13 +85,17 @@ public:
   Matrix mirrored(const Section &section, const Matrix &columns) const {
     return section.with_symmetry() ? symmetry_.value().apply(columns) : columns;
   }
+  /// The contact that does, a section later, what this one does.
+  std::size_t mirrored(const Section &section, std::size_t contact) const {
+    return section.with_symmetry() ? symmetry_.value().partner(contact) : contact;
+  }
 
 private:
   ForcedSystem &system_;
   motion::VariationAccuracy accuracy_;
   std::shared_ptr<motion::Lineariser> lineariser_; ///< of the system
   std::optional<Symmetry> symmetry_;
-  ForcedKey *key_ = nullptr;
+  std::vector<ForcedKey *> keys_;
 };
 
 /// Eigenvalues of a matrix, the largest first, of a conjugate pair that with positive imaginary

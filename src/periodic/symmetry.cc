@@ -115,6 +115,7 @@ bool Symmetry::pair_contacts(const ForcedSystem &system, double size) {
   const std::vector<ContactPair> &pairs = system.contacts().pairs();
   const Index internal = system.layout().internal();
   std::vector<char> paired(pairs.size(), 0);
+  partners_.resize(pairs.size());
   for (std::size_t a = 0; a < pairs.size(); ++a) {
     if (paired[a])
       continue;
@@ -125,6 +126,8 @@ bool Symmetry::pair_contacts(const ForcedSystem &system, double size) {
     if (b == pairs.size())
       return false;
     paired[a] = paired[b] = 1;
+    partners_[a] = b;
+    partners_[b] = a;
     for (Index i = 0; i < pairs[a].n_internal(); ++i) {
       const Index one = internal + pairs[a].internal_offset + i;
       const Index other = internal + pairs[b].internal_offset + i;

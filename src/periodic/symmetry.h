@@ -33,6 +33,8 @@ public:
   bool operator==(const Symmetry &other) const {
     return taken_from_ == other.taken_from_ && factor_ == other.factor_;
   }
+  /// The contact that does half a period later what this one does.
+  std::size_t partner(std::size_t contact) const { return partners_[contact]; }
 
 private:
   /// Coordinates of body b become those of body `from[b]` times `sign`.
@@ -41,7 +43,8 @@ private:
   bool pair_contacts(const ForcedSystem &system, double size);
   bool holds(ForcedSystem &system, const Vector &scale, double size) const;
 
-  std::vector<Index> taken_from_; ///< entry i of sigma x is factor_i x[taken_from_i]
+  std::vector<std::size_t> partners_; ///< by contact
+  std::vector<Index> taken_from_;     ///< entry i of sigma x is factor_i x[taken_from_i]
   Vector factor_;
 };
 

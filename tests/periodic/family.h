@@ -11,12 +11,14 @@
 namespace vibroimpact::testing {
 
 /// An oscillator for each value of a key, without looking for its symmetry unless wanted.
-class Family : public periodic::MapAlongKey {
+class Family : public periodic::MapAlongKeys {
 public:
   explicit Family(std::function<Oscillator(double)> make, bool symmetric = true)
       : make_(std::move(make)), symmetric_(symmetric) {}
 
-  const periodic::StroboscopicMap &at(double value) override {
+  const periodic::StroboscopicMap &at(double value) { return at(Vector::Constant(1, value)); }
+  const periodic::StroboscopicMap &at(const Vector &keys) override {
+    const double value = keys[0];
     if (value_ != value || !present_) {
       open_.clear();
       present_ = std::make_unique<Member>(make_, value, symmetric_);
@@ -24,7 +26,8 @@ public:
     }
     return present_->forced->map;
   }
-  const periodic::StroboscopicMap &with_open(double value, std::size_t contact) override {
+  const periodic::StroboscopicMap &with_open(const Vector &keys, std::size_t contact) override {
+    const double value = keys[0];
     at(value);
     std::unique_ptr<Member> &member = open_[contact];
     if (!member)
@@ -51,7 +54,7 @@ private:
       }
       key = std::make_unique<periodic::ForcedKey>(
           periodic::forced_key("key", forced->system, std::move(neighbours)));
-      forced->map.set_key(key.get());
+      forced->map.set_keys({key.get()});
     }
     Oscillator oscillator;
     std::unique_ptr<ForcedMap> forced;

@@ -1,0 +1,71 @@
+// Finds special points along a branch and follows their loci.
+#pragma once
+
+#include "analyses/branch_follower.h"
+#include "analyses/locus_table.h"
+#include "analyses/orbit_locus.h"
+
+namespace vibroimpact::analyses {
+
+/// A special point of a branch whose locus is wanted.
+struct LocusOrigin {
+  long branch = 0;
+  long halves = 2;
+  continuation::SpecialPoint special;
+};
+
+/// Keeps the special points of some kinds.
+class LocusOrigins : public BranchSink {
+public:
+  explicit LocusOrigins(std::vector<SpecialKind> kinds) : kinds_(std::move(kinds)) {}
+  void begin(long number, long halves, double sign) override;
+  void add(const continuation::BranchPoint & /*point*/) override {}
+  void add(const continuation::SpecialPoint &special) override;
+  void drop(long number) override;
+  void end(const continuation::Branch & /*branch*/) override {}
+
+  /// By branch and the value of the key.
+  std::vector<LocusOrigin> in_order() const;
+
+private:
+  std::vector<SpecialKind> kinds_;
+  std::vector<LocusOrigin> found_;
+  long number_ = 0, halves_ = 2;
+};
+
+class LocusFollower {
+public:
+  /// Keeps references. `sizes` as for OrbitProblem with two keys; `second`: value of the second key
+  /// on the branch. `note` is called at each point with the number of points so far; it may throw
+  /// to end the run.
+  LocusFollower(KeyedMap &maps, Vector sizes, double second, continuation::Settings settings,
+                LocusTable &table, std::function<void(std::size_t points)> note)
+      : maps_(maps), sizes_(std::move(sizes)), second_(second), settings_(settings), table_(table),
+        note_(std::move(note)) {}
+
+  /// In both directions, unless a locus so far passes this point.
+  void follow(const LocusOrigin &origin);
+
+private:
+  struct Done {
+    continuation::LocusKind kind;
+    long halves;
+    continuation::Locus locus;
+  };
+  bool passed(const LocusOrigin &origin, const continuation::LocusStart &start) const;
+  continuation::LocusStart start_at(const LocusOrigin &origin,
+                                    periodic::OrbitProblem &problem) const;
+  continuation::LocusEnd follow(periodic::OrbitProblem &problem,
+                                const continuation::LocusStart &start);
+
+  KeyedMap &maps_;
+  Vector sizes_;
+  double second_;
+  continuation::Settings settings_;
+  LocusTable &table_;
+  std::function<void(std::size_t points)> note_;
+  std::vector<Done> done_;
+  long loci_ = 0;
+};
+
+} // namespace vibroimpact::analyses

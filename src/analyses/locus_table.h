@@ -1,0 +1,44 @@
+// What is kept of the loci of an analysis: their points, special points and ends, as arrays.
+#pragma once
+
+#include "analyses/orbit_rows.h"
+#include "continuation/locus.h"
+
+namespace vibroimpact::analyses {
+
+class LocusTable {
+public:
+  /// Keeps references. Motions are recorded over one of their periods.
+  LocusTable(const std::vector<SweptParameter> &keys, KeyedMap &maps,
+             const std::vector<RecorderFactory> &recorders);
+
+  /// What follows is a part of locus `number`, whose motions are fixed points of maps over `halves`
+  /// half periods. `sign`: -1 where the arclength falls.
+  void begin(long number, continuation::LocusKind kind, long halves, double sign);
+  void add(const continuation::LocusPoint &point);
+  /// The part ends.
+  void end(const continuation::Locus &locus);
+  /// The locus cannot be entered at these keys.
+  void end_at_start(const Vector &keys);
+
+  std::size_t size() const { return points_.size(); }
+  void add_fields(PointResult &result) const;
+
+private:
+  CurveRow row_of(const continuation::LocusPoint &point) const;
+  void add_end(const Vector &keys, double arclength, int reason);
+  void add_keys(PointResult &row, const Vector &keys) const;
+  periodic::Orbit orbit_of(const continuation::LocusPoint &point) const;
+
+  KeyedMap &maps_;
+  OrbitRows orbits_;
+  std::vector<Label> keys_;
+  Label arclength_, locus_, kind_;
+  long number_ = 0;
+  continuation::LocusKind kind_number_ = continuation::LocusKind::fold;
+  long halves_ = 2;
+  double sign_ = 1;
+  std::vector<CurveRow> points_, special_, ends_;
+};
+
+} // namespace vibroimpact::analyses

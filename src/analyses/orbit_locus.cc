@@ -1,0 +1,178 @@
+#include "analyses/orbit_locus.h"
+
+#include "analyses/continuation_keys.h"
+#include "analyses/locus_follower.h"
+#include "analyses/single_point.h"
+#include "analyses/swept_system.h"
+#include "common/error.h"
+#include "parameters/text.h"
+
+#include <algorithm>
+
+namespace vibroimpact::analyses {
+
+using continuation::BranchPoint;
+using periodic::OrbitProblem;
+
+namespace {
+
+constexpr const char *section_name = "Locus";
+constexpr const char *key_sections[] = {"First key", "Second key"};
+constexpr const char *who = "A locus";
+
+// In the order of SpecialKind.
+const std::vector<std::string> &kind_names() {
+  static const std::vector<std::string> names = {"fold", "period doubling", "loss of symmetry",
+                                                 "Neimark-Sacker", "graze"};
+  return names;
+}
+
+std::vector<SpecialKind> read_kinds(const parameters::Values &values) {
+  std::vector<SpecialKind> kinds;
+  values.require("Kinds");
+  for (const std::string &name : values.names("Kinds")) {
+    values.require_known("Kinds", name, kind_names());
+    const auto place = std::find(kind_names().begin(), kind_names().end(), name);
+    kinds.push_back(static_cast<SpecialKind>(place - kind_names().begin()));
+  }
+  return kinds;
+}
+
+// At the corners of the plane; a frequency needs no other system.
+std::vector<std::vector<parameters::Override>> corners(const std::vector<SweptParameter> &keys) {
+  std::vector<std::vector<parameters::Override>> corners{{}};
+  for (const SweptParameter &key : keys) {
+    if (key.is_frequency())
+      continue;
+    std::vector<std::vector<parameters::Override>> more;
+    for (const std::vector<parameters::Override> &corner : corners)
+      for (const double end : {key.values.front(), key.values.back()}) {
+        more.push_back(corner);
+        more.back().push_back(key.at(end));
+      }
+    corners = std::move(more);
+  }
+  return corners;
+}
+
+} // namespace
+
+void OrbitLocus::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  Section &section = analysis.subsection(
+      section_name, "Special points of periodic motions followed in the plane of two keys: where a "
+                    "fold, a period "
+                    "doubling or the first touch of a contact goes when a second key changes.");
+  section.names("Kinds", "fold",
+                "Which special points are followed: fold, period doubling, loss of symmetry, "
+                "Neimark-Sacker, graze. They are looked for on the branch along the first key, "
+                "at the value that the file gives to the second one.");
+  declare_key_range(section.subsection(
+      key_sections[0], "Key along which the branch is followed that has the special points."));
+  declare_key_range(section.subsection(key_sections[1], "The other key."));
+  declare_continuation(section, "branch or locus");
+  section.integer("Switching levels", "0", Range{.lower = 0, .upper = 20}, "",
+                  "Special points of branches that begin at a period doubling or loss of symmetry "
+                  "count as well: those of branches that begin at the first one with 1, those of "
+                  "branches that begin at these too with 2...");
+  declare_orbit_start(section);
+  section.text("Excitation", "",
+               "Excitation whose period is that of the forcing, or whose frequency is a key; "
+               "empty when there is only one with a period.");
+}
+
+std::shared_ptr<const Analysis> OrbitLocus::create(const parameters::Values &analysis) {
+  const parameters::Values values = analysis.subsection(section_name);
+  Settings settings{.keys = {},
+                    .start_values = {},
+                    .kinds = read_kinds(values),
+                    .start = read_orbit_start(values),
+                    .continuation = read_continuation(values),
+                    .levels = values.integer("Switching levels"),
+                    .excitation = values.text("Excitation"),
+                    .recorders = read_recorders(analysis, {"excursions", "impacts"})};
+  for (const char *name : key_sections) {
+    const parameters::Values key = values.subsection(name);
+    settings.keys.push_back(read_key_range(key));
+    settings.start_values.push_back(value_in_file(settings.keys.back(), key));
+  }
+  const parameters::Values second = values.subsection(key_sections[1]);
+  if (settings.keys[0].path == settings.keys[1].path ||
+      (!settings.keys[0].is_frequency() && !settings.keys[1].is_frequency() &&
+       values.subsection(key_sections[0]).key_path("Parameter") == second.key_path("Parameter")))
+    second.reject("Parameter", "another key than that of the First key.");
+  settings.continuation.first_key = range_of(settings.keys[0]);
+  settings.continuation.second_key = range_of(settings.keys[1]);
+  return std::make_shared<OrbitLocus>(std::move(settings));
+}
+
+Vector OrbitLocus::start_values(const System &system) const {
+  Vector values(2);
+  for (std::size_t k = 0; k < 2; ++k)
+    values[static_cast<Index>(k)] = value_in_system(settings_.keys[k], settings_.start_values[k],
+                                                    system, settings_.excitation, who);
+  return values;
+}
+
+void OrbitLocus::check(const System &system) const {
+  const std::size_t source = sweep_source(system, settings_.excitation, who);
+  const Vector values = start_values(system);
+  for (std::size_t k = 0; k < 2; ++k)
+    check_inside(settings_.keys[k], values[static_cast<Index>(k)], who);
+  OrbitSearch search(system, source, settings_.start);
+  search.forced().trajectory().start(0, system.initial.displacement, system.initial.velocity);
+  const WindowRecording recording(settings_.recorders, system);
+}
+
+std::vector<std::vector<parameters::Override>> OrbitLocus::variants() const {
+  return corners(settings_.keys);
+}
+
+PointResult OrbitLocus::compute(System &system, LineContext &context) const {
+  const Vector values = start_values(system);
+  OrbitSearch search(system, sweep_source(system, settings_.excitation, who), settings_.start);
+  const periodic::Orbit orbit = search.run([&](long /*periods*/) { context.note_progress(0); });
+  Vector ranges(2);
+  for (std::size_t k = 0; k < 2; ++k)
+    ranges[static_cast<Index>(k)] =
+        settings_.keys[k].values.back() - settings_.keys[k].values.front();
+  const Vector sizes = problem_sizes(search.map(), orbit, ranges);
+  const motion::VariationAccuracy accuracy = orbit_accuracy(system, search.forced());
+  const double size = search.map().norm(orbit.point.state);
+
+  LocusOrigins origins(settings_.kinds);
+  KeyedMap maps(settings_.keys, settings_.excitation, system, context, accuracy, size);
+  KeyedMap along({settings_.keys[0]}, settings_.excitation, system, context, accuracy, size);
+  const bool symmetric = maps.symmetric() && along.symmetric();
+  const auto problem =
+      std::make_shared<OrbitProblem>(along, symmetric ? orbit.section.halves : 2 * orbit.multiple(),
+                                     Vector(sizes.head(sizes.size() - 1)));
+  BranchFollower branch({Directions::both, settings_.continuation, settings_.levels}, origins,
+                        [&](double share) { context.note_progress(share / 10); });
+  branch.run(problem,
+             continuation::solve(
+                 *problem,
+                 {.state = orbit.point.state, .keys = values.head(1), .chart = orbit.section.phase},
+                 settings_.continuation));
+  const std::vector<LocusOrigin> starts = origins.in_order();
+  if (starts.empty())
+    throw NumericalError("the branch along the first key has no special point of the kinds " +
+                         std::string("that are wanted"));
+  LocusTable table(settings_.keys, maps, settings_.recorders);
+  const double most = 2.0 * settings_.continuation.most_points * static_cast<double>(starts.size());
+  LocusFollower follower(
+      maps, sizes, values[1], settings_.continuation, table, [&](std::size_t points) {
+        context.note_progress(std::min(1.0, 0.1 + 0.9 * static_cast<double>(points) / most));
+      });
+  for (const LocusOrigin &origin : starts)
+    follower.follow(origin);
+  PointResult result;
+  table.add_fields(result);
+  return result;
+}
+
+void OrbitLocus::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
+  run_single_point(context, [&] { return compute(system, context); });
+}
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,45 @@
+#include "analyses/orbit_rows.h"
+
+#include "analyses/fields.h"
+#include "analyses/orbit_fields.h"
+#include "analyses/window_recording.h"
+#include "common/error.h"
+
+namespace vibroimpact::analyses {
+
+using periodic::Orbit;
+using periodic::Section;
+
+PointResult OrbitRows::of(const Vector &keys, const Orbit &orbit) const {
+  const periodic::StroboscopicMap &map = maps_.at(keys);
+  PointResult row;
+  const Vector state = state_at_zero_phase(map, orbit);
+  add_orbit(row, map, orbit, state);
+  try {
+    record(state, map.period(), orbit.section.multiple(), row);
+  } catch (const NumericalError &error) {
+    row.reason = error.what();
+  }
+  row.fields.push_back(scalar_field("recorded", row.reason.empty() ? 1 : 0, "1",
+                                    "0 where the recording of the motion failed and its values are "
+                                    "NaN; why stands in reason"));
+  return row;
+}
+
+PointResult OrbitRows::of(const Vector &keys, const Section &section, const Vector &state) const {
+  const periodic::StroboscopicMap &map = maps_.at(keys);
+  Orbit orbit{.section = section, .point = {.state = state, .image = map.image(section, state)}};
+  orbit.point.residual = map.norm(orbit.point.image.state - state) / map.norm(state);
+  return of(keys, orbit);
+}
+
+void OrbitRows::record(const Vector &state, double period, long periods, PointResult &row) const {
+  WindowRecording recording(recorders_, maps_.system());
+  motion::Trajectory &trajectory = maps_.trajectory();
+  trajectory.start({.time = 0, .physical = state});
+  recording.run(periods_window(0, period, periods), trajectory);
+  recording.add_fields(row);
+  add_accuracy(row, trajectory.accuracy(), maps_.system().integration);
+}
+
+} // namespace vibroimpact::analyses
