@@ -13,6 +13,7 @@ from . import (
     fits,
     histories,
     identify,
+    loci,
     maps,
     modal,
     portraits,
@@ -27,7 +28,7 @@ from . import (
 KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits,
          relative_motion, spectra, time_frequency, maps, derived_curves]
 # Analyses whose fields are of their own kind.
-OWN = {**{name: [branches] for name in branches.TYPES},
+OWN = {**{name: [branches] for name in branches.TYPES}, loci.TYPE: [loci],
        searches.TYPE: [searches, derived_curves],
        fits.TYPE: [fits, derived_curves],
        **{name: [basins] for name in basins.TYPES}}

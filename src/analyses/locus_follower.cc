@@ -85,15 +85,18 @@ private:
   Eigen::Vector2d begin_, end_, begin_slope_, end_slope_;
 };
 
-// The same graze among those that another problem sees there.
+// The same graze among those that another problem sees there, or the nearest of all.
 std::optional<continuation::Graze> graze_like(OrbitProblem &problem, const continuation::Point &at,
-                                              const continuation::Graze &wanted) {
+                                              const std::optional<continuation::Graze> &wanted) {
   std::optional<continuation::Graze> best;
+  const auto distance = [&](const continuation::Graze &graze) {
+    return std::abs(graze.position - wanted->position);
+  };
   for (const continuation::Graze &graze : problem.grazes_near(at))
-    if (graze.name == wanted.name && (!best || std::abs(graze.position - wanted.position) <
-                                                   std::abs(best->position - wanted.position)))
+    if (!best || (wanted && graze.name == wanted->name &&
+                  (best->name != wanted->name || distance(graze) < distance(*best))))
       best = graze;
-  return best;
+  return best && wanted && best->name != wanted->name ? std::nullopt : best;
 }
 
 } // namespace
@@ -107,6 +110,12 @@ void LocusOrigins::add(const SpecialPoint &special) {
   if (std::any_of(kinds_.begin(), kinds_.end(),
                   [&](SpecialKind kind) { return is_of(kind, special, halves_); }))
     found_.push_back({.branch = number_, .halves = halves_, .special = special});
+}
+
+void LocusOrigins::end(const continuation::Branch &branch) {
+  if (branch.end == continuation::End::least_step && !branch.points.empty())
+    add(SpecialPoint{
+        .kind = Special::graze, .at = branch.points.back(), .vector = {}, .graze = {}});
 }
 
 void LocusOrigins::drop(long number) {
@@ -127,9 +136,9 @@ LocusStart LocusFollower::start_at(const LocusOrigin &origin, OrbitProblem &prob
   LocusStart start{.kind = kind_of(origin.special), .point = origin.special.at.point, .graze = {}};
   start.point.keys = Eigen::Vector2d(origin.special.at.point.keys[0], second_);
   if (start.kind == LocusKind::graze) {
-    start.graze = graze_like(problem, start.point, origin.special.graze.value());
+    start.graze = graze_like(problem, start.point, origin.special.graze);
     if (!start.graze)
-      throw NumericalError("the graze of " + origin.special.graze->name + " is not found again");
+      throw NumericalError("no contact is about to graze there");
   }
   return start;
 }

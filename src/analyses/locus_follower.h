@@ -3,11 +3,12 @@
 
 #include "analyses/branch_follower.h"
 #include "analyses/locus_table.h"
-#include "analyses/orbit_locus.h"
 
 namespace vibroimpact::analyses {
 
-/// A special point of a branch whose locus is wanted.
+enum class SpecialKind { fold, period_doubling, loss_of_symmetry, neimark_sacker, graze };
+
+/// A special point of a branch whose locus is wanted; without a graze that of the nearest one.
 struct LocusOrigin {
   long branch = 0;
   long halves = 2;
@@ -22,7 +23,8 @@ public:
   void add(const continuation::BranchPoint & /*point*/) override {}
   void add(const continuation::SpecialPoint &special) override;
   void drop(long number) override;
-  void end(const continuation::Branch & /*branch*/) override {}
+  /// A branch that ends at its least step may have come to a graze that it does not pass.
+  void end(const continuation::Branch &branch) override;
 
   /// By branch and the value of the key.
   std::vector<LocusOrigin> in_order() const;

@@ -71,15 +71,16 @@ double angle_of(const LocusPoint &point, LocusKind kind, const Section &section)
   return std::min(angle, 2 * std::numbers::pi - angle);
 }
 
-Label key_label(const SweptParameter &key) {
-  return {key.axis_name(), key.unit, key.axis().description};
+Label key_label(const SweptParameter &key, const std::string &which) {
+  return {key.axis_name(), key.unit, which + " key: " + key.axis().description};
 }
 
 } // namespace
 
 LocusTable::LocusTable(const std::vector<SweptParameter> &keys, KeyedMap &maps,
                        const std::vector<RecorderFactory> &recorders)
-    : maps_(maps), orbits_(maps, recorders), keys_{key_label(keys[0]), key_label(keys[1])},
+    : maps_(maps),
+      orbits_(maps, recorders), keys_{key_label(keys[0], "first"), key_label(keys[1], "second")},
       arclength_("arclength", "1",
                  "from the start of the locus, in unknowns made comparable; negative behind it"),
       locus_("locus", "1", "number of the locus, from 0"), kind_("kind", "1", kinds) {}
@@ -125,6 +126,10 @@ CurveRow LocusTable::row_of(const LocusPoint &point) const {
       "1");
   add("multiplier_angle", angle_of(point, kind_number_, orbit.section),
       "argument of the pair of multipliers of modulus 1; Neimark-Sacker only", "rad");
+  add("side", point.side,
+      "1 or -1: the side, by the first key, on which there are two motions more (fold), the "
+      "multiplier is outside the unit circle, or the contact touches (graze)",
+      "1");
   add("contact_changes", changes, "contact changes of the motion, a graze among them", "1");
   const PointResult motion = orbits_.of(point.point.keys, orbit);
   row.values.fields.insert(row.values.fields.end(), motion.fields.begin(), motion.fields.end());

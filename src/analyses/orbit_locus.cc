@@ -1,7 +1,6 @@
 #include "analyses/orbit_locus.h"
 
 #include "analyses/continuation_keys.h"
-#include "analyses/locus_follower.h"
 #include "analyses/single_point.h"
 #include "analyses/swept_system.h"
 #include "common/error.h"
@@ -11,7 +10,6 @@
 
 namespace vibroimpact::analyses {
 
-using continuation::BranchPoint;
 using periodic::OrbitProblem;
 
 namespace {
@@ -128,43 +126,62 @@ std::vector<std::vector<parameters::Override>> OrbitLocus::variants() const {
   return corners(settings_.keys);
 }
 
-PointResult OrbitLocus::compute(System &system, LineContext &context) const {
-  const Vector values = start_values(system);
+OrbitLocus::Motion OrbitLocus::first_motion(System &system, LineContext &context) const {
   OrbitSearch search(system, sweep_source(system, settings_.excitation, who), settings_.start);
-  const periodic::Orbit orbit = search.run([&](long /*periods*/) { context.note_progress(0); });
+  Motion motion{.orbit = search.run([&](long /*periods*/) { context.note_progress(0); })};
   Vector ranges(2);
   for (std::size_t k = 0; k < 2; ++k)
     ranges[static_cast<Index>(k)] =
         settings_.keys[k].values.back() - settings_.keys[k].values.front();
-  const Vector sizes = problem_sizes(search.map(), orbit, ranges);
-  const motion::VariationAccuracy accuracy = orbit_accuracy(system, search.forced());
-  const double size = search.map().norm(orbit.point.state);
+  motion.sizes = problem_sizes(search.map(), motion.orbit, ranges);
+  motion.accuracy = orbit_accuracy(system, search.forced());
+  motion.size = search.map().norm(motion.orbit.point.state);
+  return motion;
+}
 
+KeyedMap OrbitLocus::maps(std::vector<SweptParameter> keys, const Motion &motion, System &system,
+                          LineContext &context) const {
+  return {std::move(keys), settings_.excitation, system, context, motion.accuracy, motion.size};
+}
+
+// At the second key's value in the file.
+std::vector<LocusOrigin> OrbitLocus::find_origins(const Motion &motion, double first,
+                                                  bool symmetric, System &system,
+                                                  LineContext &context) const {
+  KeyedMap along = maps({settings_.keys[0]}, motion, system, context);
+  const bool half = symmetric && along.symmetric();
+  const auto problem = std::make_shared<OrbitProblem>(
+      along, half ? motion.orbit.section.halves : 2 * motion.orbit.multiple(),
+      Vector(motion.sizes.head(motion.sizes.size() - 1)));
   LocusOrigins origins(settings_.kinds);
-  KeyedMap maps(settings_.keys, settings_.excitation, system, context, accuracy, size);
-  KeyedMap along({settings_.keys[0]}, settings_.excitation, system, context, accuracy, size);
-  const bool symmetric = maps.symmetric() && along.symmetric();
-  const auto problem =
-      std::make_shared<OrbitProblem>(along, symmetric ? orbit.section.halves : 2 * orbit.multiple(),
-                                     Vector(sizes.head(sizes.size() - 1)));
   BranchFollower branch({Directions::both, settings_.continuation, settings_.levels}, origins,
                         [&](double share) { context.note_progress(share / 10); });
-  branch.run(problem,
-             continuation::solve(
-                 *problem,
-                 {.state = orbit.point.state, .keys = values.head(1), .chart = orbit.section.phase},
-                 settings_.continuation));
-  const std::vector<LocusOrigin> starts = origins.in_order();
-  if (starts.empty())
-    throw NumericalError("the branch along the first key has no special point of the kinds " +
-                         std::string("that are wanted"));
-  LocusTable table(settings_.keys, maps, settings_.recorders);
-  const double most = 2.0 * settings_.continuation.most_points * static_cast<double>(starts.size());
-  LocusFollower follower(
-      maps, sizes, values[1], settings_.continuation, table, [&](std::size_t points) {
-        context.note_progress(std::min(1.0, 0.1 + 0.9 * static_cast<double>(points) / most));
-      });
-  for (const LocusOrigin &origin : starts)
+  branch.run(problem, continuation::solve(*problem,
+                                          {.state = motion.orbit.point.state,
+                                           .keys = Vector::Constant(1, first),
+                                           .chart = motion.orbit.section.phase},
+                                          settings_.continuation));
+  return origins.in_order();
+}
+
+PointResult OrbitLocus::compute(System &system, LineContext &context) const {
+  const Vector values = start_values(system);
+  const Motion motion = first_motion(system, context);
+  KeyedMap plane = maps(settings_.keys, motion, system, context);
+  const std::vector<LocusOrigin> origins =
+      find_origins(motion, values[0], plane.symmetric(), system, context);
+  if (origins.empty())
+    throw NumericalError("the branch along the first key has no special point of the kinds that "
+                         "are wanted");
+  LocusTable table(settings_.keys, plane, settings_.recorders);
+  const double most =
+      2.0 * settings_.continuation.most_points * static_cast<double>(origins.size());
+  LocusFollower follower(plane, motion.sizes, values[1], settings_.continuation, table,
+                         [&](std::size_t points) {
+                           const double share = static_cast<double>(points) / most;
+                           context.note_progress(std::min(1.0, 0.1 + 0.9 * share));
+                         });
+  for (const LocusOrigin &origin : origins)
     follower.follow(origin);
   PointResult result;
   table.add_fields(result);

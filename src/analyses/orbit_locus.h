@@ -6,16 +6,10 @@
 // followed once. A locus is one result whose arrays run along `locus_point`.
 #pragma once
 
-#include "analyses/analysis.h"
+#include "analyses/locus_follower.h"
 #include "analyses/orbit_start.h"
-#include "analyses/recorders.h"
-#include "analyses/swept_parameter.h"
-#include "continuation/locus.h"
 
 namespace vibroimpact::analyses {
-
-/// What special points a locus can be one of.
-enum class SpecialKind { fold, period_doubling, loss_of_symmetry, neimark_sacker, graze };
 
 class OrbitLocus : public Analysis {
 public:
@@ -41,7 +35,19 @@ public:
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:
+  /// Where the branch begins.
+  struct Motion {
+    periodic::Orbit orbit;
+    Vector sizes{}; ///< of OrbitProblem in two keys
+    motion::VariationAccuracy accuracy{};
+    double size = 0; ///< of its state, scaled
+  };
   Vector start_values(const System &system) const;
+  Motion first_motion(System &system, LineContext &context) const;
+  KeyedMap maps(std::vector<SweptParameter> keys, const Motion &motion, System &system,
+                LineContext &context) const;
+  std::vector<LocusOrigin> find_origins(const Motion &motion, double first, bool symmetric,
+                                        System &system, LineContext &context) const;
   PointResult compute(System &system, LineContext &context) const;
 
   Settings settings_;

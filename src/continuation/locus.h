@@ -26,7 +26,10 @@ struct LocusPoint {
   Vector defect;       ///< F, n
   Matrix by_state;     ///< dF/dx, n x n; at grazes of F without the touch
   Pattern pattern;
-  double angle = 0;     ///< Neimark-Sacker: argument of the multiplier [rad]
+  double angle = 0; ///< Neimark-Sacker: argument of the multiplier [rad]
+  /// 1 or -1: on which side, by the first key, two solutions meet that the fold ends, the
+  /// multiplier is outside the unit circle, or the guard touches. 0 where the curve turns in it.
+  int side = 0;
   double arclength = 0; ///< from the start, scaled
 };
 

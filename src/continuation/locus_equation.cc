@@ -43,6 +43,15 @@ Matrix slope_change(const ScaledProblem &problem, const Vector &u, double chart,
   throw NumericalError("a guard touches zero too close by for second derivatives");
 }
 
+int sign(double value) { return (value > 0) - (value < 0); }
+
+// Of the change of g with the first key along the solutions x(p), dx = -F_x^-1 F_p dp.
+int sign_along_first_key(const Augmented &at) {
+  const Index n = at.at.slope.rows();
+  const Vector change = at.at.slope.leftCols(n).fullPivLu().solve(at.at.slope.col(n));
+  return sign(at.gradient(n) - at.gradient.head(n).dot(change));
+}
+
 // Folds and flips: J - I or J + I is singular.
 class SingularJacobian : public LocusEquation {
 public:
@@ -57,8 +66,16 @@ public:
     const Bordered bordered = borders_.solve(shifted(result.at));
     result.value = bordered.g;
     result.gradient = -bordered.w.transpose() * slope_change(problem_, u, chart, bordered.v);
-    if (multiplier_ == 1)
-      result.cusp = result.gradient.head(bordered.v.size()).dot(bordered.v);
+    const Index n = problem_.states();
+    if (multiplier_ == 1) {
+      // w^T F_p dp + w^T F_xx (v, v) a^2 / 2 = 0
+      result.cusp = result.gradient.head(n).dot(bordered.v);
+      result.side = sign(bordered.w.dot(result.at.slope.col(n)) * result.cusp);
+    } else {
+      // (J + I) v + b g = 0: g = -(mu + 1) w^T v / (w^T b)
+      result.side = sign(bordered.w.dot(bordered.v) * bordered.w.dot(borders_.b)) *
+                    sign_along_first_key(result);
+    }
     return result;
   }
 
@@ -112,6 +129,7 @@ public:
     result.value = std::abs(mode.value) - 1;
     result.gradient = (std::conj(mode.value) * rate).real() / std::abs(mode.value);
     result.angle = std::arg(mode.value);
+    result.side = sign_along_first_key(result);
     return result;
   }
 
@@ -142,6 +160,7 @@ public:
     result.at = std::move(extension.smooth);
     result.value = extension.value;
     result.gradient = extension.gradient;
+    result.side = -sign_along_first_key(result);
     return result;
   }
   void renew(const Vector &, double) override {}

@@ -19,6 +19,8 @@ struct Augmented {
   /// the same.
   double cusp = 1;
   double angle = 0; ///< Neimark-Sacker: argument of the multiplier
+  /// See LocusPoint::side.
+  int side = 0;
 };
 
 class LocusEquation {

@@ -77,24 +77,30 @@ void LocusWalk::step() {
 
 LocusNode LocusWalk::next_node() {
   const double largest = settings_.largest_correction * step_;
-  LocusNode next = solve(here_.u + step_ * here_.tangent, here_.tangent, largest, Until::tolerance);
+  const Vector ahead = here_.u + step_ * here_.tangent;
+  auto bound = bound_passed(ahead);
+  LocusNode next = bound ? at_bound(ahead, *bound, largest)
+                         : solve(ahead, here_.tangent, largest, Until::tolerance);
   if (next.tangent.dot(here_.tangent) < agreement)
     throw NumericalError("the tangent turns too far");
   closes_ = passes_start(next);
-  const auto bound = bound_passed(next.u);
-  bounded_ = bound && !closes_;
   if (closes_) {
     next = first_;
     next.arclength = here_.arclength + (next.u - here_.u).norm();
-    return next;
+  } else if (!bound && (bound = bound_passed(next.u))) {
+    next = at_bound(next.u, *bound, largest);
   }
-  if (!bounded_)
-    return next;
-  const double share =
-      (bound->value - here_.u(bound->unknown)) / (next.u(bound->unknown) - here_.u(bound->unknown));
-  Vector guess = here_.u + share * (next.u - here_.u);
-  guess(bound->unknown) = bound->value;
-  return solve(guess, Vector::Unit(guess.size(), bound->unknown), largest, Until::tolerance);
+  bounded_ = bound && !closes_;
+  return next;
+}
+
+// Before a prediction or a point that is beyond the bound: there may be no solutions there at all.
+LocusNode LocusWalk::at_bound(const Vector &beyond, const Bound &bound, double largest) const {
+  const Index key = bound.unknown;
+  Vector guess =
+      here_.u + (bound.value - here_.u(key)) / (beyond(key) - here_.u(key)) * (beyond - here_.u);
+  guess(key) = bound.value;
+  return solve(guess, Vector::Unit(guess.size(), key), largest, Until::tolerance);
 }
 
 // On the hyperplane through the guess.
@@ -247,6 +253,7 @@ LocusPoint LocusWalk::locus_point(const LocusNode &node) const {
           .by_state = scales.asDiagonal() * scaled * scales.cwiseInverse().asDiagonal(),
           .pattern = node.at.at.pattern,
           .angle = node.at.angle,
+          .side = node.at.side,
           .arclength = node.arclength};
 }
 

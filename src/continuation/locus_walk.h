@@ -29,6 +29,7 @@ private:
 
   void step();
   LocusNode next_node();
+  LocusNode at_bound(const Vector &beyond, const Bound &bound, double largest) const;
   LocusNode solve(const Vector &guess, const Vector &normal, double largest, Until until) const;
   Vector first_tangent(bool forward) const;
   /// Where the cusp's test changes its sign before `next`, with the borders of the step.

@@ -243,10 +243,12 @@ GrazingFlow extend(const StroboscopicMap &map, const StroboscopicMap &open, cons
   chain.touch(window);
   const Vector at_touch = chain.state;
   const Touching touching(map, open, window, touch, at_touch);
-  Extension extension{.value = touching.value(),
-                      .by_state = touching.gradient() * chain.by_state,
-                      .by_keys = touching.by_keys(chain.by_keys),
-                      .touch = touching.kind()};
+  GrazingFlow flow{.touch = touch};
+  Extension &extension = flow.extension;
+  extension.value = touching.value();
+  extension.by_state = touching.gradient() * chain.by_state;
+  extension.by_keys = touching.by_keys(chain.by_keys);
+  extension.touch = touching.kind();
   Chain behind = Chain::at(map, at_touch);
   const Vector jump = extension.touch == Touch::corner ? touching.jump() : Vector();
   behind.go(open, touch, end);
@@ -261,7 +263,8 @@ GrazingFlow extend(const StroboscopicMap &map, const StroboscopicMap &open, cons
   extension.smooth.by_keys = mirrored(behind.by_state * chain.by_keys + behind.by_keys);
   extension.smooth.pattern = chain.pattern.numbers();
   extension.smooth.chart_margin = chain.pattern.nearest_event() / map.period();
-  return {.extension = std::move(extension), .touch = touch, .pattern = std::move(chain.pattern)};
+  flow.pattern = std::move(chain.pattern);
+  return flow;
 }
 
 Flow flow_past(const StroboscopicMap &map, const StroboscopicMap &open, double from, double to,

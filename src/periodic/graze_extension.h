@@ -36,9 +36,9 @@ std::vector<GrazeWindow> graze_windows(const StroboscopicMap &map, const Section
                                        const Vector &state);
 
 struct GrazingFlow {
-  continuation::Extension extension;
-  double touch = 0;     ///< phase of the least value [periods], in the section
-  EventPattern pattern; ///< with the touch as a change that leaves the mode as it is
+  continuation::Extension extension{};
+  double touch = 0;       ///< phase of the least value [periods], in the section
+  EventPattern pattern{}; ///< with the touch as a change that leaves the mode as it is
 };
 
 /// Of x -> P(x; p) - x. `open`: the map with that contact kept open; both with the same keys.

@@ -45,6 +45,9 @@ TEST(LociTest, OfFoldsPassTheirCusp) {
     for (const LocusPoint &point : locus.points) {
       const double a = point.point.keys(0), b = point.point.keys(1);
       EXPECT_NEAR(27 * a * a, 4 * b * b * b, 1e-12);
+      if (std::abs(a) > 1e-3) { // three solutions between the folds
+        EXPECT_EQ(point.side, a > 0 ? -1 : 1) << a;
+      }
     }
     EXPECT_DOUBLE_EQ(locus.points.back().point.keys(1), 3);
     EXPECT_NEAR(locus.points.back().point.keys(0), start > 0 ? 2 : -2, 1e-13);
@@ -74,6 +77,7 @@ TEST(LociTest, OfTheHenonMap) {
       for (const LocusPoint &point : locus.points) {
         const double rest = 1 - point.point.keys(1);
         EXPECT_NEAR(point.point.keys(0), factor * rest * rest, 1e-13);
+        EXPECT_EQ(point.side, 1); // fixed points, and then period 2, at larger a
       }
     }
   }
@@ -106,6 +110,9 @@ TEST(LociTest, OfNeimarkSackerPoints) {
     const double a = point.point.keys(0);
     EXPECT_NEAR(point.point.keys(1), 2 * a - a * a, 1e-12);
     EXPECT_NEAR(std::cos(point.angle), (3 - a) / 2, 1e-12);
+    // |mu|^2 = a x with x = (a - 1) / (a - c): its derivative by a at a x = 1
+    const double c = point.point.keys(1), change = (a - c) * (2 * a - 1) - a * (a - 1);
+    EXPECT_EQ(point.side, change > 0 ? 1 : -1);
   }
   const Locus whole = follow_locus(map, start, within({0, 10}, {-30, 2}));
   EXPECT_EQ(whole.end, LocusEnd::real_pair) << whole.reason;
@@ -151,6 +158,7 @@ TEST(LociTest, OfGrazesThroughResonance) {
   for (const LocusPoint &point : locus.points) {
     const double w = point.point.keys(1);
     EXPECT_NEAR(point.point.keys(0), std::hypot(1 - w * w, 0.1 * w), 1e-13);
+    EXPECT_EQ(point.side, 1);
   }
 }
 

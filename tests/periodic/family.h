@@ -1,4 +1,4 @@
-// Forced oscillators along a key, for tests of continuation problems.
+// Forced oscillators along keys, for tests of continuation problems.
 #pragma once
 
 #include "forced_models.h"
@@ -10,62 +10,74 @@
 
 namespace vibroimpact::testing {
 
-/// An oscillator for each value of a key, without looking for its symmetry unless wanted.
+/// An oscillator for any values of its keys, without looking for its symmetry unless wanted.
 class Family : public periodic::MapAlongKeys {
 public:
-  explicit Family(std::function<Oscillator(double)> make, bool symmetric = true)
+  using Make = std::function<Oscillator(const Vector &keys)>;
+  explicit Family(Make make, bool symmetric = true)
       : make_(std::move(make)), symmetric_(symmetric) {}
+  /// Along one key.
+  explicit Family(const std::function<Oscillator(double)> &make, bool symmetric = true)
+      : Family(Make([make](const Vector &keys) { return make(keys[0]); }), symmetric) {}
 
   const periodic::StroboscopicMap &at(double value) { return at(Vector::Constant(1, value)); }
   const periodic::StroboscopicMap &at(const Vector &keys) override {
-    const double value = keys[0];
-    if (value_ != value || !present_) {
+    if (!present_ || values_ != keys) {
       open_.clear();
-      present_ = std::make_unique<Member>(make_, value, symmetric_);
-      value_ = value;
+      present_ = std::make_unique<Member>(make_, keys, symmetric_);
+      values_ = keys;
     }
     return present_->forced->map;
   }
   const periodic::StroboscopicMap &with_open(const Vector &keys, std::size_t contact) override {
-    const double value = keys[0];
-    at(value);
+    at(keys);
     std::unique_ptr<Member> &member = open_[contact];
     if (!member)
       member = std::make_unique<Member>(
-          [this, contact](double at) {
+          [this, contact](const Vector &at) {
             Oscillator oscillator = make_(at);
             oscillator.contacts = periodic::with_open(oscillator.contacts, contact);
             return oscillator;
           },
-          value, false);
+          keys, false);
     return member->forced->map;
   }
 
 private:
   struct Member {
-    Member(const std::function<Oscillator(double)> &make, double value, bool symmetric)
-        : oscillator(make(value)), forced(std::make_unique<ForcedMap>(oscillator, symmetric)) {
-      std::vector<motion::KeyNeighbour> neighbours;
-      for (const double place : {-2e-3, -1e-3, 1e-3, 2e-3}) {
-        Oscillator near = make(value * (1 + place));
-        neighbours.push_back({.offset = place * value,
-                              .model = std::move(near.model),
-                              .contacts = std::move(near.contacts)});
+    Member(const Make &make, const Vector &values, bool symmetric)
+        : oscillator(make(values)), forced(std::make_unique<ForcedMap>(oscillator, symmetric)) {
+      std::vector<periodic::ForcedKey *> list;
+      for (Index k = 0; k < values.size(); ++k) {
+        keys.push_back(std::make_unique<periodic::ForcedKey>(
+            periodic::forced_key("key", forced->system, neighbours(make, values, k))));
+        list.push_back(keys.back().get());
       }
-      key = std::make_unique<periodic::ForcedKey>(
-          periodic::forced_key("key", forced->system, std::move(neighbours)));
-      forced->map.set_keys({key.get()});
+      forced->map.set_keys(std::move(list));
+    }
+    static std::vector<motion::KeyNeighbour> neighbours(const Make &make, const Vector &values,
+                                                        Index key) {
+      std::vector<motion::KeyNeighbour> list;
+      for (const double place : {-2e-3, -1e-3, 1e-3, 2e-3}) {
+        Vector moved = values;
+        moved[key] *= 1 + place;
+        Oscillator near = make(moved);
+        list.push_back({.offset = place * values[key],
+                        .model = std::move(near.model),
+                        .contacts = std::move(near.contacts)});
+      }
+      return list;
     }
     Oscillator oscillator;
     std::unique_ptr<ForcedMap> forced;
-    std::unique_ptr<periodic::ForcedKey> key;
+    std::vector<std::unique_ptr<periodic::ForcedKey>> keys;
   };
 
-  std::function<Oscillator(double)> make_;
+  Make make_;
   bool symmetric_;
   std::unique_ptr<Member> present_;
   std::map<std::size_t, std::unique_ptr<Member>> open_;
-  double value_ = 0;
+  Vector values_;
 };
 
 } // namespace vibroimpact::testing

@@ -228,5 +228,69 @@ TEST(BrokenInputPeriodicTest, HarmonicBalanceOfWhatItCannotExpress) {
   expect_balance_message("subsection Analysis orbit", second, {"the key Excitation"});
 }
 
+const std::string locus = R"(subsection Locus
+    set Most points = 20
+    subsection First key
+      set First frequency = 1 Hz
+      set Last frequency = 9 Hz
+    end
+    subsection Second key
+      set Parameter = Contact/stop/Clearance
+      set First = 1 mm
+      set Last = 9 mm
+    end
+  end
+)";
+
+void expect_locus_message(const std::string &from, const std::string &to,
+                          const std::vector<std::string> &parts) {
+  const std::string file =
+      changed(changed(sound, "set Type = periodic orbit", "set Type = locus\n  " + locus),
+              "  subsection Periodic orbit\n    set State = 0.001, 0.02\n  end\n", "");
+  EXPECT_EQ(message_of(file), "");
+  const std::string message = message_of(changed(file, from, to));
+  EXPECT_FALSE(message.empty());
+  for (const std::string &part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in:\n" << message;
+}
+
+TEST(BrokenInputPeriodicTest, LocusKinds) {
+  const std::string before = "subsection First key";
+  expect_locus_message(before, "set Kinds = folds\n    " + before, {"Kinds = folds", "fold"});
+  expect_locus_message(before, "set Kinds =\n    " + before, {"Kinds", "given"});
+}
+
+TEST(BrokenInputPeriodicTest, LocusKeys) {
+  expect_locus_message("Last frequency = 9 Hz", "Last frequency = 1 Hz",
+                       {"First key", "Last frequency", "above First frequency"});
+  expect_locus_message("Last frequency = 9 Hz", "Last frequency = 2 Hz",
+                       {"A locus begins", "3.0", "must lie between its ends"});
+  expect_locus_message("set Last = 9 mm", "set Last = 3 mm",
+                       {"A locus begins", "0.005", "must lie between its ends"});
+  expect_locus_message("      set First frequency = 1 Hz\n", "", {"First frequency", "given"});
+  expect_locus_message("set First = 1 mm", "set First = 1 N", {"Clearance"});
+  expect_locus_message("Contact/stop/Clearance", "Contact/stop/Between", {"Between"});
+  expect_locus_message("Contact/stop/Clearance", "Contact/stp/Clearance", {"stp"});
+  expect_locus_message("set Parameter = Contact/stop/Clearance\n      set First = 1 mm\n"
+                       "      set Last = 9 mm",
+                       "set First frequency = 2 Hz\n      set Last frequency = 4 Hz",
+                       {"Second key", "another key than that of the First key"});
+  expect_locus_message("set First frequency = 1 Hz\n      set Last frequency = 9 Hz",
+                       "set Parameter = Contact stop/Clearance\n      set First = 1 mm\n"
+                       "      set Last = 9 mm",
+                       {"Second key", "another key than that of the First key"});
+}
+
+TEST(BrokenInputPeriodicTest, LocusSteps) {
+  const std::string before = "subsection First key";
+  expect_locus_message(before, "set Longest step = 0\n    " + before, {"Longest step", "0"});
+  expect_locus_message(before, "set Longest step = 1e-5\n    set Least step = 1e-4\n    " + before,
+                       {"Least step", "below Longest step"});
+  expect_locus_message("Most points = 20", "Most points = 1", {"Most points", "1"});
+  expect_locus_message(before, "set Switching levels = -1\n    " + before,
+                       {"Switching levels", "-1"});
+  expect_locus_message(before, "set State = 1, 2, 3\n    " + before, {"State", "2 numbers"});
+}
+
 } // namespace
 } // namespace vibroimpact

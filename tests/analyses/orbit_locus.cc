@@ -1,0 +1,125 @@
+// Loci of special points in two keys as an analysis: the cusp of the isolator's folds, and its
+// first touches in closed form.
+#include "analyses/orbit_locus.h"
+
+#include "contact/laws/piecewise_stop.h"
+#include "support/recorded_windows.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace vibroimpact::analyses {
+namespace {
+
+using testing::field_of;
+
+constexpr double pi = std::numbers::pi;
+
+System isolator(double lambda, double mu, double f) {
+  model::Model model({testing::single_mass("block", 1, 1, 0.02)});
+  model.add_force("push",
+                  std::make_shared<model::Harmonic>(model::Given::displacement, f, lambda, 0), {},
+                  Vector3::UnitX());
+  const auto law = std::make_shared<contact::PiecewiseStop>(mu, 0.4);
+  contact::ContactPair right = testing::contact_along_x(model, "block.head", "", 1, law);
+  contact::ContactPair left = right;
+  right.name = "right";
+  left.name = "left";
+  left.gap.row *= -1;
+  return testing::system_of(std::move(model), contact::ContactSet({right, left}));
+}
+
+/// Keeps the one point and builds isolators.
+class OnePoint : public LineContext {
+public:
+  explicit OnePoint(double lambda) : lambda_(lambda) {}
+  const PointResult *find(const std::vector<std::size_t> & /*index*/) const override {
+    return nullptr;
+  }
+  void store(PointResult stored) override { result = std::move(stored); }
+  void skip() override {}
+  System build(const std::vector<parameters::Override> &overrides) const override {
+    double mu = 2, f = 0.52;
+    for (const parameters::Override &one : overrides)
+      (one.path == "mu" ? mu : f) = std::stod(one.value);
+    return isolator(lambda_, mu, f);
+  }
+
+  PointResult result;
+
+private:
+  double lambda_;
+};
+
+SweptParameter key(const std::string &path, double first, double last) {
+  return {.path = path, .unit = "1", .values = {first, last}};
+}
+SweptParameter frequency(double first, double last) {
+  return {.path = {}, .values = {first / (2 * pi), last / (2 * pi)}};
+}
+
+PointResult run(const SweptParameter &first, const SweptParameter &second,
+                const std::vector<double> &at, SpecialKind kind, double lambda,
+                const std::vector<double> &state) {
+  OrbitLocus::Settings settings{.keys = {first, second},
+                                .start_values = at,
+                                .kinds = {kind},
+                                .start = {.state = state},
+                                .excitation = {}};
+  settings.continuation.first_key = {.lower = first.values[0], .upper = first.values[1]};
+  settings.continuation.second_key = {.lower = second.values[0], .upper = second.values[1]};
+  OnePoint point(lambda);
+  System system = isolator(lambda, 2, 0.52);
+  OrbitLocus(settings).run_line(0, system, point);
+  return point.result;
+}
+
+void expect_cusp(const PointResult &result) {
+  ASSERT_EQ(result.status, Status::finished) << result.reason;
+  ASSERT_EQ(field_of(result, "special/kind").values, std::vector<double>{1});
+  EXPECT_NEAR(2 * pi * field_of(result, "special/frequency").values[0], 1.220670223706, 1e-9);
+  EXPECT_NEAR(field_of(result, "special/mu").values[0], 0.782854460508, 1e-9);
+}
+
+// One locus has both folds, so that it is followed once.
+TEST(OrbitLocusTest, CuspOfTheIsolator) {
+  const PointResult result =
+      run(frequency(0.5, 2), key("mu", 0.5, 3), {0, 2}, SpecialKind::fold, 1.3, {0, -1});
+  expect_cusp(result);
+  EXPECT_EQ(field_of(result, "end/reason").values, (std::vector<double>{0, 0}));
+  EXPECT_EQ(field_of(result, "end/locus").values, (std::vector<double>{0, 0}));
+  EXPECT_EQ(field_of(result, "end/mu").values, (std::vector<double>{3, 3}));
+}
+
+// From each of the two branches of folds: along the stiffness one meets only one of them.
+TEST(OrbitLocusTest, CuspFromEitherFold) {
+  for (const double lambda : {1.3, 1.231})
+    expect_cusp(
+        run(key("mu", 0.5, 3), frequency(0.5, 2), {2.5, 0}, SpecialKind::fold, lambda, {-1.9, 1}));
+}
+
+// |x| = 1 without contact: f = |1 - l^2 + 0.02 i l|.
+TEST(OrbitLocusTest, FirstTouchesInClosedForm) {
+  const PointResult result =
+      run(frequency(0.3, 1.8), key("f", 0.05, 1.2), {0, 0.52}, SpecialKind::graze, 0.5, {0, 0});
+  ASSERT_EQ(result.status, Status::finished) << result.reason;
+  const std::vector<double> &w = field_of(result, "frequency").values;
+  EXPECT_GT(w.size(), 20u);
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    const double l = 2 * pi * w[i];
+    EXPECT_NEAR(field_of(result, "f").values[i], std::hypot(1 - l * l, 0.02 * l), 1e-12) << l;
+  }
+  EXPECT_NEAR(2 * pi * *std::max_element(w.begin(), w.end()), 1.4829, 1e-3); // f = 1.2
+}
+
+TEST(OrbitLocusTest, NothingOfTheKindIsAFailedPoint) {
+  const PointResult result =
+      run(frequency(0.5, 2), key("mu", 0.5, 3), {0, 2}, SpecialKind::neimark_sacker, 1.3, {0, -1});
+  EXPECT_EQ(result.status, Status::failed);
+  EXPECT_NE(result.reason.find("no special point"), std::string::npos) << result.reason;
+}
+
+} // namespace
+} // namespace vibroimpact::analyses
