@@ -65,8 +65,8 @@ def bumpers(table):
                                     (1, .198997, CUSP, 1.281140758158),
                                     (4, .4, END_AT_GRAZE, .216515125750),
                                     (5, .7, END_AT_GRAZE, .151813560040)):
-        word = "cusp" if kind == CUSP else "end on the grazing curve"
-        table.add(f"bumpers, δ0 = {gap}: λ_H, a {word}", wanted, lowest(own, case, kind), 1e-8,
+        word = "a cusp" if kind == CUSP else "the end on the grazing curve"
+        table.add(f"bumpers, δ0 = {gap}: λ_H, {word}", wanted, lowest(own, case, kind), 1e-8,
                   absolute=True)
         table.add_whole(f"bumpers, δ0 = {gap}: lowest point of the locus", [kind],
                         [CUSP if lowest(own, case, CUSP) < lowest(own, case, END_AT_GRAZE)
@@ -83,6 +83,7 @@ def bumpers(table):
     loci = gap_run(table, "bumpers-sides", [change - 1e-5, change + 1e-5])
     table.add_whole("bumpers: cusps just below and above the change", [1, 0],
                     [numpy.isfinite(lowest(loci, case, CUSP)) for case in (0, 1)])
+    # It falls by 40 for each unit of the gap.
     table.add("bumpers: λ_H goes on where it changes", lowest(loci, 0, CUSP),
               lowest(loci, 1, END_AT_GRAZE), 1e-3)
     print(f"bumpers: λ_H changes from a cusp to the grazing curve at δ0 = {change:.8f}")
