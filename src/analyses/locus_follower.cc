@@ -18,17 +18,17 @@ using periodic::OrbitProblem;
 
 namespace {
 
-bool is_of(SpecialKind wanted, const SpecialPoint &special, long halves) {
+bool is_of(LocusOf wanted, const SpecialPoint &special, long halves) {
   switch (wanted) {
-  case SpecialKind::fold:
+  case LocusOf::fold:
     return special.kind == Special::fold;
-  case SpecialKind::period_doubling:
+  case LocusOf::period_doubling:
     return special.kind == Special::flip && halves % 2 == 0;
-  case SpecialKind::loss_of_symmetry:
+  case LocusOf::loss_of_symmetry:
     return special.kind == Special::flip && halves % 2 != 0;
-  case SpecialKind::neimark_sacker:
+  case LocusOf::neimark_sacker:
     return special.kind == Special::neimark_sacker;
-  case SpecialKind::graze:
+  case LocusOf::graze:
     return special.kind == Special::graze || special.kind == Special::grazing_fold;
   }
   return false;
@@ -108,7 +108,7 @@ void LocusOrigins::begin(long number, long halves, double /*sign*/) {
 
 void LocusOrigins::add(const SpecialPoint &special) {
   if (std::any_of(kinds_.begin(), kinds_.end(),
-                  [&](SpecialKind kind) { return is_of(kind, special, halves_); }))
+                  [&](LocusOf kind) { return is_of(kind, special, halves_); }))
     found_.push_back({.branch = number_, .halves = halves_, .special = special});
 }
 

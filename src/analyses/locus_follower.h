@@ -6,7 +6,8 @@
 
 namespace vibroimpact::analyses {
 
-enum class SpecialKind { fold, period_doubling, loss_of_symmetry, neimark_sacker, graze };
+/// What a locus is one of.
+enum class LocusOf { fold, period_doubling, loss_of_symmetry, neimark_sacker, graze };
 
 /// A special point of a branch whose locus is wanted; without a graze that of the nearest one.
 struct LocusOrigin {
@@ -18,7 +19,7 @@ struct LocusOrigin {
 /// Keeps the special points of some kinds.
 class LocusOrigins : public BranchSink {
 public:
-  explicit LocusOrigins(std::vector<SpecialKind> kinds) : kinds_(std::move(kinds)) {}
+  explicit LocusOrigins(std::vector<LocusOf> kinds) : kinds_(std::move(kinds)) {}
   void begin(long number, long halves, double sign) override;
   void add(const continuation::BranchPoint & /*point*/) override {}
   void add(const continuation::SpecialPoint &special) override;
@@ -30,7 +31,7 @@ public:
   std::vector<LocusOrigin> in_order() const;
 
 private:
-  std::vector<SpecialKind> kinds_;
+  std::vector<LocusOf> kinds_;
   std::vector<LocusOrigin> found_;
   long number_ = 0, halves_ = 2;
 };

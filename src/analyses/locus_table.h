@@ -1,6 +1,7 @@
 // What is kept of the loci of an analysis: their points, special points and ends, as arrays.
 #pragma once
 
+#include "analyses/curve_rows.h"
 #include "analyses/orbit_rows.h"
 #include "continuation/locus.h"
 

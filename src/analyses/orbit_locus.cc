@@ -1,6 +1,5 @@
 #include "analyses/orbit_locus.h"
 
-#include "analyses/continuation_keys.h"
 #include "analyses/single_point.h"
 #include "analyses/swept_system.h"
 #include "common/error.h"
@@ -18,20 +17,20 @@ constexpr const char *section_name = "Locus";
 constexpr const char *key_sections[] = {"First key", "Second key"};
 constexpr const char *who = "A locus";
 
-// In the order of SpecialKind.
+// In the order of LocusOf.
 const std::vector<std::string> &kind_names() {
   static const std::vector<std::string> names = {"fold", "period doubling", "loss of symmetry",
                                                  "Neimark-Sacker", "graze"};
   return names;
 }
 
-std::vector<SpecialKind> read_kinds(const parameters::Values &values) {
-  std::vector<SpecialKind> kinds;
+std::vector<LocusOf> read_kinds(const parameters::Values &values) {
+  std::vector<LocusOf> kinds;
   values.require("Kinds");
   for (const std::string &name : values.names("Kinds")) {
     values.require_known("Kinds", name, kind_names());
     const auto place = std::find(kind_names().begin(), kind_names().end(), name);
-    kinds.push_back(static_cast<SpecialKind>(place - kind_names().begin()));
+    kinds.push_back(static_cast<LocusOf>(place - kind_names().begin()));
   }
   return kinds;
 }
@@ -68,7 +67,7 @@ void OrbitLocus::declare(parameters::Section &analysis) {
   declare_key_range(section.subsection(
       key_sections[0], "Key along which the branch is followed that has the special points."));
   declare_key_range(section.subsection(key_sections[1], "The other key."));
-  declare_continuation(section, "branch or locus");
+  declare_steps(section, "branch or locus");
   section.integer("Switching levels", "0", Range{.lower = 0, .upper = 20}, "",
                   "Special points of branches that begin at a period doubling or loss of symmetry "
                   "count as well: those of branches that begin at the first one with 1, those of "
@@ -85,14 +84,14 @@ std::shared_ptr<const Analysis> OrbitLocus::create(const parameters::Values &ana
                     .start_values = {},
                     .kinds = read_kinds(values),
                     .start = read_orbit_start(values),
-                    .continuation = read_continuation(values),
+                    .continuation = read_steps(values),
                     .levels = values.integer("Switching levels"),
                     .excitation = values.text("Excitation"),
                     .recorders = read_recorders(analysis, {"excursions", "impacts"})};
   for (const char *name : key_sections) {
     const parameters::Values key = values.subsection(name);
     settings.keys.push_back(read_key_range(key));
-    settings.start_values.push_back(value_in_file(settings.keys.back(), key));
+    settings.start_values.push_back(read_start(settings.keys.back(), key));
   }
   const parameters::Values second = values.subsection(key_sections[1]);
   if (settings.keys[0].path == settings.keys[1].path ||
@@ -107,17 +106,15 @@ std::shared_ptr<const Analysis> OrbitLocus::create(const parameters::Values &ana
 Vector OrbitLocus::start_values(const System &system) const {
   Vector values(2);
   for (std::size_t k = 0; k < 2; ++k)
-    values[static_cast<Index>(k)] = value_in_system(settings_.keys[k], settings_.start_values[k],
-                                                    system, settings_.excitation, who);
+    values[static_cast<Index>(k)] = start_value(settings_.keys[k], settings_.start_values[k],
+                                                system, settings_.excitation, who);
   return values;
 }
 
 void OrbitLocus::check(const System &system) const {
-  const std::size_t source = sweep_source(system, settings_.excitation, who);
-  const Vector values = start_values(system);
   for (std::size_t k = 0; k < 2; ++k)
-    check_inside(settings_.keys[k], values[static_cast<Index>(k)], who);
-  OrbitSearch search(system, source, settings_.start);
+    check_start(settings_.keys[k], settings_.start_values[k], system, settings_.excitation, who);
+  OrbitSearch search(system, sweep_source(system, settings_.excitation, who), settings_.start);
   search.forced().trajectory().start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
 }

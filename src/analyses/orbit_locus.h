@@ -16,7 +16,7 @@ public:
   struct Settings {
     std::vector<SweptParameter> keys; ///< two, with their ends as values
     std::vector<double> start_values; ///< of the keys, unless they are a frequency [their units]
-    std::vector<SpecialKind> kinds{SpecialKind::fold};
+    std::vector<LocusOf> kinds{LocusOf::fold};
     OrbitStart start;
     continuation::Settings continuation{};
     long levels = 0;        ///< of branches that begin at special points of others

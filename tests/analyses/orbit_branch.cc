@@ -84,11 +84,11 @@ TEST(OrbitBranchTest, FrequenciesThatAreNoneLeaveTheMapAsItWas) {
   System system = isolator(1.3, 2);
   const OnePoint context;
   const OrbitBranch::Settings settings = along_frequency(1, 2);
-  KeyedMap maps(settings.parameter, "", system, context,
+  KeyedMap maps({settings.parameter}, "", system, context,
                 {.scale = Vector::Ones(2), .tolerance = 1e-10}, 1);
   for (const double none : {0.0, -0.2, std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THROW(maps.at(none), NumericalError);
-  EXPECT_NEAR(maps.at(0.2).period(), 5, 1e-12);
+    EXPECT_THROW(maps.at(Vector::Constant(1, none)), NumericalError);
+  EXPECT_NEAR(maps.at(Vector::Constant(1, 0.2)).period(), 5, 1e-12);
 }
 
 TEST(OrbitBranchTest, FoldsOfTheIsolator) {

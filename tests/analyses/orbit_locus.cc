@@ -61,7 +61,7 @@ SweptParameter frequency(double first, double last) {
 }
 
 PointResult run(const SweptParameter &first, const SweptParameter &second,
-                const std::vector<double> &at, SpecialKind kind, double lambda,
+                const std::vector<double> &at, LocusOf kind, double lambda,
                 const std::vector<double> &state) {
   OrbitLocus::Settings settings{.keys = {first, second},
                                 .start_values = at,
@@ -86,7 +86,7 @@ void expect_cusp(const PointResult &result) {
 // One locus has both folds, so that it is followed once.
 TEST(OrbitLocusTest, CuspOfTheIsolator) {
   const PointResult result =
-      run(frequency(0.5, 2), key("mu", 0.5, 3), {0, 2}, SpecialKind::fold, 1.3, {0, -1});
+      run(frequency(0.5, 2), key("mu", 0.5, 3), {0, 2}, LocusOf::fold, 1.3, {0, -1});
   expect_cusp(result);
   EXPECT_EQ(field_of(result, "end/reason").values, (std::vector<double>{0, 0}));
   EXPECT_EQ(field_of(result, "end/locus").values, (std::vector<double>{0, 0}));
@@ -97,13 +97,13 @@ TEST(OrbitLocusTest, CuspOfTheIsolator) {
 TEST(OrbitLocusTest, CuspFromEitherFold) {
   for (const double lambda : {1.3, 1.231})
     expect_cusp(
-        run(key("mu", 0.5, 3), frequency(0.5, 2), {2.5, 0}, SpecialKind::fold, lambda, {-1.9, 1}));
+        run(key("mu", 0.5, 3), frequency(0.5, 2), {2.5, 0}, LocusOf::fold, lambda, {-1.9, 1}));
 }
 
 // |x| = 1 without contact: f = |1 - l^2 + 0.02 i l|.
 TEST(OrbitLocusTest, FirstTouchesInClosedForm) {
   const PointResult result =
-      run(frequency(0.3, 1.8), key("f", 0.05, 1.2), {0, 0.52}, SpecialKind::graze, 0.5, {0, 0});
+      run(frequency(0.3, 1.8), key("f", 0.05, 1.2), {0, 0.52}, LocusOf::graze, 0.5, {0, 0});
   ASSERT_EQ(result.status, Status::finished) << result.reason;
   const std::vector<double> &w = field_of(result, "frequency").values;
   EXPECT_GT(w.size(), 20u);
@@ -116,7 +116,7 @@ TEST(OrbitLocusTest, FirstTouchesInClosedForm) {
 
 TEST(OrbitLocusTest, NothingOfTheKindIsAFailedPoint) {
   const PointResult result =
-      run(frequency(0.5, 2), key("mu", 0.5, 3), {0, 2}, SpecialKind::neimark_sacker, 1.3, {0, -1});
+      run(frequency(0.5, 2), key("mu", 0.5, 3), {0, 2}, LocusOf::neimark_sacker, 1.3, {0, -1});
   EXPECT_EQ(result.status, Status::failed);
   EXPECT_NE(result.reason.find("no special point"), std::string::npos) << result.reason;
 }
