@@ -78,7 +78,8 @@ Branch follow_through_graze(double w, double from, double lower, double upper) {
       },
       false);
   const Orbit orbit = find_orbit(family.at(from), 1, Vector::Zero(2));
-  OrbitProblem problem(family, 2, problem_sizes(family.at(from), orbit, upper - lower));
+  OrbitProblem problem(family, 2,
+                       problem_sizes(family.at(from), orbit, Vector::Constant(1, upper - lower)));
   continuation::Settings settings;
   settings.first_key = {.lower = lower, .upper = upper};
   settings.longest_step = 0.05;
