@@ -115,12 +115,13 @@ def bilinear(table):
 
 def rigid(table):
     grazes = table.run("verification/rigid-grazes.prm", "rigid-grazes")["analysis/grazes"]
-    omega = 2 * math.pi * grazes["frequency"][()]
+    first = grazes["locus"][()] == 0  # others begin behind it, where the motion already impacts
+    omega = 2 * math.pi * grazes["frequency"][first]
     table.add("rigid: lowest frequency, rad/s", .29, omega.min(), 1e-15)
     table.add("rigid: highest frequency, rad/s", 3, omega.max(), 1e-15)
     exact = numpy.sqrt((1 - omega**2)**2 + .01 * omega**2)
     table.add("rigid: grazing curve, largest difference from the closed form", 0,
-              numpy.abs(grazes["Variables.A"][()] - exact).max(), 1e-12, absolute=True)
+              numpy.abs(grazes["Variables.A"][first] - exact).max(), 1e-12, absolute=True)
 
 
 def tori(table):
