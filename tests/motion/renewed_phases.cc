@@ -196,7 +196,7 @@ TEST(RenewedPhasesTest, KeepTheirArrangement) {
   changing.take(sources(0.9, -0.09));
   phase->take(changing);
   EXPECT_EQ(phase->arrangement(), arrangement);
-  changing.take({{.origin = 0, .terms = {{.amplitude = 1, .exponent = {0, 2}}}}});
+  changing.take({{.origin = 0, .terms = {{.amplitude = 1, .exponent = {0, 2}}}, .polynomial = {}}});
   phase->take(changing);
   EXPECT_NE(phase->arrangement(), arrangement);
 }
