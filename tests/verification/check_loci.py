@@ -1,10 +1,15 @@
 #!/usr/bin/python3
-"""Loci of special points in two keys: closed forms, and values of an independent continuation."""
+"""Loci of special points in two keys: closed forms, and values of an independent continuation.
+
+usage: check_loci.py PROGRAM SOURCE [--all] [--page FILE] [--keep FOLDER] [--ranks N]
+
+--all: also the gap of the bumpers at which hysteresis no longer begins at a cusp.
+"""
 import math
 
 import numpy
 
-from systems import Table
+from systems import Table, arguments_of_checks
 
 CUSP, END_AT_GRAZE = 1, 2
 DOUBLING = 3
@@ -13,6 +18,8 @@ DOUBLING = 3
 def check(table):
     for part in (isolator, bumpers, bilinear, rigid, tori):
         part(table)
+    if table.arguments.all:
+        change_of_kind(table)
 
 
 def isolator(table):
@@ -71,6 +78,10 @@ def bumpers(table):
         table.add_whole(f"bumpers, δ0 = {gap}: lowest point of the locus", [kind],
                         [CUSP if lowest(own, case, CUSP) < lowest(own, case, END_AT_GRAZE)
                          else END_AT_GRAZE])
+
+
+def change_of_kind(table):
+    """The gap of the bumpers at which the lowest point of the locus is no longer a cusp."""
     # Between both, the locus has a cusp and ends above it; where both meet the cusp goes. Their
     # distance falls as the square of the gap's, whose root is extrapolated to zero.
     gaps = [.2150, .2154]
@@ -144,6 +155,8 @@ def tori(table):
 
 
 if __name__ == "__main__":
-    main = Table(__file__)
+    options = arguments_of_checks()
+    options.add_argument("--all", action="store_true", help="the change of kind as well")
+    main = Table(__file__, options.parse_args())
     check(main)
     main.finish()
