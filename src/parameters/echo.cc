@@ -25,7 +25,7 @@ void write_content(const Node &node, int depth, std::string &text) {
   text += keys_text(node, depth);
   for (const Node &subsection : node.subsections)
     write_section(subsection, depth, text);
-  for (const std::vector<Node> &kind : node.instances)
+  for (const std::vector<Shared<Node>> &kind : node.instances)
     for (const Node &instance : kind)
       write_section(instance, depth, text);
 }

@@ -69,7 +69,7 @@ private:
 
   std::string instances_of(const Section &kind) {
     std::vector<std::string> names;
-    for (const std::vector<Node> &of_kind : here().instances)
+    for (const std::vector<Shared<Node>> &of_kind : here().instances)
       for (const Node &node : of_kind)
         if (node.declared == &kind)
           names.push_back(node.path.back());

@@ -69,7 +69,7 @@ void check(const Pending &pending, const VariableTable &variables) {
 
 std::vector<Pending> values_where(Node &root, const std::function<bool(const Value &)> &wanted) {
   std::vector<Pending> found;
-  for_each_node(root, [&](Node &node) {
+  for_each_node_with(root, wanted, [&](Node &node) {
     for (Value &value : node.values)
       if (wanted(value))
         found.push_back({&value, &node});

@@ -108,9 +108,10 @@ private:
     std::size_t position = 0;
     while (node.declared->named_subsections()[position].get() != &kind)
       ++position;
-    node.instances[position].push_back(default_node(kind, path, node.origin));
-    node.instances[position].back().instance = name;
-    return node.instances[position].back();
+    Node instance = default_node(kind, path, node.origin);
+    instance.instance = name;
+    node.instances[position].emplace_back(std::move(instance));
+    return node.instances[position].back().own();
   }
 
   [[noreturn]] static void refuse_duplicate(const Node &node, const ScannedEntry &entry,
@@ -126,13 +127,35 @@ private:
   }
 };
 
-template <class Tree, class Visit> void visit_all(Tree &node, const Visit &visit) {
-  visit(node);
+// The sections right below, fixed ones first; the visit says when it is enough.
+template <class Tree, class Visit> bool any_below(Tree &node, const Visit &visit) {
   for (auto &subsection : node.subsections)
-    visit_all(subsection, visit);
+    if (visit(subsection))
+      return true;
   for (auto &kind : node.instances)
     for (auto &instance : kind)
-      visit_all(instance, visit);
+      if (visit(instance))
+        return true;
+  return false;
+}
+
+using Wanted = std::function<bool(const Value &)>;
+
+bool has_value(const Node &node, const Wanted &wanted) {
+  return std::any_of(node.values.begin(), node.values.end(), wanted);
+}
+
+bool contains_value(const Node &node, const Wanted &wanted) {
+  return has_value(node, wanted) ||
+         any_below(node, [&](const Node &below) { return contains_value(below, wanted); });
+}
+
+// The child that is asked for, to be changed.
+template <class Children, class Find> Node *own_child(Children &children, const Find &is_wanted) {
+  for (Shared<Node> &child : children)
+    if (is_wanted(child.get()))
+      return &child.own();
+  return nullptr;
 }
 
 } // namespace
@@ -152,7 +175,7 @@ const Node *Node::find_subsection(const std::string &name) const {
 }
 
 const Node *Node::find_instance(const std::string &kind, const std::string &name) const {
-  for (const std::vector<Node> &of_kind : instances)
+  for (const std::vector<Shared<Node>> &of_kind : instances)
     for (const Node &node : of_kind)
       if (node.declared->name() == kind && node.instance == name)
         return &node;
@@ -163,10 +186,15 @@ Value *Node::find_value(const std::string &key) {
   return const_cast<Value *>(std::as_const(*this).find_value(key));
 }
 Node *Node::find_subsection(const std::string &name) {
-  return const_cast<Node *>(std::as_const(*this).find_subsection(name));
+  return own_child(subsections, [&](const Node &node) { return node.declared->name() == name; });
 }
 Node *Node::find_instance(const std::string &kind, const std::string &name) {
-  return const_cast<Node *>(std::as_const(*this).find_instance(kind, name));
+  for (std::vector<Shared<Node>> &of_kind : instances)
+    if (Node *node = own_child(of_kind, [&](const Node &candidate) {
+          return candidate.declared->name() == kind && candidate.instance == name;
+        }))
+      return node;
+  return nullptr;
 }
 
 Node default_node(const Section &declared, const Path &path, const Origin &origin) {
@@ -174,7 +202,8 @@ Node default_node(const Section &declared, const Path &path, const Origin &origi
   for (const Key &key : declared.keys())
     node.values.push_back({.key = &key, .text = normalised(key.default_value), .origin = origin});
   for (const auto &subsection : declared.subsections())
-    node.subsections.push_back(default_node(*subsection, below(path, subsection->name()), origin));
+    node.subsections.emplace_back(
+        default_node(*subsection, below(path, subsection->name()), origin));
   node.instances.resize(declared.named_subsections().size());
   return node;
 }
@@ -236,10 +265,31 @@ const Section *kind_of(const Section &section, const std::string &name) {
   return best;
 }
 
-void for_each_node(Node &node, const std::function<void(Node &)> &visit) { visit_all(node, visit); }
+void for_each_node(Node &node, const std::function<void(Node &)> &visit) {
+  visit(node);
+  any_below(node, [&](Shared<Node> &below) {
+    for_each_node(below.own(), visit);
+    return false;
+  });
+}
 
 void for_each_node(const Node &node, const std::function<void(const Node &)> &visit) {
-  visit_all(node, visit);
+  visit(node);
+  any_below(node, [&](const Node &below) {
+    for_each_node(below, visit);
+    return false;
+  });
+}
+
+void for_each_node_with(Node &node, const Wanted &wanted,
+                        const std::function<void(Node &)> &visit) {
+  if (has_value(node, wanted))
+    visit(node);
+  any_below(node, [&](Shared<Node> &below) {
+    if (contains_value(below, wanted))
+      for_each_node_with(below.own(), wanted, visit);
+    return false;
+  });
 }
 
 } // namespace vibroimpact::parameters

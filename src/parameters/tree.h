@@ -4,6 +4,7 @@
 #include "parameters/expression.h"
 #include "parameters/scanned_file.h"
 #include "parameters/section.h"
+#include "parameters/shared.h"
 
 #include <functional>
 #include <string>
@@ -19,16 +20,17 @@ struct Value {
   std::vector<Number> numbers{}; ///< of quantities and integers, once checked
 };
 
-/// One section. Copying the tree copies everything but the declarations.
+/// One section. Copies share the sections below until one of them changes.
 struct Node {
   const Section *declared = nullptr;
   std::string instance{};        ///< name of a named subsection
   std::vector<std::string> path; ///< {"Body left", "Geometry"}
   Origin origin{};               ///< of the nearest section around it if it is not in the file
   bool given = false;
-  std::vector<Value> values{};                ///< like declared->keys()
-  std::vector<Node> subsections{};            ///< like declared->subsections()
-  std::vector<std::vector<Node>> instances{}; ///< like declared->named_subsections(), in file order
+  std::vector<Value> values{};             ///< like declared->keys()
+  std::vector<Shared<Node>> subsections{}; ///< like declared->subsections()
+  /// Like declared->named_subsections(), in file order.
+  std::vector<std::vector<Shared<Node>>> instances{};
 
   const Value *find_value(const std::string &key) const;
   const Node *find_subsection(const std::string &name) const;
@@ -61,6 +63,9 @@ std::string unknown_key(const Section &section, const std::string &name);
 
 /// Calls `visit` for the node and all below it, in declared order.
 void for_each_node(Node &node, const std::function<void(Node &)> &visit);
+/// The same, only for nodes with a value that is `wanted`: the others stay shared.
+void for_each_node_with(Node &node, const std::function<bool(const Value &)> &wanted,
+                        const std::function<void(Node &)> &visit);
 void for_each_node(const Node &node, const std::function<void(const Node &)> &visit);
 
 } // namespace vibroimpact::parameters

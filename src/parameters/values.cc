@@ -146,7 +146,7 @@ std::vector<std::string> Values::instances(const std::string &kind) const {
   if (node_->declared->find_named(kind) == nullptr)
     throw undeclared("named subsection", kind, *node_);
   std::vector<std::string> names;
-  for (const std::vector<Node> &of_kind : node_->instances)
+  for (const std::vector<Shared<Node>> &of_kind : node_->instances)
     for (const Node &instance : of_kind)
       if (instance.declared->name() == kind)
         names.push_back(instance.instance);

@@ -37,6 +37,14 @@ TEST(Overrides, with_leaves_the_original_as_it_is) {
   EXPECT_EQ(clearance(*original), 0.005);
   EXPECT_EQ(clearance(*changed), 0.007);
   EXPECT_EQ(clearance(*changed->with({{"Contact/heads/Clearance", "8 mm", "grid"}})), 0.008);
+  EXPECT_EQ(clearance(*changed), 0.007);
+  const auto elements = [](const ParameterSet &set) {
+    return set.root().instance("Body", "left").subsection("Geometry").integer("Elements");
+  };
+  const long before = elements(*original);
+  EXPECT_EQ(elements(*original->with({{"Variables/lambda", "3", "grid"}})), 30);
+  EXPECT_EQ(elements(*original), before);
+  EXPECT_NE(before, 30);
 }
 
 TEST(Overrides, a_variable_changes_all_that_uses_it) {
