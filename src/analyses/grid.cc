@@ -96,8 +96,8 @@ void declare_grid(parameters::Section &analysis) {
 }
 
 std::vector<GridKey> read_grid_keys(const parameters::Values &section, const std::string &kind,
-                               const std::string &repeated, const std::string &owner,
-                               std::vector<std::string> &taken) {
+                                    const std::string &repeated, const std::string &owner,
+                                    std::vector<std::string> &taken) {
   std::vector<GridKey> keys;
   std::vector<std::string> leaders;
   for (const std::string &name : section.instances(kind))

@@ -19,7 +19,7 @@ struct Outcome {
   std::string description;
   std::vector<Axis> axes;                    ///< of its dimensions; none for a single number
   std::vector<parameters::Number> axis_ones; ///< what one unit of each of them is in SI
-  std::vector<double> values; ///< row-major over the axes [unit]
+  std::vector<double> values;                ///< row-major over the axes [unit]
 };
 
 /// All that one evaluation gives.
