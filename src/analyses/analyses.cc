@@ -5,6 +5,7 @@
 #include "analyses/basin_shares.h"
 #include "analyses/basins.h"
 #include "analyses/design/estimate.h"
+#include "analyses/design/isolator_design.h"
 #include "analyses/design/optimise.h"
 #include "analyses/frequency_response.h"
 #include "analyses/grid.h"
@@ -46,6 +47,7 @@ constexpr Entry entries[] = {
     {"identify", Identify::declare, Identify::create},
     {"estimate", Estimate::declare, Estimate::create},
     {"optimise", Optimise::declare, Optimise::create},
+    {"isolator design", IsolatorDesign::declare, IsolatorDesign::create},
 };
 
 } // namespace

@@ -80,6 +80,8 @@ bool evaluates_others(const Values &root, const std::string &analysis) {
   const std::string type = section.choice("Type");
   if (type == grid_type)
     return evaluates_others(root, repeated_analysis(section, root.instances("Analysis")));
+  if (type == "isolator design")
+    return section.subsection("Isolator design").has("Repeat");
   return type == "optimise" || type == "estimate";
 }
 

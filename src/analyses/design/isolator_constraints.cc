@@ -31,7 +31,9 @@ StopChoice choice_on_set(double z, const IsolatorDamping &damping, double ratio)
 // Where the resonance needs no more stiffness than the jump allows, from the side of small f, where
 // the allowed amplitude does not reach the stop.
 double first_possible_force(const StopConditions &conditions) {
-  const double end = force_where_set_ends(conditions.damping, conditions.unfolding_ratio);
+  const double end = conditions.jump_limit == JumpLimit::averaged_response
+                         ? 0
+                         : force_where_set_ends(conditions.damping, conditions.unfolding_ratio);
   const double low = std::max(end, (1 + 1e-9) / conditions.allowed),
                high = conditions.largest_force();
   const auto excess = [&](double force) {
@@ -99,6 +101,10 @@ double StopConditions::least_stiffness(double force) const {
 }
 
 double StopConditions::largest_stiffness(double force) const {
+  if (jump_limit == JumpLimit::averaged_response) {
+    const double first = stiffness_of_first_jump(force, damping);
+    return std::isnan(first) ? std::numeric_limits<double>::infinity() : first / spare();
+  }
   return stiffness_on_hysteresis_set(force, damping, unfolding_ratio) / spare();
 }
 

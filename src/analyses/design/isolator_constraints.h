@@ -5,7 +5,8 @@
 //   not
 //       reached
 //   (b) mu >= the stiffness that keeps the averaged resonance at the allowed amplitude
-//   (c) mu <= that on the hysteresis set H: the resonance does not jump
+//   (c) mu <= that on the hysteresis set H, or at the first fold of the averaged response: the
+//       resonance does not jump
 //
 // The allowed displacement X is fixed and so is the force F; a smaller clearance makes f = F/(k_0
 // d) and the allowed amplitude X/d larger, their ratio X k_0/F stays. (b) falls with f, (c) rises:
@@ -33,12 +34,16 @@ double stiffness_on_hysteresis_set(double force, const IsolatorDamping &damping,
 /// f at the end of H, z = 1.
 double force_where_set_ends(const IsolatorDamping &damping, double ratio);
 
+/// What says where a jump begins. H is that of the expansion with a lambda chosen beforehand.
+enum class JumpLimit { hysteresis_set, averaged_response };
+
 struct StopConditions {
   IsolatorDamping damping;
   double unfolding_ratio = 1; ///< the lambda in alpha_1
   double working_ratio = 0;   ///< lambda_w
   double allowed = 0;         ///< X k_0/F
   double margin = 0;          ///< by which part each condition is to be more than met
+  JumpLimit jump_limit = JumpLimit::hysteresis_set;
 
   /// 1 + margin
   double spare() const { return 1 + margin; }

@@ -99,6 +99,8 @@ std::string name_of(Region region) {
   return "none";
 }
 
+// On H itself the two folds are one point: it counts to IV, as a stop does that is put there and
+// rounded.
 Region region_of(const UnfoldingParameters &at, double rho) {
   if (!(at.second < set_b2(at.first, rho)))
     return Region::none;
@@ -106,12 +108,14 @@ Region region_of(const UnfoldingParameters &at, double rho) {
     return Region::one;
   if (at.second > set_b3_minus(at.first, rho))
     return Region::two;
+  constexpr double on_set = 1e-9;
   const double z_least = 1e-3; // there alpha_1 is below 1e-6
   if (at.first <= hysteresis_set(z_least, rho).at.first)
-    return at.second > -1 ? Region::three : Region::four;
+    return at.second > -1 + on_set ? Region::three : Region::four;
   if (at.first >= hysteresis_set(1, rho).at.first)
     return Region::four;
-  return at.second > hysteresis_above(at.first, rho).at.second ? Region::three : Region::four;
+  return at.second > hysteresis_above(at.first, rho).at.second + on_set ? Region::three
+                                                                        : Region::four;
 }
 
 int folds_in(Region region) {

@@ -83,7 +83,8 @@ enum class Region { none, one, two, three, four };
 /// "none", "I", ... "IV"
 std::string name_of(Region region);
 
-/// none: above B2. I: from there to B3+. II: to B3-. III: below it, left of H. IV: the rest.
+/// none: above B2. I: from there to B3+. II: to B3-. III: below it, left of H. IV: the rest
+/// and H.
 Region region_of(const UnfoldingParameters &at, double rho);
 
 /// Folds of the response curve for 0 < z < 1: 2 in I, one of them on the side of low frequencies; 1

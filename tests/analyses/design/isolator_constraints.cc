@@ -84,6 +84,22 @@ TEST(IsolatorConstraintsTest, ThePreferredStopMeetsAllConditions) {
             preferred_stop(conditions, corners, Preference::largest_clearance).stiffness);
 }
 
+// The hysteresis set with lambda = 1 is on the safe side: the averaged response itself allows a
+// larger clearance, and folds just beyond its corner.
+TEST(IsolatorConstraintsTest, TheAveragedResponseAllowsALargerClearance) {
+  StopConditions averaged = published();
+  averaged.jump_limit = JumpLimit::averaged_response;
+  const StopChoice corner = corners_of(averaged).resonance_and_jump;
+  EXPECT_LT(corner.force, 1.7);
+  const auto folds = [&](double factor) {
+    return AveragedResponse(damping, {factor * corner.stiffness, corner.force}).folds().size();
+  };
+  EXPECT_EQ(folds(0.999), 0);
+  EXPECT_EQ(folds(1.001), 2);
+  EXPECT_NEAR(AveragedResponse(damping, corner).peak().amplitude / corner.force, averaged.allowed,
+              1e-9);
+}
+
 TEST(IsolatorConstraintsTest, ConditionsThatNoStopMeetsAreRefused) {
   StopConditions tight = published();
   tight.working_ratio = 1.5; // f <= 1.25, below the corner
