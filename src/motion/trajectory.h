@@ -175,6 +175,7 @@ private:
   /// Guards that were zero at the start of the phase and have not grown beyond that yet.
   std::vector<ZeroGuard> zero_at_start_;
   std::vector<double> touches_; ///< instants after the start of the step
+  Vector before_;               ///< the state before the last change of a mode
 };
 
 } // namespace vibroimpact::motion

@@ -56,9 +56,9 @@ void Trajectory::change_mode(double instant, std::size_t contact, std::size_t gu
                              Observer &observer) {
   const contact::Guard &passed = guard_of(contact, guard);
   const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
-  const LocalState local =
-      equations_.local_state(contact, instant, ConstVectorView(state.data(), state.size()));
-  const Vector before = state;
+  before_ = state;
+  LocalState local =
+      equations_.local_state(contact, instant, ConstVectorView(before_.data(), before_.size()));
   ContactEvent event{.time = instant,
                      .contact = contact,
                      .from = equations_.modes()[contact],
@@ -68,19 +68,18 @@ void Trajectory::change_mode(double instant, std::size_t contact, std::size_t gu
                      .gap_rate = local.gap_rate,
                      .gap_rate_after = local.gap_rate,
                      .state = &state,
-                     .before = &before,
+                     .before = &before_,
                      .guard = &passed,
                      .layout = &layout()};
   const double held = equations_.contact_energy(contact, event.from, local);
-  std::vector<double> fresh;
-  for (const AffineForm &form : passed.reset)
-    fresh.push_back(form(local));
-  for (std::size_t i = 0; i < fresh.size(); ++i)
-    state[layout().internal() + pair.internal_offset + static_cast<Index>(i)] = fresh[i];
+  double *const internal = state.data() + layout().internal() + pair.internal_offset;
+  for (std::size_t i = 0; i < passed.reset.size(); ++i)
+    internal[i] = passed.reset[i](local);
+  local.internal = {internal, local.internal.size()};
   const bool apart = !equations_.mode(contact).in_contact;
   equations_.set_mode(contact, passed.target);
   event.onset = apart && equations_.mode(contact).in_contact;
-  // What the new mode holds no more is lost at this instant; `local` sees the new internal states.
+  // What the new mode holds no more is lost at this instant.
   state[layout().contact_work(static_cast<Index>(contact))] +=
       held - equations_.contact_energy(contact, event.to, local);
   observer.event(event);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace vibroimpact::motion {
@@ -57,10 +58,9 @@ struct Output {
     SumsPhase phase({sum()});
     ExactOutputs outputs(forms, *phase.phase);
     EXPECT_EQ(outputs.size(), outputs_of_all);
-    phase.walk.outputs = &outputs.begin();
-    phase.walk.tolerated = 1e-7;
+    const Amplitudes start = phase.amplitudes();
     EXPECT_EQ(phase.advance(kernel(), h), WalkEnd::limit);
-    outputs.end();
+    outputs.include(start.data(), phase.walk.amplitudes, h);
   }
 
   ValueRange extent_over(double h) const {
@@ -210,6 +210,29 @@ TEST(ExactOutputsTest, EachMonitorSeesItsOwnForms) {
     EXPECT_NEAR(watch.range.maximum, start[body], 1e-12) << body;
     EXPECT_NEAR(watch.range.minimum, -start[body], 1e-12) << body;
   }
+}
+
+// Driven in resonance, q'' + 4 q = sin(2 t): q = (sin(2 t) - 2 t cos(2 t)) / 8 turns at k pi / 2.
+TEST(ExactOutputsTest, Resonance) {
+  model::Model model({testing::single_mass("mass", 1, 4, 0)});
+  model.add_force("force", std::make_shared<model::Harmonic>(model::Given::displacement, 1, 2, 0),
+                  {.body = 0, .point = 0}, Vector3::UnitX());
+  const contact::ContactSet none;
+  Trajectory trajectory(model, none, {});
+  constexpr double pi = std::numbers::pi;
+  for (int turns = 2; turns < 12; ++turns)
+    for (const double beyond : {0.1, 0.5, 0.9}) {
+      trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
+      Watch watch(0);
+      const double end = (turns + beyond) * pi / 2;
+      trajectory.advance(end, watch);
+      const double last = (std::sin(2 * end) - 2 * end * std::cos(2 * end)) / 8;
+      const double turn = turns * pi / 8;
+      const double before = (turns - 1) * pi / 8;
+      const bool up = turns % 2 == 1;
+      EXPECT_NEAR(watch.range.maximum, up ? turn : std::max(before, last), 1e-13 * turn) << end;
+      EXPECT_NEAR(watch.range.minimum, up ? -std::max(before, -last) : -turn, 1e-13 * turn) << end;
+    }
 }
 
 } // namespace

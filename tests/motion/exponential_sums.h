@@ -34,6 +34,8 @@ public:
       end = kernel.advance(phase->view(), walk, limit);
     return end;
   }
+  /// At the start.
+  const Amplitudes &amplitudes() const { return origin_; }
   double reached(WalkEnd end) const {
     return walk.time + (end == WalkEnd::guard ? walk.to_guard : 0.0);
   }
@@ -67,13 +69,12 @@ private:
     const double one = 1;
     phase->amplitudes(y, &one, amplitudes_);
     magnitudes_.assign(amplitudes_.size(), 0);
-    turned_ = between_ = origin_ = amplitudes_;
+    turned_ = origin_ = amplitudes_;
     reach_ = magnitudes_;
     noise_.assign(sums.size(), 0);
     walk.amplitudes = amplitudes_.data();
     walk.origin = origin_.data();
     walk.turned = turned_.data();
-    walk.between = between_.data();
     walk.magnitudes = magnitudes_.data();
     walk.reach = reach_.data();
     walk.noise = noise_.data();
@@ -99,7 +100,7 @@ private:
     return matrix;
   }
 
-  Amplitudes amplitudes_, origin_, turned_, between_;
+  Amplitudes amplitudes_, origin_, turned_;
   AlignedArray magnitudes_, reach_, noise_;
 };
 

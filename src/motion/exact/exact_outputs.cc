@@ -65,20 +65,27 @@ void ExactOutputs::arrange() {
   single_.assign(count * 8 * n, 0);
   minimum_.assign(8 * blocks, -std::numeric_limits<double>::infinity());
   maximum_.assign(8 * blocks, std::numeric_limits<double>::infinity());
-  ends_.assign(blocks * 48, 0);
-  middles_.assign(static_cast<std::size_t>(most_halvings) * 2 * n, 0);
-  for (const PhaseGroup &group : phase_.groups())
+  const std::size_t middles = static_cast<std::size_t>(most_halvings) * 2 * n;
+  scratch_.assign(middles + 3 * n, 0);
+  dense_magnitudes_.clear();
+  for (const PhaseGroup &group : phase_.groups()) {
     set_group(group);
+    for (Index i = 0; group.kind == BlockKind::dense && i < group.generator.rows(); ++i)
+      for (const double entry : group.generator.row(i))
+        dense_magnitudes_.push_back(std::abs(entry));
+  }
   view_ = {.n_blocks = static_cast<int>(blocks),
            .constants = constants_.data(),
            .rows = rows_.data(),
            .sixth = sixth_.data(),
            .sizes = sizes_.data(),
            .single = single_.data(),
+           .dense_magnitudes = dense_magnitudes_.data(),
            .minimum = minimum_.data(),
            .maximum = maximum_.data(),
-           .ends = ends_.data(),
-           .middles = middles_.data()};
+           .middles = scratch_.data(),
+           .turned = scratch_.data() + middles,
+           .reach = scratch_.data() + middles + 2 * n};
 }
 
 void ExactOutputs::renew() {
@@ -158,7 +165,7 @@ void ExactOutputs::set_dense(std::size_t f, const PhaseGroup &group) {
 }
 
 // Of an output that several ranges share, the search must find what exceeds any of them.
-OutputsView &ExactOutputs::begin() {
+void ExactOutputs::begin() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::fill_n(minimum_.begin(), leaders_.size(), -infinity);
   std::fill_n(maximum_.begin(), leaders_.size(), infinity);
@@ -170,8 +177,12 @@ OutputsView &ExactOutputs::begin() {
     minimum = std::max(minimum, share.factor > 0 ? low : high);
     maximum = std::min(maximum, share.factor > 0 ? high : low);
   }
-  view_.continued = false;
-  return view_;
+}
+
+void ExactOutputs::include(const double *from, const double *to, double length) {
+  begin();
+  kernel().include_part(phase_.view(), view_, from, to, length);
+  end();
 }
 
 void ExactOutputs::end() {

@@ -20,10 +20,8 @@ public:
 
   std::size_t size() const { return leaders_.size(); }
 
-  /// The extremes known so far, which those of the next part of the motion are to exceed.
-  OutputsView &begin();
-  /// That part is over: the ranges have grown by it.
-  void end();
+  /// The ranges grow by a part of the motion, from its amplitudes at both ends, `length` apart [s].
+  void include(const double *from, const double *to, double length);
 
 private:
   /// A range that grows by factor * output + shift.
@@ -34,6 +32,8 @@ private:
   };
 
   void share_output(std::size_t form);
+  void begin();
+  void end();
   void arrange();
   void set_group(const PhaseGroup &group);
   void set_pair(std::size_t output, const PhaseGroup &group);
@@ -46,7 +46,8 @@ private:
   std::vector<std::size_t> leaders_; ///< of each output, a form
   std::vector<Share> shares_;        ///< of all forms
   long arrangement_ = -1, generation_ = -1;
-  AlignedArray constants_, rows_, sixth_, sizes_, single_, minimum_, maximum_, ends_, middles_;
+  AlignedArray constants_, rows_, sixth_, sizes_, single_, dense_magnitudes_, minimum_, maximum_,
+      scratch_;
   OutputsView view_;
 };
 

@@ -66,13 +66,10 @@ ExactPath::KnownPhase &ExactPath::known_phase() {
 // To the phase beyond a guard of the present one. None where it is left to others: impacts and rest
 // are for several contacts together.
 ExactPath::Transition *ExactPath::transition(std::size_t guard) {
-  const PhaseGuard passed = known_->guards()[guard];
-  if (equations_.contacts().pairs()[passed.contact].law->rigid())
-    return nullptr;
   std::unique_ptr<Transition> &known = known_->transitions[guard];
   if (!known)
-    known = std::make_unique<Transition>(find_transition(passed));
-  if (!known->target->linear)
+    known = std::make_unique<Transition>(find_transition(known_->guards()[guard]));
+  if (!known->target || !known->target->linear)
     return nullptr;
   if (known->excitation != exact_phases_.excitation().generation()) {
     known->target->phase().take(exact_phases_.excitation());
@@ -87,6 +84,8 @@ ExactPath::Transition *ExactPath::transition(std::size_t guard) {
 }
 
 ExactPath::Transition ExactPath::find_transition(const PhaseGuard &passed) {
+  if (equations_.contacts().pairs()[passed.contact].law->rigid())
+    return {};
   set_modes(known_->linear->forms().contact_modes(), equations_);
   const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
   equations_.set_mode(passed.contact, passed.target);
@@ -127,7 +126,7 @@ bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
   const auto largest =
       static_cast<std::size_t>(equations_.layout().physical_size()) + inputs_.size() + group_block;
   for (AlignedArray *buffer :
-       {&amplitudes_, &turned_, &next_, &between_, &part_, &step_start_, &step_end_, &start_})
+       {&amplitudes_, &turned_, &next_, &part_, &step_start_, &step_end_, &start_})
     buffer->resize(std::max(buffer->size(), 2 * largest));
   for (AlignedArray *buffer : {&magnitudes_, &reach_, &next_rounding_})
     buffer->resize(std::max(buffer->size(), largest));
@@ -139,7 +138,6 @@ bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
   std::copy(start.begin(), start.end(), amplitudes_.begin());
   walk_.amplitudes = amplitudes_.data();
   walk_.turned = turned_.data();
-  walk_.between = between_.data();
   walk_.magnitudes = magnitudes_.data();
   walk_.reach = reach_.data();
   const PhaseView &view = known.view();
@@ -183,20 +181,13 @@ void ExactPath::prepare_monitoring(KnownPhase &known) {
   known.outputs_excitation = excitation;
 }
 
-// A part of a phase is reported as a whole. The error of pieces is chosen so that the quintics of
-// the outputs mostly need no division.
+// A part of a phase is reported as a whole, and is not longer than its work integrals stay exact.
 void ExactPath::begin_part(double time) {
-  constexpr double unobserved = 1e-4;
-  constexpr double observed = 1e-6;
-  walk_.outputs = nullptr;
-  walk_.tolerated = unobserved;
+  part_limit_ = std::numeric_limits<double>::infinity();
   if (!observer_)
     return;
   prepare_monitoring(*known_);
-  if (observer_->monitor && !known_->monitored.forms.ranges.empty()) {
-    walk_.outputs = &known_->outputs->begin();
-    walk_.tolerated = observed;
-  }
+  part_limit_ = time + known_->linear->work(equations_).longest();
   std::copy_n(walk_.amplitudes, known_->phase().n_amplitudes(), part_.begin());
   part_start_ = time;
   if (observer_->monitor)
@@ -214,7 +205,7 @@ void ExactPath::end_part(double time, const double *amplitudes) {
   if (!observer_->monitor)
     return;
   if (!known_->monitored.forms.ranges.empty())
-    known_->outputs->end();
+    known_->outputs->include(part_.data(), amplitudes, time - part_start_);
   observer_->monitor->part_done(equations_, part_start_, time);
 }
 
@@ -250,6 +241,13 @@ void ExactPath::show_steps(double time, const double *amplitudes) {
     step_start_.swap(step_end_);
   }
   state_ = start_point_.state;
+}
+
+// Another part of the same phase.
+void ExactPath::part_the_phase(double time) {
+  end_part(time, walk_.amplitudes);
+  known_->phase().state(walk_.amplitudes, state_.data());
+  begin_part(time);
 }
 
 // Reports a contact change, which takes the equations to the modes after it.
@@ -366,19 +364,21 @@ bool ExactPath::advance(double &time, const Vector &state, double limit, long mo
     return false;
   begin_part(time);
   const double from = time;
-  if (observer_)
-    limit = std::min(limit, from + known_->linear->work(equations_).longest());
   WalkEnd end = WalkEnd::paused;
   bool moving = true;
   while (moving) {
     const long before = walk_.pieces;
     const long undecided = walk_.undecided;
-    end = kernel_.advance(known_->view(), walk_, limit - origin_);
+    const double until = std::min(limit, part_limit_);
+    end = kernel_.advance(known_->view(), walk_, until - origin_);
     tally_.pieces += walk_.pieces - before;
     tally_.undecided += walk_.undecided - undecided;
     leave_if_stopped();
-    moving =
-        end == WalkEnd::paused || (end == WalkEnd::guard && most_events-- > 0 && change_phase());
+    if (end == WalkEnd::limit && until < limit)
+      part_the_phase(until);
+    else
+      moving =
+          end == WalkEnd::paused || (end == WalkEnd::guard && most_events-- > 0 && change_phase());
   }
   running_ = end == WalkEnd::limit;
   time = running_ ? limit : origin_ + walk_.time + (pending_ ? walk_.to_guard : 0);

@@ -105,6 +105,7 @@ private:
   void prepare_monitoring(KnownPhase &known);
   void begin_part(double time);
   void end_part(double time, const double *amplitudes);
+  void part_the_phase(double time);
   void show_steps(double time, const double *amplitudes);
   void report_change(double time);
   void start_walk(KnownPhase &known);
@@ -124,7 +125,7 @@ private:
   std::vector<double> inputs_;
   KnownPhase *known_ = nullptr;
   Walk walk_;
-  Amplitudes amplitudes_, turned_, next_, between_;
+  Amplitudes amplitudes_, turned_, next_;
   AlignedArray magnitudes_, reach_, rounding_, next_rounding_, noise_;
   std::vector<unsigned char> order_;
   int changes_ = 0; ///< since the inputs were taken from the sources
@@ -137,7 +138,7 @@ private:
   const PathObserver *observer_ = nullptr; ///< of the present call
   Vector state_;
   Amplitudes part_; ///< at the start of the part that is not reported yet
-  double part_start_ = 0;
+  double part_start_ = 0, part_limit_ = 0;
   Amplitudes start_; ///< when the walk began
   Amplitudes step_start_, step_end_;
   EndPoint start_point_, end_point_; ///< of a step that is shown

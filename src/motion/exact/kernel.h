@@ -30,7 +30,7 @@ constexpr int group_block = 8;
 constexpr int largest_order = 2;
 constexpr int table_degree = 7;
 constexpr int n_levels = 96;
-/// How often a piece is halved in the search for extreme values.
+/// How often a part is halved in the search for extreme values.
 constexpr int most_halvings = 60;
 /// Pieces of a phase whose length is remembered.
 constexpr int n_hints = 8;
@@ -94,10 +94,11 @@ struct OutputsView {
   const double *sizes = nullptr; ///< blocks x groups x 8: |c|
   /// outputs x 4 x 2 x groups: the same coefficients, and those of the third derivative
   const double *single = nullptr;
+  const double *dense_magnitudes = nullptr;      ///< |B| of the dense blocks, like them
   double *minimum = nullptr, *maximum = nullptr; ///< outputs; grow
-  double *ends = nullptr;                        ///< scratch: blocks x 6 x 8
   double *middles = nullptr;                     ///< scratch: most_halvings x 2 x groups
-  bool continued = false;                        ///< `ends` are those of the present amplitudes
+  double *turned = nullptr;                      ///< scratch: 2 x groups
+  double *reach = nullptr;                       ///< scratch: groups
 };
 
 struct Walk {
@@ -106,13 +107,11 @@ struct Walk {
   double *turned = nullptr;       ///< the same a little later; scratch, and those at a crossing
   double *magnitudes = nullptr;   ///< scratch: groups, |real| + |imaginary|
   double *reach = nullptr;        ///< scratch: groups, bound of that within a piece
-  double *between = nullptr;      ///< scratch, like `amplitudes`
   const double *noise = nullptr;  ///< guards: rounding of the amplitudes, as it shows in each
   unsigned char *order = nullptr; ///< guards: of their zero at the start
   double tolerated = 1e-4;        ///< error of a piece, relative to the sizes of the guards
   double time = 0;                ///< since the start [s]
   int pieces_of_phase = 0;
-  OutputsView *outputs = nullptr; ///< none: not recorded
   long pieces = 0;
   long undecided = 0; ///< touches that rounding hides
   // A crossing:
@@ -162,6 +161,9 @@ struct Kernel {
   WalkEnd (*advance)(const PhaseView &phase, Walk &walk, double limit);
   /// The amplitudes `time` later.
   void (*turn)(const PhaseView &phase, const double *amplitudes, double time, double *turned);
+  /// The extremes grow by the motion between two instants, `length` apart [s].
+  void (*include_part)(const PhaseView &phase, OutputsView &outputs, const double *from,
+                       const double *to, double length);
   /// Value and first three derivatives of a guard.
   void (*derivatives)(const PhaseView &phase, int guard, const double *amplitudes, double *values);
   /// What a guard is summed up from: guard_rounding times that is what rounding may hide of it.

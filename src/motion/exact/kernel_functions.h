@@ -1,6 +1,7 @@
 // The functions of a kernel, for one kind of machine; included by the kernel_*.cc only.
 #pragma once
 
+#include "motion/exact/kernel_outputs.h"
 #include "motion/exact/kernel_walk.h"
 
 namespace vibroimpact::motion {
@@ -22,6 +23,7 @@ constexpr Kernel kernel_called(const char *name) {
   return {.name = name,
           .advance = advance,
           .turn = turn,
+          .include_part = include_part,
           .derivatives = derivatives,
           .guard_size = guard_size,
           .guard_noise = guard_noise,

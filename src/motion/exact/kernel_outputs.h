@@ -1,11 +1,13 @@
-// Extreme values of linear forms over pieces, eight side by side; included by the kernel_*.cc only.
+// Extreme values of linear forms over a part of the motion, eight side by side; included by the
+// kernel_*.cc only.
 //
 // What oscillates in a form, f_P, lies within h^6 M / 46080 of the quintic q with its values,
 // slopes and curvatures at both ends of a piece, the slope within sqrt(5) h^5 M / 30000 and the
 // curvature within h^4 M / 1920 of that quintic's, M being a bound of the sixth derivative. Real
 // exponentials are monotone, and so are their derivatives: they lie between their values at the
-// ends. Forms that these bounds leave open are searched: those with one turning point in the piece
-// by Newton's and Halley's method, all others by halving the piece.
+// ends. The part is halved until these bounds say something. Forms that they leave open are
+// searched: those with one turning point in the piece by Newton's and Halley's method, all others
+// by halving the piece.
 #pragma once
 
 #include "motion/exact/kernel_turn.h"
@@ -17,6 +19,7 @@ constexpr double value_error = 1.0 / 46080;
 constexpr double slope_error = 2.23606797749979 / 30000;
 constexpr double curvature_error = 1.0 / 1920;
 constexpr double output_rounding = 16 * epsilon;
+constexpr double no_bound = 1e100; // where that of a dense block overflows
 
 /// One form from an instant on, whose amplitudes are given.
 class TurningPoint {
@@ -116,32 +119,18 @@ inline void sum_output(const PhaseView &p, const double *rows, const double *amp
   }
 }
 
-inline void keep(double *ends, const Output8 &f) {
-  for (int r = 0; r < 3; ++r) {
-    store(ends + 8 * r, f.oscillating[r]);
-    store(ends + 24 + 8 * r, f.decaying[r]);
-  }
-}
-
-inline void recall(const double *ends, Output8 &f) {
-  for (int r = 0; r < 3; ++r) {
-    f.oscillating[r] = load(ends + 8 * r);
-    f.decaying[r] = load(ends + 24 + 8 * r);
-  }
-}
-
 // Bounds of the sixth derivative and of the rounding of eight forms.
 inline void bound_outputs(const PhaseView &p, const OutputsView &o, int block, const double *reach,
-                          V8 &sixth, V8 &rounding) {
+                          V8 &sixth, V8 &size) {
   const double *m6 = o.sixth + 8 * block * p.n_padded;
   const double *sizes = o.sizes + 8 * block * p.n_padded;
   sixth = all(0);
-  V8 size = magnitude(load(o.constants + 8 * block));
+  size = magnitude(load(o.constants + 8 * block));
   for (int j = 0; j < p.n_groups; ++j) {
-    sixth = fused(load(m6 + 8 * j), all(reach[j]), sixth);
-    size = fused(load(sizes + 8 * j), all(reach[j]), size);
+    const V8 r = all(reach[j]);
+    sixth = fused(load(m6 + 8 * j), r, sixth);
+    size = fused(load(sizes + 8 * j), r, size);
   }
-  rounding = all(output_rounding) * size;
 }
 
 // The r-th derivatives of the real exponentials of eight forms between the ends of a piece.
@@ -189,28 +178,44 @@ template <int count> void differences(const V8 *b, V8 *d) {
     d[i] = b[i + 1] - b[i];
 }
 
-/// Eight forms over one piece.
+// Bound of the magnitudes between two instants, h apart. The modulus of an exponential is largest
+// at one of them.
+inline void bound_reach(const PhaseView &p, const OutputsView &o, const double *start,
+                        const double *end, double h, double *reach) {
+  const int n = p.n_padded;
+  for (int b = 0; b < n; b += group_block) {
+    const V8 x = load(start + b);
+    const V8 y = load(start + n + b);
+    const V8 u = load(end + b);
+    const V8 v = load(end + n + b);
+    store(reach + b, square_root(upper(fused(x, x, y * y), fused(u, u, v * v))));
+  }
+  const double *generator = o.dense_magnitudes;
+  for (int d = 0; d < p.n_dense; ++d) {
+    const int first = p.dense[d].first;
+    const int size = p.dense[d].size;
+    for (int i = first; i < first + size; ++i)
+      reach[i] = __builtin_fabs(start[i]);
+    turn_large_block(generator, size, h, reach + first, reach + first);
+    for (int i = first; i < first + size; ++i)
+      reach[i] = reach[i] < no_bound ? reach[i] : no_bound;
+    generator += size * size;
+  }
+}
+
+/// Eight forms over a part of the motion.
 class BlockSearch {
 public:
-  BlockSearch(const PhaseView &phase, OutputsView &outputs, int block, const double *reach,
-              double *scratch)
-      : p_(phase), o_(outputs), block_(block), scratch_(scratch),
-        rows_(outputs.rows + 48 * block * phase.n_padded) {
-    bound_outputs(phase, outputs, block, reach, sixth_, rounding_);
-  }
+  BlockSearch(const PhaseView &phase, OutputsView &outputs, int block)
+      : p_(phase), o_(outputs), block_(block), rows_(outputs.rows + 48 * block * phase.n_padded) {}
 
   void include(const double *start, const double *end, double h) {
-    double *ends = o_.ends + 48 * block_;
     End a;
     End z;
     a.amplitudes = start;
     z.amplitudes = end;
-    if (o_.continued)
-      recall(ends, a.values);
-    else
-      sum_output(p_, rows_, start, a.values);
+    sum_output(p_, rows_, start, a.values);
     sum_output(p_, rows_, end, z.values);
-    keep(ends, z.values);
     include(a, z, h, 0xff, 0);
   }
 
@@ -226,6 +231,10 @@ private:
     z_ = &end;
     h_ = h;
     include_ends();
+    if (is_long() && halvings < most_halvings) {
+      halve(start, end, h, which, halvings);
+      return;
+    }
     unsigned open = which & beyond();
     open = open != 0 ? open & ~monotone() : 0;
     if (open == 0)
@@ -235,6 +244,18 @@ private:
       include_turns(turning);
     if ((open & ~bends) != 0 && halvings < most_halvings)
       halve(start, end, h, open & ~bends, halvings);
+  }
+
+  // Is the quintic too far from some form to say anything?
+  bool is_long() {
+    constexpr double tolerated = 1e-1;
+    bound_reach(p_, o_, a_->amplitudes, z_->amplitudes, h_, o_.reach);
+    V8 size;
+    bound_outputs(p_, o_, block_, o_.reach, sixth_, size);
+    rounding_ = all(output_rounding) * size;
+    const double h2 = h_ * h_;
+    sixth_ = sixth_ * all(h2 * h2 * h2);
+    return below(all(tolerated / value_error) * size, sixth_) != 0;
   }
 
   void halve(const End &start, const End &end, double h, unsigned which, int halvings) {
@@ -264,7 +285,7 @@ private:
     V8 high;
     decaying_range(p_, rows_, 0, a_->amplitudes, z_->amplitudes, low, high);
     const V8 constant = load(o_.constants + 8 * block_);
-    const V8 error = sixth_ * all(value_error * h_ * h_ * h_ * h_ * h_ * h_);
+    const V8 error = sixth_ * all(value_error);
     return below(load(o_.maximum + 8 * block_) + rounding_,
                  constant + highest<6>(b_) + error + high) |
            below(constant + lowest<6>(b_) - error + low, load(o_.minimum + 8 * block_) - rounding_);
@@ -288,7 +309,7 @@ private:
     V8 high;
     decaying_range(p_, rows_, r, a_->amplitudes, z_->amplitudes, low, high);
     const V8 unit = all(r == 1 ? h_ : h_ * h_);
-    const V8 error = sixth_ * all(bound * h_ * h_ * h_ * h_ * h_ * h_);
+    const V8 error = sixth_ * all(bound);
     return below(all(0), fused(low, unit, least - error)) |
            below(fused(high, unit, most + error), all(0));
   }
@@ -337,7 +358,7 @@ private:
     store(noise, rounding_);
     for (; which != 0; which &= which - 1) {
       const int i = __builtin_ctz(which);
-      TurningPoint(p_, o_, 8 * block_ + i, a_->amplitudes, scratch_, noise[i])
+      TurningPoint(p_, o_, 8 * block_ + i, a_->amplitudes, o_.turned, noise[i])
           .include(h_, x[i] * h_, slope[i] > 0);
     }
   }
@@ -345,21 +366,19 @@ private:
   const PhaseView &p_;
   OutputsView &o_;
   int block_;
-  double *scratch_;
   const double *rows_;
-  V8 sixth_, rounding_;
   // Of the present piece:
   const End *a_ = nullptr, *z_ = nullptr;
   double h_ = 0;
-  V8 b_[6], slope_[5]; ///< of what oscillates
+  V8 sixth_, rounding_; ///< h^6 M, and what rounding may hide
+  V8 b_[6], slope_[5];  ///< of what oscillates
 };
 
-/// The extremes grow by a piece of length h, in which no magnitude exceeds `reach`.
-inline void include_piece(const PhaseView &p, OutputsView &o, const double *start,
-                          const double *end, double h, const double *reach, double *scratch) {
+/// The extremes grow by a part of length h.
+inline void include_part(const PhaseView &p, OutputsView &o, const double *start, const double *end,
+                         double h) {
   for (int block = 0; block < o.n_blocks; ++block)
-    BlockSearch(p, o, block, reach, scratch).include(start, end, h);
-  o.continued = true;
+    BlockSearch(p, o, block).include(start, end, h);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // Propagation piece by piece, up to the first crossing; included by the kernel_*.cc only.
 #pragma once
 
-#include "motion/exact/kernel_outputs.h"
+#include "motion/exact/kernel_turn.h"
 #include "motion/exact/kernel_zero.h"
 
 namespace vibroimpact::motion {
@@ -107,8 +107,6 @@ private:
 
   // Nothing can happen: no guard, or nothing that changes.
   bool at_rest() {
-    if (w_.outputs && p_.fastest > 0)
-      return false;
     if (p_.n_guards == 0)
       return true;
     if (p_.fastest > 0 || p_.n_dense > 0)
@@ -124,11 +122,8 @@ private:
 
   Step next_piece(double rest) {
     measure();
-    if (at_rest()) {
-      for (int j = 0; j < p_.n_padded; ++j)
-        w_.reach[j] = w_.magnitudes[j];
+    if (at_rest())
       return pass_to_limit(rest);
-    }
     const int place = w_.pieces_of_phase % n_hints;
     signed char *hint = w_.pieces_of_phase < n_hints ? p_.hints + place : nullptr;
     const bool known = hint && *hint >= 0;
@@ -180,8 +175,6 @@ private:
     // amplitudes are taken from those at the start again.
     if (!all_the_way && w_.pieces_of_phase % pieces_in_a_row == 0)
       turn(p_, w_.origin, w_.time + h, w_.turned);
-    if (w_.outputs)
-      include_piece(p_, *w_.outputs, w_.amplitudes, w_.turned, h, w_.reach, w_.between);
     double *const before = w_.amplitudes;
     w_.amplitudes = w_.turned;
     w_.turned = before;
@@ -421,8 +414,6 @@ private:
     w_.to_guard = t;
     w_.value = f[0];
     w_.slope = f[1];
-    if (w_.outputs)
-      include_piece(p_, *w_.outputs, w_.amplitudes, w_.turned, t, w_.reach, w_.between);
     return Step::crossing;
   }
 
