@@ -4,6 +4,7 @@
 #include "analyses/balance_branch.h"
 #include "analyses/basin_shares.h"
 #include "analyses/basins.h"
+#include "analyses/bilinear/bilinear_approximation.h"
 #include "analyses/design/estimate.h"
 #include "analyses/design/isolator_design.h"
 #include "analyses/design/optimise.h"
@@ -37,6 +38,7 @@ constexpr Entry entries[] = {
     {"transient", Transient::declare, Transient::create, true},
     {"stepped sweep", SteppedSweep::declare, SteppedSweep::create, true},
     {"frequency response", FrequencyResponse::declare, FrequencyResponse::create},
+    {"bilinear approximation", BilinearApproximation::declare, BilinearApproximation::create},
     {"response", Response::declare, Response::create, true},
     {"branch", OrbitBranch::declare, OrbitBranch::create, true},
     {"harmonic balance", BalanceBranch::declare, BalanceBranch::create},
