@@ -322,6 +322,7 @@ void Simulation::check() {
     log::info("body " + body->name + ": " + analyses::body_sentence(*body));
   for (const Job &job : all)
     check_cases(job);
+  try_evaluated(all);
   warn_of_unused_laws(all);
   contacts_of(all);
   const double so_far = processor_seconds();
@@ -345,6 +346,7 @@ RunSummary Simulation::run(const RunOptions &options) {
   }
   for (const Job &job : all)
     check_cases(job);
+  try_evaluated(all);
   const DeferSignals results_at_stake;
   output::RunFolder folder(communicator_, options.folder, options.existing, parameters_->echo());
   log::open_file(folder.log_file().string());

@@ -75,6 +75,7 @@ private:
   void check_cases(const Job &job) const;
   void check_length(const Job &job, const analyses::Case &work) const;
   void check_swept_key(const Job &job) const;
+  void try_evaluated(const std::vector<Job> &jobs) const;
   void refuse_swept(const Job &job, const analyses::GridKey &key, const std::string &swept) const;
   void warn_of_unused_laws(const std::vector<Job> &jobs) const;
   double log_cost(const Job &job, double seconds) const;

@@ -2,6 +2,7 @@
 // runs.
 #include "common/error.h"
 #include "parameters/text.h"
+#include "reduction/body_file.h"
 #include "simulation.h"
 
 #include <algorithm>
@@ -73,6 +74,26 @@ void Simulation::check_length(const Job &job, const analyses::Case &work) const 
                          " s is too long: the highest natural frequency of the bodies, " +
                          parameters::number_text(highest / (2 * std::numbers::pi)) +
                          " Hz, makes more than 1e12 periods of it");
+}
+
+// One rank alone finds out how far it comes in a limited time.
+void Simulation::try_evaluated(const std::vector<Job> &jobs) const {
+  int rank = 0;
+  MPI_Comm_rank(communicator_, &rank);
+  std::string refused;
+  for (const Job &job : jobs)
+    try {
+      if (rank > 0 || !refused.empty())
+        break;
+      const analyses::Case work = build_case(job, analyses::grid_overrides(job.keys, 0));
+      if (work.outcomes)
+        work.analysis->try_outcomes(*work.outcomes);
+    } catch (const InputError &error) {
+      refused = error.what();
+    }
+  refused = reduction::broadcast(std::move(refused), communicator_);
+  if (!refused.empty())
+    throw InputError(refused);
 }
 
 // A grid and the sweep that it repeats must not change the same key.

@@ -11,6 +11,7 @@ from . import (
     cycles,
     derived_curves,
     fits,
+    fronts,
     histories,
     identify,
     loci,
@@ -20,6 +21,7 @@ from . import (
     relative_motion,
     response_curves,
     searches,
+    shares,
     spectra,
     time_frequency,
     transient,
@@ -31,6 +33,7 @@ KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cy
 OWN = {**{name: [branches] for name in branches.TYPES}, loci.TYPE: [loci],
        searches.TYPE: [searches, derived_curves],
        fits.TYPE: [fits, derived_curves],
+       fronts.TYPE: [fronts], shares.TYPE: [shares],
        **{name: [basins] for name in basins.TYPES}}
 
 

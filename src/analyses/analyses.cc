@@ -8,6 +8,8 @@
 #include "analyses/design/estimate.h"
 #include "analyses/design/isolator_design.h"
 #include "analyses/design/optimise.h"
+#include "analyses/design/pareto_front.h"
+#include "analyses/design/sensitivity.h"
 #include "analyses/frequency_response.h"
 #include "analyses/grid.h"
 #include "analyses/identify.h"
@@ -50,6 +52,8 @@ constexpr Entry entries[] = {
     {"estimate", Estimate::declare, Estimate::create},
     {"optimise", Optimise::declare, Optimise::create},
     {"isolator design", IsolatorDesign::declare, IsolatorDesign::create},
+    {"pareto front", ParetoFront::declare, ParetoFront::create},
+    {"sensitivity", Sensitivity::declare, Sensitivity::create},
 };
 
 } // namespace

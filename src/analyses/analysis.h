@@ -5,6 +5,7 @@
 // may carry a state on. A new analysis is one file pair and one line in analyses.cc.
 #pragma once
 
+#include "analyses/line_note.h"
 #include "analyses/system.h"
 #include "common/result_sink.h"
 #include "common/signals.h"
@@ -31,6 +32,11 @@ public:
   virtual void note_progress(double /*share*/) {}
   /// The point was found finished: only the progress counts on.
   virtual void skip() = 0;
+  /// Leaves what lines after this one may ask for.
+  virtual void leave_note(std::size_t /*line*/, const LineNote & /*note*/) {}
+  /// That of a line before this one, for which it waits; an empty one where no notes are kept.
+  /// Throws Interrupted when the run is to stop.
+  virtual LineNote note_of(std::size_t /*line*/) const { return {}; }
   /// The system of this line with other values of some keys. InputError.
   virtual System build(const std::vector<parameters::Override> & /*overrides*/) const {
     throw std::logic_error("no other systems can be built here");
@@ -64,6 +70,11 @@ public:
   }
   /// InputError when the other analysis cannot be evaluated as this one will, before anything runs.
   virtual void check_outcomes(const Outcomes & /*outcomes*/) const {}
+  /// InputError when the other analysis does not have the quantities that this one needs. Runs a
+  /// part of it, for some seconds at most, on one rank.
+  virtual void try_outcomes(const Outcomes & /*outcomes*/) const {}
+  /// Room for the note of a line.
+  virtual NoteSize note_size() const { return {}; }
   /// InputError when systems with other values of keys do not fit, which `build` makes, before
   /// anything runs.
   virtual void check_built(const SystemSource & /*build*/) const {}

@@ -1,6 +1,7 @@
 #include "analyses/grid_line.h"
 
 #include "analyses/fields.h"
+#include "analyses/shared_notes.h"
 #include "common/error.h"
 #include "common/signals.h"
 
@@ -13,8 +14,9 @@ void GridLine::move_to(std::vector<std::size_t> position) {
   own_axes_.clear();
 }
 
-void GridLine::use(const Case &work, std::vector<std::size_t> position) {
+void GridLine::use(const Case &work, std::vector<std::size_t> position, std::size_t first) {
   move_to(std::move(position));
+  first_ = first;
   own_axes_ = work.analysis->axes();
   source_ = work.source;
   outcomes_ = work.outcomes;
@@ -38,6 +40,15 @@ void GridLine::store(PointResult result) {
 void GridLine::note_progress(double share) {
   progress_.note_share(share);
   leave_if_stopped();
+}
+
+void GridLine::leave_note(std::size_t line, const LineNote &note) {
+  if (notes_ != nullptr)
+    notes_->leave(first_ + line, note);
+}
+
+LineNote GridLine::note_of(std::size_t line) const {
+  return notes_ != nullptr ? notes_->of(first_ + line) : LineNote{};
 }
 
 const Outcomes &GridLine::outcomes() const {
@@ -100,7 +111,7 @@ void run_task(std::size_t task, const std::vector<GridKey> &keys, std::size_t li
     if (work.analysis->axes().size() != axes.size() ||
         points_of(work.analysis->axes()) != points_of(axes))
       throw InputError("the swept key changes the number of points of the analysis");
-    context.use(work, grid_index(keys, point));
+    context.use(work, grid_index(keys, point), point * lines);
     work.analysis->run_line(line, work.system, context);
   } catch (const InputError &error) {
     record_unusable(axes, error.what(), line, context);

@@ -5,6 +5,8 @@
 
 namespace vibroimpact::analyses {
 
+class SharedNotes;
+
 /// Who is to know how far a line is.
 class LineProgress {
 public:
@@ -19,16 +21,19 @@ class GridLine : public LineContext {
 public:
   /// Keeps references.
   GridLine(ResultSink &sink, const std::vector<Axis> &axes, LineProgress &progress,
-           RunSummary &summary)
-      : sink_(sink), shared_axes_(axes), progress_(progress), summary_(summary) {}
+           RunSummary &summary, SharedNotes *notes = nullptr)
+      : sink_(sink), shared_axes_(axes), progress_(progress), summary_(summary), notes_(notes) {}
 
-  /// From now on lines of the case at this position of the grid.
-  void use(const Case &work, std::vector<std::size_t> position);
+  /// From now on lines of the case at this position of the grid, the first of which is number
+  /// `first` of all.
+  void use(const Case &work, std::vector<std::size_t> position, std::size_t first);
 
   const PointResult *find(const std::vector<std::size_t> &index) const override;
   void store(PointResult result) override;
   void note_progress(double share) override;
   void skip() override { progress_.count(); }
+  void leave_note(std::size_t line, const LineNote &note) override;
+  LineNote note_of(std::size_t line) const override;
   System build(const std::vector<parameters::Override> &overrides) const override {
     return source_(overrides);
   }
@@ -46,6 +51,8 @@ private:
   const std::vector<Axis> &shared_axes_;
   LineProgress &progress_;
   RunSummary &summary_;
+  SharedNotes *notes_;
+  std::size_t first_ = 0;
   std::vector<std::size_t> position_;
   std::vector<Axis> own_axes_;
   SystemSource source_;

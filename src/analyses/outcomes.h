@@ -7,6 +7,7 @@
 #include "parameters/values.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,16 @@ public:
                              const std::vector<parameters::Override> &overrides,
                              const std::vector<std::string> &names,
                              const std::function<void(double share)> &progress) const = 0;
+
+  /// The same as far as the first point of the analysis shows: units and axes are right, values may
+  /// be NaN. None where that cannot be known within `seconds` of processor time, or where the point
+  /// fails. InputError as evaluate().
+  virtual std::optional<Evaluated>
+  try_first_point(const std::string & /*analysis*/,
+                  const std::vector<parameters::Override> & /*overrides*/,
+                  const std::vector<std::string> & /*names*/, double /*seconds*/) const {
+    return std::nullopt;
+  }
 };
 
 } // namespace vibroimpact::analyses

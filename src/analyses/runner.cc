@@ -1,6 +1,7 @@
 #include "analyses/runner.h"
 
 #include "analyses/grid_line.h"
+#include "analyses/shared_notes.h"
 #include "common/error.h"
 #include "common/progress.h"
 #include "common/signals.h"
@@ -136,12 +137,15 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
 
   RunSummary summary;
   const std::size_t lines = first.analysis->lines();
+  const NoteSize notes_size = first.analysis->note_size();
   {
     SharedCounters counters(communicator);
     Progress progress(points_of(header.axes), name, rank == 0);
     PointCounter counter(counters, progress);
     const auto total = static_cast<long>(grid_size(keys) * lines);
-    GridLine context(sink, inner_axes, counter, summary);
+    SharedNotes notes(notes_size.values > 0 ? grid_size(keys) * lines : 0, notes_size,
+                      communicator);
+    GridLine context(sink, inner_axes, counter, summary, &notes);
     KeptAnalysis kept;
     try {
       for (long task = counters.add(next_line, 1); task < total && !stop_requested();
@@ -150,6 +154,8 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
     } catch (const Interrupted &) {
       summary.interrupted = true;
     }
+    if (summary.interrupted || stop_requested())
+      notes.stop();
     wait_for_all(counter, communicator);
   }
   sink.end();

@@ -3,6 +3,8 @@
 #include "analyses/fields.h"
 #include "analyses/grid_line.h"
 #include "common/error.h"
+#include "common/signals.h"
+#include "common/work_limit.h"
 #include "derived/analysis_arrays.h"
 #include "derived/derived_quantities.h"
 #include "derived/units_of_fields.h"
@@ -38,6 +40,14 @@ private:
   std::vector<PointResult> points_;
 };
 
+class FirstPoint : public PointsInMemory {
+public:
+  void store(const PointResult &result) override {
+    PointsInMemory::store(result);
+    throw Interrupted{}; // the others are not needed
+  }
+};
+
 class ShareOfPoints : public analyses::LineProgress {
 public:
   ShareOfPoints(std::size_t total, const std::function<void(double)> &progress)
@@ -68,13 +78,18 @@ template <class Work> auto numerical(Work work) {
   }
 }
 
-AnalysisHeader run(const Repetition &repetition, const analyses::Case &first,
-                   const std::function<void(double)> &progress, PointsInMemory &sink) {
+AnalysisHeader header_of(const Repetition &repetition, const analyses::Case &first) {
   const std::vector<Axis> inner = first.analysis->axes();
   AnalysisHeader header{
       .name = repetition.analysis, .type = first.analysis->type(), .axes = repetition.outer_axes};
   header.axes.insert(header.axes.end(), inner.begin(), inner.end());
-  ShareOfPoints share(analyses::points_of(header.axes), progress);
+  return header;
+}
+
+void run(const Repetition &repetition, const analyses::Case &first,
+         const std::function<void(double)> &progress, PointsInMemory &sink) {
+  const std::vector<Axis> inner = first.analysis->axes();
+  ShareOfPoints share(analyses::points_of(header_of(repetition, first).axes), progress);
   analyses::RunSummary summary;
   analyses::GridLine context(sink, inner, share, summary);
   analyses::KeptAnalysis kept;
@@ -82,7 +97,6 @@ AnalysisHeader run(const Repetition &repetition, const analyses::Case &first,
   for (std::size_t task = 0; task < analyses::grid_size(repetition.keys) * lines; ++task)
     analyses::run_task(task, repetition.keys, lines, repetition.factory, kept, context);
   sink.end();
-  return header;
 }
 
 // An extreme value over the points that are left would be better than the whole deserves.
@@ -143,6 +157,19 @@ Outcome find_outcome(const std::string &name, const std::string &analysis, const
   throw InputError(message);
 }
 
+std::vector<Outcome> find_outcomes(const std::vector<std::string> &names,
+                                   const Repetition &repetition, const analyses::Case &first,
+                                   const PointsInMemory &points) {
+  const AnalysisHeader header = header_of(repetition, first);
+  const AnalysisArrays arrays = assemble(header, points.sequence());
+  const Source source = derivation_source(header, arrays);
+  const auto derived = quantities_of(repetition, first).evaluate(repetition.analysis, source);
+  std::vector<Outcome> outcomes;
+  for (const std::string &name : names)
+    outcomes.push_back(find_outcome(name, repetition.analysis, source, derived));
+  return outcomes;
+}
+
 } // namespace
 
 void RepeatedAnalysis::check(const std::string &analysis,
@@ -171,19 +198,41 @@ Evaluated RepeatedAnalysis::evaluate(const std::string &analysis,
   const analyses::Case first =
       numerical([&] { return repetition.factory(analyses::grid_overrides(repetition.keys, 0)); });
   PointsInMemory sink;
-  const AnalysisHeader header = run(repetition, first, progress, sink);
+  run(repetition, first, progress, sink);
   refuse_failed_points(sink.points());
-  const AnalysisArrays arrays = assemble(header, sink.sequence());
-  const Source source = derivation_source(header, arrays);
-  const auto derived = quantities_of(repetition, first).evaluate(repetition.analysis, source);
-  Evaluated evaluated;
-  for (const std::string &name : names)
-    evaluated.outcomes.push_back(find_outcome(name, repetition.analysis, source, derived));
+  Evaluated evaluated{.outcomes = find_outcomes(names, repetition, first, sink)};
   for (const PointResult &point : sink.points()) {
     evaluated.unbalanced += analyses::unbalanced(point) ? 1 : 0;
     evaluated.unsettled += analyses::recorded_unsettled(point) ? 1 : 0;
   }
   return evaluated;
+}
+
+std::optional<Evaluated> RepeatedAnalysis::try_first_point(const std::string &analysis,
+                                                           const std::vector<Override> &overrides,
+                                                           const std::vector<std::string> &names,
+                                                           double seconds) const {
+  const WorkLimit limit(seconds);
+  const Repetition repetition = source_(analysis, overrides);
+  const analyses::Case first = repetition.factory(analyses::grid_overrides(repetition.keys, 0));
+  FirstPoint sink;
+  try {
+    run(
+        repetition, first, [](double) {}, sink);
+  } catch (const Interrupted &) {
+    if (sink.points().empty() || sink.points().front().status == Status::failed)
+      return std::nullopt;
+  }
+  try {
+    return Evaluated{.outcomes = find_outcomes(names, repetition, first, sink)};
+  } catch (const InputError &) { // a field may be missing from this point alone
+  }
+  try {
+    return evaluate(analysis, overrides, names, [](double) {});
+  } catch (const NumericalError &) {
+  } catch (const Interrupted &) {
+  }
+  return std::nullopt;
 }
 
 } // namespace vibroimpact::derived

@@ -33,6 +33,9 @@ public:
                                const std::vector<parameters::Override> &overrides,
                                const std::vector<std::string> &names,
                                const std::function<void(double share)> &progress) const override;
+  std::optional<analyses::Evaluated>
+  try_first_point(const std::string &analysis, const std::vector<parameters::Override> &overrides,
+                  const std::vector<std::string> &names, double seconds) const override;
 
 private:
   RepetitionSource source_;

@@ -26,6 +26,8 @@ NAN = np.nan
 # its third misses the constraint, its fifth was not needed.
 OBJECTIVE = np.array([[2.0, 4, NAN, 1, 2, NAN], [3.0, 5, 3, 4, 6, 7]])
 EXCESS = np.array([[-0.5, -0.5, NAN, 0.3, -0.1, NAN], [-0.1, -0.1, -0.1, -0.1, -0.1, -0.1]])
+# Two objectives of five evaluations; the second is dominated, the fourth misses the constraint.
+FIRST, SECOND = [1.0, 2.5, 2, 0.5, 3], [3.0, 3.5, 2, 0.5, 1]
 X = np.array([[0.4, 0.1, 0.2, 0.3, 0.4, NAN], [0.6, 0.5, 0.6, 0.7, 0.8, 0.9]])
 
 
@@ -47,6 +49,22 @@ def write(folder, sign):
                                 ("model", 1e-3 * (at + start), "m"),
                                 ("residual", at + start, "1")):
         writer.field(f"{group}/sweep", values, unit, ("datum",))
+    writer.analysis("both", "pareto front", [("evaluation", np.arange(6.0), "1")])
+    for name, factor, unit in (("mass", 1, "kg"), ("push", 1e-3, "m")):
+        at = np.array([NAN, *(FIRST if name == "mass" else SECOND)])
+        writer.field(f"objective/{name}", factor * at, unit)
+        row = np.full((6, 3), NAN)
+        row[0] = factor * at[[1, 3, 5]]
+        writer.field(f"front/objective/{name}", row, unit, ("member",))
+    row = np.full((6, 3), NAN)
+    row[0] = [0.1, 0.2, 0.3]
+    writer.field("front/key/x", row, "1", ("member",))
+    writer.field("excess/force", np.array([NAN, -1, -1, -1, 1, -1]), "1")
+    writer.analysis("shares", "sensitivity", [("evaluation", np.arange(3.0), "1")])
+    for kind, values in (("first_order", (0.5, 0.2)), ("first_order_error", (0.03, 0.02)),
+                         ("total", (0.8, 0.4)), ("total_error", (0.05, 0.04))):
+        for key, value in zip("xy", values):
+            writer.field(f"{kind}/peak/{key}", np.array([value, NAN, NAN]), "1")
     writer.file.close()
 
 
@@ -61,7 +79,8 @@ class SearchFigures(unittest.TestCase):
                 for name, draw in figures(results, analysis)}
 
     def test_names(self):
-        self.assertEqual(set(self.draw()), {"search-history", "search-plane", "fit-fit-sweep", "fit-history"})
+        self.assertEqual(set(self.draw()), {"search-history", "search-plane", "fit-fit-sweep", "fit-history",
+                                            "both-front", "both-keys", "shares-shares"})
 
     def test_the_best_so_far_never_gets_worse_and_meets_the_constraint(self):
         for sign in (1, -1):
@@ -97,6 +116,26 @@ class SearchFigures(unittest.TestCase):
         np.testing.assert_allclose(measured.get_xydata(), [[1, 1], [2, 2], [4, 4]])
         np.testing.assert_allclose(below.get_lines()[1].get_xydata(), [[1, 2], [2, 3], [4, 5]])
         self.assertEqual((above.get_ylabel(), below.get_xlabel()), ("Sweep (mm)", "Frequency (Hz)"))
+
+    def test_a_front_among_the_evaluations_that_meet_the_constraint(self):
+        axes = self.draw()["both-front"].axes[0]
+        evaluations, front = axes.get_lines()
+        np.testing.assert_allclose(front.get_xydata(), [[1, 3], [2, 2], [3, 1]])
+        seen = evaluations.get_xydata()
+        np.testing.assert_allclose(seen[np.isfinite(seen[:, 0])], [[1, 3], [2.5, 3.5], [2, 2], [3, 1]])
+        self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("Mass (kg)", "Push (mm)"))
+        self.assertLess(axes.get_xlim()[0], 1)
+        self.assertGreater(axes.get_xlim()[1], 3)
+        (keys,) = self.draw()["both-keys"].axes
+        np.testing.assert_allclose(keys.get_lines()[0].get_xydata(), [[1, 0.1], [2, 0.2], [3, 0.3]])
+
+    def test_bars_of_the_shares_have_two_standard_errors(self):
+        axes = self.draw()["shares-shares"].axes[0]
+        heights = [bar.get_height() for bar in axes.patches]
+        np.testing.assert_allclose(heights, [0.5, 0.2, 0.8, 0.4])
+        first = axes.containers[0] if hasattr(axes.containers[0], "lines") else axes.containers[1]
+        low, high = first.lines[2][0].get_segments()[0][:, 1]
+        np.testing.assert_allclose((low, high), (0.44, 0.56))
 
 
 if __name__ == "__main__":

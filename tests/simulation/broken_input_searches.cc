@@ -28,6 +28,12 @@ end
 subsection Analysis steady
   set Type = response
 end
+subsection Derived amplitude
+  set From = steady
+  set Operation = expression
+  set Fields = x = point/block.head/displacement_x/peak_to_peak_excursion
+  set Expression = x / 2
+end
 subsection Analysis search
   set Type = optimise
   subsection Optimise
@@ -70,7 +76,7 @@ const Mistake mistakes[] = {
     {"set Repeat = steady", "", {"Optimise / Repeat", "must be given"}},
     {"set Repeat = steady",
      "set Repeat = stady",
-     {"test.prm:23", "Repeat", "did you mean 'steady'"}},
+     {"test.prm:29", "Repeat", "did you mean 'steady'"}},
     {"set Repeat = steady", "set Repeat = search", {"Repeat", "does not evaluate another one"}},
     {"set Objective = amplitude", "", {"Optimise / Objective", "must be given"}},
     {"subsection Key stiffness",
@@ -112,7 +118,7 @@ const Mistake mistakes[] = {
      {"Constraint c / Upper", "must be given"}},
     {"    subsection Key",
      "subsection Constraint c\nset Quantity = force\nset Upper = 1 N\nend\n    subsection Key",
-     {"Optimise / Method", "COBYLA or ISRES"}},
+     {"Optimise / Method", "differential evolution, COBYLA or ISRES"}},
     {"set Objective = amplitude",
      "set Objective = amplitude\nset Population = 9",
      {"Population", "no population"}},
@@ -122,10 +128,56 @@ const Mistake mistakes[] = {
     {"set Objective = amplitude",
      "set Objective = amplitude\nset Tolerance = 0",
      {"Tolerance", "greater than 0"}},
+    {"set Objective = amplitude",
+     "set Objective = amplitud",
+     {"test.prm:30", "Optimise / Objective", "'amplitud' is no field", "did you mean 'amplitude'"}},
 };
 
 INSTANTIATE_TEST_SUITE_P(BrokenInputSearches, BrokenInputSearchesFile,
                          ::testing::ValuesIn(mistakes));
+
+// The same keys as a front and as a sensitivity.
+const std::string front =
+    changed(changed(changed(changed(sound, "set Type = optimise", "set Type = pareto front"),
+                            "subsection Optimise", "subsection Pareto front"),
+                    "set Objective = amplitude",
+                    "subsection Objective a\nset Quantity = amplitude\nend\n"
+                    "subsection Objective b\nset Quantity = point/block.head/displacement_x/"
+                    "peak_to_peak_excursion\nset Sense = maximise\nend"),
+            "set Start = 700", "");
+const std::string shares = changed(
+    changed(changed(changed(sound, "set Type = optimise", "set Type = sensitivity"),
+                    "subsection Optimise", "subsection Sensitivity"),
+            "set Objective = amplitude", "subsection Quantity a\nset Quantity = amplitude\nend"),
+    "set Start = 700", "");
+
+TEST(BrokenInputSearchesTest, FrontsAndSensitivities) {
+  const auto expect = [](const std::string &file, const std::string &from, const std::string &to,
+                         const std::vector<std::string> &words) {
+    const std::string message = message_of(changed(file, from, to));
+    for (const std::string &word : words)
+      EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
+  };
+  EXPECT_EQ(message_of(front), "");
+  EXPECT_EQ(message_of(shares), "");
+  expect(front, "subsection Objective b", "subsection Worst over b",
+         {"Worst over b / Quantity", "there is no key"});
+  expect(front, "subsection Objective a\nset Quantity = amplitude\nend\n", "",
+         {"Pareto front", "at least two subsections Objective NAME"});
+  expect(front, "set Quantity = amplitude\n", "", {"Objective a / Quantity", "must be given"});
+  expect(front, "set Quantity = amplitude\n", "set Quantity = amplitud\n",
+         {"Objective a / Quantity", "did you mean 'amplitude'"});
+  expect(front, "set Upper = 2000", "", {"Key stiffness / Start", "must be given"});
+  expect(front, "set Upper = 2000", "set Start = 700", {"Key stiffness / Upper", "must be given"});
+  expect(front, "set Repeat = steady", "set Repeat = search", {"does not evaluate another one"});
+  expect(shares, "set Quantity = amplitude\n", "set Quantity = amplitud\n",
+         {"Quantity a / Quantity", "did you mean 'amplitude'"});
+  expect(shares, "subsection Quantity a\nset Quantity = amplitude\nend", "",
+         {"Sensitivity", "at least one subsection Quantity NAME"});
+  expect(shares, "set Lower = 500", "set Start = 700", {"Key stiffness / Lower", "must be given"});
+  expect(shares, "subsection Quantity a", "set Samples = 1\nsubsection Quantity a",
+         {"Sensitivity / Samples"});
+}
 
 TEST(BrokenInputSearchesTest, WithoutABoundSomeMethodsCannotSearch) {
   const std::string unbounded = changed(sound, "      set Lower = 500\n", "");
@@ -135,6 +187,8 @@ TEST(BrokenInputSearchesTest, WithoutABoundSomeMethodsCannotSearch) {
   };
   EXPECT_NE(with("set Method = DIRECT").find("Optimise / Method"), std::string::npos);
   EXPECT_NE(with("set Method = ISRES").find("another method where"), std::string::npos);
+  EXPECT_NE(with("set Method = differential evolution").find("another method where"),
+            std::string::npos);
   EXPECT_NE(with("set Starts = 2").find("Optimise / Starts"), std::string::npos);
 }
 

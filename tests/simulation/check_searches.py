@@ -3,6 +3,10 @@
 
 usage: check_searches.py PROGRAM MPIEXEC
 """
+import os
+import signal
+import subprocess
+
 import h5py
 import numpy as np
 
@@ -68,6 +72,54 @@ subsection Analysis grid
     subsection Key frequency
       set Path = Variables/f
       set Values = 2, 3, 4
+    end
+  end
+end
+"""
+PARETO = """
+subsection Derived stiffness
+  set From = curve
+  set Operation = expression
+  set Fields = x = amplitude
+  set Expression = k + 0 * x / (1 m)
+end
+subsection Analysis front
+  set Type = pareto front
+  subsection Pareto front
+    set Repeat = curve
+    set Evaluations = 300
+    subsection Objective amplitude
+      set Quantity = amplitude
+    end
+    subsection Objective cost
+      set Quantity = stiffness
+    end
+    subsection Key stiffness
+      set Path = Variables/k
+      set Lower = 750
+      set Upper = 2000
+    end
+  end
+end
+"""
+SENSITIVITY = """
+subsection Analysis shares
+  set Type = sensitivity
+  subsection Sensitivity
+    set Repeat = curve
+    set Samples = 300
+    subsection Quantity amplitude
+      set Quantity = amplitude
+    end
+    subsection Key stiffness
+      set Path = Variables/k
+      set Lower = 500
+      set Upper = 900
+    end
+    subsection Key damping
+      set Path = Variables/c
+      set Lower = 2
+      set Upper = 20
     end
   end
 end
@@ -184,17 +236,109 @@ end
         self.assertTrue(np.all(np.abs(search["key/stiffness"][()][failed] - 700) <= 20))
         self.assertIn("Damping", search["reason"].asstr()[()][failed][0])
 
-    def test_an_unknown_quantity_ends_the_search_at_once(self):
-        text = (MODEL + SEARCH).replace("Objective = amplitude", "Objective = amplitud")
-        search = self.results(text, code=3)["search"]
-        reason = search["reason"].asstr()[0, 0]
-        self.assertIn("'amplitud' is no field of the analysis curve", reason)
-        self.assertIn("did you mean 'amplitude'?", reason)
-        text = (MODEL + SEARCH).replace("Objective = amplitude",
-                                        "Objective = point/block.head/displacement_x/amplitude")
-        text = text.replace("Points = 1", "Points = 3").replace("Last frequency = f", "Last frequency = 2 * f")
-        search = self.results(text, code=3)["search"]
-        self.assertIn("is no single number but goes over frequency", search["reason"].asstr()[0, 0])
+    def refused(self, text, *words, ranks=1):
+        """Before anything runs: no folder of results is there."""
+        self.file.write_text(text, encoding="utf-8")
+        for arguments in (("--output", "refused"), ("--check",)):
+            done = self.run_program(self.file, *arguments, ranks=ranks)
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            for word in words:
+                self.assertIn(word, done.stderr)
+            self.assertEqual(done.stderr.count(words[0]), 1)
+        self.assertFalse((self.folder / "refused").exists())
+
+    def test_an_unknown_quantity_is_found_before_anything_runs(self):
+        text = MODEL + SEARCH
+        for unknown in (text, text + GRID):
+            self.refused(unknown.replace("Objective = amplitude", "Objective = amplitud"),
+                         "'amplitud' is no field of the analysis curve", "Optimise / Objective",
+                         "case.prm:", "did you mean 'amplitude'?", ranks=2)
+        self.refused(text.replace("Objective = amplitude",
+                                  "Objective = point/block.head/displacement_x/amplitude")
+                     .replace("Points = 1", "Points = 3")
+                     .replace("Last frequency = f", "Last frequency = 2 * f"),
+                     "is no single number but goes over frequency", "Optimise / Objective")
+        limited = text.replace("    subsection Key", "    set Method = COBYLA\n    subsection "
+                               "Constraint low\n      set Quantity = amplitude\n"
+                               "      set Upper = 20 mm\n    end\n    subsection Key")
+        self.refused(limited.replace("Quantity = amplitude", "Quantity = amplitudes"),
+                     "'amplitudes' is no field", "Constraint low / Quantity")
+        self.refused(limited.replace("20 mm", "20 N"), "Constraint low / Upper", "20 N")
+
+    def test_a_population_on_all_ranks_and_after_a_kill(self):
+        text = (MODEL + SEARCH + GRID).replace("set Starts = 3",
+                                               "set Starts = 2\n    set Method = differential evolution")
+        search = self.results(text, "--set", "Analyses=search")["search"]
+        np.testing.assert_allclose(search["derived/best_objective"][()], best_amplitude(3), rtol=1e-3)
+        self.file.write_text(text, encoding="utf-8")
+        self.expect_same_bytes()
+
+    def test_a_rank_that_stops_lets_none_wait(self):
+        # Each evaluation takes a while; one rank alone gets the signal.
+        text = (MODEL + SEARCH).replace("set Starts = 3", "set Method = differential evolution") \
+            .replace("Points = 1", "Points = 200000").replace("Last frequency = f", "Last frequency = 2 * f")
+        self.file.write_text(text, encoding="utf-8")
+        process = subprocess.Popen(self.command(self.file, "--output", "out", ranks=2),
+                                   cwd=self.folder, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        self.wait_for_journal(self.folder / "out" / "journal", 2000, process)
+        one = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True,
+                             check=True).stdout.split()[1]
+        os.kill(int(one), signal.SIGTERM)
+        self.assertEqual(process.wait(timeout=60), 4)
+
+    def test_a_pareto_front(self):
+        # Small amplitude needs a stiff spring above the resonance: amplitude against stiffness.
+        front = self.results(MODEL + PARETO)["front"]
+        k, x = front["front/key/stiffness"][0], front["front/objective/amplitude"][0]
+        w = 6 * np.pi
+        np.testing.assert_allclose(x, FORCE / np.abs(k - MASS * w ** 2 + 1j * DAMPING * w),
+                                   rtol=1e-10)
+        np.testing.assert_allclose(front["front/objective/cost"][0], k, rtol=1e-12)
+        self.assertTrue(np.all(np.diff(x) >= 0) and np.all(np.diff(k) <= 0))
+        # Stiffer than the resonance, a better amplitude always costs more; below the mirror image
+        # of the upper end nothing is on the front.
+        self.assertGreater(len(k), 40)
+        self.expect_same_bytes()
+
+    def test_a_front_by_a_grid_of_limits_is_the_same(self):
+        limited = SEARCH.replace("set Sense = maximise", "set Method = COBYLA").replace(
+            "    subsection Key", "    subsection Constraint cost\n      set Quantity = stiffness\n"
+            "      set Upper = limit\n    end\n    subsection Key").replace("100\n", "750\n")
+        limits = [1000, 1300, 1700]
+        text = MODEL + PARETO + limited + GRID.replace("Variables/f", "Variables/limit").replace(
+            "2, 3, 4", ", ".join(map(str, limits)))
+        text = text.replace("f = 3\n", "f = 3, limit = 2000\n", 1)
+        analysis = self.results(text)
+        k = analysis["front/front/key/stiffness"][0]
+        x = analysis["front/front/objective/amplitude"][0]
+        order = np.argsort(k)
+        found = analysis["grid/derived/best_objective"][:]
+        np.testing.assert_allclose(np.interp(limits, k[order], x[order]), found, rtol=0.02)
+
+    def test_sensitivities_of_the_response(self):
+        analysis = self.results(MODEL + SENSITIVITY)["shares"]
+        rng = np.random.default_rng(7)  # the same indices by brute force
+        n, w = 400_000, 6 * np.pi
+
+        def amplitude(k, c):
+            return FORCE / np.abs(k - MASS * w ** 2 + 1j * c * w)
+
+        k, c, other_k, other_c = (rng.uniform(low, high, n) for low, high in
+                                  ((500, 900), (2, 20), (500, 900), (2, 20)))
+        f = amplitude(k, c)
+        for name, alone in (("stiffness", amplitude(k, other_c)), ("damping", amplitude(other_k, c))):
+            first = np.cov(f, alone)[0, 1] / np.var(f)
+            error = analysis[f"first_order_error/amplitude/{name}"][0]
+            self.assertLess(abs(analysis[f"first_order/amplitude/{name}"][0] - first), 4 * error)
+            self.assertLess(error, 0.1)
+        for name, others in (("stiffness", amplitude(other_k, c)), ("damping", amplitude(k, other_c))):
+            total = np.mean((f - others) ** 2) / 2 / np.var(f)
+            error = analysis[f"total_error/amplitude/{name}"][0]
+            self.assertLess(abs(analysis[f"total/amplitude/{name}"][0] - total), 4 * error)
+        summary = (self.folder / "out" / "summary.txt").read_text(encoding="utf-8")
+        self.assertIn("analysis.shares[1].total.amplitude.stiffness = ", summary)
+        self.expect_same_bytes()
 
     def test_same_bytes_on_all_ranks_and_after_a_kill(self):
         self.file.write_text(MODEL + SEARCH + GRID, encoding="utf-8")

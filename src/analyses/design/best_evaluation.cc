@@ -17,26 +17,6 @@ std::size_t failures(const Evaluations &evaluations) {
                     [](const Evaluation &evaluation) { return evaluation.value.failed(); }));
 }
 
-std::string why_nothing_is_good(const Evaluations &evaluations, const Objective &objective) {
-  if (evaluations.empty())
-    return "no evaluation was done";
-  const std::size_t failed = failures(evaluations);
-  if (failed == evaluations.size())
-    return "all " + std::to_string(failed) +
-           " evaluations failed, the first one: " + evaluations.front().value.failure;
-  const Evaluation *nearest = nullptr;
-  for (const Evaluation &evaluation : evaluations)
-    if (!evaluation.value.failed() &&
-        (nearest == nullptr || evaluation.value.largest_excess() < nearest->value.largest_excess()))
-      nearest = &evaluation;
-  const std::vector<double> &excess = nearest->value.excess;
-  const auto worst = std::max_element(excess.begin(), excess.end());
-  return "no evaluation meets the constraints; the nearest, number " +
-         std::to_string(nearest->number) + ", misses '" +
-         objective.constraints()[static_cast<std::size_t>(worst - excess.begin())] + "' by " +
-         parameters::number_text(*worst) + " of its limit";
-}
-
 void add(PointResult &result, const std::string &name, double value,
          const std::string &description) {
   result.fields.push_back(scalar_field("search/" + name, value, "1", description));
@@ -65,6 +45,38 @@ void add_summary(PointResult &result, const Evaluation &best, const std::vector<
     result.summary.push_back(scalar_line("constraint." + objective.constraints()[c],
                                          best.value.constrained[c],
                                          best.value.constrained_units[c]));
+  add_search_summary(result);
+}
+
+} // namespace
+
+std::string why_nothing_is_good(const std::deque<Evaluation> &evaluations,
+                                const Objective &objective) {
+  if (evaluations.empty())
+    return "no evaluation was done";
+  const std::size_t failed = failures(evaluations);
+  if (failed == evaluations.size())
+    return "all " + std::to_string(failed) +
+           " evaluations failed, the first one: " + evaluations.front().value.failure;
+  const Evaluation *nearest = nullptr;
+  for (const Evaluation &evaluation : evaluations)
+    if (!evaluation.value.failed() &&
+        (nearest == nullptr || evaluation.value.largest_excess() < nearest->value.largest_excess()))
+      nearest = &evaluation;
+  const std::vector<double> &excess = nearest->value.excess;
+  const auto worst = std::max_element(excess.begin(), excess.end());
+  return "no evaluation meets the constraints; the nearest, number " +
+         std::to_string(nearest->number) + ", misses '" +
+         objective.constraints()[static_cast<std::size_t>(worst - excess.begin())] + "' by " +
+         parameters::number_text(*worst) + " of its limit";
+}
+
+void add_counts(PointResult &result, const std::deque<Evaluation> &evaluations) {
+  add(result, "evaluations", static_cast<double>(evaluations.size()), "evaluations of the search");
+  add(result, "failed", static_cast<double>(failures(evaluations)), "of these, those that failed");
+}
+
+void add_search_summary(PointResult &result) {
   for (const Field &field : result.fields)
     if (field.name().starts_with("search/")) {
       std::string name = field.name();
@@ -72,8 +84,6 @@ void add_summary(PointResult &result, const Evaluation &best, const std::vector<
       result.summary.push_back(scalar_line(name, field.values[0], field.unit()));
     }
 }
-
-} // namespace
 
 const Evaluation *best_evaluation(const std::deque<Evaluation> &evaluations,
                                   const Objective &objective, double constraint_tolerance) {
@@ -100,8 +110,7 @@ PointResult result_of_search(std::size_t line, const std::deque<Evaluation> &eva
             .reason = why_nothing_is_good(evaluations, objective)};
   PointResult result = evaluation_point(index, *best, keys, objective);
   add(result, "best", static_cast<double>(best->number), "number of the best evaluation");
-  add(result, "evaluations", static_cast<double>(evaluations.size()), "evaluations of the search");
-  add(result, "failed", static_cast<double>(failures(evaluations)), "of these, those that failed");
+  add_counts(result, evaluations);
   add(result, "end", static_cast<double>(end),
       "why the search ended: 1 the keys change by less than Tolerance, 2 the objective by less "
       "than "

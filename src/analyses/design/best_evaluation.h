@@ -11,6 +11,13 @@ namespace vibroimpact::analyses {
 const Evaluation *best_evaluation(const std::deque<Evaluation> &evaluations,
                                   const Objective &objective, double constraint_tolerance);
 
+/// Why none of them meets the constraints.
+std::string why_nothing_is_good(const std::deque<Evaluation> &evaluations,
+                                const Objective &objective);
+/// The fields search/evaluations and search/failed.
+void add_counts(PointResult &result, const std::deque<Evaluation> &evaluations);
+/// Summary lines of all fields search/...
+void add_search_summary(PointResult &result);
 /// The point with index (line, 0): the best evaluation again, with why the search ended and which
 /// bounds and constraints are active, within `tolerance` of the coordinates; failed when no
 /// evaluation is good.

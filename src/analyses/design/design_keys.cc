@@ -82,7 +82,8 @@ bool evaluates_others(const Values &root, const std::string &analysis) {
     return evaluates_others(root, repeated_analysis(section, root.instances("Analysis")));
   if (type == "isolator design")
     return section.subsection("Isolator design").has("Repeat");
-  return type == "optimise" || type == "estimate";
+  return type == "optimise" || type == "estimate" || type == "pareto front" ||
+         type == "sensitivity";
 }
 
 } // namespace
@@ -164,6 +165,23 @@ Vector start_of_search(const std::vector<DesignKey> &keys, long seed, std::size_
 
 bool all_bounded(const std::vector<DesignKey> &keys) {
   return std::all_of(keys.begin(), keys.end(), [](const DesignKey &key) { return key.bounded(); });
+}
+
+void require_bounds(const Values &section, const std::vector<DesignKey> &keys) {
+  for (const DesignKey &key : keys) {
+    const Values of_key = section.instance("Key", key.name);
+    of_key.require("Lower");
+    of_key.require("Upper");
+  }
+}
+
+std::vector<std::string> paths_of(const std::vector<DesignKey> &keys,
+                                  const std::vector<std::string> &more) {
+  std::vector<std::string> paths;
+  for (const DesignKey &key : keys)
+    paths.push_back(key.parameter.path);
+  paths.insert(paths.end(), more.begin(), more.end());
+  return paths;
 }
 
 void check_at_bounds(const std::vector<DesignKey> &keys, const std::string &evaluated,

@@ -49,6 +49,11 @@ Vector start_of_search(const std::vector<DesignKey> &keys, long seed, std::size_
 
 /// Has every key both bounds?
 bool all_bounded(const std::vector<DesignKey> &keys);
+/// InputError unless every key has both.
+void require_bounds(const parameters::Values &section, const std::vector<DesignKey> &keys);
+/// Those of the keys, then `more`.
+std::vector<std::string> paths_of(const std::vector<DesignKey> &keys,
+                                  const std::vector<std::string> &more);
 
 /// Calls `check` at the start of the first search, and there with each bound by itself. An
 /// InputError is given the values that it came from.

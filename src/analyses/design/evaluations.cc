@@ -12,11 +12,14 @@ void add_values(PointResult &point, const DesignValue &value, const Objective &o
     point.fields.push_back(scalar_field(name, number, unit, description));
   };
   const std::string worst = objective.cases() > 1 ? ", the worst case" : "";
-  add("objective", value.objective, value.unit, objective.quantity() + worst);
-  if (objective.cases() > 1)
+  const std::vector<Goal> &goals = objective.goals();
+  for (std::size_t g = 0; g < goals.size(); ++g)
+    add(goal_field(objective, g), g == 0 ? value.objective : value.others[g - 1],
+        g == 0 ? value.unit : value.other_units[g - 1], goals[g].quantity.path + worst);
+  if (objective.cases() > 1 && goals.size() == 1)
     point.fields.push_back(series_field("case_objective", "case", value.cases, value.unit,
-                                        objective.quantity() + " of each case, the last key of "
-                                                               "Worst over varying fastest"));
+                                        goals[0].quantity.path + " of each case, the last key of "
+                                                                 "Worst over varying fastest"));
   for (std::size_t c = 0; c < value.excess.size(); ++c) {
     const std::string &name = objective.constraints()[c];
     add("constraint/" + name, value.constrained[c], value.constrained_units[c],
@@ -56,25 +59,40 @@ PointResult Evaluations::point(const std::vector<std::size_t> &index,
 }
 
 DesignValue Evaluations::read(const PointResult &point) const {
+  return stored_design_value(point, objective_);
+}
+
+std::string goal_field(const Objective &objective, std::size_t goal) {
+  const std::string &name = objective.goals()[goal].name;
+  return name.empty() ? "objective" : "objective/" + name;
+}
+
+DesignValue stored_design_value(const PointResult &point, const Objective &objective) {
   if (point.status == Status::failed)
     return {.failure = stored_failure(point)};
   DesignValue value;
-  value.objective = stored_value(point, "objective");
   value.unbalanced = stored_value(point, "unbalanced");
   value.unsettled = stored_value(point, "unsettled_points");
-  for (const Field &field : point.fields) {
-    if (field.name() == "objective")
-      value.unit = field.unit();
+  const auto add = [&point](const std::string &name, std::vector<double> &values,
+                            std::vector<std::string> &units) {
+    for (const Field &field : point.fields)
+      if (field.name() == name) {
+        values.push_back(field.values.at(0));
+        units.push_back(field.unit());
+      }
+  };
+  for (std::size_t g = 0; g < objective.goals().size(); ++g)
+    add(goal_field(objective, g), value.others, value.other_units);
+  value.objective = value.others.at(0);
+  value.unit = value.other_units.at(0);
+  value.others.erase(value.others.begin());
+  value.other_units.erase(value.other_units.begin());
+  for (const Field &field : point.fields)
     if (field.name() == "case_objective")
       value.cases = field.values;
-  }
-  for (const std::string &name : objective_.constraints()) {
+  for (const std::string &name : objective.constraints()) {
     value.excess.push_back(stored_value(point, "excess/" + name));
-    for (const Field &field : point.fields)
-      if (field.name() == "constraint/" + name) {
-        value.constrained.push_back(field.values.at(0));
-        value.constrained_units.push_back(field.unit());
-      }
+    add("constraint/" + name, value.constrained, value.constrained_units);
   }
   return value;
 }

@@ -25,6 +25,10 @@ private:
   const Objective &objective_;
 };
 
+/// Name of the field of an objective.
+std::string goal_field(const Objective &objective, std::size_t goal);
+/// Of a point that an earlier run has stored.
+DesignValue stored_design_value(const PointResult &point, const Objective &objective);
 /// The fields of an evaluation with this index, to which more may be added.
 PointResult evaluation_point(const std::vector<std::size_t> &index, const Evaluation &evaluation,
                              const std::vector<DesignKey> &keys, const Objective &objective);

@@ -68,10 +68,11 @@ const std::vector<SearchMethod> &search_methods() {
   return methods;
 }
 
-const SearchMethod &search_method(const std::string &name) {
+const SearchMethod *search_method(const std::string &name) {
   const auto &methods = search_methods();
-  return *std::find_if(methods.begin(), methods.end(),
-                       [&](const SearchMethod &method) { return method.name == name; });
+  const auto found = std::find_if(methods.begin(), methods.end(),
+                                  [&](const SearchMethod &method) { return method.name == name; });
+  return found == methods.end() ? nullptr : &*found;
 }
 
 SearchEnd search(const SearchMethod &method, const SearchProblem &problem) {

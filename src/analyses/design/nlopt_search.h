@@ -35,7 +35,8 @@ struct SearchMethod {
 };
 
 const std::vector<SearchMethod> &search_methods();
-const SearchMethod &search_method(const std::string &name);
+/// nullptr where NLopt has no such method.
+const SearchMethod *search_method(const std::string &name);
 
 /// Why a search ended; the numbers are those in results.
 enum class SearchEnd {

@@ -14,20 +14,6 @@ namespace {
 
 constexpr const char *worst_kind = "Worst over";
 
-double single_number(const Outcome &outcome, const std::string &name) {
-  if (outcome.values.size() != 1) {
-    std::string axes;
-    for (const Axis &axis : outcome.axes)
-      axes += (axes.empty() ? "" : ", ") + axis.name;
-    throw InputError("'" + name + "' is no single number but goes over " + axes +
-                     ". A section Derived with an Operation such as maximum, mean or select along "
-                     "these axes makes one of it.");
-  }
-  if (!std::isfinite(outcome.values[0]))
-    throw NumericalError(name + " is no finite number");
-  return outcome.values[0];
-}
-
 } // namespace
 
 double DesignValue::largest_excess() const {
@@ -37,13 +23,23 @@ double DesignValue::largest_excess() const {
   return largest;
 }
 
-void Objective::declare(parameters::Section &section) {
-  using namespace parameters;
+void Objective::declare_goal(parameters::Section &section) {
   section
       .text("Objective", "",
             "What is made smallest or largest: the path of a field of the repeated analysis or the "
             "name of a Derived of it; one number.")
       .choice("Sense", "minimise", {"minimise", "maximise"}, "Which of the two.");
+}
+
+Goal Objective::read_goal(const Values &section, const std::string &key) {
+  section.require(key);
+  return {.name = {},
+          .quantity = {.path = section.text(key), .place = section.place(key)},
+          .maximise = section.choice("Sense") == "maximise"};
+}
+
+void Objective::declare_limits(parameters::Section &section) {
+  using namespace parameters;
   section
       .named_subsection("Constraint",
                         "A quantity that must stay within limits; for some methods only.")
@@ -55,21 +51,30 @@ void Objective::declare(parameters::Section &section) {
                     "constraints are those of the worst case.");
 }
 
-Objective::Objective(const Values &section, const std::string &repeated,
+Objective::Objective(std::vector<Goal> goals, const Values &section, const std::string &repeated,
                      std::vector<std::string> &taken)
-    : maximise_(section.choice("Sense") == "maximise"), analysis_(repeated),
+    : goals_(std::move(goals)), analysis_(repeated),
       worst_over_(read_grid_keys(section, worst_kind, repeated, "analysis", taken)),
       section_(section) {
-  section.require("Objective");
-  quantities_.push_back(section.text("Objective"));
+  for (const Goal &goal : goals_)
+    wanted_.push_back(goal.quantity);
   constraint_names_ = section.instances("Constraint");
   for (const std::string &name : constraint_names_) {
     const Values constraint = section.instance("Constraint", name);
     constraint.require("Quantity");
     if (!constraint.has("Lower"))
       constraint.require("Upper");
-    quantities_.push_back(constraint.text("Quantity"));
+    wanted_.push_back({constraint.text("Quantity"), constraint.place("Quantity")});
   }
+  for (const WantedQuantity &quantity : wanted_)
+    paths_.push_back(quantity.path);
+}
+
+std::vector<double> Objective::all_to_minimise(const DesignValue &value) const {
+  std::vector<double> all{goals_[0].to_minimise(value.objective)};
+  for (std::size_t g = 1; g < goals_.size(); ++g)
+    all.push_back(goals_[g].to_minimise(value.others.at(g - 1)));
+  return all;
 }
 
 std::vector<Override> Objective::case_overrides(std::size_t number,
@@ -82,6 +87,12 @@ std::vector<Override> Objective::case_overrides(std::size_t number,
 void Objective::check(const Outcomes &outcomes, const std::vector<Override> &overrides) const {
   for (const std::size_t number : grid_probes(worst_over_))
     outcomes.check(analysis_, case_overrides(number, overrides));
+}
+
+void Objective::try_out(const Outcomes &outcomes, const std::vector<Override> &overrides) const {
+  const auto tried = try_single_numbers(outcomes, analysis_, case_overrides(0, overrides), wanted_);
+  for (std::size_t c = 0; tried && c < constraint_names_.size(); ++c)
+    excess_of(c, (*tried)[goals_.size() + c]);
 }
 
 // q <= u as (q - u) / |u|, without a unit; a limit of zero counts in the quantity's own unit.
@@ -100,19 +111,30 @@ double Objective::excess_of(std::size_t constraint, const Outcome &outcome) cons
   return excess;
 }
 
+void Objective::add_goals(const Evaluated &evaluated, DesignValue &value) const {
+  const bool first = value.cases.empty();
+  value.others.resize(goals_.size() - 1);
+  value.other_units.resize(goals_.size() - 1);
+  for (std::size_t g = 0; g < goals_.size(); ++g) {
+    const double number = single_number(evaluated.outcomes[g], paths_[g]);
+    double &worst = g == 0 ? value.objective : value.others[g - 1];
+    if (first || goals_[g].to_minimise(number) > goals_[g].to_minimise(worst))
+      worst = number;
+    (g == 0 ? value.unit : value.other_units[g - 1]) = evaluated.outcomes[g].unit;
+  }
+  value.cases.push_back(evaluated.outcomes[0].values[0]);
+}
+
 void Objective::add_case(const Evaluated &evaluated, DesignValue &value) const {
   const bool first = value.cases.empty();
-  const double objective = single_number(evaluated.outcomes[0], quantities_[0]);
-  value.cases.push_back(objective);
-  value.unit = evaluated.outcomes[0].unit;
-  if (first || to_minimise(objective) > to_minimise(value.objective))
-    value.objective = objective;
+  add_goals(evaluated, value);
   value.constrained.resize(constraint_names_.size());
   value.constrained_units.resize(constraint_names_.size());
   value.excess.resize(constraint_names_.size());
   for (std::size_t c = 0; c < constraint_names_.size(); ++c) {
-    const Outcome &outcome = evaluated.outcomes[c + 1];
-    const double quantity = single_number(outcome, quantities_[c + 1]);
+    const std::size_t i = goals_.size() + c;
+    const Outcome &outcome = evaluated.outcomes[i];
+    const double quantity = single_number(outcome, paths_[i]);
     const double excess = excess_of(c, outcome);
     if (!first && excess <= value.excess[c])
       continue;
@@ -131,7 +153,7 @@ DesignValue Objective::evaluate(const Outcomes &outcomes, const std::vector<Over
   for (std::size_t number = 0; number < cases(); ++number)
     try {
       add_case(outcomes.evaluate(
-                   analysis_, case_overrides(number, overrides), quantities_,
+                   analysis_, case_overrides(number, overrides), paths_,
                    [&](double share) { progress((static_cast<double>(number) + share) / total); }),
                value);
     } catch (const NumericalError &error) {

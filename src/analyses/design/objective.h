@@ -2,8 +2,8 @@
 // analysis, the worst of them over values of further keys.
 #pragma once
 
+#include "analyses/design/single_outcomes.h"
 #include "analyses/grid.h"
-#include "analyses/outcomes.h"
 
 #include <limits>
 #include <string>
@@ -16,6 +16,8 @@ struct DesignValue {
   std::string failure{}; ///< why there are no values; else empty
   double objective = std::numeric_limits<double>::quiet_NaN(); ///< the worst case [unit]
   std::string unit{};
+  std::vector<double> others{}; ///< of the objectives after the first, each the worst case
+  std::vector<std::string> other_units{};
   std::vector<double> cases{};       ///< objective of each case of the sections Worst over [unit]
   std::vector<double> constrained{}; ///< quantity of each constraint, the worst case
   std::vector<std::string> constrained_units{};
@@ -28,24 +30,40 @@ struct DesignValue {
   double largest_excess() const;
 };
 
+/// A quantity that is to be small or large.
+struct Goal {
+  std::string name{}; ///< of its section; empty for a single one
+  WantedQuantity quantity;
+  bool maximise = false;
+  /// `value` or its negative, so that less is better.
+  double to_minimise(double value) const { return maximise ? -value : value; }
+};
+
 class Objective {
 public:
-  static void declare(parameters::Section &section);
+  /// Keys of a single goal.
+  static void declare_goal(parameters::Section &section);
+  static Goal read_goal(const parameters::Values &section, const std::string &key);
+  /// Constraints and the sections Worst over.
+  static void declare_limits(parameters::Section &section);
   /// `taken`: keys that are changed already. InputError.
-  Objective(const parameters::Values &section, const std::string &repeated,
+  Objective(std::vector<Goal> goals, const parameters::Values &section, const std::string &repeated,
             std::vector<std::string> &taken);
 
-  bool maximise() const { return maximise_; }
-  /// `objective` or its negative, so that less is better.
-  double to_minimise(double objective) const { return maximise_ ? -objective : objective; }
+  const std::vector<Goal> &goals() const { return goals_; }
+  double to_minimise(double objective) const { return goals_.front().to_minimise(objective); }
+  /// Every objective so that less is better.
+  std::vector<double> all_to_minimise(const DesignValue &value) const;
   const std::vector<std::string> &constraints() const { return constraint_names_; }
-  const std::string &quantity() const { return quantities_.front(); }
   /// Paths of the keys of Worst over.
   std::vector<std::string> worst_keys() const { return grid_paths(worst_over_); }
   std::size_t cases() const { return grid_size(worst_over_); }
 
   /// InputError, see Outcomes::check(), in any case of Worst over.
   void check(const Outcomes &outcomes, const std::vector<parameters::Override> &overrides) const;
+  /// InputError when quantities are not there, are no single numbers, or are limited by values of
+  /// another dimension, as far as Outcomes::try_first_point() shows.
+  void try_out(const Outcomes &outcomes, const std::vector<parameters::Override> &overrides) const;
   /// A NumericalError becomes the value's failure. InputError when a quantity is not there, is no
   /// single number, or is limited by a value of another dimension; `progress` may throw.
   DesignValue evaluate(const Outcomes &outcomes, const std::vector<parameters::Override> &overrides,
@@ -54,12 +72,14 @@ public:
 private:
   std::vector<parameters::Override> case_overrides(std::size_t number,
                                                    std::vector<parameters::Override> first) const;
+  void add_goals(const Evaluated &evaluated, DesignValue &value) const;
   void add_case(const Evaluated &evaluated, DesignValue &value) const;
   double excess_of(std::size_t constraint, const Outcome &outcome) const;
 
-  bool maximise_;
-  std::string analysis_;                ///< that is evaluated
-  std::vector<std::string> quantities_; ///< the objective, then those of the constraints
+  std::vector<Goal> goals_;
+  std::string analysis_;               ///< that is evaluated
+  std::vector<WantedQuantity> wanted_; ///< of the goals, then of the constraints
+  std::vector<std::string> paths_;     ///< of these
   std::vector<std::string> constraint_names_;
   std::vector<GridKey> worst_over_;
   parameters::Values section_;

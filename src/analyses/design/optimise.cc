@@ -1,6 +1,7 @@
 #include "analyses/design/optimise.h"
 
 #include "analyses/design/best_evaluation.h"
+#include "analyses/design/design_note.h"
 #include "common/error.h"
 
 #include <cmath>
@@ -13,15 +14,22 @@ using parameters::Values;
 namespace {
 
 constexpr const char *section_name = "Optimise";
+constexpr const char *evolution = "differential evolution";
 
 /// Calls of the objective that a method may make for each evaluation: most repeat a known one.
 constexpr int calls_for_an_evaluation = 20;
 
+/// Differential evolution counts as a method with every ability.
+SearchMethod abilities(const std::string &name) {
+  const SearchMethod *method = search_method(name);
+  return method != nullptr ? *method : SearchMethod{name, -1, true, true, true};
+}
+
 void check_method(const Values &section, const Optimise::Settings &settings) {
-  const SearchMethod &method = search_method(settings.method);
+  const SearchMethod method = abilities(settings.method);
   if (!method.takes_constraints && !settings.objective.constraints().empty())
-    section.reject("Method", "COBYLA or ISRES where there are sections Constraint; bounds of keys "
-                             "need none.");
+    section.reject("Method", "differential evolution, COBYLA or ISRES where there are sections "
+                             "Constraint; bounds of keys need none.");
   if (!method.needs_bounds && section.given("Population"))
     section.reject("Population", "nothing: this method has no population.");
   if (all_bounded(settings.keys))
@@ -55,16 +63,18 @@ void Optimise::declare(parameters::Section &analysis) {
   Section &section = analysis.subsection(
       section_name, "Makes a quantity of another analysis smallest or largest by changing keys.");
   section.text("Repeat", "", "Name of the analysis that is evaluated.");
-  Objective::declare(section);
+  Objective::declare_goal(section);
+  Objective::declare_limits(section);
   declare_design_keys(section);
-  std::vector<std::string> methods;
+  std::vector<std::string> methods{evolution};
   for (const SearchMethod &method : search_methods())
     methods.push_back(method.name);
   section
       .choice("Method", "Nelder-Mead", methods,
               "Local: Nelder-Mead and subplex (by comparisons alone), BOBYQA (a quadratic model), "
               "COBYLA (linear models, with constraints). Global: DIRECT (divides the box between "
-              "the bounds), ISRES (evolution, with constraints).")
+              "the bounds), ISRES (evolution, with constraints), differential evolution (a "
+              "population, with constraints, whose evaluations the ranks share).")
       .quantity("Tolerance", "1e-4", dimension::none, range::positive, "",
                 "A search ends when the keys change by less than this part of their length, which "
                 "is Upper - Lower or else Start.")
@@ -79,7 +89,8 @@ void Optimise::declare(parameters::Section &analysis) {
       .integer("Seed", "1", Range{.lower = 0, .upper = 1e9}, "",
                "Of what is drawn at random: equal seeds give equal results.")
       .integer("Population", "0", Range{.lower = 0, .upper = 1e6}, "",
-               "Of ISRES; 0 means 20 for each key and 20 more.");
+               "0 means 10 for each key for differential evolution, 20 for each key and 20 more "
+               "for ISRES.");
 }
 
 std::shared_ptr<const Analysis> Optimise::create(const Values &analysis) {
@@ -90,7 +101,8 @@ std::shared_ptr<const Analysis> Optimise::create(const Values &analysis) {
   std::vector<DesignKey> keys = read_design_keys(section, evaluated, taken);
   Settings settings{.evaluated = evaluated,
                     .keys = std::move(keys),
-                    .objective = Objective(section, evaluated, taken),
+                    .objective = Objective({Objective::read_goal(section, "Objective")}, section,
+                                           evaluated, taken),
                     .method = section.choice("Method"),
                     .tolerance = section.quantity("Tolerance"),
                     .objective_tolerance = section.quantity("Objective tolerance"),
@@ -105,13 +117,18 @@ std::shared_ptr<const Analysis> Optimise::create(const Values &analysis) {
 
 std::vector<Axis> Optimise::axes() const { return search_axes(settings_.starts, settings_.most); }
 
+bool Optimise::evolves() const { return settings_.method == evolution; }
+
+std::size_t Optimise::lines() const {
+  return evolves() ? settings_.starts * (settings_.most + 1) : settings_.starts;
+}
+
+NoteSize Optimise::note_size() const {
+  return evolves() ? size_of_design_note(settings_.objective) : NoteSize{};
+}
+
 std::vector<std::string> Optimise::changed_keys() const {
-  std::vector<std::string> paths;
-  for (const DesignKey &key : settings_.keys)
-    paths.push_back(key.parameter.path);
-  for (const std::string &path : settings_.objective.worst_keys())
-    paths.push_back(path);
-  return paths;
+  return paths_of(settings_.keys, settings_.objective.worst_keys());
 }
 
 void Optimise::check_outcomes(const Outcomes &outcomes) const {
@@ -121,11 +138,16 @@ void Optimise::check_outcomes(const Outcomes &outcomes) const {
                   });
 }
 
-SearchProblem Optimise::problem(std::size_t line, Evaluations &evaluations) const {
+void Optimise::try_outcomes(const Outcomes &outcomes) const {
+  settings_.objective.try_out(
+      outcomes, overrides_at(settings_.keys, start_of_search(settings_.keys, settings_.seed, 0)));
+}
+
+SearchProblem Optimise::problem(std::size_t start, Evaluations &evaluations) const {
   const auto n = static_cast<Index>(settings_.keys.size());
   SearchProblem problem{.lower = Vector(n),
                         .upper = Vector(n),
-                        .start = start_of_search(settings_.keys, settings_.seed, line),
+                        .start = start_of_search(settings_.keys, settings_.seed, start),
                         .step = Vector(n),
                         .objective = {},
                         .constraints = {},
@@ -134,7 +156,7 @@ SearchProblem Optimise::problem(std::size_t line, Evaluations &evaluations) cons
                         .objective_tolerance = settings_.objective_tolerance,
                         .most_calls = static_cast<int>(settings_.most) * calls_for_an_evaluation,
                         .population = settings_.population,
-                        .seed = static_cast<unsigned long>(settings_.seed) + line};
+                        .seed = static_cast<unsigned long>(settings_.seed) + start};
   for (std::size_t k = 0; k < settings_.keys.size(); ++k) {
     const DesignKey &key = settings_.keys[k];
     const auto i = static_cast<Index>(k);
@@ -143,7 +165,7 @@ SearchProblem Optimise::problem(std::size_t line, Evaluations &evaluations) cons
     problem.upper[i] = std::isfinite(key.upper) ? key.coordinate(key.upper) : infinity;
     problem.step[i] = key.step;
   }
-  const bool compares = search_method(settings_.method).only_compares;
+  const bool compares = abilities(settings_.method).only_compares;
   problem.objective = [this, compares, &evaluations](const Vector &coordinates) {
     const DesignValue &value = evaluations.at(coordinates).value;
     if (!value.failed())
@@ -158,23 +180,66 @@ SearchProblem Optimise::problem(std::size_t line, Evaluations &evaluations) cons
   return problem;
 }
 
-SearchEnd Optimise::search_from(std::size_t line, Evaluations &evaluations) const {
+SearchEnd Optimise::search_from(std::size_t start, Evaluations &evaluations) const {
   try {
-    return search(search_method(settings_.method), problem(line, evaluations));
+    return search(abilities(settings_.method), problem(start, evaluations));
   } catch (const EvaluationsSpent &) {
     return SearchEnd::evaluations;
   }
 }
 
-void Optimise::run_line(std::size_t line, System & /*system*/, LineContext &context) const {
-  const bool done = context.find({line, 0}) != nullptr;
-  Evaluations evaluations(settings_.keys, settings_.objective, line, settings_.most, context);
+void Optimise::run_start(std::size_t start, LineContext &context) const {
+  const bool done = context.find({start, 0}) != nullptr;
+  Evaluations evaluations(settings_.keys, settings_.objective, start, settings_.most, context);
   if (!done) {
-    const SearchEnd end = search_from(line, evaluations);
-    context.store(result_of_search(line, evaluations.all(), settings_.keys, settings_.objective,
+    const SearchEnd end = search_from(start, evaluations);
+    context.store(result_of_search(start, evaluations.all(), settings_.keys, settings_.objective,
                                    settings_.tolerance, settings_.constraint_tolerance, end));
   }
   skip_the_rest(settings_.most, evaluations.all().size() + (done ? 0 : 1), context);
+}
+
+PopulationSearch &Optimise::population_of(std::size_t start) const {
+  if (population_ && start_ == start)
+    return *population_;
+  const std::size_t size =
+      settings_.population > 0 ? settings_.population : usual_population(settings_.keys.size());
+  start_ = start;
+  population_ = std::make_unique<PopulationSearch>(
+      settings_.keys, settings_.objective,
+      Population::Settings{.size = size,
+                           .start = start_of_search(settings_.keys, settings_.seed, start),
+                           .seed = static_cast<std::uint64_t>(settings_.seed),
+                           .number = start,
+                           .tolerance = settings_.tolerance,
+                           .goal_tolerance = settings_.objective_tolerance},
+      settings_.constraint_tolerance, settings_.most,
+      PopulationSearch::Place{.index = {start}, .first_line = start * (settings_.most + 1)});
+  return *population_;
+}
+
+void Optimise::store_result(std::size_t start, LineContext &context) const {
+  if (context.find({start, 0}) != nullptr)
+    return context.skip();
+  PopulationSearch &population = population_of(start);
+  const std::deque<Evaluation> &evaluations = population.evaluations(context);
+  context.store(
+      result_of_search(start, evaluations, settings_.keys, settings_.objective, settings_.tolerance,
+                       settings_.constraint_tolerance,
+                       population.converged() ? SearchEnd::tolerance : SearchEnd::evaluations));
+}
+
+void Optimise::run_evaluation(std::size_t line, LineContext &context) const {
+  const std::size_t start = line / (settings_.most + 1);
+  const std::size_t trial = line % (settings_.most + 1);
+  if (trial == settings_.most)
+    store_result(start, context);
+  else
+    population_of(start).run_trial(trial, context);
+}
+
+void Optimise::run_line(std::size_t line, System & /*system*/, LineContext &context) const {
+  evolves() ? run_evaluation(line, context) : run_start(line, context);
 }
 
 } // namespace vibroimpact::analyses

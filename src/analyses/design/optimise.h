@@ -2,7 +2,8 @@
 //
 // Every start is a line of its own, every evaluation a point of it. The methods are deterministic,
 // or draw from a stated seed; when a run is resumed, they run again through the stored evaluations
-// and go on where these end. Evaluation 0 is what the search has found: the best one again.
+// and go on where these end. Evaluation 0 is what the search has found: the best one again. With a
+// population every evaluation is a line, so that the ranks share those of one start.
 #pragma once
 
 #include "analyses/analysis.h"
@@ -10,6 +11,9 @@
 #include "analyses/design/evaluations.h"
 #include "analyses/design/nlopt_search.h"
 #include "analyses/design/objective.h"
+#include "analyses/design/population_search.h"
+
+#include <memory>
 
 namespace vibroimpact::analyses {
 
@@ -36,18 +40,28 @@ public:
   std::string type() const override { return "optimise"; }
   /// start, evaluation
   std::vector<Axis> axes() const override;
-  std::size_t lines() const override { return settings_.starts; }
+  std::size_t lines() const override;
+  NoteSize note_size() const override;
   void check(const System & /*system*/) const override {}
   std::string evaluated() const override { return settings_.evaluated; }
   std::vector<std::string> changed_keys() const override;
   void check_outcomes(const Outcomes &outcomes) const override;
+  void try_outcomes(const Outcomes &outcomes) const override;
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:
-  SearchProblem problem(std::size_t line, Evaluations &evaluations) const;
-  SearchEnd search_from(std::size_t line, Evaluations &evaluations) const;
+  bool evolves() const; ///< a population
+  SearchProblem problem(std::size_t start, Evaluations &evaluations) const;
+  SearchEnd search_from(std::size_t start, Evaluations &evaluations) const;
+  void run_start(std::size_t start, LineContext &context) const;
+  void run_evaluation(std::size_t line, LineContext &context) const;
+  PopulationSearch &population_of(std::size_t start) const;
+  void store_result(std::size_t start, LineContext &context) const;
 
   Settings settings_;
+  /// Of the start at hand: its lines share the outcomes that have been taken in.
+  mutable std::unique_ptr<PopulationSearch> population_;
+  mutable std::size_t start_ = 0;
 };
 
 } // namespace vibroimpact::analyses

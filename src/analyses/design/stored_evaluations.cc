@@ -23,17 +23,21 @@ void skip_the_rest(std::size_t most, std::size_t points, LineContext &context) {
     context.skip();
 }
 
+Axis evaluation_axis(std::size_t most) {
+  return {.name = "evaluation",
+          .values = counted(0, most + 1),
+          .labels = {},
+          .unit = "1",
+          .description = "evaluation of a search, in their order; 0 is the result"};
+}
+
 std::vector<Axis> search_axes(std::size_t starts, std::size_t most) {
   return {{.name = "start",
            .values = counted(1, starts),
            .labels = {},
            .unit = "1",
            .description = "start of a search"},
-          {.name = "evaluation",
-           .values = counted(0, most + 1),
-           .labels = {},
-           .unit = "1",
-           .description = "evaluation of a start, in their order; 0 is the best of them again"}};
+          evaluation_axis(most)};
 }
 
 void add_keys(PointResult &point, const std::vector<DesignKey> &keys, const Vector &coordinates) {

@@ -81,6 +81,7 @@ private:
 /// start are done.
 void skip_the_rest(std::size_t most, std::size_t points, LineContext &context);
 /// The axes start and evaluation; evaluation 0 is the result.
+Axis evaluation_axis(std::size_t most);
 std::vector<Axis> search_axes(std::size_t starts, std::size_t most);
 /// The fields key/NAME.
 void add_keys(PointResult &point, const std::vector<DesignKey> &keys, const Vector &coordinates);

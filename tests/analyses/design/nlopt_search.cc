@@ -31,13 +31,13 @@ class NloptSearchOf : public ::testing::TestWithParam<const char *> {};
 TEST_P(NloptSearchOf, FindsTheEndOfAValley) {
   Vector last;
   double least = infinity;
-  search(search_method(GetParam()), problem(2, [&](const Vector &x) {
-           if (valley(x) < least) {
-             least = valley(x);
-             last = x;
-           }
-           return valley(x);
-         }));
+  search(*search_method(GetParam()), problem(2, [&](const Vector &x) {
+    if (valley(x) < least) {
+      least = valley(x);
+      last = x;
+    }
+    return valley(x);
+  }));
   EXPECT_NEAR(last[0], 1, 2e-3);
   EXPECT_NEAR(last[1], 1, 4e-3);
 }
@@ -74,7 +74,7 @@ TEST(NloptSearchTest, ConstraintsHold) {
         best = x;
       return x.sum();
     };
-    search(search_method(name), constrained);
+    search(*search_method(name), constrained);
     ASSERT_EQ(best.size(), 2) << name;
     EXPECT_NEAR(best.sum(), 2, 2e-3) << name;
   }
@@ -96,12 +96,12 @@ TEST(NloptSearchTest, ExceptionsComeThrough) {
 
 TEST(NloptSearchTest, EndsAreKnown) {
   SearchProblem small = problem(2, [](const Vector &x) { return 1 + valley(x); });
-  EXPECT_EQ(search(search_method("Nelder-Mead"), small), SearchEnd::tolerance);
+  EXPECT_EQ(search(*search_method("Nelder-Mead"), small), SearchEnd::tolerance);
   small.most_calls = 7;
-  EXPECT_EQ(search(search_method("Nelder-Mead"), small), SearchEnd::evaluations);
+  EXPECT_EQ(search(*search_method("Nelder-Mead"), small), SearchEnd::evaluations);
   small.most_calls = 20000;
   small.objective_tolerance = 0.1;
-  EXPECT_EQ(search(search_method("Nelder-Mead"), small), SearchEnd::objective_tolerance);
+  EXPECT_EQ(search(*search_method("Nelder-Mead"), small), SearchEnd::objective_tolerance);
 }
 
 TEST(NloptSearchTest, ASeedDecidesWhatIsDrawn) {
@@ -113,7 +113,7 @@ TEST(NloptSearchTest, ASeedDecidesWhatIsDrawn) {
     });
     drawn.seed = seed;
     drawn.most_calls = 100;
-    search(search_method("ISRES"), drawn);
+    search(*search_method("ISRES"), drawn);
     return all;
   };
   EXPECT_EQ(visited(3), visited(3));

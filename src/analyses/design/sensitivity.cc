@@ -1,0 +1,222 @@
+#include "analyses/design/sensitivity.h"
+
+#include "analyses/design/stored_evaluations.h"
+#include "analyses/fields.h"
+#include "common/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vibroimpact::analyses {
+
+using parameters::Values;
+
+namespace {
+
+constexpr const char *section_name = "Sensitivity";
+constexpr std::size_t bytes_of_a_unit = 32;
+constexpr std::size_t bytes_of_a_failure = 256;
+
+std::string field_of(const Sensitivity::Quantity &quantity) { return "quantity/" + quantity.name; }
+
+void add_number(PointResult &result, const std::string &name, double value, const std::string &unit,
+                const std::string &description) {
+  result.fields.push_back(scalar_field(name, value, unit, description));
+  std::string line = name;
+  std::replace(line.begin(), line.end(), '/', '.');
+  result.summary.push_back(scalar_line(line, value, unit));
+}
+
+void add_indices(PointResult &result, const std::string &quantity, const std::string &unit,
+                 const std::vector<DesignKey> &keys, const SobolIndices &indices) {
+  add_number(result, "mean/" + quantity, indices.mean, unit, "mean over all samples");
+  add_number(result, "deviation/" + quantity, std::sqrt(indices.variance), unit,
+             "standard deviation over all samples");
+  add_number(result, "samples/" + quantity, static_cast<double>(indices.rows), "1",
+             "samples of which no evaluation failed");
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const SobolIndex &index = indices.arguments[k];
+    const std::string path = quantity + "/" + keys[k].name;
+    add_number(result, "first_order/" + path, index.first, "1",
+               "share of the variance that the key brings about by itself");
+    add_number(result, "first_order_error/" + path, index.first_error, "1", "its standard error");
+    add_number(result, "total/" + path, index.total, "1",
+               "share of the variance that the key brings about together with all others");
+    add_number(result, "total_error/" + path, index.total_error, "1", "its standard error");
+  }
+}
+
+std::vector<std::string> lines_of(const std::string &text) {
+  std::vector<std::string> lines{""};
+  for (const char c : text)
+    if (c == '\n')
+      lines.emplace_back();
+    else
+      lines.back() += c;
+  return lines;
+}
+
+} // namespace
+
+Sensitivity::Sensitivity(Settings settings)
+    : settings_(std::move(settings)),
+      design_(settings_.samples, static_cast<Index>(settings_.keys.size()),
+              static_cast<std::uint64_t>(settings_.seed)) {}
+
+void Sensitivity::declare(parameters::Section &analysis) {
+  using namespace parameters;
+  Section &section = analysis.subsection(
+      section_name, "Which of several keys decide about quantities of another analysis, when they "
+                    "are drawn at random between their bounds: Sobol's indices.");
+  section.text("Repeat", "", "Name of the analysis that is evaluated.");
+  section.named_subsection("Quantity", "What the keys decide about.")
+      .text("Quantity", "",
+            "The path of a field of the repeated analysis or the name of a Derived of it; one "
+            "number.");
+  declare_design_keys(section);
+  section
+      .integer("Samples", "500", Range{.lower = 2, .upper = 1e6}, "",
+               "Each takes as many evaluations as there are keys, and two more. Standard errors "
+               "go down with the square root of their number.")
+      .integer("Seed", "1", Range{.lower = 0, .upper = 1e9}, "",
+               "Of what is drawn at random: equal seeds give equal results.");
+}
+
+std::shared_ptr<const Analysis> Sensitivity::create(const Values &analysis) {
+  const Values section = analysis.subsection(section_name);
+  const std::string evaluated = read_evaluated(section);
+  refuse_selections(analysis, evaluated);
+  std::vector<std::string> taken;
+  std::vector<DesignKey> keys = read_design_keys(section, evaluated, taken);
+  require_bounds(section, keys);
+  std::vector<Quantity> quantities;
+  for (const std::string &name : section.instances("Quantity")) {
+    const Values one = section.instance("Quantity", name);
+    one.require("Quantity");
+    quantities.push_back({name, {one.text("Quantity"), one.place("Quantity")}});
+  }
+  if (quantities.empty())
+    section.reject_section("at least one subsection Quantity NAME is needed.");
+  return std::make_shared<Sensitivity>(
+      Settings{.evaluated = evaluated,
+               .keys = std::move(keys),
+               .quantities = std::move(quantities),
+               .samples = static_cast<std::size_t>(section.integer("Samples")),
+               .seed = section.integer("Seed")});
+}
+
+std::vector<Axis> Sensitivity::axes() const { return {evaluation_axis(design_.points())}; }
+
+NoteSize Sensitivity::note_size() const {
+  return {.values = settings_.quantities.size(),
+          .bytes = bytes_of_a_failure + bytes_of_a_unit * settings_.quantities.size()};
+}
+
+void Sensitivity::check_outcomes(const Outcomes &outcomes) const {
+  check_at_bounds(settings_.keys, settings_.evaluated,
+                  [&](const std::vector<parameters::Override> &overrides) {
+                    outcomes.check(settings_.evaluated, overrides);
+                  });
+}
+
+void Sensitivity::try_outcomes(const Outcomes &outcomes) const {
+  std::vector<WantedQuantity> wanted;
+  for (const Quantity &quantity : settings_.quantities)
+    wanted.push_back(quantity.wanted);
+  try_single_numbers(outcomes, settings_.evaluated,
+                     overrides_at(settings_.keys, start_of_search(settings_.keys, 0, 0)), wanted);
+}
+
+void Sensitivity::add_values(PointResult &point, LineContext &context) const {
+  std::vector<std::string> paths;
+  for (const Quantity &quantity : settings_.quantities)
+    paths.push_back(quantity.wanted.path);
+  const Vector coordinates = design_.point(point.index[0] - 1);
+  const Evaluated evaluated = context.outcomes().evaluate(
+      settings_.evaluated, overrides_at(settings_.keys, coordinates), paths,
+      [&context](double share) { context.note_progress(share); });
+  for (std::size_t q = 0; q < paths.size(); ++q)
+    point.fields.push_back(scalar_field(field_of(settings_.quantities[q]),
+                                        single_number(evaluated.outcomes[q], paths[q]),
+                                        evaluated.outcomes[q].unit, paths[q]));
+}
+
+PointResult Sensitivity::evaluate(std::size_t number, LineContext &context) const {
+  PointResult point{.index = {number + 1}};
+  add_keys(point, settings_.keys, design_.point(number));
+  try {
+    add_values(point, context);
+    return point;
+  } catch (const InputError &error) { // of this evaluation alone: the result waits for all
+    point.reason = error.what();
+  } catch (const NumericalError &error) {
+    point.reason = error.what();
+  }
+  point.status = Status::failed;
+  return point;
+}
+
+// The quantities, with their units line by line; or NaN, and why.
+LineNote Sensitivity::note(const PointResult &point) const {
+  LineNote note{.values = std::vector<double>(settings_.quantities.size(),
+                                              std::numeric_limits<double>::quiet_NaN()),
+                .text = point.reason};
+  if (point.status == Status::failed)
+    return note;
+  for (std::size_t q = 0; q < settings_.quantities.size(); ++q)
+    for (const Field &field : point.fields)
+      if (field.name() == field_of(settings_.quantities[q])) {
+        note.values[q] = field.values[0];
+        note.text += (q > 0 ? "\n" : "") + field.unit();
+      }
+  return note;
+}
+
+PointResult Sensitivity::result(const LineContext &context) const {
+  std::vector<std::vector<double>> values(settings_.quantities.size());
+  std::vector<std::string> units;
+  std::string failure;
+  for (std::size_t line = 0; line < design_.points(); ++line) {
+    const LineNote note = context.note_of(line);
+    for (std::size_t q = 0; q < values.size(); ++q)
+      values[q].push_back(note.values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                              : note.values[q]);
+    if (!std::isnan(values[0].back()))
+      units = lines_of(note.text);
+    else if (failure.empty())
+      failure = note.text;
+  }
+  PointResult result{.index = {0}};
+  for (std::size_t q = 0; q < values.size(); ++q) {
+    const SobolIndices indices = sobol_indices(values[q], static_cast<Index>(settings_.keys.size()),
+                                               static_cast<std::uint64_t>(settings_.seed));
+    if (indices.rows < 2)
+      return {.index = {0},
+              .status = Status::failed,
+              .reason =
+                  "fewer than two samples have all their evaluations; the first that failed: " +
+                  failure};
+    add_indices(result, settings_.quantities[q].name, units.at(q), settings_.keys, indices);
+  }
+  return result;
+}
+
+void Sensitivity::run_line(std::size_t line, System & /*system*/, LineContext &context) const {
+  const std::size_t number = line == design_.points() ? 0 : line + 1;
+  const PointResult *known = context.find({number});
+  if (known != nullptr)
+    context.skip();
+  if (number == 0) {
+    if (known == nullptr)
+      context.store(result(context));
+    return;
+  }
+  PointResult point = known != nullptr ? *known : evaluate(line, context);
+  const LineNote left = note(point);
+  if (known == nullptr)
+    context.store(std::move(point));
+  context.leave_note(line, left);
+}
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,27 @@
+// Quantities of another analysis that must be single numbers.
+#pragma once
+
+#include "analyses/outcomes.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vibroimpact::analyses {
+
+struct WantedQuantity {
+  std::string path;  ///< of a field, or name of a Derived
+  std::string place; ///< where the file asks for it, for messages
+};
+
+/// InputError when the outcome is no single number, NumericalError when it is not finite.
+double single_number(const Outcome &outcome, const std::string &path);
+
+/// Are the quantities there, and single numbers? InputError when they are not; none when some
+/// seconds do not suffice to know.
+std::optional<std::vector<Outcome>>
+try_single_numbers(const Outcomes &outcomes, const std::string &analysis,
+                   const std::vector<parameters::Override> &overrides,
+                   const std::vector<WantedQuantity> &quantities);
+
+} // namespace vibroimpact::analyses
