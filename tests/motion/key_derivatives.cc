@@ -301,6 +301,31 @@ TEST(KeyDerivativesTest, MassUnderAForceOnANonlinearStop) {
       .agrees_with_differences(2, 1e-7);
 }
 
+// The mass of a ball that lies on a rigid table changes nothing; what rounding leaves of that is no
+// derivative that could be followed through the contact of the other body.
+TEST(KeyDerivativesTest, MassOfABodyAtRestBesideAMovingOne) {
+  const Family family{
+      .make =
+          [](double mass) {
+            Parts parts{
+                Model({single_mass("ball", mass, 3.7, 0.3), single_mass("block", 1, 40, 0.1)})};
+            add_weight(parts.model, 9.81, {0});
+            parts.model.add_base_motion("shake", force_of(0.05, 7), {0, 1}, Vector3::UnitX());
+            parts.contacts =
+                ContactSet({stop_on_base(parts.model, "ball.head", 0.013, newton(0.5)),
+                            contact_along_x(parts.model, "block.head", "", 0.03,
+                                            contact::HuntCrossley::with_dissipation(
+                                                {.stiffness = 2e3, .exponent = 1.5}, 0.8))});
+            return parts;
+          },
+      .value = 0.7,
+      .start = {.time = 0.3, .physical = vector_of({0.013, -0.1, 0, 0.5})},
+      .end = 1.2};
+  const LinearisedMotion motion = family.linearised();
+  EXPECT_GE(motion.events, 2);
+  EXPECT_LT(motion.by_key.cwiseAbs().maxCoeff(), 1e-12);
+}
+
 // At rest on a table that a key lifts the body follows it.
 TEST(KeyDerivativesTest, ClearanceOfABodyAtRest) {
   const Family family{

@@ -1,12 +1,13 @@
 // The variational equation: closed forms without contact, finite differences of the flow through
 // impacts with and without jumps of the force, resets and moving bases.
-#include "motion/variation/variation.h"
+#include "motion/variation/linearised_motion.h"
 
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/laws/tsuji.h"
+#include "model/piecewise_function.h"
 #include "motion/trajectory.h"
 #include "support/lumped_models.h"
 #include "support/motion_derivative.h"
@@ -218,6 +219,35 @@ TEST(VariationTest, SlopesThatAreInfiniteWhereContactBegins) {
       EXPECT_LT((columns.col(j) - differences.value).norm(), 2e-8 * differences.value.norm())
           << law->name();
     }
+  }
+}
+
+// A prestressed Tsuji stop ends contact where the gap is some 1e-18 m, of either sign: more than
+// its own rounding, but no more than that of the instant, 1e-16 s, times its rate. Seen as still
+// open, the slope u^(-3/4) at the end is integrated into, and no step is found.
+TEST(VariationTest, EndOfContactAtTheRoundingOfTheInstant) {
+  const double stiffness = 592021, damping = 0.355 * std::sqrt(5.383 * stiffness);
+  Case thrown{.model = Model({single_mass("block", 1.146, 0, 0)}),
+              .relative_tolerance = 1e-12,
+              .variation_tolerance = 1e-12};
+  thrown.model.add_force("weight", make_constant(Given::displacement, -1.146 * 9.81),
+                         {.body = 0, .point = 0}, Vector3::UnitX());
+  thrown.model.add_force("push", std::make_shared<Harmonic>(Given::displacement, 19.8, 18.45, 0),
+                         {.body = 0, .point = 0}, Vector3::UnitX());
+  ContactPair stop = contact_along_x(thrown.model, "block.head", "", -3.536e-5,
+                                     std::make_shared<Tsuji>(stiffness, damping));
+  stop.gap.row *= -1;
+  thrown.contacts = ContactSet({stop});
+  thrown.end = 0.7;
+  for (int i = 0; i < 40; ++i) {
+    thrown.start = {.time = 0.613, .physical = state_of({-0.00525, 0.49 + 1e-4 * i})};
+    Trajectory trajectory(thrown.model, thrown.contacts, thrown.settings());
+    LinearisedMotion motion;
+    ASSERT_NO_THROW(motion = linearise(trajectory, thrown.start, thrown.end,
+                                       {.scale = Vector::Ones(2), .tolerance = 1e-12}))
+        << i;
+    EXPECT_GE(motion.events, 2);
+    EXPECT_NEAR(motion.by_state.determinant() / motion.determinant.value(), 1, 1e-9) << i;
   }
 }
 

@@ -1,6 +1,6 @@
-// random_variations FOLDER FIRST NUMBER: judges the variation of models FIRST, FIRST + 1, ..., a
-// line each, and sums up by law and kind of event. Exit code 1 when one is wrong, or too few could
-// be judged to say anything. FOLDER takes the record.
+// random_variations FOLDER SEEDS...: judges the variation of models, of single ones or as 3-17, a
+// line each, and sums up by law and kind of event. Exit code 1 when one is wrong or cannot be
+// judged, or too few agree to say anything. FOLDER takes the record.
 #include "random_models/random_model.h"
 #include "random_models/random_variation.h"
 
@@ -17,13 +17,14 @@ namespace {
 
 struct Summary {
   int models = 0;
-  double by_state = 0, by_key = 0, determinant = 0;
+  double column = 0, determinant = 0, multipliers = 0;
 
   void add(const VariationVerdict &verdict) {
     ++models;
-    by_state = std::max(by_state, verdict.by_state);
-    by_key = std::max(by_key, verdict.by_key);
+    column = std::max(column, verdict.largest());
     determinant = std::max(determinant, verdict.determinant); // not of NaN
+    if (verdict.multipliers.word == "equal")
+      multipliers = std::max(multipliers, verdict.multipliers.apart);
   }
 };
 
@@ -37,23 +38,27 @@ std::string list_of(const std::set<std::string> &names) {
 void print(std::uint64_t seed, const VariationVerdict &verdict) {
   std::string detail = verdict.detail;
   std::replace(detail.begin(), detail.end(), '\n', ' ');
-  std::cout << seed << '\t' << verdict.word << '\t' << verdict.by_state << '\t' << verdict.by_key
-            << '\t' << verdict.determinant << '\t' << verdict.open << '\t' << verdict.cost << '\t'
-            << verdict.events << '\t' << verdict.columns << '\t' << verdict.keys << '\t'
+  const SpectraVerdict &spectra = verdict.multipliers;
+  std::cout << seed << '\t' << verdict.word << '\t' << verdict.largest() << '\t'
+            << verdict.found.size() << '\t' << verdict.determinant << '\t' << spectra.word << '\t'
+            << spectra.apart << '\t' << spectra.polynomial << '\t' << spectra.bound << '\t'
+            << verdict.cost << '\t' << verdict.window << '\t' << verdict.events << '\t'
             << list_of(verdict.laws) << '\t' << list_of(verdict.kinds) << '\t' << detail
             << std::endl;
 }
 
-bool judge_all(const std::string &folder, std::uint64_t first, std::uint64_t number) {
-  std::map<std::string, int> words;
+bool judge_all(const std::string &folder, const std::vector<std::uint64_t> &seeds) {
+  std::map<std::string, int> words, spectra;
   std::map<std::string, Summary> summaries;
-  std::cout << "model\tverdict\tby state\tby key\tdeterminant\topen\tcost\tevents\tcolumns\tkeys\t"
-               "laws\tkinds\tdetail"
+  std::cout << "model\tverdict\tlargest\tcolumns\tdeterminant\tmultipliers\tapart\tpolynomial\t"
+               "bound\tcost\twindow\tevents\tlaws\tkinds\tdetail"
             << std::endl;
-  for (std::uint64_t seed = first; seed < first + number; ++seed) {
+  for (const std::uint64_t seed : seeds) {
     const VariationVerdict verdict = judge_variation(seed, folder);
     print(seed, verdict);
     ++words[verdict.word];
+    if (!verdict.multipliers.word.empty())
+      ++spectra["multipliers " + verdict.multipliers.word];
     if (verdict.word != "agree")
       continue;
     summaries["all"].add(verdict);
@@ -62,21 +67,36 @@ bool judge_all(const std::string &folder, std::uint64_t first, std::uint64_t num
     for (const std::string &kind : verdict.kinds)
       summaries["event: " + kind].add(verdict);
   }
-  for (const auto &[word, count] : words)
-    std::cout << count << " " << word << "\n";
+  for (const auto &counts : {words, spectra})
+    for (const auto &[word, count] : counts)
+      std::cout << count << " " << word << "\n";
   for (const auto &[name, summary] : summaries)
-    std::cout << name << ": " << summary.models << " models, largest difference by state "
-              << summary.by_state << ", by key " << summary.by_key << ", of ln determinant "
-              << summary.determinant << "\n";
-  return words["wrong"] == 0 && 2 * words["agree"] >= static_cast<int>(number);
+    std::cout << name << ": " << summary.models << " models, largest difference of a column "
+              << summary.column << ", of ln determinant " << summary.determinant
+              << ", of multipliers that are equal one by one " << summary.multipliers << "\n";
+  const int agree = words["agree"] + words["agree but for rounding"];
+  const auto judged = static_cast<std::size_t>(agree + words["no derivative"] + words["refused"]);
+  return judged == seeds.size() && 2 * words["agree"] >= static_cast<int>(seeds.size());
+}
+
+// "3" or "3-17"
+void add_seeds(const std::string &text, std::vector<std::uint64_t> &seeds) {
+  const std::size_t dash = text.find('-');
+  const std::uint64_t first = std::stoull(text);
+  const std::uint64_t last = dash == std::string::npos ? first : std::stoull(text.substr(dash + 1));
+  for (std::uint64_t seed = first; seed <= last; ++seed)
+    seeds.push_back(seed);
 }
 
 } // namespace
 
 int main(int argc, char **argv) {
-  if (argc != 4)
+  if (argc < 3)
     return 1;
   const std::string folder = argv[1];
+  std::vector<std::uint64_t> seeds;
+  for (int i = 2; i < argc; ++i)
+    add_seeds(argv[i], seeds);
   char program[] = "random_variations";
   char skip[] = "-skip_petscrc";
   char *arguments[] = {program, skip, nullptr};
@@ -85,8 +105,7 @@ int main(int argc, char **argv) {
   if (SlepcInitialize(&count, &private_arguments, nullptr, nullptr) != 0)
     return 1;
   write_record(folder + "/" + record_name);
-  const bool good =
-      judge_all(folder, std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
+  const bool good = judge_all(folder, seeds);
   SlepcFinalize();
   return good ? 0 : 1;
 }

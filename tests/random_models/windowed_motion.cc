@@ -4,7 +4,9 @@
 #include "common/error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace vibroimpact::testing {
 
@@ -13,9 +15,13 @@ using motion::MotionState;
 
 namespace {
 
+using Event = EventSequence::Event;
+
 // A motion that takes more steps in its window is stiff and followed by an implicit method of low
 // order, whose error cannot be made as small as differences need.
 constexpr long most_steps = 4000;
+// Of the motion: events that are nearer to each other are at one instant.
+constexpr double shortest_interval = 1e-10;
 
 std::string kind_of(const motion::ContactEvent &event, const contact::ContactLaw &law) {
   const auto holds = [&](int mode) {
@@ -32,14 +38,46 @@ std::string kind_of(const motion::ContactEvent &event, const contact::ContactLaw
   return event.guard->reset.empty() ? "change of mode" : "reset";
 }
 
+// Events at one instant.
+struct Instant {
+  double first = 0, last = 0;                          ///< [s]
+  std::map<std::size_t, std::array<int, 3>> changes{}; ///< of each contact: from, to, impacts
+};
+
+std::vector<Instant> instants_of(const std::vector<Event> &events, double at_once) {
+  std::vector<Instant> instants;
+  for (const Event &event : events) {
+    if (instants.empty() || event.time - instants.back().last > at_once)
+      instants.push_back({.first = event.time});
+    instants.back().last = event.time;
+    auto &change = instants.back()
+                       .changes.try_emplace(event.contact, std::array{event.from, 0, 0})
+                       .first->second;
+    change[1] = event.to;
+    change[2] += event.from == event.to ? 1 : 0;
+  }
+  for (Instant &instant : instants)
+    std::erase_if(instant.changes, [](const auto &entry) {
+      const auto &[from, to, impacts] = entry.second;
+      return from == to && impacts == 0;
+    });
+  return instants;
+}
+
 } // namespace
 
 void EventSequence::event(const motion::ContactEvent &event) {
-  list.push_back({event.contact, event.from, event.to});
-  times.push_back(event.time);
-  const contact::ContactPair *pair = &(*contacts)[event.contact];
-  laws.insert(pair->law->name());
-  kinds.insert(kind_of(event, *pair->law));
+  list.push_back({event.time, event.contact, event.from, event.to});
+  const contact::ContactLaw &law = *pairs_[event.contact].law;
+  laws.insert(law.name());
+  kinds.insert(kind_of(event, law));
+}
+
+bool same_events(const std::vector<Event> &a, const std::vector<Event> &b, double at_once) {
+  const std::vector<Instant> one = instants_of(a, at_once);
+  const std::vector<Instant> other = instants_of(b, at_once);
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                    [](const Instant &x, const Instant &y) { return x.changes == y.changes; });
 }
 
 motion::Settings tight(const System &system) {
@@ -50,20 +88,18 @@ motion::Settings tight(const System &system) {
   return settings;
 }
 
-std::optional<Vector> end_of_motion(const System &system, const MotionState &start, double end,
-                                    const std::vector<EventSequence::Event> &events,
-                                    double maximum_step) {
+std::optional<Vector> end_of_motion(const System &system, const MotionWindow &window,
+                                    const MotionState &start, double maximum_step) {
   motion::Settings settings = tight(system);
   settings.maximum_step = maximum_step;
   if (maximum_step > 0)
-    settings.maximum_steps += 2 * std::lround((end - start.time) / maximum_step);
+    settings.maximum_steps += 2 * std::lround((window.end - start.time) / maximum_step);
   try {
     motion::Trajectory trajectory(system.model, system.contacts, settings);
     trajectory.start(start);
-    EventSequence sequence;
-    sequence.contacts = &system.contacts.pairs();
-    trajectory.advance(end, sequence);
-    if (sequence.list != events)
+    EventSequence sequence(system.contacts.pairs());
+    trajectory.advance(window.end, sequence);
+    if (!same_events(sequence.list, window.events, window.at_once))
       return std::nullopt;
     return trajectory.motion_state().physical;
   } catch (const InputError &) {
@@ -73,27 +109,29 @@ std::optional<Vector> end_of_motion(const System &system, const MotionState &sta
   }
 }
 
-MotionWindow find_window(const System &system, double duration) {
+MotionWindow find_window(const System &system, double duration, const WindowChoice &choice) {
   motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
-  EventSequence sequence;
-  sequence.contacts = &system.contacts.pairs();
+  EventSequence sequence(system.contacts.pairs());
   trajectory.advance(duration, sequence);
-  double from = 0.31 * duration;
-  double to = 0.73 * duration;
-  std::vector<double> times = sequence.times;
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  if (times.size() > 2) {
-    const std::size_t first = times.size() / 4;
-    const std::size_t last = std::min(first + 5, times.size() - 1);
-    from = 0.5 * ((first > 0 ? times[first - 1] : 0) + times[first]);
-    to = last + 1 < times.size() ? 0.5 * (times[last] + times[last + 1]) : duration;
+  const double at_once = shortest_interval * duration;
+  const std::vector<Instant> instants = instants_of(sequence.list, at_once);
+  double from = (0.06 + choice.place) * duration;
+  double to = from + 0.42 * choice.margin * duration;
+  if (instants.size() > 2) {
+    const auto first =
+        static_cast<std::size_t>(choice.place * static_cast<double>(instants.size()));
+    const std::size_t last = std::min(first + choice.instants, instants.size()) - 1;
+    const double before = first > 0 ? instants[first - 1].last : 0;
+    const double behind = last + 1 < instants.size() ? instants[last + 1].first : duration;
+    const double to_next = last + 1 < instants.size() ? 0.5 : 1;
+    from = instants[first].first - 0.5 * choice.margin * (instants[first].first - before);
+    to = instants[last].last + to_next * choice.margin * (behind - instants[last].last);
   }
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
-  EventSequence nothing;
-  nothing.contacts = &system.contacts.pairs();
-  trajectory.advance(from, nothing);
-  return {.start = trajectory.motion_state(), .end = to};
+  EventSequence unused(system.contacts.pairs());
+  trajectory.advance(from, unused);
+  return {.start = trajectory.motion_state(), .end = to, .at_once = at_once};
 }
 
 // A mode with a node at every point of its body moves these by rounding alone.

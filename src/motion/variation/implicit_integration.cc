@@ -170,11 +170,10 @@ RateScales scales_at(const Equations &equations, double time, const Vector &stat
 
 } // namespace
 
-RateScales rate_scales(const Interval &interval, const Vector &end_state,
-                       const Equations &equations, const Vector &scale) {
+RateScales rate_scales(const Interval &interval, const Equations &equations, const Vector &scale) {
   const double slow = 10 / std::abs(interval.length());
   const RateScales first = scales_at(equations, interval.start, interval.state, scale, slow);
-  const RateScales last = scales_at(equations, interval.end, end_state, scale, slow);
+  const RateScales last = scales_at(equations, interval.far, interval.far_state, scale, slow);
   return {.radius = std::min(first.radius, last.radius),
           .decay = std::min(first.decay, last.decay)};
 }

@@ -12,13 +12,12 @@
 
 namespace vibroimpact::motion {
 
-/// How fast deviations change, at both ends of an interval the slower [1/s].
+/// How fast deviations change, at both known instants of an interval the slower [1/s].
 struct RateScales {
   double radius = 0; ///< of the eigenvalues
   double decay = 0;  ///< of the fastest decay
 };
-RateScales rate_scales(const Interval &interval, const Vector &end_state,
-                       const Equations &equations, const Vector &scale);
+RateScales rate_scales(const Interval &interval, const Equations &equations, const Vector &scale);
 
 /// Takes packed columns from s = 0 to 1; returns the integral of the divergence. `tolerance`: error
 /// of a step relative to the units of the rates. NumericalError where no step is short enough.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -31,6 +32,8 @@ constexpr double stiff_length = 30;
 constexpr double length_of_return = 2;
 // Of the model's own time scale: where a slope is infinite it still falls there.
 constexpr double short_time = 1e-4;
+// Of an instant at which a gap was found to vanish, relative to itself.
+constexpr double rounding_of_time = 4 * std::numeric_limits<double>::epsilon();
 // A step that takes more evaluations of the rates finds no end.
 constexpr long most_evaluations = 300000;
 // As one list of numbers, for the explicit method: the change of the state, the columns, and the
@@ -101,7 +104,8 @@ std::optional<ZeroOfGap> zero_of_gap(const Equations &equations, double time, co
     const contact::LocalState local =
         equations.local_state(c, time, ConstVectorView(state.data(), state.size()));
     double elapsed = local.gap / local.gap_rate;
-    if (std::abs(local.gap) <= equations.rounding(c, {.gap = 1}, time, state))
+    if (std::abs(local.gap) <= equations.rounding(c, {.gap = 1}, time, state) ||
+        std::abs(elapsed) <= rounding_of_time * std::abs(time))
       elapsed = std::copysign(0.0, duration);
     if (!std::isfinite(elapsed) || std::copysign(elapsed, duration) != elapsed ||
         std::abs(elapsed) > nearest)
@@ -127,8 +131,8 @@ struct Integrated {
 };
 
 Integrated integrate_all(const Joint &joint, const Interval &interval, double radius,
-                         const Vector &end_state, Matrix &columns) {
-  JointRates rates(interval, end_state, joint.equations, joint.keys, joint.accuracy.scale, columns);
+                         Matrix &columns) {
+  JointRates rates(interval, joint.equations, joint.keys, joint.accuracy.scale, columns);
   ExplicitRates explicit_rates(rates);
   std::vector<double> x = explicit_rates.list(rates.pack(columns));
   const double first_step = 1 / std::max(1.0, radius * std::abs(interval.length()));
@@ -146,7 +150,7 @@ Integrated integrate_all(const Joint &joint, const Interval &interval, double ra
 
 // The last columns belong to the keys.
 Integrated integrate_explicitly(const Joint &joint, const Interval &interval, double radius,
-                                const Vector &end_state, Matrix &columns) {
+                                Matrix &columns) {
   const auto n_keys = static_cast<Index>(joint.keys.size());
   const Index n = columns.cols() - n_keys;
   std::optional<ObservableColumns> split;
@@ -154,19 +158,18 @@ Integrated integrate_explicitly(const Joint &joint, const Interval &interval, do
     split = observable_columns(joint.equations, *joint.free, joint.accuracy.scale,
                                interval.length(), columns.leftCols(n));
   if (!split)
-    return integrate_all(joint, interval, radius, end_state, columns);
+    return integrate_all(joint, interval, radius, columns);
   const Index k = split->basis.cols();
   Matrix observed(columns.rows(), k + n_keys);
   observed << split->basis, columns.rightCols(n_keys);
-  Integrated integrated = integrate_all(joint, interval, radius, end_state, observed);
+  Integrated integrated = integrate_all(joint, interval, radius, observed);
   columns.leftCols(n) = observed.leftCols(k) * split->coefficients + split->rest;
   columns.rightCols(n_keys) = observed.rightCols(n_keys);
   return integrated;
 }
 
-double integrate_stiff(const Joint &joint, const Interval &interval, const Vector &end_state,
-                       Matrix &columns) {
-  JointRates rates(interval, end_state, joint.equations, joint.keys, joint.accuracy.scale, columns);
+double integrate_stiff(const Joint &joint, const Interval &interval, Matrix &columns) {
+  JointRates rates(interval, joint.equations, joint.keys, joint.accuracy.scale, columns);
   Matrix packed = rates.pack(columns);
   const double divergence = integrate_implicitly(rates, joint.accuracy.tolerance, packed);
   columns = rates.unpack(packed);
@@ -174,29 +177,31 @@ double integrate_stiff(const Joint &joint, const Interval &interval, const Vecto
 }
 
 // Where the slope of a force is infinite at the start, the first instants are taken explicitly.
-double integrate(const Joint &joint, const Interval &interval, const Vector &end_state,
-                 const RateScales &scales, Matrix &columns) {
+double integrate(const Joint &joint, const Interval &interval, const RateScales &scales,
+                 Matrix &columns) {
   if (scales.decay * interval.length() <= stiff_length)
-    return integrate_explicitly(joint, interval, scales.radius, end_state, columns).divergence;
+    return integrate_explicitly(joint, interval, scales.radius, columns).divergence;
   if (!interval.steep)
-    return integrate_stiff(joint, interval, end_state, columns);
+    return integrate_stiff(joint, interval, columns);
   Interval first = interval;
   first.end = interval.start + stiff_length / scales.decay;
-  const Integrated begun = integrate_explicitly(joint, first, scales.radius, end_state, columns);
-  const Interval rest{
-      .start = first.end, .end = interval.end, .state = begun.end_state, .zero = interval.zero};
-  return begun.divergence + integrate_stiff(joint, rest, end_state, columns);
+  Integrated begun = integrate_explicitly(joint, first, scales.radius, columns);
+  Interval rest = interval;
+  rest.start = first.end;
+  rest.state = std::move(begun.end_state);
+  rest.steep.reset();
+  return begun.divergence + integrate_stiff(joint, rest, columns);
 }
 
 // From the end to the start: d(start) = P d(end) + g, solved for d(end).
-double integrate_from_end(const Joint &joint, const Interval &reversed, const Vector &start_state,
-                          const RateScales &scales, Matrix &columns) {
+double integrate_from_end(const Joint &joint, const Interval &reversed, const RateScales &scales,
+                          Matrix &columns) {
   const Vector &scale = joint.accuracy.scale;
   const Index n = scale.size();
   const auto n_keys = static_cast<Index>(joint.keys.size());
   Matrix back = Matrix::Zero(n, n + n_keys);
   back.leftCols(n).diagonal() = scale.cwiseInverse();
-  const double divergence = integrate(joint, reversed, start_state, scales, back);
+  const double divergence = integrate(joint, reversed, scales, back);
   columns.rightCols(n_keys) -= back.rightCols(n_keys);
   const Matrix scaled = scale.asDiagonal() * back.leftCols(n);
   columns = (scale.cwiseInverse().asDiagonal() *
@@ -208,22 +213,24 @@ double integrate_from_end(const Joint &joint, const Interval &reversed, const Ve
 // Where a gap vanishes at the end or soon after, the error of the state there is no small part of
 // the gap, and a slope that grows beyond all bounds sees it: the last part is integrated from the
 // end, whose gap is known.
-double integrate_part(const Joint &joint, const Interval &interval, const Vector &end_state,
+double integrate_part(const Joint &joint, const Interval &interval,
                       const std::optional<ZeroOfGap> &zero_at_end, Matrix &columns) {
-  const RateScales scales = rate_scales(interval, end_state, joint.equations, joint.accuracy.scale);
+  const RateScales scales = rate_scales(interval, joint.equations, joint.accuracy.scale);
   if (!zero_at_end)
-    return integrate(joint, interval, end_state, scales, columns);
+    return integrate(joint, interval, scales, columns);
   const double length = interval.length();
   const double last = std::min(0.5 * length, length_of_return / std::max(scales.decay, 1 / length));
   Interval first = interval;
   first.end = interval.end - last;
   const Interval second{.start = interval.end,
                         .end = first.end,
-                        .state = end_state,
+                        .state = interval.far_state,
+                        .far = interval.start,
+                        .far_state = interval.state,
                         .zero = zero_at_end->instant,
                         .steep = zero_at_end->steep};
-  const double divergence = integrate(joint, first, end_state, scales, columns);
-  return divergence + integrate_from_end(joint, second, interval.state, scales, columns);
+  const double divergence = integrate(joint, first, scales, columns);
+  return divergence + integrate_from_end(joint, second, scales, columns);
 }
 
 } // namespace
@@ -232,12 +239,16 @@ double integrate_beside(const SmoothPart &part, const Equations &equations,
                         const std::vector<KeyTangent *> &keys, const VariationAccuracy &accuracy,
                         LinearFlow *free, Matrix &columns) {
   const double h = part.length();
-  Interval interval{.start = part.start, .end = part.end, .state = part.start_state};
+  Interval interval{.start = part.start,
+                    .end = part.end,
+                    .state = part.start_state,
+                    .far = part.end,
+                    .far_state = part.end_state};
   if (const auto zero = zero_of_gap(equations, part.start, part.start_state, h)) {
     interval.zero = zero->instant;
     interval.steep = zero->steep;
   }
-  return integrate_part({equations, keys, accuracy, free}, interval, part.end_state,
+  return integrate_part({equations, keys, accuracy, free}, interval,
                         zero_of_gap(equations, part.end, part.end_state, -h), columns);
 }
 

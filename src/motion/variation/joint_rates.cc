@@ -17,6 +17,9 @@ constexpr double least_size = 1e-200;
 // Rates by keys have the rounding of differences of models, of about 1e-12, which is no error that
 // shorter steps would make smaller.
 constexpr double key_weight = 0.01;
+// Of a key that acts on nothing but bodies at rest: what the state changes by when the key goes to
+// its neighbours, over the change of the state in the part. Less is rounding.
+constexpr double least_effect = 1e-12;
 
 // Since the gap vanished.
 double mean_gap_rate(const Equations &equations, const Interval &interval) {
@@ -29,9 +32,9 @@ double mean_gap_rate(const Equations &equations, const Interval &interval) {
 
 } // namespace
 
-JointRates::JointRates(const Interval &interval, const Vector &end_state,
-                       const Equations &equations, const std::vector<KeyTangent *> &keys,
-                       const Vector &scale, const Matrix &columns)
+JointRates::JointRates(const Interval &interval, const Equations &equations,
+                       const std::vector<KeyTangent *> &keys, const Vector &scale,
+                       const Matrix &columns)
     : interval_(interval), equations_(equations), keys_(keys), scale_(scale), n_(scale.size()),
       full_(interval.state), full_rates_(equations.layout().size()) {
   if (interval.steep) {
@@ -47,7 +50,7 @@ JointRates::JointRates(const Interval &interval, const Vector &end_state,
   const Index n = n_;
   equations.rates(interval.start, ConstVectorView(full_.data(), full_.size()),
                   VectorView(full_rates_.data(), full_rates_.size()));
-  const Vector change = (end_state - interval.state).head(n).cwiseAbs() +
+  const Vector change = (interval.far_state - interval.state).head(n).cwiseAbs() +
                         std::abs(interval.length()) * full_rates_.head(n).cwiseAbs();
   state_size_ =
       std::max(scale.cwiseProduct(change).maxCoeff(),
@@ -56,22 +59,41 @@ JointRates::JointRates(const Interval &interval, const Vector &end_state,
   sizes_ = (scale.asDiagonal() * columns).cwiseAbs().colwise().maxCoeff();
   for (std::size_t k = 0; k < keys.size(); ++k) {
     double &size = sizes_[columns.cols() - static_cast<Index>(keys.size() - k)];
-    size = std::max(size, growth_by(*keys[k], end_state)) / key_weight;
+    size = std::max({size, growth_by(*keys[k]), least_effect * state_size_ / keys[k]->reach()}) /
+           key_weight;
   }
   // A reset can wipe a deviation out, and a stiff contact lets one die out.
   sizes_ = (sizes_.array() > least_size).select(sizes_, 1);
 }
 
 // How large a column becomes by the key alone. At either end a contact may have no force yet.
-double JointRates::growth_by(const KeyTangent &key, const Vector &end_state) {
+double JointRates::growth_by(const KeyTangent &key) const {
   double growth = 0;
   for (const double part : {0.0, 0.5, 1.0}) {
-    full_ = (1 - part) * interval_.state + part * end_state;
-    const Vector rates = key.rates(equations_, interval_.start + part * interval_.length(), full_);
+    const double time = interval_.start + part * interval_.length();
+    const Vector rates = key.rates(equations_, time, state_near(time));
     growth = std::max(growth, scale_.head(n_).cwiseProduct(rates).cwiseAbs().maxCoeff());
   }
-  full_ = interval_.state;
   return std::abs(interval_.length()) * growth;
+}
+
+// By the cubic through coordinates and velocities at both known instants. A straight line would
+// miss a contact that lasts from one to the other.
+Vector JointRates::state_near(double time) const {
+  const Vector &first = interval_.state;
+  const Vector &last = interval_.far_state;
+  const double h = interval_.far - interval_.start;
+  const double t = (time - interval_.start) / h;
+  const Index n = equations_.layout().n;
+  const auto q = [n](const Vector &state) { return state.head(n); };
+  const auto v = [n](const Vector &state) { return state.segment(n, n); };
+  const Vector change = q(last) - q(first);
+  const Vector bend = h * (v(first) + v(last)) - 2 * change;     // of t^3
+  const Vector turn = 3 * change - h * (2 * v(first) + v(last)); // of t^2
+  Vector state = (1 - t) * first + t * last;
+  state.head(n) = q(first) + t * (h * v(first) + t * (turn + t * bend));
+  state.segment(n, n) = v(first) + t / h * (2 * turn + 3 * t * bend);
+  return state;
 }
 
 Matrix JointRates::pack(const Matrix &columns) const {

@@ -26,6 +26,8 @@ namespace vibroimpact::motion {
 struct Interval {
   double start = 0, end = 0;          ///< [s]; the end may be earlier
   Vector state;                       ///< at the start, with work integrals
+  double far = 0;                     ///< another instant, at the end or beyond [s]
+  Vector far_state;                   ///< of the motion there
   std::optional<double> zero{};       ///< when a gap vanishes; not between start and end [s]
   std::optional<std::size_t> steep{}; ///< the contact, where its slope is infinite there
   double length() const { return end - start; }
@@ -34,7 +36,7 @@ struct Interval {
 class JointRates {
 public:
   /// Keeps references. The last columns belong to `keys`.
-  JointRates(const Interval &interval, const Vector &end_state, const Equations &equations,
+  JointRates(const Interval &interval, const Equations &equations,
              const std::vector<KeyTangent *> &keys, const Vector &scale, const Matrix &columns);
 
   Index n_rows() const { return n_; } ///< of the columns
@@ -59,7 +61,8 @@ public:
   double start() const { return interval_.start; }
 
 private:
-  double growth_by(const KeyTangent &key, const Vector &end_state);
+  double growth_by(const KeyTangent &key) const;
+  Vector state_near(double time) const;
   /// What the gap of the steep contact differs by from that of the coordinates: slopes of its
   /// force.
   struct Carried {

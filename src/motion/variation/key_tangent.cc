@@ -31,8 +31,10 @@ KeyTangent::KeyTangent(std::string key, const model::Model &model,
   static std::atomic<long> next{0};
   identity_ = next++;
   std::vector<double> offsets;
-  for (const KeyNeighbour &neighbour : neighbours)
+  for (const KeyNeighbour &neighbour : neighbours) {
     offsets.push_back(neighbour.offset);
+    reach_ = std::max(reach_, std::abs(neighbour.offset));
+  }
   const Vector weights = derivative_weights(offsets);
   near_.reserve(neighbours.size()); // the equations refer to the models
   std::vector<const model::Model *> models;

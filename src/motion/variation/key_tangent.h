@@ -70,6 +70,8 @@ public:
   const LinearTangent &linear(const std::vector<int> &modes);
   /// The neighbours are linear without contacts, as a cubic spring that begins with the key is not.
   bool keeps_linear() const;
+  /// How far the neighbours lie from the key [its unit].
+  double reach() const { return reach_; }
   /// No two keys have the same.
   long identity() const { return identity_; }
 
@@ -106,6 +108,7 @@ private:
   std::unique_ptr<SourceTangent> sources_;
   std::unique_ptr<ModelTangent> data_;
   std::map<std::vector<int>, LinearTangent> linear_; ///< by the modes of the contacts
+  double reach_ = 0;
   long identity_;
 };
 
