@@ -27,7 +27,10 @@ double largest(const Vector &states, const Vector &scale) {
 
 // Newton's method is tried after so many periods at first, of which it takes one more itself: that
 // the motion approaches what is found is seen in the last two.
-constexpr long first_search = 2;
+constexpr long newton_at_once = 2;
+// A search costs about as much as so many periods of few coordinates: waiting for them first takes
+// at most about twice as long as the better of the two ways there, whatever the damping.
+constexpr long newton_later = 20;
 // Another periodic motion is tried when the state repeats itself so much better after its periods.
 constexpr double better_repetition = 0.25;
 // Of the derivative, for Newton's method and the multipliers.
@@ -41,7 +44,7 @@ public:
       : trajectory_(trajectory), period_(period), scale_(scale), rule_(rule), search_(search),
         steadiness_(scale, rule.longest_multiple, rule.tolerance),
         states_(scale.size(), 2 * rule.longest_multiple + 1),
-        next_search_(std::max(first_search, rule.minimum - 3)) {
+        next_search_(std::max(rule.newton_after.value_or(0), rule.minimum - 3)) {
     states_.add(physical_state());
   }
 
@@ -182,6 +185,12 @@ SettledMotion Settling::motion() const {
   return motion;
 }
 
+std::optional<long> newton_after(const std::string &method) {
+  if (method == "transient")
+    return std::nullopt;
+  return method == "Newton" ? newton_at_once : newton_later;
+}
+
 } // namespace
 
 void declare_settling(parameters::Section &section) {
@@ -194,12 +203,13 @@ void declare_settling(parameters::Section &section) {
       .quantity("Steadiness tolerance", "1e-6", dimension::none, Range{.lower = 0, .upper = 1}, "",
                 "Relative distance to the periodic motion at which it counts as steady; 0 always "
                 "takes all settling cycles.")
-      .choice("Settling method", "transient", {"transient", "Newton"},
+      .choice("Settling method", "automatic", {"automatic", "transient", "Newton"},
               "How the steady motion is reached: by waiting until the transient has decayed, as "
-              "that of a real system does, or by Newton's method after a few periods. What that "
-              "finds counts only where it is stable and the motion is seen to approach it; else "
-              "the transient goes on, as it does for rotors and for excitations that do not repeat "
-              "themselves.")
+              "that of a real system does; by Newton's method after 2 periods; or automatic, by "
+              "Newton's method where the transient has not decayed after 20 periods. What Newton's "
+              "method finds counts only where it is stable and the motion is seen to approach it; "
+              "else the transient goes on, as it does for rotors and for excitations that do not "
+              "repeat themselves.")
       .integer("Cycles without approach", "0", Range{.lower = 0, .upper = 1e9}, "",
                "Periods that bring the motion no nearer to repeating itself, after which it is "
                "recorded as not steady without waiting for all Settling cycles, since it is mostly "
@@ -218,14 +228,14 @@ SettlingRule read_settling(const parameters::Values &section) {
           .maximum = maximum,
           .tolerance = section.quantity("Steadiness tolerance"),
           .longest_multiple = section.integer("Longest period"),
-          .by_newton = section.choice("Settling method") == "Newton",
+          .newton_after = newton_after(section.choice("Settling method")),
           .without_approach = section.integer("Cycles without approach")};
 }
 
 SettledMotion Settler::operator()(double period, const Vector &scale, const SettlingRule &rule,
                                   const std::function<void(long periods)> &after_period) {
   std::optional<SteadyOrbitSearch> search;
-  if (rule.by_newton && rule.tolerance > 0 && repeats(period))
+  if (rule.newton_after && rule.tolerance > 0 && repeats(period))
     search.emplace(trajectory_, lineariser((scale.array() > 0).select(scale, 1)), scale_, period);
   Settling settling(trajectory_, period, scale, rule, search ? &*search : nullptr);
   while (!settling.over()) {

@@ -14,7 +14,9 @@ struct SettlingRule {
   long maximum = 0;          ///< [periods]
   double tolerance = 0;      ///< see Steadiness
   long longest_multiple = 1; ///< [periods]
-  bool by_newton = false;    ///< goes to the periodic motion that it is seen to approach
+  /// Periods after which the periodic motion that it approaches is looked for by Newton's method, 2
+  /// at least; none: it settles by itself.
+  std::optional<long> newton_after{};
   /// Ends, not steady, after so many periods that bring the motion no nearer to a repetition; 0:
   /// never [periods]
   long without_approach = 0;

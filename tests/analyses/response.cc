@@ -68,7 +68,7 @@ TEST(ResponseTest, SettlesByCyclesUntilItIsSteady) {
 
 TEST(ResponseTest, GoesStraightToThePeriodicMotion) {
   Response::Settings settings = by_cycles(500);
-  settings.settling.by_newton = true;
+  settings.settling.newton_after = 2;
   const PointResult result = run(settings, oscillator(0.1));
   EXPECT_EQ(value_of(result, "steady"), 1);
   EXPECT_EQ(value_of(result, "period_multiple"), 1);

@@ -22,13 +22,16 @@ using contact::ContactSet;
 
 constexpr double pi = std::numbers::pi;
 
-SettlingRule rule(bool by_newton, double tolerance = 1e-11) {
+SettlingRule rule(std::optional<long> newton_after, double tolerance = 1e-11) {
   return {.minimum = 5,
           .maximum = 6000,
           .tolerance = tolerance,
           .longest_multiple = 4,
-          .by_newton = by_newton};
+          .newton_after = newton_after};
 }
+
+constexpr long at_once = 2;
+constexpr std::nullopt_t waiting = std::nullopt;
 
 /// x'' + damping x' + stiffness x = force sin(omega t), with stops.
 struct Oscillator {
@@ -75,23 +78,37 @@ void expect_same(const SettledMotion &newton, const SettledMotion &waited, doubl
   EXPECT_LT((newton.highest - waited.highest).cwiseAbs().maxCoeff(), tolerance * size);
 }
 
+// A motion that settles sooner is the same to the last bit; a slow one is found where it is.
+TEST(SettlingByNewtonTest, MayWaitForTheTransientFirst) {
+  constexpr long after = 20;
+  const SettledMotion quick = Oscillator(1, 1, 1, 0.7).settled(rule(after, 1e-3));
+  const SettledMotion waited = Oscillator(1, 1, 1, 0.7).settled(rule(waiting, 1e-3));
+  EXPECT_LT(waited.cycles, after);
+  EXPECT_EQ(quick.cycles, waited.cycles);
+  EXPECT_EQ(quick.state.physical, waited.state.physical);
+  const SettledMotion slow = isolator(1.1).settled(rule(after));
+  EXPECT_GT(slow.cycles, after);
+  EXPECT_LT(slow.cycles, after + 20);
+  expect_same(slow, isolator(1.1).settled(rule(waiting)), 1e-9);
+}
+
 // A stop out of reach that would remember the speed of an impact has no say in it.
 TEST(SettlingByNewtonTest, AContactThatRemembersDoesNotHoldALinearMotionUp) {
   Oscillator linear(400, 0.06, 2, 15);
   linear.stop(1, contact::HuntCrossley::with_dimensionless_damping(
                      {.stiffness = 1e6, .exponent = 1.5}, 0.4, 1e-6));
-  const SettledMotion motion = linear.settled(rule(true));
+  const SettledMotion motion = linear.settled(rule(at_once));
   EXPECT_TRUE(motion.steady());
-  EXPECT_LT(4 * motion.cycles, linear.settled(rule(false)).cycles);
+  EXPECT_LT(4 * motion.cycles, linear.settled(rule(waiting)).cycles);
 }
 
 // x = Im(X exp(i omega t)) in closed form.
 TEST(SettlingByNewtonTest, ALinearMotionIsThereBeforeItsTransientHasDecayed) {
   const Oscillator linear(400, 0.06, 2, 15);
-  const SettledMotion motion = linear.settled(rule(true));
+  const SettledMotion motion = linear.settled(rule(at_once));
   const std::complex<double> amplitude = 2.0 / std::complex<double>(400 - 15 * 15, 15 * 0.06);
   EXPECT_EQ(motion.multiple, 1);
-  EXPECT_LT(4 * motion.cycles, linear.settled(rule(false)).cycles);
+  EXPECT_LT(4 * motion.cycles, linear.settled(rule(waiting)).cycles);
   EXPECT_NEAR(motion.state.physical[0], amplitude.imag(), 1e-10 * std::abs(amplitude));
   EXPECT_NEAR(motion.state.physical[1], 15 * amplitude.real(), 15e-10 * std::abs(amplitude));
 }
@@ -99,8 +116,8 @@ TEST(SettlingByNewtonTest, ALinearMotionIsThereBeforeItsTransientHasDecayed) {
 TEST(SettlingByNewtonTest, ThroughContactsItLeadsWhereWaitingDoes) {
   long periods = 0, waited_periods = 0;
   for (const double lambda : {0.8, 1.1, 1.2, 1.25, 1.35}) {
-    const SettledMotion newton = isolator(lambda).settled(rule(true));
-    const SettledMotion waited = isolator(lambda).settled(rule(false));
+    const SettledMotion newton = isolator(lambda).settled(rule(at_once));
+    const SettledMotion waited = isolator(lambda).settled(rule(waiting));
     expect_same(newton, waited, 1e-9);
     periods += newton.cycles;
     waited_periods += waited.cycles;
@@ -112,7 +129,7 @@ TEST(SettlingByNewtonTest, ThroughContactsItLeadsWhereWaitingDoes) {
 TEST(SettlingByNewtonTest, ThroughRigidImpacts) {
   Oscillator impacting(1, 0.1, 0.6, 0.8);
   impacting.stop(1, std::make_shared<contact::NewtonRestitution>(0.8));
-  expect_same(impacting.settled(rule(true)), impacting.settled(rule(false)), 1e-9);
+  expect_same(impacting.settled(rule(at_once)), impacting.settled(rule(waiting)), 1e-9);
 }
 
 // The subharmonic resonance of an oscillator that is sixteen times stiffer on one side, at twice
@@ -120,9 +137,9 @@ TEST(SettlingByNewtonTest, ThroughRigidImpacts) {
 TEST(SettlingByNewtonTest, AMotionOfTwoPeriods) {
   Oscillator bilinear(1, 0.1, 1, 3.2);
   bilinear.stop(0, std::make_shared<contact::LinearPenalty>(15));
-  const SettledMotion newton = bilinear.settled(rule(true));
+  const SettledMotion newton = bilinear.settled(rule(at_once));
   EXPECT_EQ(newton.multiple, 2);
-  const SettledMotion waited = bilinear.settled(rule(false));
+  const SettledMotion waited = bilinear.settled(rule(waiting));
   expect_same(newton, waited, 1e-9);
   EXPECT_LT(2 * newton.cycles, waited.cycles);
 }
@@ -134,7 +151,7 @@ TEST(SettlingByNewtonTest, AnUnstableMotionIsLeft) {
     Oscillator oscillator = isolator(1.3);
     oscillator.system.initial.displacement[0] = -0.41023 + beside;
     oscillator.system.initial.velocity[0] = -1.68129;
-    expect_same(oscillator.settled(rule(true)), oscillator.settled(rule(false)), 1e-9);
+    expect_same(oscillator.settled(rule(at_once)), oscillator.settled(rule(waiting)), 1e-9);
   }
 }
 
@@ -148,8 +165,8 @@ TEST(SettlingByNewtonTest, FromEveryStartItLeadsWhereWaitingDoes) {
     for (int j = 0; j < starts; ++j) {
       oscillator.system.initial.displacement[0] = -2.9 + 5.8 * i / (starts - 1);
       oscillator.system.initial.velocity[0] = -2.9 + 5.8 * j / (starts - 1);
-      const SettledMotion newton = oscillator.settled(rule(true));
-      const SettledMotion waited = oscillator.settled(rule(false, 1e-6));
+      const SettledMotion newton = oscillator.settled(rule(at_once));
+      const SettledMotion waited = oscillator.settled(rule(waiting, 1e-6));
       ASSERT_NEAR(newton.state.physical[0], waited.state.physical[0], 1e-4) << i << " " << j;
       small += std::abs(newton.state.physical[0]) < 1 ? 1 : 0;
     }
@@ -161,7 +178,7 @@ TEST(SettlingByNewtonTest, AMotionThatIsBarredIsNotGoneTo) {
   const double force = 2, damping = 0.6, omega = 20;
   Oscillator growing(omega * omega, damping, force, omega);
   growing.stop(0.9 * force / (damping * omega), std::make_shared<contact::LinearPenalty>(2e4));
-  expect_same(growing.settled(rule(true)), growing.settled(rule(false)), 1e-9);
+  expect_same(growing.settled(rule(at_once)), growing.settled(rule(waiting)), 1e-9);
 }
 
 TEST(SettlingByNewtonTest, WhatDoesNotRepeatItselfGoesOnByItself) {
@@ -169,13 +186,14 @@ TEST(SettlingByNewtonTest, WhatDoesNotRepeatItselfGoesOnByItself) {
   ramped.system.model.add_force(
       "ramp", std::make_shared<model::RampedHarmonic>(model::Given::displacement, 2, 15, 0, 5), {},
       Vector3::UnitX());
-  const SettledMotion newton = ramped.settled(rule(true)), waited = ramped.settled(rule(false));
+  const SettledMotion newton = ramped.settled(rule(at_once)),
+                      waited = ramped.settled(rule(waiting));
   EXPECT_EQ(newton.cycles, waited.cycles);
   EXPECT_EQ(newton.state.physical, waited.state.physical);
 }
 
 TEST(SettlingByNewtonTest, ToleranceZeroTakesAllPeriods) {
-  SettlingRule all = rule(true, 0);
+  SettlingRule all = rule(at_once, 0);
   all.maximum = 12;
   EXPECT_EQ(isolator(1.1).settled(all).cycles, 12);
 }
@@ -186,7 +204,7 @@ TEST(SettlingByNewtonTest, WhatWentBeforeDoesNotCount) {
   const auto at = [&](Settler &settler, motion::Trajectory &trajectory, double omega) {
     oscillator.system.model.set_frequency(0, omega);
     trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
-    return settler(2 * pi / omega, state_scale(trajectory.equations(), omega), rule(true));
+    return settler(2 * pi / omega, state_scale(trajectory.equations(), omega), rule(at_once));
   };
   motion::Trajectory one(oscillator.system.model, oscillator.system.contacts, {});
   motion::Trajectory other(oscillator.system.model, oscillator.system.contacts, {});

@@ -129,16 +129,16 @@ def settled(table, analyses):
 
 
 def swept(table, name, analyses):
-    """Steady motions of period one of both sweeps on the stable parts of the branch, between whose
-    points a cubic spline over the arclength goes; where another peak becomes the largest it has an
-    error that falls with the distance of the points."""
+    """Steady motions of period one of both sweeps on the branch where it is stable, up to the first
+    unstable point. A cubic spline over the arclength goes between the points; where another peak
+    becomes the largest it has an error that falls with their distance."""
     branch, sweep = analyses["branch"], analyses["sweep"]
     arclength, stable = branch["arclength"][:], branch["stable"][:] == 1
     values = numpy.column_stack([branch["frequency"][:], branch[PEAK][:]])
     spline = scipy.interpolate.CubicSpline(arclength, values)
     fine = numpy.linspace(arclength[:-1], arclength[1:], 40, axis=1)
     line = spline(fine.ravel()).reshape(*fine.shape, 2)
-    line = line[stable[:-1] & stable[1:]]
+    line = line[stable[:-1] | stable[1:]]
     differences = []
     for direction in (0, 1):
         for frequency, peak, multiple in zip(sweep["frequency"][:], sweep[PEAK][:, direction],
@@ -153,7 +153,8 @@ def distance(line, frequency, peak):
     """Relative difference from the nearest of the stable motions at a frequency."""
     x, y = line[..., 0], line[..., 1]
     left, right = (x[:, :-1], y[:, :-1]), (x[:, 1:], y[:, 1:])
-    across = (left[0] - frequency) * (right[0] - frequency) <= 0
+    # The end of a branch is that of the sweep up to rounding.
+    across = (left[0] - frequency) * (right[0] - frequency) <= 1e-15 * frequency ** 2
     share = (frequency - left[0][across]) / (right[0][across] - left[0][across])
     found = left[1][across] + share * (right[1][across] - left[1][across])
     return (found[numpy.abs(found - peak).argmin()] if len(found) else math.inf) / peak - 1

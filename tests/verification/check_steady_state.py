@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Stepped sweeps with Newton's method beside the same that wait for the transient: which branch they
-follow, how near their values are, and how many periods they take.
+"""Stepped sweeps with Newton's method, at once and where the transient takes long, beside the same that
+wait for it: which branch they follow, how near their values are, and how many periods they take.
 
 usage: check_steady_state.py PROGRAM SOURCE [--all] [--page FILE] [--keep FOLDER] [--ranks N]
 
@@ -50,27 +50,31 @@ arguments.add_argument("--all", action="store_true", help="all lines")
 table = Table(__file__, arguments.parse_args())
 cases = ALL if table.arguments.all else FEW
 for damping, (gaps, stiffnesses, points, share) in cases.items():
-    waited, newton = (sweeps(damping, method) for method in ("transient", "Newton"))
-    settled = [sweep["steady"] == 1 for sweep in (waited, newton)]
-    both = settled[0] & settled[1]
-    differences = numpy.abs(newton[EXCURSION] / waited[EXCURSION] - 1)
-    same = both & (differences <= SAME)
-    # Behind an aperiodic motion, or one of several periods, the two begin with different states.
-    alike = after(same & (newton["period_multiple"] == 1))
-    lines = f"{2 * len(gaps) * len(stiffnesses)} lines of {points} points, damping {damping}"
-    table.add_whole(f"{lines}: points at which they part", [0],
-                    [int((alike & both & ~same).sum())])
-    table.add_whole(f"{lines}: points that only waiting settles", [0],
-                    [int((alike & settled[0] & ~settled[1]).sum())])
-    table.add(f"{lines}: largest difference of an excursion", 0, differences[same].max(), 1e-7,
-              absolute=True)
-    # By waiting a slow approach may look like a repetition after several periods.
-    table.add_whole(f"{lines}: points whose multiple of waiting is none of Newton's", [0],
-                    [int((waited["period_multiple"][same] % newton["period_multiple"][same]).sum())])
-    periods = [float(sweep["settling_cycles"][both].mean()) for sweep in (waited, newton)]
-    table.add_whole(f"{lines}: fewer than {share} times the periods", [1],
-                    [int(periods[1] < share * periods[0])])
-    print(f"{lines}: {periods[0]:.1f} periods by waiting, {periods[1]:.1f} with Newton's method; "
-          f"{(~settled[0]).sum()} and {(~settled[1]).sum()} points not steady, "
-          f"{(both & ~same).sum()} different")
+    waited = sweeps(damping, "transient")
+    for method, least in (("Newton", share), ("automatic", 1)):
+        found = sweeps(damping, method)
+        settled = [sweep["steady"] == 1 for sweep in (waited, found)]
+        both = settled[0] & settled[1]
+        differences = numpy.abs(found[EXCURSION] / waited[EXCURSION] - 1)
+        same = both & (differences <= SAME)
+        # Behind an aperiodic motion, or one of several periods, the two begin with different states.
+        alike = after(same & (found["period_multiple"] == 1))
+        lines = (f"{2 * len(gaps) * len(stiffnesses)} lines of {points} points, damping {damping}, "
+                 f"{method}")
+        table.add_whole(f"{lines}: points at which they part", [0],
+                        [int((alike & both & ~same).sum())])
+        table.add_whole(f"{lines}: points that only waiting settles", [0],
+                        [int((alike & settled[0] & ~settled[1]).sum())])
+        table.add(f"{lines}: largest difference of an excursion", 0, differences[same].max(), 1e-7,
+                  absolute=True)
+        # By waiting a slow approach may look like a repetition after several periods.
+        multiples = waited["period_multiple"][same] % found["period_multiple"][same]
+        table.add_whole(f"{lines}: points whose multiple of waiting is none of its own", [0],
+                        [int(multiples.sum())])
+        periods = [float(sweep["settling_cycles"][both].mean()) for sweep in (waited, found)]
+        table.add_whole(f"{lines}: fewer than {least} times the periods", [1],
+                        [int(periods[1] < least * periods[0])])
+        print(f"{lines}: {periods[0]:.1f} periods by waiting, {periods[1]:.1f}; "
+              f"{(~settled[0]).sum()} and {(~settled[1]).sum()} points not steady, "
+              f"{(both & ~same).sum()} different")
 table.finish()
