@@ -14,6 +14,7 @@ from . import (
     fronts,
     histories,
     identify,
+    isolator,
     loci,
     maps,
     modal,
@@ -34,6 +35,7 @@ OWN = {**{name: [branches] for name in branches.TYPES}, loci.TYPE: [loci],
        searches.TYPE: [searches, derived_curves],
        fits.TYPE: [fits, derived_curves],
        fronts.TYPE: [fronts], shares.TYPE: [shares],
+       isolator.TYPE: [isolator],
        **{name: [basins] for name in basins.TYPES}}
 
 

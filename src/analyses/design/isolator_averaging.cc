@@ -145,7 +145,7 @@ double stiffness_of_first_jump(double force, const IsolatorDamping &damping) {
     return !AveragedResponse(damping, {.stiffness = stiffness, .force = force}).folds().empty();
   };
   constexpr double most = 1e4, factor = 1.1, accuracy = 1e-12;
-  double without = 0.01, with = without;
+  double without = 0, with = 0.01;
   while (!folds(with)) {
     without = with;
     with *= factor;
@@ -156,7 +156,7 @@ double stiffness_of_first_jump(double force, const IsolatorDamping &damping) {
     const double middle = (without + with) / 2;
     (folds(middle) ? with : without) = middle;
   }
-  return with;
+  return without;
 }
 
 } // namespace vibroimpact::analyses
