@@ -30,7 +30,8 @@ def figures(results: Results, analysis: Analysis):
         yield f"{base}-impulse-and-peak", functools.partial(impulse_and_peak, sheet)
         yield f"{base}-restitution", functools.partial(restitution_over_speed, sheet)
         yield f"{base}-damping-factor", functools.partial(damping_factor_over_speed, sheet)
-        yield f"{base}-pulses", functools.partial(first_pulses, sheet)
+        if sheet.moves:
+            yield f"{base}-pulses", functools.partial(first_pulses, sheet)
         if not analysis.grid:
             yield f"{base}-restitution-map", functools.partial(restitution_map, sheet)
             yield f"{base}-ratio", functools.partial(restitution_over_ratio, sheet)
@@ -45,6 +46,11 @@ class Sheet:
         self.analysis = analysis
         self.contact = contact
 
+    @property
+    def moves(self) -> bool:
+        """Is there a motion beside the record?"""
+        return self.analysis.has(f"contact/{self.contact}/impact/approach_speed")
+
     def path(self, name: str) -> str:
         return f"contact/{self.contact}/identification/{name}"
 
@@ -52,7 +58,13 @@ class Sheet:
         """Of all impacts of all cases, NaN included."""
         return self.analysis.read(self.path(name)).values.ravel()
 
+    def one(self, name: str) -> float:
+        """A number of the first case."""
+        return float(self.analysis.read(self.path(name)).values.ravel()[0])
+
     def of_motion(self, name: str) -> np.ndarray:
+        if not self.moves:
+            return np.array([])
         return self.analysis.read(f"contact/{self.contact}/impact/{name}").values.ravel()
 
     def rows(self, path: str) -> np.ndarray:
@@ -80,9 +92,12 @@ def restitution_over_speed(sheet: Sheet):
         known = np.isfinite(middle)
         axes.errorbar(speed[known], middle[known], np.array([middle - low, high - middle])[:, known],
                       fmt="o", color=colour, elinewidth=0.5, label=name)
-    axes.plot(sheet.of_motion("approach_speed"), sheet.of_motion("restitution_coefficient"), "k+",
-              markersize=6, label="motion")
-    draw_fit(axes, sheet)
+    if sheet.moves:
+        axes.plot(sheet.of_motion("approach_speed"), sheet.of_motion("restitution_coefficient"),
+                  "k+", markersize=6, label="motion")
+        draw_fit(axes, sheet)
+    else:
+        draw_fit_of_record(axes, sheet)
     axes.set_xscale("log")
     axes.set(xlabel="Approach speed $v_c$ (m/s)", ylabel=RESTITUTION,
              title=f"Contact {sheet.contact}")
@@ -101,6 +116,25 @@ def draw_fit(axes, sheet: Sheet) -> None:
     span = np.geomspace(speed[usable].min(), speed[usable].max(), 50)
     axes.plot(span, np.exp(logarithm) * span**exponent, "--", color=SETS["exact"],
               label=f"exact: {np.exp(logarithm):.4g} $v_c^{{{exponent:.2g}}}$, above {HARD} m/s")
+
+
+def draw_fit_of_record(axes, sheet: Sheet) -> None:
+    """The program's power law of the exact set, with the laws at the ends of both intervals."""
+    a, b = sheet.one("exact/fit_coefficient"), sheet.one("exact/fit_exponent")
+    speed = sheet.identified("exact/approach_speed") / sheet.one("speed_unit")
+    known = np.isfinite(speed)
+    if not np.isfinite(a * b) or not known.any():
+        return
+    span = np.geomspace(speed[known].min(), speed[known].max(), 50)
+    unit = sheet.one("speed_unit")
+    axes.plot(span * unit, a * span**b, "--", color=SETS["exact"],
+              label=f"exact: {a:.3g} $v_c^{{{b:.2g}}}$")
+    ends = [sheet.one(f"exact/fit_{name}_{end}") for name in ("coefficient", "exponent")
+            for end in ("low", "high")]
+    if np.all(np.isfinite(ends)):
+        laws = [c * span**d for c in ends[:2] for d in ends[2:]]
+        axes.fill_between(span * unit, np.min(laws, axis=0), np.max(laws, axis=0), alpha=0.15,
+                          color=SETS["exact"], linewidth=0, label="ends of the intervals of 95 %")
 
 
 def damping_factor_over_speed(sheet: Sheet):
@@ -169,8 +203,9 @@ def restitution_over_ratio(sheet: Sheet):
     for name, colour in SETS.items():
         axes.plot(ratio, sheet.analysis.read(sheet.path(f"{name}/restitution_curve")).values,
                   color=colour, label=name)
-    axes.plot(sheet.identified("pulse_ratio"), sheet.of_motion("restitution_coefficient"), "k+",
-              markersize=6, label="motion")
+    if sheet.moves:
+        axes.plot(sheet.identified("pulse_ratio"), sheet.of_motion("restitution_coefficient"),
+                  "k+", markersize=6, label="motion")
     axes.set(xlabel=r"$\gamma = 8 k (f_m/k)^{(n+1)/n} / ((n+1) J^2 \lambda)$", ylabel=RESTITUTION,
              xlim=(1, ratio[-1]))
     style.legend_beside(axes)
@@ -180,8 +215,9 @@ def restitution_over_ratio(sheet: Sheet):
 def force_record(sheet: Sheet):
     """The sampled record, and the pulses as they were."""
     figure, (axes,) = style.panels(1, height=2.8)
-    axes.vlines(sheet.of_motion("peak_time"), 0, sheet.of_motion("peak_force"), color="0.7",
-                label="pulses, true peak")
+    if sheet.moves:
+        axes.vlines(sheet.of_motion("peak_time"), 0, sheet.of_motion("peak_force"), color="0.7",
+                    label="pulses, true peak")
     axes.plot(sheet.analysis.read(sheet.path("record/time")).values,
               sheet.analysis.read(sheet.path("record/force")).values, color=style.COLOURS[0],
               label="record")

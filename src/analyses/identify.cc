@@ -45,6 +45,19 @@ std::size_t count(const parameters::Values &values, const std::string &key) {
   return static_cast<std::size_t>(values.integer(key));
 }
 
+void refuse_keys_of_motions(const parameters::Values &values) {
+  for (const char *key : {"Duration", "Sampling frequency", "Recorded pulses"})
+    if (values.given(key))
+      values.reject(key, "nothing beside the key File: nothing moves.");
+}
+
+void refuse_keys_of_records(const parameters::Values &values) {
+  for (const char *key :
+       {"Time column", "Value column", "Separator", "Time unit", "Value unit", "Threshold"})
+    if (values.given(key))
+      values.reject(key, "nothing without the key File.");
+}
+
 double read_sampling_frequency(const parameters::Values &values) {
   if (!values.has("Sampling frequency"))
     return 0;
@@ -61,7 +74,9 @@ void Identify::declare(parameters::Section &analysis) {
   Section &section = analysis.subsection(
       section_name, "Restitution, approach speed and damping factor of impacts from the history of "
                     "the contact force, by three sets of formulas.");
-  section.quantity("Duration", "", dimension::time, range::positive, "T", "Length of the motion.")
+  section
+      .quantity("Duration", "", dimension::time, range::positive, "T",
+                "Length of the motion; not given beside a File.")
       .text("Contact", "", "Contact whose force is recorded; empty when there is only one.")
       .quantity("Sampling frequency", "", dimension::frequency, range::positive, "f_s",
                 "Of the force record, from which impulse and peak are taken; empty means a perfect "
@@ -72,16 +87,26 @@ void Identify::declare(parameters::Section &analysis) {
       .integer("Recorded pulses", "10", Range{.lower = 0, .upper = 1e6}, "",
                "Impacts whose force is recorded at every time step.")
       .integer("Listed impacts", "5", Range{.lower = 0, .upper = 1e6}, "",
-               "Impacts that the summary lists; the result file holds all.");
+               "Impacts that the summary lists; the result file holds all.")
+      .quantity("Slowest fitted impact", "0 m/s", dimension::velocity, range::non_negative, "",
+                "Approach speed below which an impact takes no part in the fitted laws.");
+  declare_measured_force(section);
   declare_uncertainties(section);
   declare_scales(section);
 }
 
 std::shared_ptr<const Analysis> Identify::create(const parameters::Values &analysis) {
   const parameters::Values values = analysis.subsection(section_name);
-  values.require("Duration");
+  std::optional<MeasuredForce> measured;
+  if (has_measured_force(values)) {
+    refuse_keys_of_motions(values);
+    measured = read_measured_force(values);
+  } else {
+    values.require("Duration");
+    refuse_keys_of_records(values);
+  }
   return std::make_shared<Identify>(
-      Settings{.duration = values.quantity("Duration"),
+      Settings{.duration = measured ? 0 : values.quantity("Duration"),
                .sampling_frequency = read_sampling_frequency(values),
                .contact = values.text("Contact"),
                .uncertainties = {.impulse = values.quantity("Uncertainty of impulse"),
@@ -93,7 +118,9 @@ std::shared_ptr<const Analysis> Identify::create(const parameters::Values &analy
                           .force = values.quantity("Force scale")},
                .map_points = count(values, "Map points"),
                .recorded_pulses = count(values, "Recorded pulses"),
-               .listed_impacts = count(values, "Listed impacts")});
+               .listed_impacts = count(values, "Listed impacts"),
+               .slowest_fitted = values.quantity("Slowest fitted impact"),
+               .measured = std::move(measured)});
 }
 
 std::size_t Identify::contact_index(const contact::ContactSet &contacts) const {
@@ -124,6 +151,8 @@ ContactConstants Identify::constants(const System &system) const {
 
 void Identify::check(const System &system) const {
   constants(system);
+  if (settings_.measured)
+    return;
   motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
 }
@@ -136,10 +165,11 @@ IdentificationInput Identify::input(const System &system) const {
           .scales = settings_.scales,
           .uncertainties = settings_.uncertainties,
           .pulses = {},
-          .listed_impacts = settings_.listed_impacts};
+          .listed_impacts = settings_.listed_impacts,
+          .slowest_fitted = settings_.slowest_fitted};
 }
 
-PointResult Identify::compute(const System &system, LineContext &context) const {
+PointResult Identify::of_motion(const System &system, LineContext &context) const {
   const std::size_t contact = contact_index(system.contacts);
   motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   motion::ImpactLog log(system.contacts, settings_.recorded_pulses, true);
@@ -167,8 +197,22 @@ PointResult Identify::compute(const System &system, LineContext &context) const 
   add_restitution_maps(result, found, settings_.map_points);
   add_pulses(result, system.contacts, log);
   if (record)
-    add_force_record(result, found.contact, *record);
+    add_force_record(result, found.contact, record->time(), record->force());
   add_accuracy(result, trajectory.accuracy(), system.integration);
+  return result;
+}
+
+PointResult Identify::of_record(const System &system) const {
+  PointResult result;
+  IdentificationInput found = input(system);
+  const std::vector<MeasuredPulse> pulses = pulses_of(*settings_.measured);
+  for (const MeasuredPulse &pulse : pulses)
+    found.pulses.push_back(pulse.figures);
+  add_identification(result, found);
+  add_measured_pulses(result, found.contact, pulses);
+  add_restitution_maps(result, found, settings_.map_points);
+  add_force_record(result, found.contact, settings_.measured->samples.time,
+                   settings_.measured->samples.value);
   return result;
 }
 
@@ -177,7 +221,7 @@ void Identify::run_line(std::size_t /*line*/, System &system, LineContext &conte
     context.skip();
     return;
   }
-  context.store(compute(system, context));
+  context.store(settings_.measured ? of_record(system) : of_motion(system, context));
 }
 
 } // namespace vibroimpact::analyses

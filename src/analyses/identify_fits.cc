@@ -2,11 +2,30 @@
 
 #include "common/linear_algebra.h"
 
+#include <Eigen/LU>
 #include <Eigen/QR>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
 namespace vibroimpact::analyses {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Of the intervals of 95 % of the coefficients of a linear fit.
+Vector half_widths(const Matrix &factors, const Vector &residuals) {
+  const Index freedom = factors.rows() - factors.cols();
+  if (freedom <= 0)
+    return Vector::Constant(factors.cols(), nan);
+  const double variance = residuals.squaredNorm() / static_cast<double>(freedom);
+  const Matrix inverse = (factors.transpose() * factors).inverse();
+  const boost::math::students_t distribution(static_cast<double>(freedom));
+  return boost::math::quantile(distribution, 0.975) * (variance * inverse.diagonal()).cwiseSqrt();
+}
+
+} // namespace
 
 double constant_damping_factor(const std::vector<Identified> &impacts) {
   double numerator = 0;
@@ -34,8 +53,11 @@ PowerFit fit_power(const std::vector<Identified> &impacts, double speed_unit) {
     factors.row(i) << 1, std::log(impact.approach_speed / speed_unit);
     logarithms[i] = std::log(impact.restitution);
   }
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  PowerFit fit{.coefficient = nan, .exponent = nan, .impacts = usable.size()};
+  PowerFit fit{.coefficient = nan,
+               .exponent = nan,
+               .coefficient_interval = {.low = nan, .high = nan},
+               .exponent_interval = {.low = nan, .high = nan},
+               .impacts = usable.size()};
   if (rows < 2)
     return fit;
   const auto decomposition = factors.colPivHouseholderQr();
@@ -44,6 +66,10 @@ PowerFit fit_power(const std::vector<Identified> &impacts, double speed_unit) {
   const Vector solution = decomposition.solve(logarithms);
   fit.coefficient = std::exp(solution[0]);
   fit.exponent = solution[1];
+  const Vector half = half_widths(factors, logarithms - factors * solution);
+  fit.coefficient_interval = {.low = std::exp(solution[0] - half[0]),
+                              .high = std::exp(solution[0] + half[0])};
+  fit.exponent_interval = {.low = solution[1] - half[1], .high = solution[1] + half[1]};
   return fit;
 }
 

@@ -15,10 +15,14 @@ double constant_damping_factor(const std::vector<Identified> &impacts);
 struct PowerFit {
   double coefficient = 0;
   double exponent = 0;
+  Interval coefficient_interval{}; ///< of 95 %; NaN with less than three impacts
+  Interval exponent_interval{};
   std::size_t impacts = 0; ///< that took part
 };
 
-/// Least squares in ln e over the impacts with e > 0. NaN unless two of them differ in speed.
+/// Least squares in ln e over the impacts with e > 0. NaN unless two of them differ in speed. With
+/// N impacts, the factors X = [1, ln(v_c / speed_unit)] and s^2 = sum of squares / (N - 2) the
+/// covariance of (ln a, b) is s^2 (X'X)^-1, the intervals those of Student's distribution.
 PowerFit fit_power(const std::vector<Identified> &impacts, double speed_unit);
 
 } // namespace vibroimpact::analyses

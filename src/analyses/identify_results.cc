@@ -90,15 +90,28 @@ void add_constants(Sheet &sheet, const IdentificationInput &input) {
 }
 
 void add_fits(Sheet &sheet, const std::string &set, const IdentificationInput &input,
-              const std::vector<Identified> &impacts) {
+              std::vector<Identified> impacts) {
+  std::erase_if(impacts, [&](const Identified &impact) {
+    return !(impact.approach_speed >= input.slowest_fitted);
+  });
   const PowerFit fit = fit_power(impacts, input.scales.length / input.scales.time);
   sheet.scalar(set + "/constant_damping_factor", constant_damping_factor(impacts),
                damping_factor_unit(input.constants.exponent),
                "least-squares damping factor of all impacts");
   sheet.scalar(set + "/fit_coefficient", fit.coefficient, "1", "a of e = a (v_c / speed_unit)^b");
   sheet.scalar(set + "/fit_exponent", fit.exponent, "1", "b of e = a (v_c / speed_unit)^b");
+  const auto bounds = [&](const std::string &name, const Interval &interval,
+                          const std::string &symbol) {
+    sheet.scalar(set + "/" + name + "_low", interval.low, "1",
+                 "lower end of the interval of 95 % of " + symbol +
+                     ", from the scatter of the impacts; NaN with less than three");
+    sheet.scalar(set + "/" + name + "_high", interval.high, "1",
+                 "upper end of the interval of 95 % of " + symbol);
+  };
+  bounds("fit_coefficient", fit.coefficient_interval, "a");
+  bounds("fit_exponent", fit.exponent_interval, "b");
   sheet.scalar(set + "/fitted_impacts", static_cast<double>(fit.impacts), "1",
-               "impacts with e > 0, which the fit rests on");
+               "impacts with e > 0 that are not too slow, which the fit rests on");
 }
 
 void add_set(Sheet &sheet, const FormulaSet &set, const IdentificationInput &input) {
@@ -201,10 +214,29 @@ void add_restitution_maps(PointResult &result, const IdentificationInput &input,
   }
 }
 
-void add_force_record(PointResult &result, const std::string &contact, const ForceRecord &record) {
+void add_force_record(PointResult &result, const std::string &contact,
+                      const std::vector<double> &time, const std::vector<double> &force) {
   Sheet sheet(result, contact);
-  sheet.series("record/time", "record/time", record.time(), "s", "instants of the samples");
-  sheet.series("record/force", "record/time", record.force(), "N", "sampled normal force");
+  sheet.series("record/time", "record/time", time, "s", "instants of the samples");
+  sheet.series("record/force", "record/time", force, "N", "sampled normal force");
+}
+
+void add_measured_pulses(PointResult &result, const std::string &contact,
+                         const std::vector<MeasuredPulse> &pulses) {
+  Sheet sheet(result, contact);
+  const auto add = [&](const std::string &name, auto pick, const std::string &unit,
+                       const std::string &description) {
+    sheet.impacts("pulse/" + name, picked(pulses, pick), unit, description, 0);
+  };
+  add(
+      "start", [](const MeasuredPulse &pulse) { return pulse.start; }, "s",
+      "first sample above the threshold");
+  add(
+      "duration", [](const MeasuredPulse &pulse) { return pulse.duration; }, "s",
+      "from there to the last one");
+  add(
+      "samples", [](const MeasuredPulse &pulse) { return static_cast<double>(pulse.samples); }, "1",
+      "above the threshold");
 }
 
 } // namespace vibroimpact::analyses

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analyses/identify_fits.h"
+#include "analyses/identify_pulses.h"
 #include "analyses/identify_record.h"
 #include "common/result_sink.h"
 
@@ -21,6 +22,7 @@ struct IdentificationInput {
   Uncertainties uncertainties;
   std::vector<PulseFigures> pulses; ///< of every impact
   std::size_t listed_impacts = 0;   ///< in the summary
+  double slowest_fitted = 0;        ///< by v_c, in fitted laws [m/s]
 };
 
 /// Constants of the contact, the pulses as measured, and for each set of formulas e with its
@@ -32,7 +34,12 @@ void add_identification(PointResult &result, const IdentificationInput &input);
 void add_restitution_maps(PointResult &result, const IdentificationInput &input,
                           std::size_t points);
 
-/// The force over the samples of its record.
-void add_force_record(PointResult &result, const std::string &contact, const ForceRecord &record);
+/// The force [N] over the samples [s] of its record.
+void add_force_record(PointResult &result, const std::string &contact,
+                      const std::vector<double> &time, const std::vector<double> &force);
+
+/// Where the pulses of a measured record are.
+void add_measured_pulses(PointResult &result, const std::string &contact,
+                         const std::vector<MeasuredPulse> &pulses);
 
 } // namespace vibroimpact::analyses

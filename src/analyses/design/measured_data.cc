@@ -190,14 +190,17 @@ std::vector<DataSet> read_data_sets(const Values &section) {
 
 std::vector<std::string> data_checksums(const Values &root, const std::string &file_folder) {
   std::vector<std::string> checksums;
+  const auto add = [&](const Values &section) {
+    const std::string checksum = model::file_checksum(section, file_folder);
+    if (!checksum.empty())
+      checksums.push_back(checksum);
+  };
   for (const std::string &analysis : root.instances("Analysis")) {
-    const Values section = root.instance("Analysis", analysis).subsection("Estimate");
-    for (const std::string &name : section.instances("Data")) {
-      const std::string checksum =
-          model::file_checksum(section.instance("Data", name), file_folder);
-      if (!checksum.empty())
-        checksums.push_back(checksum);
-    }
+    const Values section = root.instance("Analysis", analysis);
+    const Values estimate = section.subsection("Estimate");
+    add(section.subsection("Identify"));
+    for (const std::string &name : estimate.instances("Data"))
+      add(estimate.instance("Data", name));
   }
   return checksums;
 }
