@@ -197,5 +197,17 @@ TEST(BrokenInputIsolatorTest, TheRepeatedAnalysisIsABranchOverTheFrequency) {
   EXPECT_NE(over.find("without the key Parameter"), std::string::npos) << over;
 }
 
+TEST(BrokenInputIsolatorTest, TheRepeatedBranchRecordsDisplacements) {
+  const std::string file = changed(in_metres, "  subsection Isolator design\n", exact);
+  const auto with = [&](const std::string &lines) {
+    return message_of(changed(file, "  set Type = branch\n", "  set Type = branch\n" + lines));
+  };
+  EXPECT_EQ(with("set Record = impacts, excursions\n"), "");
+  for (const char *lines :
+       {"set Record = impacts\n", "subsection Excursions\nset Quantities = velocity\nend\n"})
+    EXPECT_NE(with(lines).find("records the excursions of displacements"), std::string::npos)
+        << with(lines);
+}
+
 } // namespace
 } // namespace vibroimpact

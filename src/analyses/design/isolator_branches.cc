@@ -26,6 +26,18 @@ SweptParameter read_key(const Values &section, const char *key, const std::strin
   return {.path = path, .unit = number->unit, .values = {}, .origin = section.place(key) + ":"};
 }
 
+bool among(const std::string &name, const std::vector<std::string> &names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Without the key Record a branch records them too.
+bool records_displacements(const Values &branch) {
+  const std::vector<std::string> recorded = branch.names("Record");
+  const std::vector<std::string> quantities = branch.subsection("Excursions").names("Quantities");
+  return (recorded.empty() || among("excursions", recorded)) &&
+         (among("all", quantities) || among("displacement", quantities));
+}
+
 bool equal(double one, double other) {
   return std::abs(one - other) <= 1e-9 * std::max(std::abs(one), std::abs(other));
 }
@@ -95,6 +107,8 @@ IsolatorBranches::IsolatorBranches(const Values &section) {
     section.reject("Repeat", "an analysis of the type branch.");
   if (repeated.subsection("Branch").has("Parameter"))
     section.reject("Repeat", "a branch over the frequency, without the key Parameter.");
+  if (!records_displacements(repeated))
+    section.reject("Repeat", "a branch that records the excursions of displacements.");
   stiffness_ = read_key(section, "Stiffness key", "");
   clearance_ = read_key(section, "Clearance key", stiffness_.path);
 }
