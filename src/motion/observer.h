@@ -5,6 +5,7 @@
 #include "motion/segment/output_monitor.h"
 #include "motion/system/equations.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace vibroimpact::motion {
@@ -105,6 +106,8 @@ public:
   virtual OutputMonitor *output_monitor() { return nullptr; }
   /// Who must see steps where a motion is known in closed form; nullptr: nobody.
   virtual Observer *step_observer() { return output_monitor() ? nullptr : this; }
+  /// False: the integrals of work and impulses in the state do not matter to it.
+  virtual bool wants_integrals() const { return true; }
 };
 
 /// Passes everything on to several observers.
@@ -121,6 +124,10 @@ public:
   }
   OutputMonitor *output_monitor() override { return monitors_.empty() ? nullptr : this; }
   Observer *step_observer() override { return stepped_.list.empty() ? nullptr : &stepped_; }
+  bool wants_integrals() const override {
+    return std::any_of(list_.begin(), list_.end(),
+                       [](const Observer *observer) { return observer->wants_integrals(); });
+  }
 
 private:
   class Stepped : public Observer {

@@ -295,15 +295,16 @@ void Trajectory::pass_source_break() {
 }
 
 void Trajectory::advance(double end, Observer &observer) {
-  if (!observed_)
+  const bool wanted = observer.wants_integrals();
+  if (wanted && !integrals_)
     begin_balance();
+  integrals_ = wanted;
   integrate(end, observer);
 }
 
 void Trajectory::advance(double end) {
-  observed_ = false;
   Observers nobody({});
-  integrate(end, nobody);
+  advance(end, nobody);
 }
 
 void Trajectory::integrate(double end, Observer &observer) {
@@ -339,7 +340,7 @@ void Trajectory::move(double end, Observer &observer) {
     steppers_.step(limit);
     Crossing crossing;
     const bool changes = changes_in_step(crossing);
-    steppers_.present().accept(observed_);
+    steppers_.present().accept(integrals_);
     exact_ = exact_ && steppers_.present().exact();
     if (steppers_.present().time() > steppers_.present().previous_time())
       observer.step(view());

@@ -23,13 +23,13 @@ namespace vibroimpact::motion {
 
 class ExactPath;
 
-/// How well a motion was integrated since start(), the energy since the last stretch that nobody
-/// observed.
+/// How well a motion was integrated since start(), the energy since the last stretch without
+/// integrals.
 struct Accuracy {
   long steps = 0;
   long rejected_steps = 0;
   long events = 0;
-  double energy_residual = 0; ///< |unaccounted energy| / (initial + |input|); NaN: not observed
+  double energy_residual = 0; ///< |unaccounted energy| / (initial + |input|); NaN: not kept
   /// What a sound motion stays below: 1e-10 where every step was exact, else a thousand times the
   /// relative tolerance when that is more.
   double energy_threshold = 0;
@@ -65,8 +65,9 @@ public:
   /// Integrates up to `end` exactly. NumericalError when that fails, Interrupted when the run is to
   /// stop.
   void advance(double end, Observer &observer);
-  /// The same without being observed, which some methods do faster. The energy balance is not kept:
-  /// it begins anew with the next motion that is observed.
+  /// The same without being observed, which some methods do faster. Where nobody wants the
+  /// integrals, the energy balance is not kept: it begins anew with the next motion in which
+  /// somebody does.
   void advance(double end);
 
   double time() const { return steppers_.present().time(); }
@@ -75,6 +76,8 @@ public:
   const Equations &equations() const { return equations_; }
   const StateLayout &layout() const { return equations_.layout(); }
   Accuracy accuracy() const;
+  /// Contact changes since start().
+  long events() const { return events_; }
 
 private:
   struct Crossing {
@@ -155,8 +158,8 @@ private:
   std::unique_ptr<MotionTs> ts_;    ///< none: nobody looks at it by PETSc's means
   std::unique_ptr<ExactPath> path_; ///< none where the method is another
   bool steps_outdated_ = false;     ///< the steppers must begin anew to take a step
-  bool observed_ = true;
-  bool exact_ = true; ///< every step since the balance began
+  bool integrals_ = true;           ///< of work and impulses are kept
+  bool exact_ = true;               ///< every step since the balance began
   double initial_energy_ = 0;
   Vector initial_state_; ///< with the work integrals as it was when the balance began
   long steps_ = 0;

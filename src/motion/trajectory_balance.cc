@@ -8,7 +8,7 @@
 namespace vibroimpact::motion {
 
 void Trajectory::begin_balance() {
-  observed_ = true;
+  integrals_ = true;
   exact_ = true;
   initial_state_ = state();
   initial_energy_ = equations_.stored_energy(
@@ -30,7 +30,7 @@ Accuracy Trajectory::accuracy() const {
     unaccounted += since[layout().contact_work(c)];
   const double turnover = initial_energy_ + since[layout().absolute_input_work()];
   double energy_residual = turnover > 0 ? std::abs(unaccounted) / turnover : 0;
-  if (!observed_)
+  if (!integrals_)
     energy_residual = std::numeric_limits<double>::quiet_NaN();
   return {.steps = steps_,
           .rejected_steps = steppers_.rejected_steps() - rejected_before_,

@@ -16,13 +16,15 @@ bool Trajectory::propagate(double limit, Observer &observer) {
   const PathObserver path_observer{
       .monitor = observer.output_monitor(),
       .steps = observer.step_observer(),
+      .integrals = integrals_,
       .change = [&](double when, std::size_t contact, std::size_t guard, Vector &changed) {
         change_mode(when, contact, guard, changed, observer);
       }};
+  const bool observed = path_observer.monitor || path_observer.steps;
   const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - events_
                                                         : std::numeric_limits<long>::max();
   const bool moved = path_->advance(instant, state(), limit, most_events, zero_at_start_,
-                                    observed_ ? &path_observer : nullptr);
+                                    observed ? &path_observer : nullptr);
   const ExactPath::Tally tally = path_->take_tally();
   steps_ += tally.pieces + tally.steps_shown;
   events_ = events_before + tally.events;

@@ -52,6 +52,7 @@ public:
   void step(const motion::StepView &view) override { see(view.equations()); }
   /// Parts in closed form need not be seen step by step.
   motion::OutputMonitor *output_monitor() override { return this; }
+  bool wants_integrals() const override { return false; }
   void event(const motion::ContactEvent &event) override;
   EventPattern pattern(double end) const;
 

@@ -80,11 +80,11 @@ void RelaxingStop::evaluate(int mode, const LocalState &state, LawResponse &resp
   response.force = pushed ? stiffness_ * compression + damping_constant_ * rate : 0;
   response.force_by_gap = pushed ? -stiffness_ : 0;
   response.force_by_gap_rate = pushed ? -damping_constant_ : 0;
-  response.force_by_internal = {0};
-  response.internal_rate = {rate};
-  response.internal_rate_by_gap = {0};
-  response.internal_rate_by_gap_rate = {pushed ? -1.0 : 0.0};
-  response.internal_rate_by_internal = {pushed ? 0 : -recovery};
+  response.force_by_internal.assign(1, 0);
+  response.internal_rate.assign(1, rate);
+  response.internal_rate_by_gap.assign(1, 0);
+  response.internal_rate_by_gap_rate.assign(1, pushed ? -1.0 : 0.0);
+  response.internal_rate_by_internal.assign(1, pushed ? 0 : -recovery);
   response.stored_energy = 0.5 * stiffness_ * compression * compression;
   response.dissipated_power = damping_constant_ * rate * rate;
 }

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vibroimpact::motion {
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // factor for which row = factor * other, entry by entry but for rounding; 0 when there is none.
 double proportion(const RowVector &row, const RowVector &other) {
@@ -43,6 +46,7 @@ void ExactOutputs::share_output(std::size_t form) {
       share = {.range = share.range,
                .output = k,
                .factor = factor,
+               .inverse = 1 / factor,
                .shift = constant(form) - factor * constant(leader)};
   }
   if (share.output == leaders_.size())
@@ -56,17 +60,21 @@ void ExactOutputs::arrange() {
   const std::size_t count = leaders_.size();
   const std::size_t blocks = (count + 7) / 8;
   const auto n = static_cast<std::size_t>(phase_.view().n_padded);
-  constants_.assign(8 * blocks, 0);
+  const std::size_t middles = static_cast<std::size_t>(most_halvings) * 2 * n;
+  storage_.assign(blocks * (24 + 64 * n) + 8 * count * n + middles + 3 * n, 0);
+  double *free = storage_.data();
+  const auto take = [&](std::size_t size) { return std::exchange(free, free + size); };
+  constants_ = take(8 * blocks);
+  minimum_ = take(8 * blocks);
+  maximum_ = take(8 * blocks);
+  rows_ = take(48 * blocks * n);
+  sixth_ = take(8 * blocks * n);
+  sizes_ = take(8 * blocks * n);
+  single_ = take(8 * count * n);
   for (std::size_t f = 0; f < count; ++f)
     constants_[f] = forms_.differentiated[leaders_[f]] ? 0 : forms_.constants[leaders_[f]];
-  rows_.assign(blocks * 6 * n * 8, 0);
-  sixth_.assign(blocks * n * 8, 0);
-  sizes_.assign(blocks * n * 8, 0);
-  single_.assign(count * 8 * n, 0);
-  minimum_.assign(8 * blocks, -std::numeric_limits<double>::infinity());
-  maximum_.assign(8 * blocks, std::numeric_limits<double>::infinity());
-  const std::size_t middles = static_cast<std::size_t>(most_halvings) * 2 * n;
-  scratch_.assign(middles + 3 * n, 0);
+  std::fill_n(minimum_, 8 * blocks, -infinity);
+  std::fill_n(maximum_, 8 * blocks, infinity);
   dense_magnitudes_.clear();
   for (const PhaseGroup &group : phase_.groups()) {
     set_group(group);
@@ -75,17 +83,17 @@ void ExactOutputs::arrange() {
         dense_magnitudes_.push_back(std::abs(entry));
   }
   view_ = {.n_blocks = static_cast<int>(blocks),
-           .constants = constants_.data(),
-           .rows = rows_.data(),
-           .sixth = sixth_.data(),
-           .sizes = sizes_.data(),
-           .single = single_.data(),
+           .constants = constants_,
+           .rows = rows_,
+           .sixth = sixth_,
+           .sizes = sizes_,
+           .single = single_,
            .dense_magnitudes = dense_magnitudes_.data(),
-           .minimum = minimum_.data(),
-           .maximum = maximum_.data(),
-           .middles = scratch_.data(),
-           .turned = scratch_.data() + middles,
-           .reach = scratch_.data() + middles + 2 * n};
+           .minimum = minimum_,
+           .maximum = maximum_,
+           .middles = take(middles),
+           .turned = take(2 * n),
+           .reach = take(n)};
 }
 
 void ExactOutputs::renew() {
@@ -166,12 +174,11 @@ void ExactOutputs::set_dense(std::size_t f, const PhaseGroup &group) {
 
 // Of an output that several ranges share, the search must find what exceeds any of them.
 void ExactOutputs::begin() {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::fill_n(minimum_.begin(), leaders_.size(), -infinity);
-  std::fill_n(maximum_.begin(), leaders_.size(), infinity);
+  std::fill_n(minimum_, leaders_.size(), -infinity);
+  std::fill_n(maximum_, leaders_.size(), infinity);
   for (const Share &share : shares_) {
-    const double low = (share.range->minimum - share.shift) / share.factor;
-    const double high = (share.range->maximum - share.shift) / share.factor;
+    const double low = (share.range->minimum - share.shift) * share.inverse;
+    const double high = (share.range->maximum - share.shift) * share.inverse;
     double &minimum = minimum_[share.output];
     double &maximum = maximum_[share.output];
     minimum = std::max(minimum, share.factor > 0 ? low : high);

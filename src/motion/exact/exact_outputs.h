@@ -28,7 +28,7 @@ private:
   struct Share {
     ValueRange *range = nullptr;
     std::size_t output = 0;
-    double factor = 1, shift = 0;
+    double factor = 1, inverse = 1, shift = 0;
   };
 
   void share_output(std::size_t form);
@@ -46,8 +46,10 @@ private:
   std::vector<std::size_t> leaders_; ///< of each output, a form
   std::vector<Share> shares_;        ///< of all forms
   long arrangement_ = -1, generation_ = -1;
-  AlignedArray constants_, rows_, sixth_, sizes_, single_, dense_magnitudes_, minimum_, maximum_,
-      scratch_;
+  AlignedArray storage_, dense_magnitudes_;
+  // In the storage, for the view:
+  double *constants_ = nullptr, *minimum_ = nullptr, *maximum_ = nullptr, *rows_ = nullptr,
+         *sixth_ = nullptr, *sizes_ = nullptr, *single_ = nullptr;
   OutputsView view_;
 };
 

@@ -126,16 +126,15 @@ bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
   const auto largest =
       static_cast<std::size_t>(equations_.layout().physical_size()) + inputs_.size() + group_block;
   for (AlignedArray *buffer :
-       {&amplitudes_, &turned_, &next_, &part_, &step_start_, &step_end_, &start_})
+       {&amplitudes_, &turned_, &next_, &part_copy_, &step_start_, &step_end_, &start_})
     buffer->resize(std::max(buffer->size(), 2 * largest));
   for (AlignedArray *buffer : {&magnitudes_, &reach_, &next_rounding_})
     buffer->resize(std::max(buffer->size(), largest));
   physical_ = state_.head(known.phase().n_modes());
-  Amplitudes start;
-  known.phase().amplitudes(physical_, inputs_.data(), start);
+  known.phase().amplitudes(physical_, inputs_.data(), first_);
   rounding_.assign(largest,
                    0); // it changes places with that of the next phase, which may be larger
-  std::copy(start.begin(), start.end(), amplitudes_.begin());
+  std::copy(first_.begin(), first_.end(), amplitudes_.begin());
   walk_.amplitudes = amplitudes_.data();
   walk_.turned = turned_.data();
   walk_.magnitudes = magnitudes_.data();
@@ -187,8 +186,13 @@ void ExactPath::begin_part(double time) {
   if (!observer_)
     return;
   prepare_monitoring(*known_);
-  part_limit_ = time + known_->linear->work(equations_).longest();
-  std::copy_n(walk_.amplitudes, known_->phase().n_amplitudes(), part_.begin());
+  if (observer_->integrals)
+    part_limit_ = time + known_->linear->work(equations_).longest();
+  part_ = start_.data();
+  if (walk_.time > 0) {
+    std::copy_n(walk_.amplitudes, known_->phase().n_amplitudes(), part_copy_.begin());
+    part_ = part_copy_.data();
+  }
   part_start_ = time;
   if (observer_->monitor)
     observer_->monitor->part_begins(equations_, time, state_);
@@ -200,12 +204,12 @@ void ExactPath::end_part(double time, const double *amplitudes) {
     return;
   if (observer_->steps)
     show_steps(time, amplitudes);
-  else
-    known_->linear->work(equations_).add(part_.data(), amplitudes, time - part_start_, state_);
+  else if (observer_->integrals)
+    known_->linear->work(equations_).add(part_, amplitudes, time - part_start_, state_);
   if (!observer_->monitor)
     return;
   if (!known_->monitored.forms.ranges.empty())
-    known_->outputs->include(part_.data(), amplitudes, time - part_start_);
+    known_->outputs->include(part_, amplitudes, time - part_start_);
   observer_->monitor->part_done(equations_, part_start_, time);
 }
 
@@ -214,7 +218,7 @@ void ExactPath::end_part(double time, const double *amplitudes) {
 void ExactPath::show_steps(double time, const double *amplitudes) {
   ExactSegment &segment = known_->linear->segment(equations_);
   WorkIntegrals &work = known_->linear->work(equations_);
-  std::copy_n(part_.data(), known_->phase().n_amplitudes(), step_start_.begin());
+  std::copy_n(part_, known_->phase().n_amplitudes(), step_start_.begin());
   start_point_.state = state_;
   segment.fill(part_start_, step_start_.data(), start_point_);
   segment.begin(step_start_.data(), part_start_ == origin_);
@@ -231,7 +235,7 @@ void ExactPath::show_steps(double time, const double *amplitudes) {
     if (last)
       std::copy_n(amplitudes, known_->phase().n_amplitudes(), step_end_.begin());
     else
-      kernel_.turn(known_->view(), part_.data(), to - part_start_, step_end_.data());
+      kernel_.turn(known_->view(), part_, to - part_start_, step_end_.data());
     end_point_.state = start_point_.state;
     work.add(step_start_.data(), step_end_.data(), to - from, end_point_.state);
     segment.fill(to, step_end_.data(), end_point_);

@@ -28,6 +28,7 @@ namespace vibroimpact::motion {
 struct PathObserver {
   OutputMonitor *monitor = nullptr; ///< none: nobody wants extreme values
   Observer *steps = nullptr;        ///< none: nobody must see steps
+  bool integrals = true;            ///< of work and impulses are to be kept
   std::function<void(double time, std::size_t contact, std::size_t guard, Vector &state)> change;
 };
 
@@ -60,8 +61,8 @@ public:
   /// Goes on from (time, state) in the present modes of the equations, to `limit` (no later than
   /// the next break of the sources) and through `most_events` contact changes at most. The guards
   /// in `zero` count as zero at first if they rise. True when that moved the motion on; pending()
-  /// then tells whether a contact changes there, and state() where it stands. Without observer the
-  /// entries of the work integrals stay as they are.
+  /// then tells whether a contact changes there, and state() where it stands. Where nobody
+  /// wants them the work integrals stay as they are.
   bool advance(double &time, const Vector &state, double limit, long most_events,
                std::span<const ZeroGuard> zero = {}, const PathObserver *observer = nullptr);
   const Vector &state() const { return state_; }
@@ -125,7 +126,7 @@ private:
   std::vector<double> inputs_;
   KnownPhase *known_ = nullptr;
   Walk walk_;
-  Amplitudes amplitudes_, turned_, next_;
+  Amplitudes first_, amplitudes_, turned_, next_;
   AlignedArray magnitudes_, reach_, rounding_, next_rounding_, noise_;
   std::vector<unsigned char> order_;
   int changes_ = 0; ///< since the inputs were taken from the sources
@@ -137,9 +138,10 @@ private:
   Tally tally_;
   const PathObserver *observer_ = nullptr; ///< of the present call
   Vector state_;
-  Amplitudes part_; ///< at the start of the part that is not reported yet
+  Amplitudes start_;             ///< when the walk began
+  const double *part_ = nullptr; ///< at the start of the part that is not reported yet
+  Amplitudes part_copy_;         ///< if that is not when the walk began
   double part_start_ = 0, part_limit_ = 0;
-  Amplitudes start_; ///< when the walk began
   Amplitudes step_start_, step_end_;
   EndPoint start_point_, end_point_; ///< of a step that is shown
 };

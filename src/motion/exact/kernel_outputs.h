@@ -178,17 +178,22 @@ template <int count> void differences(const V8 *b, V8 *d) {
     d[i] = b[i + 1] - b[i];
 }
 
+// sqrt(x^2 + y^2) <= max + min / 2, since max min >= 3/4 min^2.
+inline V8 modulus_bound(V8 x, V8 y) {
+  const V8 a = magnitude(x);
+  const V8 b = magnitude(y);
+  return fused(all(0.5), lower(a, b), upper(a, b));
+}
+
 // Bound of the magnitudes between two instants, h apart. The modulus of an exponential is largest
 // at one of them.
 inline void bound_reach(const PhaseView &p, const OutputsView &o, const double *start,
                         const double *end, double h, double *reach) {
   const int n = p.n_padded;
   for (int b = 0; b < n; b += group_block) {
-    const V8 x = load(start + b);
-    const V8 y = load(start + n + b);
-    const V8 u = load(end + b);
-    const V8 v = load(end + n + b);
-    store(reach + b, square_root(upper(fused(x, x, y * y), fused(u, u, v * v))));
+    const V8 at_start = modulus_bound(load(start + b), load(start + n + b));
+    const V8 at_end = modulus_bound(load(end + b), load(end + n + b));
+    store(reach + b, upper(at_start, at_end));
   }
   const double *generator = o.dense_magnitudes;
   for (int d = 0; d < p.n_dense; ++d) {

@@ -20,6 +20,14 @@ bool is_zero(const contact::AffineForm &form) {
   return zero;
 }
 
+// sum += |A| |x|
+void add_magnitudes(const model::LinearForm &form, const double *values, Vector &sum) {
+  const auto x = ConstVectorView(values, sum.size()).cwiseAbs();
+  sum += form.diagonal.cwiseAbs().cwiseProduct(x);
+  if (form.coupling.size() > 0)
+    sum.noalias() += form.coupling.cwiseAbs() * x;
+}
+
 } // namespace
 
 Equations::Equations(const model::Model &model, const contact::ContactSet &contacts)
@@ -277,14 +285,16 @@ Matrix Equations::response_to(const Matrix &rows, double time, ConstVectorView x
 // Sum of the sizes of all that the force which holds a contact is made of.
 double Equations::force_magnitude(std::size_t contact, double time, const Vector &x) const {
   const Index n = layout_.n;
-  Vector load;
-  model_.load(source_time(time), load);
-  const Vector forces =
-      load.cwiseAbs() + model_.stiffness().dense().cwiseAbs() * x.head(n).cwiseAbs() +
-      model_.damping().dense().cwiseAbs() * x.segment(layout_.velocity(), n).cwiseAbs();
-  const RowVector row = contacts_.pairs()[contact].gap.row.cwiseAbs();
-  return (row * forces.cwiseQuotient(model_.mass())).value() *
-         contacts_.effective_mass(contact, model_);
+  model_.load(source_time(time), load_);
+  Vector &forces = elastic_;
+  forces = load_.cwiseAbs();
+  add_magnitudes(model_.stiffness(), x.data(), forces);
+  add_magnitudes(model_.damping(), x.data() + layout_.velocity(), forces);
+  const RowVector &row = contacts_.pairs()[contact].gap.row;
+  double sum = 0;
+  for (Index j = 0; j < n; ++j)
+    sum += std::abs(row[j]) * forces[j] / model_.mass()[j];
+  return sum * contacts_.effective_mass(contact, model_);
 }
 
 // Cubic springs and rotors; divides by the mass. Returns the power they take in.

@@ -26,7 +26,7 @@ LinearisedMotion Lineariser::operator()(const MotionState &start, double end,
           .by_key = variation_->key_columns(),
           .rates = rates.head(size),
           .determinant = variation_->determinant(),
-          .events = trajectory_.accuracy().events,
+          .events = trajectory_.events(),
           .without_derivative = variation_->tangential_events()};
 }
 

@@ -13,7 +13,10 @@ void LowRankMap::add(const Vector &direction, const RowVector &factor) {
 }
 
 void LowRankMap::apply(Matrix &columns) const {
-  if (rank() > 0)
+  if (rank() == 1)
+    for (Index k = 0; k < columns.cols(); ++k)
+      columns.col(k) += left.col(0) * right.row(0).dot(columns.col(k));
+  else if (rank() > 1)
     columns += left * (right * columns).eval();
 }
 
@@ -26,8 +29,9 @@ double LowRankMap::determinant() const {
   const Index r = rank();
   if (r == 0)
     return 1;
-  const Matrix small = Matrix::Identity(r, r) + right * left;
-  return r == 1 ? small(0, 0) : small.partialPivLu().determinant();
+  if (r == 1)
+    return 1 + right.row(0).dot(left.col(0));
+  return (Matrix::Identity(r, r) + right * left).partialPivLu().determinant();
 }
 
 } // namespace vibroimpact::motion

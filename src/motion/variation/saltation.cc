@@ -55,7 +55,8 @@ Vector Saltations::rates(double time, const Vector &state) const {
   Vector rates(state.size());
   equations_.rates(time, ConstVectorView(state.data(), state.size()),
                    VectorView(rates.data(), rates.size()));
-  return rates.head(equations_.layout().physical_size());
+  rates.conservativeResize(equations_.layout().physical_size());
+  return rates;
 }
 
 // The gap is zero there. A force that begins with its fourth root would make 1e-4 of a rounding of
@@ -174,22 +175,23 @@ Saltations::Reset Saltations::impact(const ContactEvent &event, const Vector &be
 
 Saltation Saltations::join(const Crossing &crossing, const Reset &reset,
                            const Vector &after) const {
-  Saltation saltation{
-      .by_state = reset.by_state, .by_key = reset.by_key, .delay = RowVector::Zero(after.size())};
   const Vector jump = after - reset.rates;
-  const Vector size = scale_.cwiseProduct(after.cwiseAbs() + reset.rates.cwiseAbs());
-  const bool shifts =
-      scale_.cwiseProduct(jump).cwiseAbs().maxCoeff() > negligible_jump * size.maxCoeff();
+  const double size = scale_.cwiseProduct(after.cwiseAbs() + reset.rates.cwiseAbs()).maxCoeff();
+  const bool shifts = scale_.cwiseProduct(jump).cwiseAbs().maxCoeff() > negligible_jump * size;
+  Saltation saltation{
+      .by_state = reset.by_state, .by_key = reset.by_key, .delay = crossing.by_state};
   saltation.jumps = shifts || !reset.by_state.right.isZero(0);
   if (crossing.rate == 0) {
+    saltation.delay.setZero();
     saltation.differentiable = !shifts;
     return saltation;
   }
-  saltation.delay = -crossing.by_state / crossing.rate;
+  saltation.delay /= -crossing.rate;
   if (jump.isZero(0))
     return saltation;
-  saltation.by_state.add(jump, crossing.by_state / crossing.rate);
-  saltation.by_key += jump * (crossing.by_key / crossing.rate);
+  saltation.by_state.add(jump, -saltation.delay);
+  if (!keys_.empty())
+    saltation.by_key += jump * (crossing.by_key / crossing.rate);
   return saltation;
 }
 

@@ -245,13 +245,12 @@ bool Variation::contradicts(const Saltation &saltation, double time) {
   if (!again)
     instant_ = {.time = time, .maps = {}, .delay = saltation.delay, .jumps = saltation.jumps};
   instant_.jumps = instant_.jumps || saltation.jumps;
-  instant_.maps.push_back(saltation.by_state);
   return apart;
 }
 
 void Variation::event(const ContactEvent &event) {
   forget_parts();
-  const std::optional<Saltation> saltation = saltations_.of(event, start_);
+  std::optional<Saltation> saltation = saltations_.of(event, start_);
   if (!saltation)
     return;
   const bool apart = contradicts(*saltation, event.time);
@@ -261,6 +260,7 @@ void Variation::event(const ContactEvent &event) {
   const double determinant = saltation->by_state.determinant();
   determinant_.logarithm += std::log(std::abs(determinant));
   determinant_.sign *= determinant < 0 ? -1 : 1;
+  instant_.maps.push_back(std::move(saltation->by_state));
 }
 
 } // namespace vibroimpact::motion

@@ -70,6 +70,7 @@ public:
   void event(const ContactEvent &event) override;
   /// Linear phases pass as a whole, unless a key makes them something else.
   OutputMonitor *output_monitor() override { return keys_keep_linear() ? this : nullptr; }
+  bool wants_integrals() const override { return false; }
 
   /// What deviations at the start were projected by, and what that gives to the derivatives.
   const LinearMap &projection() const { return projection_; }
