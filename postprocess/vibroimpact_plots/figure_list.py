@@ -9,6 +9,7 @@ from . import (
     bifurcation,
     branches,
     cycles,
+    derivatives,
     derived_curves,
     fits,
     fronts,
@@ -29,7 +30,7 @@ from . import (
 )
 
 KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits,
-         relative_motion, spectra, time_frequency, maps, derived_curves]
+         relative_motion, spectra, time_frequency, maps, derivatives, derived_curves]
 # Analyses whose fields are of their own kind.
 OWN = {**{name: [branches] for name in branches.TYPES}, loci.TYPE: [loci],
        searches.TYPE: [searches, derived_curves],

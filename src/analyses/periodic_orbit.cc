@@ -1,6 +1,7 @@
 #include "analyses/periodic_orbit.h"
 
 #include "analyses/fields.h"
+#include "analyses/key_neighbours.h"
 #include "analyses/orbit_fields.h"
 #include "analyses/single_point.h"
 #include "analyses/swept_system.h"
@@ -19,6 +20,7 @@ void PeriodicOrbit::declare(parameters::Section &analysis) {
       "A motion that repeats itself, stable or not: where a settled motion or a given "
       "state leads by Newton's method, with its multipliers.");
   declare_orbit_start(section);
+  declare_orbit_keys(section);
   section.text("Excitation", "",
                "Excitation whose period is that of the forcing; empty when there is only one with "
                "a period.");
@@ -29,7 +31,8 @@ std::shared_ptr<const Analysis> PeriodicOrbit::create(const parameters::Values &
   return std::make_shared<PeriodicOrbit>(
       Settings{.start = read_orbit_start(values),
                .excitation = values.text("Excitation"),
-               .recorders = read_recorders(analysis, {"excursions", "impacts"})});
+               .recorders = read_recorders(analysis, {"excursions", "impacts"}),
+               .keys = read_orbit_keys(values)});
 }
 
 void PeriodicOrbit::check(const System &system) const {
@@ -37,6 +40,23 @@ void PeriodicOrbit::check(const System &system) const {
                      settings_.start);
   search.forced().trajectory().start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
+}
+
+void PeriodicOrbit::check_built(const SystemSource &build) const {
+  for (const OrbitKey &key : settings_.keys)
+    if (!key.parameter.is_frequency())
+      key_neighbours(key.parameter, key.parameter.values[0], build);
+}
+
+void PeriodicOrbit::add_all_derivatives(PointResult &result, const RecordedOrbit &motion,
+                                        const LineContext &context) const {
+  for (const OrbitKey &key : settings_.keys)
+    try {
+      add_derivatives(result, key, motion,
+                      [&context](const auto &overrides) { return context.build(overrides); });
+    } catch (const NumericalError &error) {
+      result.reason += "no derivative by " + key.name + ": " + error.what() + ". ";
+    }
 }
 
 PointResult PeriodicOrbit::compute(const System &system, LineContext &context) const {
@@ -58,6 +78,10 @@ PointResult PeriodicOrbit::compute(const System &system, LineContext &context) c
                                        static_cast<double>(search.settling_cycles()), "1",
                                        "forcing periods before Newton's method"));
   add_accuracy(result, trajectory.accuracy(), system.integration);
+  add_all_derivatives(
+      result,
+      {.system = system, .map = search.map(), .orbit = orbit, .recorders = settings_.recorders},
+      context);
   return result;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "analyses/analysis.h"
-#include "analyses/orbit_start.h"
+#include "analyses/orbit_derivatives.h"
 #include "analyses/recorders.h"
 
 namespace vibroimpact::analyses {
@@ -14,6 +14,7 @@ public:
     OrbitStart start;
     std::string excitation; ///< whose period is that of the forcing; empty: the only one
     std::vector<RecorderFactory> recorders = default_recorders();
+    std::vector<OrbitKey> keys{}; ///< by which derivatives are wanted
   };
   explicit PeriodicOrbit(Settings settings) : settings_(std::move(settings)) {}
 
@@ -23,9 +24,12 @@ public:
   std::string type() const override { return "periodic orbit"; }
   std::vector<Axis> axes() const override { return {}; }
   void check(const System &system) const override;
+  void check_built(const SystemSource &build) const override;
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:
+  void add_all_derivatives(PointResult &result, const RecordedOrbit &motion,
+                           const LineContext &context) const;
   PointResult compute(const System &system, LineContext &context) const;
 
   Settings settings_;

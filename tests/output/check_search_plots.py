@@ -65,6 +65,14 @@ def write(folder, sign):
                          ("total", (0.8, 0.4)), ("total_error", (0.05, 0.04))):
         for key, value in zip("xy", values):
             writer.field(f"{kind}/peak/{key}", np.array([value, NAN, NAN]), "1")
+    writer.analysis("orbit", "periodic orbit", [])
+    for path, value, unit in (("contact/stop/peak_force/maximum", 4.0, "N"),
+                              ("contact/stop/impulse/mean", NAN, "N s"),
+                              ("derivative/stiffness/value", 10.0, "N/m"),
+                              ("derivative/stiffness/smooth", 1.0, "1"),
+                              ("derivative/stiffness/contact/stop/peak_force/maximum", 0.2, "N/(N/m)"),
+                              ("derivative/stiffness/contact/stop/impulse/mean", 0.1, "N s/(N/m)")):
+        writer.field(path, np.array(value), unit)
     writer.file.close()
 
 
@@ -80,7 +88,7 @@ class SearchFigures(unittest.TestCase):
 
     def test_names(self):
         self.assertEqual(set(self.draw()), {"search-history", "search-plane", "fit-fit-sweep", "fit-history",
-                                            "both-front", "both-keys", "shares-shares"})
+                                            "both-front", "both-keys", "shares-shares", "orbit-derivatives"})
 
     def test_the_best_so_far_never_gets_worse_and_meets_the_constraint(self):
         for sign in (1, -1):
@@ -136,6 +144,12 @@ class SearchFigures(unittest.TestCase):
         first = axes.containers[0] if hasattr(axes.containers[0], "lines") else axes.containers[1]
         low, high = first.lines[2][0].get_segments()[0][:, 1]
         np.testing.assert_allclose((low, high), (0.44, 0.56))
+
+    def test_derivatives_are_relative(self):
+        (axes,) = self.draw()["orbit-derivatives"].axes
+        np.testing.assert_allclose([bar.get_width() for bar in axes.patches], [10 * 0.2 / 4])
+        self.assertEqual([label.get_text() for label in axes.get_yticklabels()],
+                         ["peak force, maximum\nstop"])
 
 
 if __name__ == "__main__":

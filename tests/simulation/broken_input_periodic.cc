@@ -62,6 +62,16 @@ TEST(BrokenInputPeriodicTest, State) {
   expect_message("0.001, 0.02", "0.001, fast", {"State", "fast"});
 }
 
+TEST(BrokenInputPeriodicTest, KeysOfDerivatives) {
+  const auto with = [](const std::string &path) {
+    return "0.001, 0.02\nsubsection Derivative one\nset Path = " + path + "\nend";
+  };
+  expect_message("0.001, 0.02", with("Analysis/orbit/Record"),
+                 {"Derivative one / Path", "a key outside the analyses"});
+  expect_message("0.001, 0.02", with("Title"), {"Derivative one / Path", "holds one number"});
+  expect_message("0.001, 0.02", with("Variables/nothing"), {"Derivative one / Path", "nothing"});
+}
+
 TEST(BrokenInputPeriodicTest, StoredState) {
   const testing::TemporaryFolder folder;
   Hdf5File file = Hdf5File::create(folder.path() / "results.h5");

@@ -1,0 +1,198 @@
+#include "analyses/orbit_derivatives.h"
+
+#include "analyses/fields.h"
+#include "analyses/key_neighbours.h"
+#include "analyses/window_recording.h"
+#include "common/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vibroimpact::analyses {
+
+using motion::KeyNeighbour;
+
+namespace {
+
+constexpr double nearly_singular = 1e-10; // of 1 - P_x, relative to 1
+
+std::vector<KeyNeighbour> neighbours_of(const OrbitKey &key, const RecordedOrbit &motion,
+                                        const SystemSource &build) {
+  if (!key.parameter.is_frequency())
+    return key_neighbours(key.parameter, key.parameter.values[0], build);
+  auto list = frequency_neighbours(motion.system, motion.map.system().source());
+  for (KeyNeighbour &neighbour : list)
+    neighbour.offset /= 2 * std::numbers::pi; // per hertz
+  return list;
+}
+
+/// The whole motion, which a key that takes the symmetry away leaves periodic.
+periodic::Section whole(const periodic::Orbit &orbit) {
+  return {.phase = orbit.section.phase, .halves = 2 * orbit.multiple()};
+}
+
+/// At the section, keeping the phase of the forcing.
+Vector state_by_key(const RecordedOrbit &motion) {
+  const periodic::Flow flow = motion.map.image(whole(motion.orbit), motion.orbit.point.state);
+  const Vector scale = motion.map.scale();
+  const Matrix rest = Matrix::Identity(scale.size(), scale.size()) -
+                      scale.asDiagonal() * flow.by_state * scale.cwiseInverse().asDiagonal();
+  const Eigen::JacobiSVD<Matrix> svd(rest, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  if (svd.singularValues().minCoeff() < nearly_singular)
+    throw NumericalError("the motion stands at a fold or at the end of its stability, where it has "
+                         "no derivative by a key");
+  return scale.cwiseInverse().cwiseProduct(svd.solve(scale.cwiseProduct(flow.by_keys.col(0))));
+}
+
+/// At the forcing phase of time zero.
+Vector at_zero_phase(const RecordedOrbit &motion, const Vector &by_key) {
+  if (motion.orbit.section.phase == 0)
+    return by_key;
+  const periodic::Flow flow =
+      motion.map.flow(motion.orbit.section.phase, static_cast<double>(motion.orbit.multiple()),
+                      motion.orbit.point.state);
+  return flow.by_state * by_key + flow.by_keys.col(0);
+}
+
+struct Recorded {
+  PointResult point{};
+  long events = 0;
+};
+
+Recorded record(const System &system, const Vector &state, const RecordedOrbit &motion) {
+  periodic::ForcedSystem forced(system.model, system.contacts, system.integration,
+                                motion.map.system().source());
+  const double start = motion.orbit.section.phase * forced.period();
+  WindowRecording recording(motion.recorders, system);
+  forced.trajectory().start({.time = start, .physical = state});
+  recording.run(periods_window(start, forced.period(), motion.orbit.multiple()),
+                forced.trajectory());
+  Recorded recorded{.events = forced.trajectory().accuracy().events};
+  recording.add_fields(recorded.point);
+  return recorded;
+}
+
+std::vector<Recorded> record_neighbours(std::vector<KeyNeighbour> neighbours, const Vector &by_key,
+                                        const RecordedOrbit &motion) {
+  std::vector<Recorded> all;
+  for (KeyNeighbour &near : neighbours) {
+    const System system{.model = std::move(near.model),
+                        .contacts = std::move(near.contacts),
+                        .integration = motion.system.integration,
+                        .initial = motion.system.initial};
+    all.push_back(record(system, motion.orbit.point.state + near.offset * by_key, motion));
+  }
+  return all;
+}
+
+/// Of the differences to the value at 0: exact for polynomials of degree four.
+Vector weights(const std::vector<KeyNeighbour> &neighbours) {
+  const auto n = static_cast<Index>(neighbours.size());
+  const double size = std::abs(neighbours.front().offset);
+  Matrix powers(n, n);
+  for (Index m = 0; m < n; ++m)
+    for (Index i = 0; i < n; ++i)
+      powers(m, i) = std::pow(neighbours[static_cast<std::size_t>(i)].offset / size,
+                              static_cast<double>(m + 1));
+  return powers.fullPivLu().solve(Vector::Unit(n, 0)) / size;
+}
+
+std::string unit_by_key(const std::string &unit, const std::string &key_unit) {
+  return key_unit == "1" ? unit : unit + "/(" + key_unit + ")";
+}
+
+const Field *find(const PointResult &point, const std::string &name) {
+  for (const Field &field : point.fields)
+    if (field.name() == name)
+      return &field;
+  return nullptr;
+}
+
+void add_number(PointResult &result, const std::string &name, double value, const std::string &unit,
+                const std::string &description) {
+  result.fields.push_back(scalar_field(name, value, unit, description));
+  std::string line = name;
+  std::replace(line.begin(), line.end(), '/', '.');
+  result.summary.push_back(scalar_line(line, value, unit));
+}
+
+void add_state(PointResult &result, const OrbitKey &key, const Vector &values) {
+  result.fields.push_back(series_field(
+      "derivative/" + key.name + "/state", "state", {values.begin(), values.end()}, "SI",
+      "derivative of the state at the forcing phase of time zero, by "
+      "the key in " +
+          key.parameter.unit));
+}
+
+void add_recorded(PointResult &result, const OrbitKey &key, const Recorded &present,
+                  const std::vector<Recorded> &near, const Vector &weight) {
+  for (const Field &field : present.point.fields) {
+    if (!field.shape.empty() || field.unit() == "1" || !std::isfinite(field.values[0]))
+      continue;
+    double derivative = 0;
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      const Field *there = find(near[i].point, field.name());
+      derivative += weight[static_cast<Index>(i)] * (there->values[0] - field.values[0]);
+    }
+    add_number(result, "derivative/" + key.name + "/" + field.name(), derivative,
+               unit_by_key(field.unit(), key.parameter.unit), "derivative: " + field.description());
+  }
+}
+
+} // namespace
+
+void declare_orbit_keys(parameters::Section &section) {
+  section
+      .named_subsection("Derivative", "A key by which the motion and what is recorded of it are "
+                                      "differentiated.")
+      .text("Path", "",
+            "The key, as for --set: Contact/stop/Clearance, or Variables/lambda; empty means the "
+            "frequency of the excitation.");
+}
+
+std::vector<OrbitKey> read_orbit_keys(const parameters::Values &section) {
+  std::vector<OrbitKey> keys;
+  for (const std::string &name : section.instances("Derivative")) {
+    const parameters::Values one = section.instance("Derivative", name);
+    keys.push_back({.name = name, .parameter = {}});
+    const std::string path = one.text("Path");
+    if (path.empty())
+      continue;
+    const std::string target = one.key_path("Path");
+    if (target.starts_with("Analysis ") || target.starts_with("Derived "))
+      one.reject("Path", "a key outside the analyses.");
+    const auto number = section.parameters().number_at(path);
+    if (!number)
+      one.reject("Path", "a key that holds one number.");
+    keys.back().parameter = {.path = path,
+                             .unit = number->unit,
+                             .values = {number->value},
+                             .origin = one.place("Path") + ":"};
+  }
+  return keys;
+}
+
+void add_derivatives(PointResult &result, const OrbitKey &key, const RecordedOrbit &motion,
+                     const SystemSource &build) {
+  std::vector<KeyNeighbour> neighbours = neighbours_of(key, motion, build);
+  periodic::ForcedKey forced = forced_key(key.name, motion.map.system(), neighbours);
+  motion.map.set_keys({&forced});
+  const Vector by_key = state_by_key(motion);
+  add_state(result, key, at_zero_phase(motion, by_key));
+  motion.map.set_keys({});
+  const Vector weight = weights(neighbours);
+  const Recorded present = record(motion.system, motion.orbit.point.state, motion);
+  const std::vector<Recorded> near = record_neighbours(std::move(neighbours), by_key, motion);
+  const bool smooth = std::all_of(
+      near.begin(), near.end(), [&](const Recorded &one) { return one.events == present.events; });
+  add_number(result, "derivative/" + key.name + "/smooth", smooth ? 1 : 0, "1",
+             "0 where motions with the key some thousandths off have another number of contact "
+             "changes, so that the derivatives may be of no use");
+  if (!key.parameter.is_frequency())
+    add_number(result, "derivative/" + key.name + "/value", key.parameter.values[0],
+               key.parameter.unit, "value of the key " + key.parameter.path);
+  add_recorded(result, key, present, near, weight);
+}
+
+} // namespace vibroimpact::analyses
