@@ -10,13 +10,13 @@ from .parameters_text import number
 from .results import Analysis, ResultError
 
 
-def choose(analysis: Analysis, wishes: list[str]) -> None:
+def choose(analysis: Analysis, requests: list[str]) -> None:
     """Enters the indices of the chosen points into the analysis; axes it does not have are left
     to the other analyses."""
-    for wish in wishes:
-        name, equals, values = wish.partition("=")
+    for requested in requests:
+        name, equals, values = requested.partition("=")
         if not equals or not values.strip():
-            raise ResultError(f"--at {wish}: AXIS=VALUES is wanted")
+            raise ResultError(f"--at {requested}: AXIS=VALUES is wanted")
         for axis in analysis.axes:
             if is_called(axis, name.strip()):
                 indices = [index_of(analysis, axis, value.strip()) for value in values.split(",")]

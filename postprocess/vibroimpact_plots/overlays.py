@@ -19,31 +19,32 @@ from .results import Analysis, ResultError, Results
 MARKERS = {"forward": ">", "backward": "<"}
 
 
-def find(results: Results, wish: str, stack: ExitStack) -> list[Analysis]:
+def find(results: Results, requested: str, stack: ExitStack) -> list[Analysis]:
     """The analyses that --overlay names: NAME of this file, FOLDER:NAME, or all of FOLDER."""
-    own = [analysis for analysis in results.analyses() if analysis.name == wish]
+    own = [analysis for analysis in results.analyses() if analysis.name == requested]
     if own:
         return own
-    place, colon, name = wish.rpartition(":")
-    folder = Path(place if colon else wish)
+    place, colon, name = requested.rpartition(":")
+    folder = Path(place if colon else requested)
     if not colon and not folder.exists():
         known = ", ".join(analysis.name for analysis in results.analyses())
-        raise ResultError(f"--overlay {wish}: neither an analysis of {results.file} ({known}) nor a "
-                          "result folder")
+        raise ResultError(f"--overlay {requested}: neither an analysis of {results.file} ({known}) "
+                          "nor a result folder")
     other = stack.enter_context(Results(folder)).analyses()
     found = [analysis for analysis in other if not colon or analysis.name == name]
     if not found:
         known = ", ".join(analysis.name for analysis in other)
-        raise ResultError(f"--overlay {wish}: {folder} holds no analysis {name}; there are: {known}")
+        raise ResultError(f"--overlay {requested}: {folder} holds no analysis {name}; "
+                          f"there are: {known}")
     return found
 
 
-def attach(results: Results, analyses: list[Analysis], wishes: list[str], stack: ExitStack) -> None:
+def attach(results: Results, analyses: list[Analysis], requests: list[str], stack: ExitStack) -> None:
     """Enters each overlay into the branches whose key it has. ResultError when it fits none."""
     branches = [analysis for analysis in analyses if analysis.type in TYPES]
-    for wish in wishes:
+    for requested in requests:
         fitting = 0
-        for overlay in find(results, wish, stack):
+        for overlay in find(results, requested, stack):
             for branch in branches:
                 if overlay.name != branch.name or overlay.file != branch.file:
                     fits = along(overlay, key_of(branch)) is not None
@@ -51,8 +52,9 @@ def attach(results: Results, analyses: list[Analysis], wishes: list[str], stack:
                     fitting += fits
         if not fitting:
             keys = sorted({key_of(branch) for branch in branches})
-            raise ResultError(f"--overlay {wish}: nothing in it runs along " + " or ".join(keys)
-                              if keys else f"--overlay {wish}: there is no branch to draw it over")
+            raise ResultError(f"--overlay {requested}: " + (
+                "nothing in it runs along " + " or ".join(keys) if keys
+                else "there is no branch to draw it over"))
 
 
 def along(analysis: Analysis, key: str):
@@ -69,16 +71,39 @@ def draw(axes, base: Layout, key, shown) -> list[Line2D]:
     the entries of the legend."""
     handles: list[Line2D] = []
     colours = style.COLOURS[1:]
-    for overlay in base.analysis.overlays:
+    for overlay, name in zip(base.analysis.overlays, names(base.analysis)):
         if not overlay.has(shown[0]):
             continue
         layout = layout_along(overlay, key[0])
         for case in layout.cases():
             colour = colour_of(base, case) or colours[len(handles) % len(colours)]
             member = title_of(overlay, case.index)
-            label = f"{overlay.name}, {member}" if member else overlay.name
+            label = f"{name}, {member}" if member else name
             handles.append(one(axes, layout, case, key, shown, colour, label))
     return handles
+
+
+def names(base: Analysis) -> list[str]:
+    """Of the overlays; those of other results that share theirs with the branch or another overlay
+    are told apart by as much of their folder as that takes."""
+    shared = [[other for other in (base, *base.overlays)
+               if other.name == overlay.name and other.file != overlay.file]
+              for overlay in base.overlays]
+    return [f"{overlay.name} ({place_of(overlay, others)})"
+            if others and overlay.file != base.file else overlay.name
+            for overlay, others in zip(base.overlays, shared)]
+
+
+def place_of(overlay: Analysis, others: list[Analysis]) -> str:
+    """The last parts of the folder, or of a file of another name than a run gives it."""
+    def parts(analysis: Analysis) -> tuple[str, ...]:
+        file = Path(analysis.file).resolve()
+        return (file.parent if file.name == "results.h5" else file).parts
+
+    own = parts(overlay)
+    least = next((count for count in range(1, len(own))
+                  if all(parts(other)[-count:] != own[-count:] for other in others)), len(own))
+    return "/".join(own[-least:])
 
 
 def layout_along(analysis: Analysis, key: str) -> Layout:

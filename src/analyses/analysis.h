@@ -9,6 +9,7 @@
 #include "analyses/system.h"
 #include "common/result_sink.h"
 #include "common/signals.h"
+#include "common/step_record.h"
 
 #include <memory>
 #include <stdexcept>
@@ -30,6 +31,11 @@ public:
   /// The share (0 to 1) of the point at hand that is done, at least; called now and then in a long
   /// motion. Throws Interrupted when the run is to stop: the point is then left unfinished.
   virtual void note_progress(double /*share*/) {}
+  /// What the steps towards a point gave in an earlier run that did not get to it, and where those
+  /// of this run are kept; null where nothing is kept.
+  virtual std::unique_ptr<StepRecord> steps(const std::vector<std::size_t> & /*index*/) {
+    return nullptr;
+  }
   /// The point was found finished: only the progress counts on.
   virtual void skip() = 0;
   /// Leaves what lines after this one may ask for.

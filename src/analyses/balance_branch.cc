@@ -1,8 +1,10 @@
 #include "analyses/balance_branch.h"
 
 #include "analyses/balance_table.h"
+#include "analyses/curve_progress.h"
 #include "analyses/single_point.h"
 #include "analyses/swept_system.h"
+#include "continuation/archived_types.h"
 #include "continuation/branch.h"
 #include "continuation/harmonic_series.h"
 
@@ -35,8 +37,9 @@ Vector sizes(const Matrix &elements, const contact::ContactSet &contacts) {
 class Follower {
 public:
   Follower(const BalanceBranch::Settings &settings, HarmonicBalance &problem, BalanceTable &table,
-           LineContext &context)
-      : settings_(settings), problem_(problem), table_(table), context_(context) {}
+           LineContext &context, StepRecord *steps)
+      : settings_(settings), problem_(problem), table_(table), context_(context), steps_(steps),
+        progress_(settings.continuation.first_key) {}
 
   void run(const BranchPoint &start) {
     bool closed = false;
@@ -49,31 +52,32 @@ public:
 private:
   continuation::End follow(const BranchPoint &start, bool forward) {
     table_.begin(forward ? 1 : -1);
+    progress_.begin(start.point.keys[0]);
+    const double left = forward && settings_.directions == Directions::both ? 2 : 1;
     bool first = forward || settings_.directions == Directions::backward;
     const Branch branch = continuation::follow(
         problem_, {.point = start.point, .direction = {}, .forward = forward},
         settings_.continuation,
         {.point =
              [&](const BranchPoint &point) {
-               note();
+               context_.note_progress(progress_.at(point.point.keys[0], left));
                if (first)
                  table_.add(point);
                first = true; // the start of the second direction is there already
              },
-         .special = [&](const continuation::SpecialPoint &special) { table_.add(special); }});
+         .special = [&](const continuation::SpecialPoint &special) { table_.add(special); }},
+        steps_);
     table_.end(branch);
+    progress_.finish();
     return branch.end;
-  }
-
-  void note() const {
-    const double most = 2.0 * settings_.continuation.most_points;
-    context_.note_progress(std::min(1.0, static_cast<double>(table_.size()) / most));
   }
 
   const BalanceBranch::Settings &settings_;
   HarmonicBalance &problem_;
   BalanceTable &table_;
   LineContext &context_;
+  StepRecord *steps_;
+  CurveProgress progress_;
 };
 
 } // namespace
@@ -177,11 +181,14 @@ PointResult BalanceBranch::compute(System &system, LineContext &context) const {
                            sizes(unscaled.motion(state, key).elements, system.contacts), range);
   };
   HarmonicBalance rough = scaled(first);
-  const BranchPoint start = continuation::solve(
-      rough, {.state = first, .keys = Vector::Constant(1, key)}, settings_.continuation);
+  const std::unique_ptr<StepRecord> steps = context.steps({});
+  const BranchPoint start = recorded(steps.get(), "start", [&] {
+    return continuation::solve(rough, {.state = first, .keys = Vector::Constant(1, key)},
+                               settings_.continuation);
+  });
   HarmonicBalance problem = scaled(start.point.state);
-  BalanceTable table(parameter, balance, problem);
-  Follower(settings_, problem, table, context).run(start);
+  BalanceTable table(parameter, balance, problem, steps.get());
+  Follower(settings_, problem, table, context, steps.get()).run(start);
   PointResult result;
   table.add_fields(result);
   return result;

@@ -2,26 +2,29 @@
 #pragma once
 
 #include "analyses/branch_rows.h"
+#include "analyses/kept_rows.h"
 #include "analyses/keyed_balance.h"
 
 namespace vibroimpact::analyses {
 
 class BalanceTable {
 public:
-  /// Keeps references.
+  /// Keeps references. Rows are steps of the record, if there is one.
   BalanceTable(const SweptParameter &parameter, KeyedBalance &system,
-               continuation::HarmonicBalance &problem);
+               continuation::HarmonicBalance &problem, StepRecord *steps);
 
   /// `sign`: -1 where the arclength falls.
   void begin(double sign) { rows_.begin(0, sign); }
-  void add(const continuation::BranchPoint &point) { rows_.add_point(point, values_of(point)); }
+  void add(const continuation::BranchPoint &point) { rows_.add_point(point, row_of(point)); }
   void add(const continuation::SpecialPoint &special);
   void end(const continuation::Branch &branch) { rows_.end(branch); }
 
-  std::size_t size() const { return rows_.size(); }
   void add_fields(PointResult &result) const { rows_.add_fields(result, "balance_residual"); }
 
 private:
+  PointResult row_of(const continuation::BranchPoint &point) {
+    return kept_([&] { return values_of(point); });
+  }
   PointResult values_of(const continuation::BranchPoint &point) const;
   void add_points(const continuation::HarmonicMotion &motion, const continuation::LeftOut &left,
                   PointResult &row) const;
@@ -29,6 +32,7 @@ private:
 
   KeyedBalance &system_;
   continuation::HarmonicBalance &problem_;
+  KeptRows kept_;
   BranchRows rows_;
 };
 

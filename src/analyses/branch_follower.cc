@@ -1,6 +1,7 @@
 #include "analyses/branch_follower.h"
 
 #include "common/error.h"
+#include "continuation/archived_types.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,21 +42,21 @@ void BranchFollower::enter(Task &task) {
 
 continuation::End BranchFollower::follow(const Task &task) {
   sink_.begin(task.number, task.problem->halves(), task.sign);
+  progress_.begin(task.start.point.keys[0]);
   bool first = task.sign > 0 || rule_.directions == Directions::backward;
-  const Branch branch =
-      continuation::follow(*task.problem, task.start, rule_.continuation,
-                           {.point =
-                                [&](const BranchPoint &point) {
-                                  note(task, point.point.keys[0]);
-                                  if (first)
-                                    sink_.add(point);
-                                  first =
-                                      true; // the start of the second direction is there already
-                                },
-                            .special = [&](const SpecialPoint &special) { sink_.add(special); }});
+  const Branch branch = continuation::follow(
+      *task.problem, task.start, rule_.continuation,
+      {.point =
+           [&](const BranchPoint &point) {
+             note_(progress_.at(point.point.keys[0], static_cast<double>(tasks_.size())));
+             if (first)
+               sink_.add(point);
+             first = true; // the start of the second direction is there already
+           },
+       .special = [&](const SpecialPoint &special) { sink_.add(special); }},
+      steps_);
   sink_.end(branch);
-  ++finished_;
-  reached_ = 0;
+  progress_.finish();
   if (branch.end == continuation::End::shorter_return)
     forget(task, branch.points.back().point.keys[0]);
   if (task.level < rule_.levels)
@@ -80,7 +81,8 @@ void BranchFollower::switch_at(const Task &task, const SpecialPoint &special) {
     return;
   const auto doubled = std::make_shared<OrbitProblem>(task.problem->doubled_orbits());
   try {
-    const continuation::Start start = branch_from(*doubled, special, rule_.continuation);
+    const continuation::Start start = recorded(
+        steps_, "switch", [&] { return branch_from(*doubled, special, rule_.continuation); });
     tasks_.push_back({.problem = doubled,
                       .start = start,
                       .level = task.level + 1,
@@ -88,19 +90,6 @@ void BranchFollower::switch_at(const Task &task, const SpecialPoint &special) {
   } catch (const NumericalError &error) {
     sink_.note_missing(special.at.point.keys[0], error.what());
   }
-}
-
-// How far a branch has come from its start to the end of the key ahead; folds are not known
-// beforehand.
-void BranchFollower::note(const Task &task, double key) {
-  const continuation::Range &range = rule_.continuation.first_key;
-  const double from = task.start.point.keys[0];
-  const double ahead = key > from ? range.upper - from : from - range.lower;
-  if (ahead > 0)
-    reached_ = std::max(reached_, std::min(1.0, std::abs(key - from) / ahead));
-  share_ =
-      std::max(share_, (finished_ + reached_) / (finished_ + static_cast<double>(tasks_.size())));
-  note_(share_);
 }
 
 } // namespace vibroimpact::analyses

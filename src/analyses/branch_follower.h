@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyses/branch_keys.h"
+#include "analyses/curve_progress.h"
 #include "continuation/branch.h"
 #include "periodic/orbit_problem.h"
 
@@ -35,10 +36,12 @@ public:
     continuation::Settings continuation{};
     long levels = 0; ///< of branches that begin at special points of others
   };
-  /// Keeps a reference. `note` is called at each point with the share that is done, at least; it
-  /// may throw to end the run.
-  BranchFollower(Rule rule, BranchSink &sink, std::function<void(double share)> note)
-      : rule_(std::move(rule)), sink_(sink), note_(std::move(note)) {}
+  /// Keeps references. `note` is called at each point with the share that is done, at least; it
+  /// may throw to end the run. What the steps give is kept in the record, if there is one.
+  BranchFollower(Rule rule, BranchSink &sink, std::function<void(double share)> note,
+                 StepRecord *steps = nullptr)
+      : rule_(std::move(rule)), sink_(sink), note_(std::move(note)), steps_(steps),
+        progress_(rule_.continuation.first_key) {}
 
   /// From a motion that continuation::solve() has found.
   void run(const std::shared_ptr<periodic::OrbitProblem> &problem,
@@ -57,14 +60,14 @@ private:
   continuation::End follow(const Task &task);
   void forget(const Task &done, double key);
   void switch_at(const Task &task, const continuation::SpecialPoint &special);
-  void note(const Task &task, double key);
 
   Rule rule_;
   BranchSink &sink_;
   std::function<void(double share)> note_;
+  StepRecord *steps_;
   std::list<Task> tasks_;
   long branches_ = 0;
-  double finished_ = 0, reached_ = 0, share_ = 0; ///< parts of branches, for the progress
+  CurveProgress progress_;
 };
 
 } // namespace vibroimpact::analyses

@@ -29,7 +29,6 @@ public:
   /// Forgets all of a branch.
   void drop(long number);
 
-  std::size_t size() const { return points_.size(); }
   /// Arrays of everything; in the summary the number of points, and kind, key and field `residual`
   /// of each special point.
   void add_fields(PointResult &result, const std::string &residual) const;

@@ -3,15 +3,17 @@
 
 #include "analyses/branch_follower.h"
 #include "analyses/branch_rows.h"
+#include "analyses/kept_rows.h"
 #include "analyses/orbit_rows.h"
 
 namespace vibroimpact::analyses {
 
 class BranchTable : public BranchSink {
 public:
-  /// Keeps references. Motions are recorded over one of their periods.
+  /// Keeps references. Motions are recorded over one of their periods; rows are steps of the
+  /// record, if there is one.
   BranchTable(const SweptParameter &parameter, KeyedMap &maps,
-              const std::vector<RecorderFactory> &recorders);
+              const std::vector<RecorderFactory> &recorders, StepRecord *steps);
 
   void begin(long number, long halves, double sign) override;
   void add(const continuation::BranchPoint &point) override;
@@ -29,6 +31,7 @@ private:
 
   const SweptParameter &parameter_;
   OrbitRows orbits_;
+  KeptRows kept_;
   BranchRows rows_;
   std::vector<std::string> remarks_; ///< why something failed
   long halves_ = 2;

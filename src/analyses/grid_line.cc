@@ -1,6 +1,7 @@
 #include "analyses/grid_line.h"
 
 #include "analyses/fields.h"
+#include "analyses/kept_steps.h"
 #include "analyses/shared_notes.h"
 #include "common/error.h"
 #include "common/signals.h"
@@ -49,6 +50,10 @@ void GridLine::leave_note(std::size_t line, const LineNote &note) {
 
 LineNote GridLine::note_of(std::size_t line) const {
   return notes_ != nullptr ? notes_->of(first_ + line) : LineNote{};
+}
+
+std::unique_ptr<StepRecord> GridLine::steps(const std::vector<std::size_t> &index) {
+  return std::make_unique<KeptSteps>(sink_, full(index), summary_);
 }
 
 const Outcomes &GridLine::outcomes() const {

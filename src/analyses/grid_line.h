@@ -31,6 +31,7 @@ public:
   const PointResult *find(const std::vector<std::size_t> &index) const override;
   void store(PointResult result) override;
   void note_progress(double share) override;
+  std::unique_ptr<StepRecord> steps(const std::vector<std::size_t> &index) override;
   void skip() override { progress_.count(); }
   void leave_note(std::size_t line, const LineNote &note) override;
   LineNote note_of(std::size_t line) const override;

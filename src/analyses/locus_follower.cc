@@ -158,6 +158,12 @@ bool LocusFollower::passed(const LocusOrigin &origin, const LocusStart &start) c
 }
 
 void LocusFollower::follow(const LocusOrigin &origin) {
+  const double left = left_ - 2;
+  follow_both_ways(origin);
+  left_ = left; // whether it had two parts or none
+}
+
+void LocusFollower::follow_both_ways(const LocusOrigin &origin) {
   OrbitProblem problem(maps_, origin.halves, sizes_);
   LocusStart start{.kind = {}, .point = origin.special.at.point, .graze = {}};
   try {
@@ -179,13 +185,17 @@ void LocusFollower::follow(const LocusOrigin &origin) {
 
 LocusEnd LocusFollower::follow(OrbitProblem &problem, const LocusStart &start) {
   bool first = start.forward;
-  Locus locus = continuation::follow_locus(problem, start, settings_, [&](const LocusPoint &point) {
-    note_(table_.size());
+  progress_.begin(start.point.keys[1]);
+  const auto add = [&](const LocusPoint &point) {
+    note_(progress_.at(point.point.keys[1], left_));
     if (first)
       table_.add(point);
     first = true; // the start of the second direction is there already
-  });
+  };
+  Locus locus = continuation::follow_locus(problem, start, settings_, add, steps_);
   table_.end(locus);
+  progress_.finish();
+  --left_;
   const LocusEnd end = locus.end;
   done_.push_back({.kind = start.kind, .halves = problem.halves(), .locus = std::move(locus)});
   return end;

@@ -39,12 +39,15 @@ private:
 class LocusFollower {
 public:
   /// Keeps references. `sizes` as for OrbitProblem with two keys; `second`: value of the second key
-  /// on the branch. `note` is called at each point with the number of points so far; it may throw
-  /// to end the run.
+  /// on the branch; `origins`: how many will be followed. `note` is called at each point with the
+  /// share that is done, at least; it may throw to end the run. What the steps give is kept in the
+  /// record, if there is one.
   LocusFollower(KeyedMap &maps, Vector sizes, double second, continuation::Settings settings,
-                LocusTable &table, std::function<void(std::size_t points)> note)
+                LocusTable &table, std::size_t origins, std::function<void(double share)> note,
+                StepRecord *steps)
       : maps_(maps), sizes_(std::move(sizes)), second_(second), settings_(settings), table_(table),
-        note_(std::move(note)) {}
+        note_(std::move(note)), steps_(steps), progress_(settings.second_key),
+        left_(2 * static_cast<double>(origins)) {}
 
   /// In both directions, unless a locus so far passes this point.
   void follow(const LocusOrigin &origin);
@@ -55,6 +58,7 @@ private:
     long halves;
     continuation::Locus locus;
   };
+  void follow_both_ways(const LocusOrigin &origin);
   bool passed(const LocusOrigin &origin, const continuation::LocusStart &start) const;
   continuation::LocusStart start_at(const LocusOrigin &origin,
                                     periodic::OrbitProblem &problem) const;
@@ -66,7 +70,10 @@ private:
   double second_;
   continuation::Settings settings_;
   LocusTable &table_;
-  std::function<void(std::size_t points)> note_;
+  std::function<void(double share)> note_;
+  StepRecord *steps_;
+  CurveProgress progress_;
+  double left_; ///< parts, two of each locus
   std::vector<Done> done_;
   long loci_ = 0;
 };

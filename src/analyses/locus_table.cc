@@ -78,9 +78,9 @@ Label key_label(const SweptParameter &key, const std::string &which) {
 } // namespace
 
 LocusTable::LocusTable(const std::vector<SweptParameter> &keys, KeyedMap &maps,
-                       const std::vector<RecorderFactory> &recorders)
-    : maps_(maps),
-      orbits_(maps, recorders), keys_{key_label(keys[0], "first"), key_label(keys[1], "second")},
+                       const std::vector<RecorderFactory> &recorders, StepRecord *steps)
+    : maps_(maps), orbits_(maps, recorders),
+      kept_(steps), keys_{key_label(keys[0], "first"), key_label(keys[1], "second")},
       arclength_("arclength", "1",
                  "from the start of the locus, in unknowns made comparable; negative behind it"),
       locus_("locus", "1", "number of the locus, from 0"), kind_("kind", "1", kinds) {}
@@ -110,17 +110,23 @@ Orbit LocusTable::orbit_of(const LocusPoint &point) const {
   return orbit;
 }
 
-CurveRow LocusTable::row_of(const LocusPoint &point) const {
-  CurveRow row{.arclength = sign_ * point.arclength, .curve = number_};
-  add_keys(row.values, point.point.keys);
+CurveRow LocusTable::row_of(const LocusPoint &point) {
+  return {.arclength = sign_ * point.arclength, .curve = number_, .values = kept_([&] {
+                                                                    return values_of(point);
+                                                                  })};
+}
+
+PointResult LocusTable::values_of(const LocusPoint &point) const {
+  PointResult row;
+  add_keys(row, point.point.keys);
   const Orbit orbit = orbit_of(point);
   const double changes = (static_cast<double>(point.pattern.size()) -
                           static_cast<double>(maps_.system().contacts.size())) /
                          4 * (orbit.symmetric() ? 2 : 1);
   const auto add = [&row](const char *name, double value, const char *text, const char *unit) {
-    row.values.fields.push_back(scalar_field(name, value, unit, text));
+    row.fields.push_back(scalar_field(name, value, unit, text));
   };
-  row.values.fields.push_back(scalar_field(arclength_, row.arclength));
+  row.fields.push_back(scalar_field(arclength_, sign_ * point.arclength));
   add("locus_residual", point.residual,
       "length of the residual of the motion and of the condition of the locus, made comparable",
       "1");
@@ -132,7 +138,7 @@ CurveRow LocusTable::row_of(const LocusPoint &point) const {
       "1");
   add("contact_changes", changes, "contact changes of the motion, a graze among them", "1");
   const PointResult motion = orbits_.of(point.point.keys, orbit);
-  row.values.fields.insert(row.values.fields.end(), motion.fields.begin(), motion.fields.end());
+  row.fields.insert(row.fields.end(), motion.fields.begin(), motion.fields.end());
   return row;
 }
 

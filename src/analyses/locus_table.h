@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyses/curve_rows.h"
+#include "analyses/kept_rows.h"
 #include "analyses/orbit_rows.h"
 #include "continuation/locus.h"
 
@@ -9,9 +10,10 @@ namespace vibroimpact::analyses {
 
 class LocusTable {
 public:
-  /// Keeps references. Motions are recorded over one of their periods.
+  /// Keeps references. Motions are recorded over one of their periods; rows are steps of the
+  /// record, if there is one.
   LocusTable(const std::vector<SweptParameter> &keys, KeyedMap &maps,
-             const std::vector<RecorderFactory> &recorders);
+             const std::vector<RecorderFactory> &recorders, StepRecord *steps);
 
   /// What follows is a part of locus `number`, whose motions are fixed points of maps over `halves`
   /// half periods. `sign`: -1 where the arclength falls.
@@ -22,17 +24,18 @@ public:
   /// The locus cannot be entered at these keys.
   void end_at_start(const Vector &keys);
 
-  std::size_t size() const { return points_.size(); }
   void add_fields(PointResult &result) const;
 
 private:
-  CurveRow row_of(const continuation::LocusPoint &point) const;
+  CurveRow row_of(const continuation::LocusPoint &point);
+  PointResult values_of(const continuation::LocusPoint &point) const;
   void add_end(const Vector &keys, double arclength, int reason);
   void add_keys(PointResult &row, const Vector &keys) const;
   periodic::Orbit orbit_of(const continuation::LocusPoint &point) const;
 
   KeyedMap &maps_;
   OrbitRows orbits_;
+  KeptRows kept_;
   std::vector<Label> keys_;
   Label arclength_, locus_, kind_;
   long number_ = 0;

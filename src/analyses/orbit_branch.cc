@@ -4,6 +4,7 @@
 #include "analyses/single_point.h"
 #include "analyses/swept_system.h"
 #include "common/error.h"
+#include "continuation/archived_types.h"
 
 #include <memory>
 
@@ -65,21 +66,24 @@ PointResult OrbitBranch::compute(System &system, LineContext &context) const {
                                    settings_.excitation, "A branch");
   OrbitSearch search(system, sweep_source(system, settings_.excitation, "A branch"),
                      settings_.start);
-  const periodic::Orbit orbit = search.run([&](long /*periods*/) { context.note_progress(0); });
+  const std::unique_ptr<StepRecord> steps = context.steps({});
+  const periodic::Orbit orbit =
+      search.run([&](long /*periods*/) { context.note_progress(0); }, steps.get());
   const double range = settings_.parameter.values.back() - settings_.parameter.values.front();
   const Vector sizes = problem_sizes(search.map(), orbit, Vector::Constant(1, range));
   KeyedMap maps({settings_.parameter}, settings_.excitation, system, context,
                 orbit_accuracy(system, search.forced()), search.map().norm(orbit.point.state));
   const long halves = maps.symmetric() ? orbit.section.halves : 2 * orbit.multiple();
   const auto problem = std::make_shared<OrbitProblem>(maps, halves, sizes);
-  BranchTable table(settings_.parameter, maps, settings_.recorders);
-  BranchFollower follower({settings_.directions, settings_.continuation, settings_.levels}, table,
-                          [&](double share) { context.note_progress(share); });
-  follower.run(problem, continuation::solve(*problem,
-                                            {.state = orbit.point.state,
-                                             .keys = Vector::Constant(1, value),
-                                             .chart = orbit.section.phase},
-                                            settings_.continuation));
+  BranchTable table(settings_.parameter, maps, settings_.recorders, steps.get());
+  BranchFollower follower(
+      {settings_.directions, settings_.continuation, settings_.levels}, table,
+      [&](double share) { context.note_progress(share); }, steps.get());
+  const continuation::Point guess{
+      .state = orbit.point.state, .keys = Vector::Constant(1, value), .chart = orbit.section.phase};
+  follower.run(problem, recorded(steps.get(), "start", [&] {
+                 return continuation::solve(*problem, guess, settings_.continuation);
+               }));
   PointResult result;
   table.add_fields(result);
   return result;

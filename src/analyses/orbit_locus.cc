@@ -3,6 +3,7 @@
 #include "analyses/single_point.h"
 #include "analyses/swept_system.h"
 #include "common/error.h"
+#include "continuation/archived_types.h"
 #include "parameters/text.h"
 
 #include <algorithm>
@@ -123,9 +124,10 @@ std::vector<std::vector<parameters::Override>> OrbitLocus::variants() const {
   return corners(settings_.keys);
 }
 
-OrbitLocus::Motion OrbitLocus::first_motion(System &system, LineContext &context) const {
+OrbitLocus::Motion OrbitLocus::first_motion(System &system, LineContext &context,
+                                            StepRecord *steps) const {
   OrbitSearch search(system, sweep_source(system, settings_.excitation, who), settings_.start);
-  Motion motion{.orbit = search.run([&](long /*periods*/) { context.note_progress(0); })};
+  Motion motion{.orbit = search.run([&](long /*periods*/) { context.note_progress(0); }, steps)};
   Vector ranges(2);
   for (std::size_t k = 0; k < 2; ++k)
     ranges[static_cast<Index>(k)] =
@@ -144,40 +146,39 @@ KeyedMap OrbitLocus::maps(std::vector<SweptParameter> keys, const Motion &motion
 // At the second key's value in the file.
 std::vector<LocusOrigin> OrbitLocus::find_origins(const Motion &motion, double first,
                                                   bool symmetric, System &system,
-                                                  LineContext &context) const {
+                                                  LineContext &context, StepRecord *steps) const {
   KeyedMap along = maps({settings_.keys[0]}, motion, system, context);
   const bool half = symmetric && along.symmetric();
   const auto problem = std::make_shared<OrbitProblem>(
       along, half ? motion.orbit.section.halves : 2 * motion.orbit.multiple(),
       Vector(motion.sizes.head(motion.sizes.size() - 1)));
   LocusOrigins origins(settings_.kinds);
-  BranchFollower branch({Directions::both, settings_.continuation, settings_.levels}, origins,
-                        [&](double share) { context.note_progress(share / 10); });
-  branch.run(problem, continuation::solve(*problem,
-                                          {.state = motion.orbit.point.state,
-                                           .keys = Vector::Constant(1, first),
-                                           .chart = motion.orbit.section.phase},
-                                          settings_.continuation));
+  BranchFollower branch(
+      {Directions::both, settings_.continuation, settings_.levels}, origins,
+      [&](double share) { context.note_progress(share / 10); }, steps);
+  const continuation::Point guess{.state = motion.orbit.point.state,
+                                  .keys = Vector::Constant(1, first),
+                                  .chart = motion.orbit.section.phase};
+  branch.run(problem, recorded(steps, "start", [&] {
+               return continuation::solve(*problem, guess, settings_.continuation);
+             }));
   return origins.in_order();
 }
 
 PointResult OrbitLocus::compute(System &system, LineContext &context) const {
   const Vector values = start_values(system);
-  const Motion motion = first_motion(system, context);
+  const std::unique_ptr<StepRecord> steps = context.steps({});
+  const Motion motion = first_motion(system, context, steps.get());
   KeyedMap plane = maps(settings_.keys, motion, system, context);
   const std::vector<LocusOrigin> origins =
-      find_origins(motion, values[0], plane.symmetric(), system, context);
+      find_origins(motion, values[0], plane.symmetric(), system, context, steps.get());
   if (origins.empty())
     throw NumericalError("the branch along the first key has no special point of the kinds that "
                          "are wanted");
-  LocusTable table(settings_.keys, plane, settings_.recorders);
-  const double most =
-      2.0 * settings_.continuation.most_points * static_cast<double>(origins.size());
+  LocusTable table(settings_.keys, plane, settings_.recorders, steps.get());
+  const auto note = [&](double share) { context.note_progress(0.1 + 0.9 * share); };
   LocusFollower follower(plane, motion.sizes, values[1], settings_.continuation, table,
-                         [&](std::size_t points) {
-                           const double share = static_cast<double>(points) / most;
-                           context.note_progress(std::min(1.0, 0.1 + 0.9 * share));
-                         });
+                         origins.size(), note, steps.get());
   for (const LocusOrigin &origin : origins)
     follower.follow(origin);
   PointResult result;

@@ -43,11 +43,12 @@ private:
     double size = 0; ///< of its state, scaled
   };
   Vector start_values(const System &system) const;
-  Motion first_motion(System &system, LineContext &context) const;
+  Motion first_motion(System &system, LineContext &context, StepRecord *steps) const;
   KeyedMap maps(std::vector<SweptParameter> keys, const Motion &motion, System &system,
                 LineContext &context) const;
   std::vector<LocusOrigin> find_origins(const Motion &motion, double first, bool symmetric,
-                                        System &system, LineContext &context) const;
+                                        System &system, LineContext &context,
+                                        StepRecord *steps) const;
   PointResult compute(System &system, LineContext &context) const;
 
   Settings settings_;

@@ -2,6 +2,7 @@
 
 #include "analyses/steadiness.h"
 #include "analyses/stored_state.h"
+#include "common/recorded_step.h"
 
 #include <algorithm>
 #include <numbers>
@@ -15,6 +16,16 @@ namespace {
 constexpr const char *settling_keys[] = {"Minimum settling cycles", "Settling cycles",
                                          "Steadiness tolerance",    "Settling method",
                                          "Longest period",          "Cycles without approach"};
+
+struct FoundOrbit {
+  double phase = 0; ///< of the section [periods]
+  long halves = 0;
+  Vector state;
+
+  template <class Archive> void serialize(Archive &archive, unsigned) {
+    archive &phase &halves &state;
+  }
+};
 
 } // namespace
 
@@ -67,27 +78,37 @@ OrbitSearch::OrbitSearch(const System &system, std::size_t source, const OrbitSt
                                      "states of contacts; or none.");
 }
 
-Vector OrbitSearch::first_state(long &multiple,
-                                const std::function<void(long periods)> &after_period) {
+OrbitSearch::FirstState
+OrbitSearch::first_state(const std::function<void(long periods)> &after_period) {
   if (!start_.state.empty())
-    return ConstVectorView(start_.state.data(), static_cast<Index>(start_.state.size()));
+    return {.state = ConstVectorView(start_.state.data(), static_cast<Index>(start_.state.size()))};
   motion::Trajectory &trajectory = forced_.trajectory();
   trajectory.start(0, system_.initial.displacement, system_.initial.velocity);
   const SettledMotion settled =
       Settler(trajectory)(forced_.period(), scale_, start_.settling, after_period);
-  cycles_ = settled.cycles;
-  multiple = std::max(multiple, settled.multiple);
-  return settled.state.physical;
+  return {.state = settled.state.physical,
+          .multiple = std::max(1L, settled.multiple),
+          .cycles = settled.cycles};
 }
 
-periodic::Orbit OrbitSearch::run(const std::function<void(long periods)> &after_period) {
+periodic::Orbit OrbitSearch::run(const std::function<void(long periods)> &after_period,
+                                 StepRecord *steps) {
   motion::VariationAccuracy accuracy = orbit_accuracy(system_, forced_);
   scale_ = accuracy.scale;
-  long multiple = 1;
-  const Vector state = first_state(multiple, after_period);
-  const double size = state.cwiseProduct(scale_).cwiseAbs().maxCoeff();
+  const FirstState first =
+      recorded(steps, "settled motion", [&] { return first_state(after_period); });
+  cycles_ = first.cycles;
+  const double size = first.state.cwiseProduct(scale_).cwiseAbs().maxCoeff();
   map_.emplace(forced_, std::move(accuracy), Symmetry::find(forced_, scale_, size > 0 ? size : 1));
-  return find_orbit(*map_, start_.multiple > 0 ? start_.multiple : multiple, state);
+  const long multiple = start_.multiple > 0 ? start_.multiple : first.multiple;
+  if (steps == nullptr)
+    return find_orbit(*map_, multiple, first.state);
+  const FoundOrbit found = recorded(steps, "orbit", [&] {
+    const periodic::Orbit orbit = find_orbit(*map_, multiple, first.state);
+    return FoundOrbit{orbit.section.phase, orbit.section.halves, orbit.point.state};
+  });
+  return {.section = {.phase = found.phase, .halves = found.halves},
+          .point = {.state = found.state, .image = {}}};
 }
 
 } // namespace vibroimpact::analyses

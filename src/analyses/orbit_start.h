@@ -26,8 +26,10 @@ public:
   /// another number of entries.
   OrbitSearch(const System &system, std::size_t source, const OrbitStart &start);
 
-  /// Settles, finds the symmetry, and shoots. `after_period` as for Settler. NumericalError.
-  periodic::Orbit run(const std::function<void(long periods)> &after_period = {});
+  /// Settles, finds the symmetry, and shoots. `after_period` as for Settler. Where steps are kept,
+  /// the orbit is one, without its image. NumericalError.
+  periodic::Orbit run(const std::function<void(long periods)> &after_period = {},
+                      StepRecord *steps = nullptr);
 
   periodic::ForcedSystem &forced() { return forced_; }
   /// Made by run().
@@ -35,7 +37,17 @@ public:
   long settling_cycles() const { return cycles_; }
 
 private:
-  Vector first_state(long &multiple, const std::function<void(long periods)> &after_period);
+  /// From which Newton's method starts.
+  struct FirstState {
+    Vector state;
+    long multiple = 1;
+    long cycles = 0; ///< until it had settled
+
+    template <class Archive> void serialize(Archive &archive, unsigned) {
+      archive &state &multiple &cycles;
+    }
+  };
+  FirstState first_state(const std::function<void(long periods)> &after_period);
 
   const System &system_;
   const OrbitStart &start_;

@@ -3,6 +3,7 @@
 #include "analyses/grid_line.h"
 #include "analyses/shared_notes.h"
 #include "common/error.h"
+#include "common/log.h"
 #include "common/progress.h"
 #include "common/signals.h"
 
@@ -168,14 +169,22 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
     wait_for_all(counter, communicator);
   }
   sink.end();
-  long counts[3] = {static_cast<long>(summary.finished), static_cast<long>(summary.failed),
-                    static_cast<long>(summary.unbalanced)};
+  long counts[5] = {static_cast<long>(summary.finished), static_cast<long>(summary.failed),
+                    static_cast<long>(summary.unbalanced),
+                    static_cast<long>(summary.steps_taken_over),
+                    static_cast<long>(summary.steps_computed)};
   int interrupted = summary.interrupted || stop_requested() ? 1 : 0;
-  MPI_Allreduce(MPI_IN_PLACE, counts, 3, MPI_LONG, MPI_SUM, communicator);
+  MPI_Allreduce(MPI_IN_PLACE, counts, 5, MPI_LONG, MPI_SUM, communicator);
   MPI_Allreduce(MPI_IN_PLACE, &interrupted, 1, MPI_INT, MPI_MAX, communicator);
+  if (counts[3] > 0)
+    log::info("analysis " + name + ": " + std::to_string(counts[3]) +
+              " steps towards a point were taken over from the interrupted run, " +
+              std::to_string(counts[4]) + " were computed");
   return {.finished = static_cast<std::size_t>(counts[0]),
           .failed = static_cast<std::size_t>(counts[1]),
           .unbalanced = static_cast<std::size_t>(counts[2]),
+          .steps_taken_over = static_cast<std::size_t>(counts[3]),
+          .steps_computed = static_cast<std::size_t>(counts[4]),
           .interrupted = interrupted != 0};
 }
 

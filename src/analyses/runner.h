@@ -36,6 +36,10 @@ struct RunSummary {
   std::size_t failed = 0;   ///< points recorded as failed in this run, on all ranks
   /// Points of this run, on all ranks, whose energy balance does not close.
   std::size_t unbalanced = 0;
+  /// Steps towards points (common/step_record.h): those of an interrupted run that this one went
+  /// on from, and its own.
+  std::size_t steps_taken_over = 0;
+  std::size_t steps_computed = 0;
   bool interrupted = false;
   /// What the result files lack because a derived quantity could not be computed; else empty.
   std::string left_out{};

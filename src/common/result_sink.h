@@ -107,6 +107,17 @@ public:
   /// Local: called by the rank that computed the point.
   virtual void store(const PointResult &result) = 0;
 
+  /// What the first steps towards a point (step_record.h) gave in an earlier run that did not get
+  /// to it. Local.
+  virtual std::vector<std::string> find_steps(const std::vector<std::size_t> & /*index*/) const {
+    return {};
+  }
+
+  /// What further steps gave, the first of them being number `first` from 0. Local. They outlive
+  /// the program, all or none.
+  virtual void store_steps(const std::vector<std::size_t> & /*index*/, std::size_t /*first*/,
+                           const std::vector<std::string> & /*steps*/) {}
+
   /// Collective. The result file holds all points of the analysis when it returns.
   virtual void end() = 0;
 };

@@ -48,8 +48,8 @@ BranchPoint solve(Problem &problem, const Point &guess, const Settings &settings
 }
 
 Branch follow(Problem &problem, const Start &start, const Settings &settings,
-              const Listener &listener) {
-  return Walk(problem, start, settings, listener).run();
+              const Listener &listener, StepRecord *record) {
+  return Walk(problem, start, settings, listener, record).run();
 }
 
 Start branch_from(Problem &doubled, const SpecialPoint &flip, const Settings &settings) {

@@ -6,6 +6,7 @@
 // eigenvalue problems, 1977).
 #pragma once
 
+#include "common/step_record.h"
 #include "continuation/problem.h"
 #include "continuation/settings.h"
 
@@ -92,8 +93,9 @@ BranchPoint solve(Problem &problem, const Point &guess, const Settings &settings
                   double furthest = 0.5);
 
 /// From a start that solve() has made, or branch_from(). A start outside the bounds ends at once.
+/// What the steps gave is kept in the record, or taken from it.
 Branch follow(Problem &problem, const Start &start, const Settings &settings,
-              const Listener &listener = {});
+              const Listener &listener = {}, StepRecord *record = nullptr);
 
 /// First point of the branch of `doubled` that begins at a flip of the map whose square it is, at
 /// the distance settings.switch_distance. NumericalError when Newton's method falls back or fails.

@@ -61,8 +61,9 @@ struct Locus {
   std::string reason;
 };
 
-/// `problem` has two keys.
+/// `problem` has two keys. The record is as for follow().
 Locus follow_locus(Problem &problem, const LocusStart &start, const Settings &settings,
-                   const std::function<void(const LocusPoint &)> &listener = {});
+                   const std::function<void(const LocusPoint &)> &listener = {},
+                   StepRecord *record = nullptr);
 
 } // namespace vibroimpact::continuation

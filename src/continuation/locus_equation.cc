@@ -55,9 +55,10 @@ int sign_along_first_key(const Augmented &at) {
 // Folds and flips: J - I or J + I is singular.
 class SingularJacobian : public LocusEquation {
 public:
-  SingularJacobian(const ScaledProblem &problem, double multiplier, const Vector &u, double chart)
+  SingularJacobian(const ScaledProblem &problem, double multiplier, const Linearisation &at,
+                   double chart)
       : problem_{problem}, multiplier_{multiplier}, chart_{chart} {
-    borders_ = Borders::of(shifted(problem.evaluate(u, chart)));
+    borders_ = Borders::of(shifted(at));
   }
 
   Augmented evaluate(const Vector &u, double chart) const override {
@@ -81,8 +82,8 @@ public:
 
   // The null vectors of the last point keep the borders away from being orthogonal to those of the
   // next one; directions do not turn round, so that the sign for cusps stays.
-  void renew(const Vector &u, double chart) override {
-    const Matrix matrix = shifted(problem_.evaluate(u, chart));
+  void renew(const Linearisation &at, double chart) override {
+    const Matrix matrix = shifted(at);
     if (chart != chart_)
       borders_ = Borders::of(matrix);
     chart_ = chart;
@@ -105,9 +106,9 @@ private:
 // |mu| - 1 of the complex pair that is nearest to the last one, d(mu) = w^T dJ v / (w^T v).
 class UnitModulus : public LocusEquation {
 public:
-  UnitModulus(const ScaledProblem &problem, const Vector &u, double chart) : problem_{problem} {
+  UnitModulus(const ScaledProblem &problem, const Linearisation &at) : problem_{problem} {
     double least = std::numeric_limits<double>::infinity();
-    for (const auto mu : multipliers_of(map_jacobian(problem.evaluate(u, chart))))
+    for (const auto mu : multipliers_of(map_jacobian(at)))
       if (mu.imag() > 0 && std::abs(std::abs(mu) - 1) < least) {
         least = std::abs(std::abs(mu) - 1);
         multiplier_ = mu;
@@ -133,8 +134,8 @@ public:
     return result;
   }
 
-  void renew(const Vector &u, double chart) override {
-    multiplier_ = nearest(problem_.evaluate(u, chart)).value;
+  void renew(const Linearisation &at, double /*chart*/) override {
+    multiplier_ = nearest(at).value;
   }
 
 private:
@@ -163,7 +164,7 @@ public:
     result.side = -sign_along_first_key(result);
     return result;
   }
-  void renew(const Vector &, double) override {}
+  void renew(const Linearisation &, double) override {}
 
 private:
   const ScaledProblem &problem_;
@@ -172,20 +173,19 @@ private:
 
 } // namespace
 
-std::unique_ptr<LocusEquation> make_equation(const ScaledProblem &problem,
-                                             const LocusStart &start) {
-  const Vector u = problem.scaled(start.point);
+std::unique_ptr<LocusEquation> make_equation(const ScaledProblem &problem, const LocusStart &start,
+                                             const Linearisation &at) {
   const double chart = start.point.chart;
   if (start.kind != LocusKind::graze && !problem.problem().is_map() &&
       start.kind != LocusKind::fold)
     throw std::logic_error("without a map there are loci of folds and grazes only");
   switch (start.kind) {
   case LocusKind::fold:
-    return std::make_unique<SingularJacobian>(problem, 1, u, chart);
+    return std::make_unique<SingularJacobian>(problem, 1, at, chart);
   case LocusKind::flip:
-    return std::make_unique<SingularJacobian>(problem, -1, u, chart);
+    return std::make_unique<SingularJacobian>(problem, -1, at, chart);
   case LocusKind::neimark_sacker:
-    return std::make_unique<UnitModulus>(problem, u, chart);
+    return std::make_unique<UnitModulus>(problem, at);
   case LocusKind::graze:
     if (!start.graze)
       throw std::logic_error("a locus of grazes begins at a graze");

@@ -29,10 +29,12 @@ public:
   /// NumericalError where F has no value, or the multiplier is no longer there.
   virtual Augmented evaluate(const Vector &u, double chart) const = 0;
   /// Takes borders, or the multiplier, anew from a point on the curve; in a new chart as well.
-  virtual void renew(const Vector &u, double chart) = 0;
+  virtual void renew(const Linearisation &at, double chart) = 0;
 };
 
-std::unique_ptr<LocusEquation> make_equation(const ScaledProblem &problem, const LocusStart &start);
+/// `at`: F at the start, which grazes do without.
+std::unique_ptr<LocusEquation> make_equation(const ScaledProblem &problem, const LocusStart &start,
+                                             const Linearisation &at);
 
 /// det-free test of a singular matrix: (v, g) of [[matrix, b], [c^T, 0]] (v, g) = (0, 1) and w of
 /// the transposed system. g is zero where the matrix is singular, with v and w its null vectors.

@@ -1,6 +1,7 @@
 #include "continuation/locus_walk.h"
 
 #include "common/signals.h"
+#include "continuation/archived_types.h"
 #include "continuation/locus_end.h"
 #include "continuation/node.h"
 #include "continuation/piece.h"
@@ -22,24 +23,55 @@ Matrix slope_of(const Augmented &at) {
 
 } // namespace
 
+// A problem that learns from failures as well learns the same from those that are kept.
+template <class Compute>
+auto LocusWalk::recorded_step(const char *kind, const Compute &compute) const {
+  using Value = decltype(compute());
+  Problem &problem = problem_.problem();
+  auto [outcome, remembered] = recorded(record_, kind, [&] {
+    std::pair<std::optional<Value>, std::string> result;
+    try {
+      result.first = compute();
+    } catch (const NumericalError &error) {
+      result.second = error.what();
+    }
+    return std::pair(std::move(result), problem.remembered());
+  });
+  problem.remember(remembered);
+  if (!outcome.first)
+    throw NumericalError(outcome.second);
+  return *std::move(outcome.first);
+}
+
 LocusWalk::LocusWalk(Problem &problem, const LocusStart &start, const Settings &settings,
-                     const std::function<void(const LocusPoint &)> &listener)
+                     const std::function<void(const LocusPoint &)> &listener, StepRecord *record)
     : problem_{problem, start.point}, settings_{settings}, kind_{start.kind}, listener_{listener},
-      equation_{make_equation(problem_, start)}, step_{std::min(settings.first_step,
-                                                                settings.longest_step)} {
+      record_{record}, step_{std::min(settings.first_step, settings.longest_step)} {
   if (problem_.unknowns() != problem_.states() + 2)
     throw std::logic_error("a locus has two keys");
   // Close to a graze the differences are coarse, and convergence is not quadratic.
   settings_.quadratic = 0;
-  here_.u = problem_.scaled(start.point);
-  here_.chart = start.point.chart;
-  here_.at = equation_->evaluate(here_.u, here_.chart);
-  here_ = solve(here_.u, first_tangent(start.forward), settings_.longest_step, Until::tolerance);
-  here_.arclength = 0;
-  equation_->renew(here_.u, here_.chart);
+  find_first(start);
   move_chart();
   first_ = here_;
   add(here_);
+}
+
+void LocusWalk::find_first(const LocusStart &start) {
+  here_.u = problem_.scaled(start.point);
+  here_.chart = start.point.chart;
+  equation_ = make_equation(problem_, start,
+                            kind_ == LocusKind::graze ? Linearisation{}
+                                                      : linearisation(here_.u, here_.chart));
+  here_.at =
+      recorded_step("first equation", [&] { return equation_->evaluate(here_.u, here_.chart); });
+  here_ = solve(here_.u, first_tangent(start.forward), settings_.longest_step, Until::tolerance);
+  here_.arclength = 0;
+  equation_->renew(here_.at.at, here_.chart);
+}
+
+Linearisation LocusWalk::linearisation(const Vector &u, double chart) const {
+  return recorded_step("linearisation", [&] { return problem_.evaluate(u, chart); });
 }
 
 Vector LocusWalk::first_tangent(bool forward) const {
@@ -103,9 +135,14 @@ LocusNode LocusWalk::at_bound(const Vector &beyond, const Bound &bound, double l
   return solve(guess, Vector::Unit(guess.size(), key), largest, Until::tolerance);
 }
 
-// On the hyperplane through the guess.
 LocusNode LocusWalk::solve(const Vector &guess, const Vector &normal, double largest,
                            Until until) const {
+  return recorded_step("point", [&] { return compute(guess, normal, largest, until); });
+}
+
+// On the hyperplane through the guess.
+LocusNode LocusWalk::compute(const Vector &guess, const Vector &normal, double largest,
+                             Until until) const {
   LocusNode node;
   node.chart = here_.chart;
   const auto system = [&](const Vector &u) {
@@ -151,7 +188,7 @@ std::optional<LocusNode> LocusWalk::cusp_before(const LocusNode &next) const {
 void LocusWalk::accept(LocusNode next) {
   const double factor = next.iterations <= 3 ? 1.5 : 1;
   here_ = std::move(next);
-  equation_->renew(here_.u, here_.chart);
+  equation_->renew(here_.at.at, here_.chart);
   add(here_);
   step_ = std::min(factor * step_, settings_.longest_step);
   turned_back_ = turned_back_ || here_.tangent.dot(first_.tangent) < 0;
@@ -175,7 +212,8 @@ void LocusWalk::end_at_steps(const std::string &why) {
                                  : "the pair of multipliers becomes -1, -1: strong resonance 1:2");
     return;
   }
-  const auto graze = end_at_graze(problem_, kind_, here_, settings_);
+  const auto graze = recorded_step("end at a graze",
+                                   [&] { return end_at_graze(problem_, kind_, here_, settings_); });
   if (!graze) {
     end(LocusEnd::least_step, "steps fall below the least one: " + why);
     return;
@@ -222,15 +260,21 @@ bool LocusWalk::passes_start(const LocusNode &next) const {
 void LocusWalk::move_chart() {
   if (here_.at.at.chart_margin >= settings_.least_margin)
     return;
-  const double chart = problem_.problem().best_chart(problem_.point(here_.u, here_.chart));
+  const double chart = recorded_step("best chart", [&] {
+    return problem_.problem().best_chart(problem_.point(here_.u, here_.chart));
+  });
   if (chart == here_.chart)
     return;
-  Matrix tangent = here_.tangent;
-  const Vector u = problem_.transfer(here_.u, here_.chart, chart, tangent);
+  const auto [u, tangent] = recorded_step("another chart", [&] {
+    Matrix tangents = here_.tangent;
+    Vector moved = problem_.transfer(here_.u, here_.chart, chart, tangents);
+    return std::pair(std::move(moved), std::move(tangents));
+  });
   const double arclength = here_.arclength;
   here_.chart = chart;
   here_.tangent = tangent.col(0).normalized();
-  equation_->renew(u, chart);
+  if (kind_ != LocusKind::graze)
+    equation_->renew(linearisation(u, chart), chart);
   here_ = solve(u, here_.tangent, settings_.longest_step, Until::tolerance);
   here_.arclength = arclength;
 }
@@ -258,11 +302,11 @@ LocusPoint LocusWalk::locus_point(const LocusNode &node) const {
 }
 
 Locus follow_locus(Problem &problem, const LocusStart &start, const Settings &settings,
-                   const std::function<void(const LocusPoint &)> &listener) {
+                   const std::function<void(const LocusPoint &)> &listener, StepRecord *record) {
   if (start.graze)
     if (const std::unique_ptr<Problem> extended = problem.extended(*start.graze))
-      return LocusWalk(*extended, start, settings, listener).run();
-  return LocusWalk(problem, start, settings, listener).run();
+      return LocusWalk(*extended, start, settings, listener, record).run();
+  return LocusWalk(problem, start, settings, listener, record).run();
 }
 
 } // namespace vibroimpact::continuation

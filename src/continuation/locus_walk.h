@@ -17,8 +17,9 @@ struct LocusNode {
 
 class LocusWalk {
 public:
+  /// Keeps a reference to the record, if there is one (locus.h).
   LocusWalk(Problem &problem, const LocusStart &start, const Settings &settings,
-            const std::function<void(const LocusPoint &)> &listener);
+            const std::function<void(const LocusPoint &)> &listener, StepRecord *record);
   Locus run();
 
 private:
@@ -27,10 +28,15 @@ private:
     double value; ///< scaled
   };
 
+  /// `compute()`, or what it gave in an earlier run, with what the problem remembers then.
+  template <class Compute> auto recorded_step(const char *kind, const Compute &compute) const;
+  void find_first(const LocusStart &start);
   void step();
   LocusNode next_node();
   LocusNode at_bound(const Vector &beyond, const Bound &bound, double largest) const;
   LocusNode solve(const Vector &guess, const Vector &normal, double largest, Until until) const;
+  LocusNode compute(const Vector &guess, const Vector &normal, double largest, Until until) const;
+  Linearisation linearisation(const Vector &u, double chart) const;
   Vector first_tangent(bool forward) const;
   /// Where the cusp's test changes its sign before `next`, with the borders of the step.
   std::optional<LocusNode> cusp_before(const LocusNode &next) const;
@@ -47,6 +53,7 @@ private:
   Settings settings_;
   LocusKind kind_;
   std::function<void(const LocusPoint &)> listener_;
+  StepRecord *record_;
   std::unique_ptr<LocusEquation> equation_;
   Locus locus_;
   LocusNode here_, first_;

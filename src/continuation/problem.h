@@ -106,6 +106,12 @@ public:
   /// For a curve of grazes: F extended over this one, as a problem whose charts keep away from
   /// where it grazes too; null where the charts of this problem will do.
   virtual std::unique_ptr<Problem> extended(const Graze &) { return nullptr; }
+
+  /// What values depend on beside the point, and change where points are evaluated one after the
+  /// other along a curve; none: the point alone.
+  virtual std::vector<double> remembered() const { return {}; }
+  /// Goes on as the problem did that remembered this.
+  virtual void remember(const std::vector<double> & /*numbers*/) {}
 };
 
 } // namespace vibroimpact::continuation

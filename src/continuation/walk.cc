@@ -1,6 +1,7 @@
 #include "continuation/walk.h"
 
 #include "common/signals.h"
+#include "continuation/archived_types.h"
 
 #include <algorithm>
 #include <sstream>
@@ -28,15 +29,18 @@ std::string text(double number) {
 
 } // namespace
 
-Walk::Walk(Problem &problem, const Start &start, const Settings &settings, const Listener &listener)
-    : problem_{problem, start.point}, settings_{settings}, listener_{listener},
+Walk::Walk(Problem &problem, const Start &start, const Settings &settings, const Listener &listener,
+           StepRecord *record)
+    : problem_{problem, start.point}, settings_{settings}, listener_{listener}, record_{record},
       step_{std::min(settings.first_step, settings.longest_step)} {
   if (problem_.unknowns() != problem_.states() + 1)
     throw std::logic_error("a branch has one key");
   const Vector direction = first_direction(problem_, start);
-  Corrected corrected = correct(problem_, problem_.scaled(start.point), start.point.chart,
-                                direction, settings_.longest_step, settings_);
-  here_ = make_node(problem_, corrected.u, start.point.chart, std::move(corrected.at), direction);
+  here_ = recorded(record_, "first point", [&] {
+    Corrected corrected = correct(problem_, problem_.scaled(start.point), start.point.chart,
+                                  direction, settings_.longest_step, settings_);
+    return make_node(problem_, corrected.u, start.point.chart, std::move(corrected.at), direction);
+  });
   move_chart(settings_.least_margin);
   first_ = here_;
   add(branch_point(problem_, here_), {});
@@ -84,44 +88,57 @@ void Walk::shorten(const std::string &why) {
 bool Walk::cross() {
   constexpr double same = 1e-7;
   constexpr int most_returns = 3;
-  auto crossing = cross_graze(problem_, here_, settings_);
-  if (!crossing)
+  std::optional<Behind> behind = recorded(record_, "graze", [&] { return behind_graze(); });
+  if (!behind)
     return false;
-  const Vector &at = crossing->graze.u;
+  const Vector &at = behind->graze;
   const auto returns = std::count_if(crossed_.begin(), crossed_.end(),
                                      [&](const Vector &u) { return (u - at).norm() < same; });
   if (returns >= most_returns) {
-    end(End::graze,
-        "the branch returns to the graze of " + crossing->graze.graze.name + " again and again");
+    end(End::graze, "the branch returns to the graze of " + behind->guard + " again and again");
     return true;
   }
-  std::vector<SpecialPoint> special;
-  try {
-    special = special_points_across(problem_, here_, crossing->graze, crossing->beyond, settings_);
-  } catch (const NumericalError &) {
+  if (!behind->special)
     return false;
-  }
   crossed_.push_back(at);
-  step_ = crossing->step;
+  step_ = behind->step;
   bound_ = std::nullopt;
   closes_ = false;
-  accept(std::move(crossing->beyond), std::move(special));
+  accept(std::move(behind->node), std::move(*behind->special));
   return true;
 }
 
+std::optional<Walk::Behind> Walk::behind_graze() const {
+  const auto crossing = cross_graze(problem_, here_, settings_);
+  if (!crossing)
+    return std::nullopt;
+  Behind behind{.graze = crossing->graze.u,
+                .guard = crossing->graze.graze.name,
+                .node = crossing->beyond,
+                .step = crossing->step,
+                .special = {}};
+  try {
+    behind.special =
+        special_points_across(problem_, here_, crossing->graze, crossing->beyond, settings_);
+  } catch (const NumericalError &) {
+    // The step goes on being halved.
+  }
+  return behind;
+}
+
 Node Walk::next_node() {
-  Node next = attempt();
+  Node next = recorded(record_, "point", [&] { return attempt(); });
   bound_ = bound_passed(next);
   closes_ = passes_start(next);
   if (closes_)
     next = first_;
   else if (bound_)
-    next = at_bound(next, *bound_);
+    next = recorded(record_, "point at a bound", [&] { return at_bound(next, *bound_); });
   next.arclength = here_.arclength + (next.u - here_.u).norm();
   return next;
 }
 
-Node Walk::attempt() {
+Node Walk::attempt() const {
   Corrected corrected = correct(problem_, here_.u + step_ * here_.tangent, here_.chart,
                                 here_.tangent, settings_.largest_correction * step_, settings_);
   Node next = make_node(problem_, corrected.u, here_.chart, std::move(corrected.at), here_.tangent);
@@ -144,6 +161,15 @@ Node Walk::at_bound(const Node &beyond, const Bound &bound) const {
 std::vector<SpecialPoint> Walk::examine(Node &next) {
   const Piece piece(problem_, settings_, here_, next);
   check_pairs(piece);
+  auto [special, arclength] = recorded(record_, "special points", [&] {
+    auto found = special_up_to(next, piece);
+    return std::pair(std::move(found), next.arclength);
+  });
+  next.arclength = arclength;
+  return std::move(special);
+}
+
+std::vector<SpecialPoint> Walk::special_up_to(Node &next, const Piece &piece) const {
   if (next.at.pattern == here_.at.pattern)
     return special_points(problem_, piece, settings_);
   const auto grazes = grazes_between(problem_, here_, next, settings_);
@@ -215,7 +241,7 @@ bool Walk::ends_at_shorter(std::vector<SpecialPoint> special, const Node &next) 
     if (point->kind != Special::branch_point)
       continue;
     const Point &at = point->at.point;
-    const auto [distance, multiple] = problem_.nearest_return(problem_.scaled(at), at.chart);
+    const auto [distance, multiple] = nearest_return(problem_.scaled(at), at.chart);
     if (distance > at_crossing)
       continue;
     const BranchPoint last = point->at;
@@ -225,7 +251,7 @@ bool Walk::ends_at_shorter(std::vector<SpecialPoint> special, const Node &next) 
                                  std::to_string(multiple) + ", where these have a flip");
     return true;
   }
-  const auto [distance, multiple] = problem_.nearest_return(next.u, next.chart);
+  const auto [distance, multiple] = nearest_return(next.u, next.chart);
   if (distance >= settings_.shorter_return)
     return false;
   end(End::shorter_return, "the next point is a solution of multiple " + std::to_string(multiple));
@@ -283,7 +309,8 @@ void Walk::take_chart_of_start() {
   if (!turned_back_ || here_.chart == first_.chart ||
       std::abs(here_.u(key) - first_.u(key)) > 2 * step_)
     return;
-  const Node moved = in_chart(here_, first_.chart);
+  const Node moved =
+      recorded(record_, "chart of the start", [&] { return in_chart(here_, first_.chart); });
   if ((moved.u - first_.u).norm() < 2 * step_)
     here_ = moved;
 }
@@ -299,10 +326,12 @@ bool Walk::move_for_pattern(const Node &next) {
 bool Walk::move_chart(double least_margin) {
   if (here_.at.chart_margin >= least_margin)
     return false;
-  const double chart = problem_.problem().best_chart(problem_.point(here_.u, here_.chart));
+  const double chart = recorded(record_, "best chart", [&] {
+    return problem_.problem().best_chart(problem_.point(here_.u, here_.chart));
+  });
   if (chart == here_.chart)
     return false;
-  here_ = in_chart(here_, chart);
+  here_ = recorded(record_, "another chart", [&] { return in_chart(here_, chart); });
   return true;
 }
 
@@ -314,6 +343,10 @@ Node Walk::in_chart(const Node &node, double chart) const {
   Node moved = make_node(problem_, corrected.u, chart, std::move(corrected.at), tangent);
   moved.arclength = node.arclength;
   return moved;
+}
+
+std::pair<double, int> Walk::nearest_return(const Vector &u, double chart) const {
+  return recorded(record_, "shorter returns", [&] { return problem_.nearest_return(u, chart); });
 }
 
 } // namespace vibroimpact::continuation

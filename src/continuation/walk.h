@@ -7,7 +7,9 @@ namespace vibroimpact::continuation {
 
 class Walk {
 public:
-  Walk(Problem &problem, const Start &start, const Settings &settings, const Listener &listener);
+  /// Keeps a reference to the record, if there is one (branch.h).
+  Walk(Problem &problem, const Start &start, const Settings &settings, const Listener &listener,
+       StepRecord *record);
   Branch run();
 
 private:
@@ -15,18 +17,32 @@ private:
     End end;
     double value; ///< scaled
   };
+  /// How a branch goes on behind a graze.
+  struct Behind {
+    Vector graze;
+    std::string guard;
+    Node node;
+    double step = 0;
+    std::optional<std::vector<SpecialPoint>> special; ///< none: not found
+
+    template <class Archive> void serialize(Archive &archive, unsigned) {
+      archive &graze &guard &node &step &special;
+    }
+  };
 
   /// One accepted step or one that is shortened.
   void step();
   void shorten(const std::string &why);
+  std::optional<Behind> behind_graze() const;
   /// True if the branch goes on behind a graze, or ends there.
   bool cross();
   /// The point at the distance of a step, or the start or a bound where that lies before it.
   Node next_node();
-  Node attempt();
+  Node attempt() const;
   Node at_bound(const Node &beyond, const Bound &bound) const;
   /// Special points up to the next point; its arclength is that through the graze on the way.
   std::vector<SpecialPoint> examine(Node &next);
+  std::vector<SpecialPoint> special_up_to(Node &next, const Piece &piece) const;
   /// Refuses a step in which two special points may hide, whose tests have one sign at both its
   /// ends.
   void check_pairs(const Piece &piece);
@@ -44,10 +60,12 @@ private:
   bool move_for_pattern(const Node &next);
   bool move_chart(double least_margin);
   Node in_chart(const Node &node, double chart) const;
+  std::pair<double, int> nearest_return(const Vector &u, double chart) const;
 
   ScaledProblem problem_;
   Settings settings_;
   Listener listener_;
+  StepRecord *record_;
   Branch branch_;
   Node here_, first_;
   std::optional<Node> before_; ///< the point before, where its pattern is that of this one

@@ -1,10 +1,9 @@
 // How the parts of a result are serialised by Boost.
 #pragma once
 
+#include "common/dense_archive.h"
 #include "common/result_sink.h"
 
-#include <boost/serialization/array_wrapper.hpp>
-#include <boost/serialization/split_free.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 #include <boost/serialization/version.hpp>
@@ -41,14 +40,6 @@ template <class Archive> void load(Archive &archive, vibroimpact::SummaryLine &l
   std::string name, unit;
   archive >> name >> line.value >> unit;
   line.label = vibroimpact::Label(name, unit, "");
-}
-
-template <class Archive> void serialize(Archive &archive, vibroimpact::Matrix &matrix, unsigned) {
-  vibroimpact::Index rows = matrix.rows();
-  vibroimpact::Index columns = matrix.cols();
-  archive &rows &columns;
-  matrix.resize(rows, columns); // keeps the values of the right size, so it serves both ways
-  archive &make_array(matrix.data(), static_cast<std::size_t>(matrix.size()));
 }
 
 template <class Archive>

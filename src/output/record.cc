@@ -18,6 +18,11 @@ void serialize(Archive &archive, vibroimpact::output::PointLayout &layout, unsig
   archive &layout.fields &layout.summary;
 }
 
+template <class Archive>
+void serialize(Archive &archive, vibroimpact::output::StepBundle &bundle, unsigned) {
+  archive &bundle.index &bundle.first &bundle.steps;
+}
+
 } // namespace boost::serialization
 
 namespace vibroimpact::output {
@@ -27,6 +32,7 @@ namespace {
 constexpr char header_kind = 'h';
 constexpr char layout_kind = 'l';
 constexpr char point_kind = 'p';
+constexpr char steps_kind = 's';
 
 template <class... Contents> std::string archived(char kind, const Contents &...contents) {
   std::ostringstream stream(std::ios::binary);
@@ -55,6 +61,10 @@ void RecordWriter::append(const std::string &analysis, const PointResult &result
   record_.append(reinterpret_cast<const char *>(&layout), sizeof layout);
   append_point(result, record_);
   journal_.append(record_);
+}
+
+void RecordWriter::append(const std::string &analysis, const StepBundle &bundle) {
+  journal_.append(archived(steps_kind, analysis, bundle));
 }
 
 bool RecordWriter::fits(const std::string &analysis, const PointResult &result,
@@ -119,6 +129,23 @@ public:
 
   std::vector<AnalysisHeader> headers;
 
+  /// Whose steps are read; those of the others are passed over.
+  std::string stepping;
+
+  /// Without those that follow a gap.
+  StoredSteps steps() {
+    std::stable_sort(bundles_.begin(), bundles_.end(),
+                     [](const auto &one, const auto &other) { return one.first < other.first; });
+    StoredSteps steps;
+    for (StepBundle &bundle : bundles_) {
+      std::vector<std::string> &known = steps[bundle.index];
+      for (std::uint64_t i = 0; i < bundle.steps.size(); ++i)
+        if (bundle.first + i == known.size())
+          known.push_back(std::move(bundle.steps[i]));
+    }
+    return steps;
+  }
+
   StoredPoints points_of(const std::string &analysis) {
     StoredPoints points = std::move(points_[analysis]);
     points.sort();
@@ -145,6 +172,8 @@ private:
       take_layout(record);
     else if (kind == point_kind)
       take_point(record);
+    else if (kind == steps_kind)
+      take_steps(record);
     else
       throw std::out_of_range("kind");
   }
@@ -169,8 +198,19 @@ private:
     layout.points->entries_.push_back({.bytes = bytes, .layout = layout.layout.get()});
   }
 
+  void take_steps(std::string_view record) {
+    if (stepping.empty())
+      return;
+    std::string analysis;
+    StepBundle bundle;
+    extract(record, analysis, bundle);
+    if (analysis == stepping)
+      bundles_.push_back(std::move(bundle));
+  }
+
   std::shared_ptr<const JournalRecords> records_; ///< of the journal at hand
-  std::map<std::uint32_t, Layout> layouts_;       ///< of the same
+  std::vector<StepBundle> bundles_;
+  std::map<std::uint32_t, Layout> layouts_; ///< of the same
   std::map<std::string, StoredPoints> points_;
 };
 
@@ -187,6 +227,15 @@ StoredPoints read_points(const std::vector<std::filesystem::path> &journals,
   for (const auto &journal : journals)
     reader.read(journal);
   return reader.points_of(analysis);
+}
+
+StoredSteps read_steps(const std::vector<std::filesystem::path> &journals,
+                       const std::string &analysis) {
+  RunReader reader;
+  reader.stepping = analysis;
+  for (const auto &journal : journals)
+    reader.read(journal);
+  return reader.steps();
 }
 
 std::vector<StoredAnalysis> read_run(const std::vector<std::filesystem::path> &journals) {

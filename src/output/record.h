@@ -2,7 +2,8 @@
 //
 // The first byte of a record tells its kind. A layout ('l') stands before the first point that uses
 // it and is numbered; a number given again, by a run that was resumed, replaces the older layout
-// for the points behind it. A point ('p') begins with the number of its layout.
+// for the points behind it. A point ('p') begins with the number of its layout. Steps ('s') are
+// those towards a point that may not have been reached.
 #pragma once
 
 #include "common/result_sink.h"
@@ -12,19 +13,28 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace vibroimpact::output {
 
-/// Writes headers and points to a journal.
+/// Steps towards a point, as the sink is given them.
+struct StepBundle {
+  std::vector<std::size_t> index; ///< of the point
+  std::uint64_t first = 0;        ///< number of the first step
+  std::vector<std::string> steps; ///< what they gave
+};
+
+/// Writes headers, points and steps to a journal.
 class RecordWriter {
 public:
   explicit RecordWriter(const std::filesystem::path &journal) : journal_(journal) {}
 
   void append(const AnalysisHeader &header);
   void append(const std::string &analysis, const PointResult &result);
+  void append(const std::string &analysis, const StepBundle &bundle);
   void synchronise() { journal_.synchronise(); }
 
 private:
@@ -79,6 +89,11 @@ std::vector<AnalysisHeader> read_headers(const std::vector<std::filesystem::path
 /// All points of one analysis.
 StoredPoints read_points(const std::vector<std::filesystem::path> &journals,
                          const std::string &analysis);
+/// Of points by their index, in the order they were taken.
+using StoredSteps = std::map<std::vector<std::size_t>, std::vector<std::string>>;
+/// All steps of one analysis.
+StoredSteps read_steps(const std::vector<std::filesystem::path> &journals,
+                       const std::string &analysis);
 /// All analyses in the order they were begun.
 std::vector<StoredAnalysis> read_run(const std::vector<std::filesystem::path> &journals);
 

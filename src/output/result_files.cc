@@ -50,9 +50,12 @@ void FileSink::begin(const AnalysisHeader &header) {
   header_ = header;
   run_on_first_rank(communicator_, [&] { register_header(header); });
   stored_ = {};
+  steps_ = {};
   if (folder_.resumed())
-    run_on_all_ranks(communicator_,
-                     [&] { stored_ = read_points(folder_.journal_files(), header.name); });
+    run_on_all_ranks(communicator_, [&] {
+      stored_ = read_points(folder_.journal_files(), header.name);
+      steps_ = read_steps(folder_.journal_files(), header.name);
+    });
 }
 
 void FileSink::register_header(const AnalysisHeader &header) {
@@ -78,9 +81,20 @@ void FileSink::store(const PointResult &result) {
     try_to_write([this] { replace_files(); });
 }
 
+std::vector<std::string> FileSink::find_steps(const std::vector<std::size_t> &index) const {
+  const auto found = steps_.find(index);
+  return found == steps_.end() ? std::vector<std::string>() : found->second;
+}
+
+void FileSink::store_steps(const std::vector<std::size_t> &index, std::size_t first,
+                           const std::vector<std::string> &steps) {
+  record_writer_->append(header_.name, {.index = index, .first = first, .steps = steps});
+}
+
 void FileSink::end() {
   // The first call is also the barrier behind which all journals are complete.
   stored_ = {};
+  steps_ = {};
   run_on_all_ranks(communicator_, [this] { record_writer_->synchronise(); });
   run_on_first_rank(communicator_, [this] {
     try_to_write([this] {

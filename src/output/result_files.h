@@ -35,6 +35,10 @@ public:
   const PointResult *find(const std::vector<std::size_t> &index) const override;
   /// Throws std::runtime_error, on this rank alone, when the journal cannot be written.
   void store(const PointResult &result) override;
+  std::vector<std::string> find_steps(const std::vector<std::size_t> &index) const override;
+  /// As store().
+  void store_steps(const std::vector<std::size_t> &index, std::size_t first,
+                   const std::vector<std::string> &steps) override;
   /// Also writes the fields of points that recorded the motion (see vtu_writer.h), and warns of
   /// points that failed or are doubtful. Files that cannot be written are a warning: the journals
   /// keep every point.
@@ -79,6 +83,7 @@ private:
   AnalysisHeader header_;
   PointTotals totals_;  ///< of that analysis, as summary.txt has them, on rank 0
   StoredPoints stored_; ///< points of the analysis from an earlier run
+  StoredSteps steps_;   ///< towards those that it did not get to
 
   using Clock = std::chrono::steady_clock;
   std::chrono::duration<double> rebuild_interval_;

@@ -81,4 +81,15 @@ Transfer GrazingOrbits::transfer(const Point &point, double chart) {
           .by_keys = moved.by_keys};
 }
 
+std::vector<double> GrazingOrbits::remembered() const {
+  return {static_cast<double>(window_.contact), window_.begin, window_.position, window_.end};
+}
+
+void GrazingOrbits::remember(const std::vector<double> &numbers) {
+  window_.contact = static_cast<std::size_t>(numbers.at(0));
+  window_.begin = numbers.at(1);
+  window_.position = numbers.at(2);
+  window_.end = numbers.at(3);
+}
+
 } // namespace vibroimpact::periodic

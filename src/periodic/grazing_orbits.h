@@ -24,6 +24,9 @@ public:
   double best_chart(const continuation::Point &point) override;
   /// The window goes over to the new chart.
   continuation::Transfer transfer(const continuation::Point &point, double chart) override;
+  /// The window.
+  std::vector<double> remembered() const override;
+  void remember(const std::vector<double> &numbers) override;
 
 private:
   Section section_at(double chart) const { return {.phase = chart, .halves = halves_}; }

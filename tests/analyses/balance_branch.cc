@@ -2,8 +2,7 @@
 // the linear part in closed form, and motions that a guess finds.
 #include "analyses/balance_branch.h"
 
-#include "contact/laws/piecewise_stop.h"
-#include "support/recorded_windows.h"
+#include "support/isolator.h"
 
 #include <gtest/gtest.h>
 
@@ -15,42 +14,11 @@ namespace vibroimpact::analyses {
 namespace {
 
 using testing::field_of;
+using testing::isolator;
+using testing::IsolatorPoint;
 
 constexpr double pi = std::numbers::pi;
 constexpr const char *peak = "point/block.head/displacement_x/peak_excursion";
-
-System isolator(double lambda, double mu) {
-  model::Model model({testing::single_mass("block", 1, 1, 0.02)});
-  model.add_force("push",
-                  std::make_shared<model::Harmonic>(model::Given::displacement, 0.52, lambda, 0),
-                  {}, Vector3::UnitX());
-  const auto law = std::make_shared<contact::PiecewiseStop>(mu, 0.4);
-  contact::ContactPair right = testing::contact_along_x(model, "block.head", "", 1, law);
-  contact::ContactPair left = right;
-  right.name = "right";
-  left.name = "left";
-  left.gap.row *= -1;
-  return testing::system_of(std::move(model), contact::ContactSet({right, left}));
-}
-
-/// Keeps the one point and builds isolators at other stiffnesses.
-class OnePoint : public LineContext {
-public:
-  explicit OnePoint(double lambda) : lambda_{lambda} {}
-  const PointResult *find(const std::vector<std::size_t> & /*index*/) const override {
-    return nullptr;
-  }
-  void store(PointResult stored) override { result = std::move(stored); }
-  void skip() override {}
-  System build(const std::vector<parameters::Override> &overrides) const override {
-    return isolator(lambda_, std::stod(overrides.front().value));
-  }
-
-  PointResult result;
-
-private:
-  double lambda_;
-};
 
 BalanceBranch::Settings along_frequency(Index harmonics) {
   BalanceBranch::Settings settings{
@@ -65,7 +33,7 @@ BalanceBranch::Settings along_frequency(Index harmonics) {
 }
 
 PointResult run(const BalanceBranch::Settings &settings, double lambda, double mu) {
-  OnePoint point(lambda);
+  IsolatorPoint point(lambda);
   System system = isolator(lambda, mu);
   const BalanceBranch analysis(settings);
   analysis.check(system);

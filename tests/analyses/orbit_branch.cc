@@ -4,8 +4,7 @@
 
 #include "analyses/keyed_map.h"
 #include "common/error.h"
-#include "contact/laws/piecewise_stop.h"
-#include "support/recorded_windows.h"
+#include "support/isolator.h"
 
 #include <gtest/gtest.h>
 
@@ -18,38 +17,11 @@ namespace vibroimpact::analyses {
 namespace {
 
 using testing::field_of;
+using testing::isolator;
+using testing::IsolatorPoint;
 using testing::value_of;
 
 constexpr double pi = std::numbers::pi;
-
-System isolator(double lambda, double mu) {
-  model::Model model({testing::single_mass("block", 1, 1, 0.02)});
-  model.add_force("push",
-                  std::make_shared<model::Harmonic>(model::Given::displacement, 0.52, lambda, 0),
-                  {}, Vector3::UnitX());
-  const auto law = std::make_shared<contact::PiecewiseStop>(mu, 0.4);
-  contact::ContactPair right = testing::contact_along_x(model, "block.head", "", 1, law);
-  contact::ContactPair left = right;
-  right.name = "right";
-  left.name = "left";
-  left.gap.row *= -1;
-  return testing::system_of(std::move(model), contact::ContactSet({right, left}));
-}
-
-/// Keeps the one point and builds isolators at other stiffnesses.
-class OnePoint : public LineContext {
-public:
-  const PointResult *find(const std::vector<std::size_t> & /*index*/) const override {
-    return nullptr;
-  }
-  void store(PointResult stored) override { result = std::move(stored); }
-  void skip() override {}
-  System build(const std::vector<parameters::Override> &overrides) const override {
-    return isolator(1.3, std::stod(overrides.front().value));
-  }
-
-  PointResult result;
-};
 
 OrbitBranch::Settings along_frequency(double first, double last) {
   OrbitBranch::Settings settings{
@@ -62,7 +34,7 @@ OrbitBranch::Settings along_frequency(double first, double last) {
 }
 
 PointResult run(const OrbitBranch::Settings &settings, System system) {
-  OnePoint point;
+  IsolatorPoint point(1.3);
   OrbitBranch(settings).run_line(0, system, point);
   return point.result;
 }
@@ -82,7 +54,7 @@ std::vector<double> places(const PointResult &result, double kind, const std::st
 // A trial step may ask for one, and the next one must find its way back.
 TEST(OrbitBranchTest, FrequenciesThatAreNoneLeaveTheMapAsItWas) {
   System system = isolator(1.3, 2);
-  const OnePoint context;
+  const IsolatorPoint context(1.3);
   const OrbitBranch::Settings settings = along_frequency(1, 2);
   KeyedMap maps({settings.parameter}, "", system, context,
                 {.scale = Vector::Ones(2), .tolerance = 1e-10}, 1);
@@ -141,16 +113,7 @@ TEST(OrbitBranchTest, FoldAlongAnotherKey) {
   settings.start_value = 2.5;
   settings.start.state = {-1.9, 1.0};
   const double lambda = 1.36274825262772;
-  class AtFold : public OnePoint {
-  public:
-    explicit AtFold(double lambda) : lambda_(lambda) {}
-    System build(const std::vector<parameters::Override> &overrides) const override {
-      return isolator(lambda_, std::stod(overrides.front().value));
-    }
-
-  private:
-    double lambda_;
-  } point(lambda);
+  IsolatorPoint point(lambda);
   System system = isolator(lambda, 2.5);
   OrbitBranch(settings).run_line(0, system, point);
   ASSERT_EQ(point.result.status, Status::finished) << point.result.reason;

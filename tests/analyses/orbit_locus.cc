@@ -2,8 +2,7 @@
 // first touches in closed form.
 #include "analyses/orbit_locus.h"
 
-#include "contact/laws/piecewise_stop.h"
-#include "support/recorded_windows.h"
+#include "support/isolator.h"
 
 #include <gtest/gtest.h>
 
@@ -14,44 +13,10 @@ namespace vibroimpact::analyses {
 namespace {
 
 using testing::field_of;
+using testing::isolator;
+using testing::IsolatorPoint;
 
 constexpr double pi = std::numbers::pi;
-
-System isolator(double lambda, double mu, double f) {
-  model::Model model({testing::single_mass("block", 1, 1, 0.02)});
-  model.add_force("push",
-                  std::make_shared<model::Harmonic>(model::Given::displacement, f, lambda, 0), {},
-                  Vector3::UnitX());
-  const auto law = std::make_shared<contact::PiecewiseStop>(mu, 0.4);
-  contact::ContactPair right = testing::contact_along_x(model, "block.head", "", 1, law);
-  contact::ContactPair left = right;
-  right.name = "right";
-  left.name = "left";
-  left.gap.row *= -1;
-  return testing::system_of(std::move(model), contact::ContactSet({right, left}));
-}
-
-/// Keeps the one point and builds isolators.
-class OnePoint : public LineContext {
-public:
-  explicit OnePoint(double lambda) : lambda_(lambda) {}
-  const PointResult *find(const std::vector<std::size_t> & /*index*/) const override {
-    return nullptr;
-  }
-  void store(PointResult stored) override { result = std::move(stored); }
-  void skip() override {}
-  System build(const std::vector<parameters::Override> &overrides) const override {
-    double mu = 2, f = 0.52;
-    for (const parameters::Override &one : overrides)
-      (one.path == "mu" ? mu : f) = std::stod(one.value);
-    return isolator(lambda_, mu, f);
-  }
-
-  PointResult result;
-
-private:
-  double lambda_;
-};
 
 SweptParameter key(const std::string &path, double first, double last) {
   return {.path = path, .unit = "1", .values = {first, last}};
@@ -70,7 +35,7 @@ PointResult run(const SweptParameter &first, const SweptParameter &second,
                                 .excitation = {}};
   settings.continuation.first_key = {.lower = first.values[0], .upper = first.values[1]};
   settings.continuation.second_key = {.lower = second.values[0], .upper = second.values[1]};
-  OnePoint point(lambda);
+  IsolatorPoint point(lambda);
   System system = isolator(lambda, 2, 0.52);
   OrbitLocus(settings).run_line(0, system, point);
   return point.result;

@@ -62,9 +62,9 @@ struct Oscillator {
   }
 };
 
-Oscillator isolator(double lambda) {
+Oscillator isolator(double lambda, double mu = 2) {
   Oscillator isolator(1, 0.02, 0.52, lambda);
-  isolator.stop(1, std::make_shared<contact::PiecewiseStop>(2, 0.4), true);
+  isolator.stop(1, std::make_shared<contact::PiecewiseStop>(mu, 0.4), true);
   return isolator;
 }
 
@@ -171,6 +171,21 @@ TEST(SettlingByNewtonTest, FromEveryStartItLeadsWhereWaitingDoes) {
       small += std::abs(newton.state.physical[0]) < 1 ? 1 : 0;
     }
   EXPECT_NEAR(small, 0.0879 * starts * starts, 12); // the share of the plane
+}
+
+// Close to the cusp of the folds, at mu = 0.782854, two stable motions lie close together, and the
+// unstable one between them. Along the line through the three P(x) - x is nearly a cubic: about
+// half-way from the unstable to a stable one Newton's method jumps beyond both, to the other stable
+// motion, where it converges at once. The motion itself only leaves the unstable one.
+TEST(SettlingByNewtonTest, TheMotionBeyondAnUnstableOneIsNotTaken) {
+  const Eigen::Vector2d between(-0.32576206, -1.58347417), stable(-0.23441463, -1.507031);
+  Oscillator oscillator = isolator(1.220919236, 0.787);
+  for (double way = 0.5045; way < 0.511; way += 0.0002) {
+    const Eigen::Vector2d start = between + way * (stable - between);
+    oscillator.system.initial.displacement[0] = start[0];
+    oscillator.system.initial.velocity[0] = start[1];
+    EXPECT_NEAR(oscillator.settled(rule(true)).state.physical[0], stable[0], 1e-3) << way;
+  }
 }
 
 // At resonance the free motion only grows, towards an amplitude that the stop does not allow.

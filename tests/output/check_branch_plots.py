@@ -100,13 +100,14 @@ def write_balance(writer):
 
 
 class BranchFigures(unittest.TestCase):
-    def draw(self, cases, *wishes, name="branch"):
+    def draw(self, cases, *requests, name="branch"):
         folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         write(folder, cases)
         with Results(folder) as results, plt.rc_context(style.SETTINGS), \
                 contextlib.ExitStack() as others:
             analysis = next(found for found in results.analyses() if found.name == name)
-            overlays.attach(results, [analysis], [wish.format(folder) for wish in wishes], others)
+            overlays.attach(results, [analysis], [text.format(folder) for text in requests],
+                            others)
             self.addCleanup(plt.close, "all")
             return {name: draw() for name, draw in figures(results, analysis)}
 
@@ -220,16 +221,31 @@ class BranchFigures(unittest.TestCase):
         axes = self.draw(3, f"{other}:branch")["branch-displacement-x-block.head"].axes[0]
         self.assertEqual(len(self.lines(axes, "-")), 2 * (3 + 2 + 2))
         self.assertEqual(len({line.get_color() for line in axes.get_lines()}), 3)
-        self.assertEqual(self.legend(axes)[-3:], [f"branch, $\\mu$ = {mu}" for mu in (1, 2, 3)])
+        self.assertEqual(self.legend(axes)[-3:], [f"branch ({other.name}), $\\mu$ = {mu}"
+                                                  for mu in (1, 2, 3)])
         alone = self.draw(1, str(other))["branch-displacement-x-block.head"].axes[0]
         self.assertIn("sweep", self.legend(alone))
 
+    def test_results_that_share_a_name_are_told_apart_by_their_folders(self):
+        root = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        places = [root / "stiff" / "run", root / "soft" / "run", root / "soft" / "other"]
+        for place in places:
+            place.mkdir(parents=True)
+            write(place, 1)
+        drawn = self.draw(1, *(f"{place}:branch" for place in places), f"{places[0]}:sweep")
+        self.assertEqual(self.legend(drawn["branch-displacement-x-block.head"].axes[0])[-4:],
+                         ["branch (stiff/run)", "branch (soft/run)", "branch (other)", "sweep"])
+        both = self.draw(1, "sweep", f"{places[0]}:sweep")
+        self.assertEqual(self.legend(both["branch-displacement-x-block.head"].axes[0])[-2:],
+                         ["sweep", "sweep (run)"])
+
     def test_overlays_that_do_not_fit(self):
-        for wish, wanted in (("gaps", "nothing in it runs along frequency"),
-                             ("nothing", "neither an analysis of"),
-                             ("{}:nothing", "holds no analysis nothing; there are: balance, branch")):
+        for requested, wanted in (
+                ("gaps", "nothing in it runs along frequency"),
+                ("nothing", "neither an analysis of"),
+                ("{}:nothing", "holds no analysis nothing; there are: balance, branch")):
             with self.assertRaisesRegex(ResultError, wanted):
-                self.draw(1, wish)
+                self.draw(1, requested)
 
     def test_command_line(self):
         folder = Path(self.enterContext(tempfile.TemporaryDirectory()))

@@ -120,6 +120,25 @@ TEST_F(RecordTest, JournalsOfSeveralRanksMakeOneAnalysis) {
   EXPECT_EQ(run[0].points.find({0, 0})->fields[0].values[0], 20);
 }
 
+// Of a point that several runs have worked at, on whatever ranks; what follows a gap is no use.
+TEST_F(RecordTest, StepsComeBackInTheirOrder) {
+  const fs::path second = folder.path() / "rank-00001.journal";
+  const auto bundle = [](std::uint64_t first, std::vector<std::string> steps) {
+    return StepBundle{.index = {4}, .first = first, .steps = std::move(steps)};
+  };
+  const std::string zeros("\0x\0", 3);
+  RecordWriter(second).append("map", bundle(3, {"d", "e"}));
+  RecordWriter(file).append("map", bundle(0, {"a", zeros, "c"}));
+  RecordWriter(file).append("map", bundle(1, {zeros, "c"}));
+  RecordWriter(file).append("map", bundle(6, {"g"}));
+  RecordWriter(file).append("other", bundle(5, {"f"}));
+  RecordWriter(file).append("map", point(0, 0, 1));
+  const StoredSteps steps = read_steps({file, second}, "map");
+  ASSERT_EQ(steps.count({4}), 1U);
+  EXPECT_EQ(steps.at({4}), (std::vector<std::string>{"a", zeros, "c", "d", "e"}));
+  EXPECT_EQ(points("map").size(), 1U);
+}
+
 TEST_F(RecordTest, AJournalInAnotherFormatIsNamed) {
   JournalWriter(file).append("\x16 serialization::archive");
   EXPECT_EQ(thrown_message<std::runtime_error>([&] { points("map"); }),

@@ -96,17 +96,28 @@ void expect_special(const SpecialPoint &found, Special kind, double key, double 
   EXPECT_EQ(found.unstable_after, after);
 }
 
+/// A special point behind a graze, and what becomes of the stability there.
+struct Behind {
+  Special kind;
+  double amplitude, up_to;
+  Special graze; ///< what the graze is
+};
+
+void expect_graze_and(const Behind &behind, double w, double graze, double lower, double upper) {
+  const Branch branch = follow_through_graze(w, 0.98 * graze, lower, upper);
+  EXPECT_EQ(branch.end, continuation::End::upper_bound) << branch.reason;
+  ASSERT_EQ(branch.special.size(), 2u) << w;
+  expect_special(branch.special[0], behind.graze, graze, 1e-12, 0, 1);
+  expect_special(branch.special[1], behind.kind, behind.amplitude, behind.up_to, 1, 0);
+}
+
 // The stop takes energy at once: the branch goes on to larger forces, unstable until the flip.
 TEST(RigidBranchesTest, FlipBehindTheGraze) {
   for (const double w : {0.8, 2.0}) {
     const OneImpact exact(w);
     const double graze = exact.amplitude(0), flip = exact.amplitude(exact.flip());
-    const double upper = flip + 0.5 * (flip - graze);
-    const Branch branch = follow_through_graze(w, 0.98 * graze, 0.9 * graze, upper);
-    EXPECT_EQ(branch.end, continuation::End::upper_bound) << branch.reason;
-    ASSERT_EQ(branch.special.size(), 2u) << w;
-    expect_special(branch.special[0], Special::graze, graze, 1e-12, 0, 1);
-    expect_special(branch.special[1], Special::flip, flip, 1e-11, 1, 0);
+    expect_graze_and({Special::flip, flip, 1e-11, Special::graze}, w, graze, 0.9 * graze,
+                     flip + 0.5 * (flip - graze));
   }
 }
 
@@ -115,12 +126,8 @@ TEST(RigidBranchesTest, FoldBehindTheGraze) {
   for (const double w : {0.5, 1.25}) {
     const OneImpact exact(w);
     const double graze = exact.amplitude(0), fold = exact.amplitude(exact.fold());
-    const double upper = graze + 0.1 * (graze - fold);
-    const Branch branch = follow_through_graze(w, 0.98 * graze, 0.2 * fold, upper);
-    EXPECT_EQ(branch.end, continuation::End::upper_bound) << branch.reason;
-    ASSERT_EQ(branch.special.size(), 2u) << w;
-    expect_special(branch.special[0], Special::grazing_fold, graze, 1e-12, 0, 1);
-    expect_special(branch.special[1], Special::fold, fold, 1e-12, 1, 0);
+    expect_graze_and({Special::fold, fold, 1e-12, Special::grazing_fold}, w, graze, 0.2 * fold,
+                     graze + 0.1 * (graze - fold));
   }
 }
 

@@ -44,12 +44,24 @@ subsection Analysis orbit
 end
 )";
 
-void expect_message(const std::string &from, const std::string &to,
-                    const std::vector<std::string> &parts) {
-  const std::string message = message_of(changed(sound, from, to));
+void expect_message_of(const std::string &file, const std::string &from, const std::string &to,
+                       const std::vector<std::string> &parts) {
+  const std::string message = message_of(changed(file, from, to));
   EXPECT_FALSE(message.empty());
   for (const std::string &part : parts)
     EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in:\n" << message;
+}
+
+void expect_message(const std::string &from, const std::string &to,
+                    const std::vector<std::string> &parts) {
+  expect_message_of(sound, from, to, parts);
+}
+
+/// The sound file with an analysis of another type in place of the periodic orbit.
+std::string file_with(const std::string &type, const std::string &section) {
+  return changed(
+      changed(sound, "set Type = periodic orbit", "set Type = " + type + "\n  " + section),
+      "  subsection Periodic orbit\n    set State = 0.001, 0.02\n  end\n", "");
 }
 
 TEST(BrokenInputPeriodicTest, TheSoundFileIsAccepted) { EXPECT_EQ(message_of(sound), ""); }
@@ -134,19 +146,15 @@ const std::string branch = R"(subsection Branch
   end
 )";
 
+std::string branch_file() { return file_with("branch", branch); }
+
 void expect_branch_message(const std::string &from, const std::string &to,
                            const std::vector<std::string> &parts) {
-  const std::string file =
-      changed(changed(sound, "set Type = periodic orbit", "set Type = branch\n  " + branch),
-              "  subsection Periodic orbit\n    set State = 0.001, 0.02\n  end\n", "");
-  EXPECT_EQ(message_of(file), "");
-  const std::string message = message_of(changed(file, from, to));
-  EXPECT_FALSE(message.empty());
-  for (const std::string &part : parts)
-    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in:\n" << message;
+  expect_message_of(branch_file(), from, to, parts);
 }
 
 TEST(BrokenInputPeriodicTest, BranchEnds) {
+  EXPECT_EQ(message_of(branch_file()), "");
   expect_branch_message("Last frequency = 9 Hz", "Last frequency = 1 Hz",
                         {"Last frequency", "above First frequency"});
   expect_branch_message("Last frequency = 9 Hz", "Last frequency = 2 Hz",
@@ -186,18 +194,11 @@ const std::string balance = R"(subsection Harmonic balance
   end
 )";
 
-std::string balance_file() {
-  return changed(
-      changed(sound, "set Type = periodic orbit", "set Type = harmonic balance\n  " + balance),
-      "  subsection Periodic orbit\n    set State = 0.001, 0.02\n  end\n", "");
-}
+std::string balance_file() { return file_with("harmonic balance", balance); }
 
 void expect_balance_message(const std::string &from, const std::string &to,
                             const std::vector<std::string> &parts) {
-  const std::string message = message_of(changed(balance_file(), from, to));
-  EXPECT_FALSE(message.empty());
-  for (const std::string &part : parts)
-    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in:\n" << message;
+  expect_message_of(balance_file(), from, to, parts);
 }
 
 TEST(BrokenInputPeriodicTest, HarmonicBalance) {
@@ -252,19 +253,15 @@ const std::string locus = R"(subsection Locus
   end
 )";
 
+std::string locus_file() { return file_with("locus", locus); }
+
 void expect_locus_message(const std::string &from, const std::string &to,
                           const std::vector<std::string> &parts) {
-  const std::string file =
-      changed(changed(sound, "set Type = periodic orbit", "set Type = locus\n  " + locus),
-              "  subsection Periodic orbit\n    set State = 0.001, 0.02\n  end\n", "");
-  EXPECT_EQ(message_of(file), "");
-  const std::string message = message_of(changed(file, from, to));
-  EXPECT_FALSE(message.empty());
-  for (const std::string &part : parts)
-    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in:\n" << message;
+  expect_message_of(locus_file(), from, to, parts);
 }
 
 TEST(BrokenInputPeriodicTest, LocusKinds) {
+  EXPECT_EQ(message_of(locus_file()), "");
   const std::string before = "subsection First key";
   expect_locus_message(before, "set Kinds = folds\n    " + before, {"Kinds = folds", "fold"});
   expect_locus_message(before, "set Kinds =\n    " + before, {"Kinds", "given"});
@@ -300,6 +297,30 @@ TEST(BrokenInputPeriodicTest, LocusSteps) {
   expect_locus_message(before, "set Switching levels = -1\n    " + before,
                        {"Switching levels", "-1"});
   expect_locus_message(before, "set State = 1, 2, 3\n    " + before, {"State", "2 numbers"});
+}
+
+const std::string rotor = R"(subsection Body wheel
+  set Type = rotor
+  subsection Rotor
+    set At = block.head
+    set Mass = 1 kg
+    set Inertia = 0.01 kg m^2
+    set Eccentricity = 1 mm
+  end
+  subsection Motor
+    set Starting torque = 1 N m
+    set Slope = 0.1 N m s
+    set Time constant = 0.1 s
+  end
+end
+)";
+
+// The motion has no period then.
+TEST(BrokenInputPeriodicTest, Rotors) {
+  const std::string before = "subsection Contact stop";
+  for (const std::string &file : {sound, branch_file(), balance_file(), locus_file()})
+    expect_message_of(file, before, rotor + before,
+                      {"the model has a rotor: its speed is a second frequency"});
 }
 
 } // namespace

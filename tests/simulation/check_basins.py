@@ -6,46 +6,11 @@ usage: check_basins.py PROGRAM MPIEXEC
 import h5py
 import numpy as np
 
+from isolator import isolator
 from program_runs import ProgramRuns, main
 
-# An isolator with a two-sided elastic stop: two steady motions between 1.231279 and 1.362748 rad/s.
-ISOLATOR = """
-set Variables = y = 0, w = 0, lambda = 1.3
-subsection Body mass
-  set Type = lumped
-  subsection Mass head
-    set Mass = 1 kg
-    set Stiffness = 1 N/m
-    set Damping = 0.02 N s/m
-  end
-end
-subsection Contact right
-  set Between = mass.head
-  set Clearance = 1 m
-  set Law = piecewise stop
-  set Initial penetration = accept
-  subsection Piecewise stop
-    set Stiffness = 2 N/m
-    set Damping constant = 0.4 N s/m
-  end
-end
-subsection Contact left
-  set Between = mass.head
-  set Direction = -x
-  set Clearance = 1 m
-  set Law = piecewise stop
-  set Initial penetration = accept
-  subsection Piecewise stop
-    set Stiffness = 2 N/m
-    set Damping constant = 0.4 N s/m
-  end
-end
-subsection Excitation push
-  set Type = force
-  set At = mass.head
-  set Amplitude = 0.52 N
-  set Frequency = lambda * 1 rad/s
-end
+ISOLATOR = "set Variables = y = 0, w = 0, lambda = 1.3\n" + isolator(
+    frequency="lambda * 1 rad/s", keys="set Initial penetration = accept") + """
 subsection Initial condition start
   set At = mass.head
   set Displacement = y * 1 m

@@ -7,6 +7,7 @@ usage: check_fits.py PROGRAM MPIEXEC
 import h5py
 import numpy as np
 
+from one_frequency import amplitude_at
 from program_runs import ProgramRuns, main
 
 MASS, DAMPING, STIFFNESS, BASE = 1.8, 31.14, 430.0, 0.01
@@ -168,21 +169,8 @@ set Analyses = many
       set Quantity = mass_now
       set Value = 1.8
     end""")
-        text += """
-subsection Analysis scales
-  set Type = frequency response
-  subsection Frequency response
-    set First frequency = 1 Hz
-    set Last frequency = 1 Hz
-    set Points = 1
-  end
-end
-subsection Derived x
-  set From = scales
-  set Operation = maximum
-  set Field = point/first.mass/absolute_displacement_x/amplitude
-  set Along = frequency
-end
+        text += amplitude_at("scales", "1 Hz", "x",
+                             "point/first.mass/absolute_displacement_x/amplitude") + """
 subsection Derived mass_now
   set From = scales
   set Operation = expression

@@ -6,44 +6,11 @@ usage: check_loci.py PROGRAM MPIEXEC
 import h5py
 import numpy as np
 
+from isolator import isolator
 from program_runs import ProgramRuns, main
 
-# An isolator with a two-sided elastic stop; without contact its amplitude is f / |1 - l^2 + 0.02 i l|.
-ISOLATOR = """
-set Variables = f = 0.52, lambda = 1.3, mu = 2
-subsection Body mass
-  set Type = lumped
-  subsection Mass head
-    set Mass = 1 kg
-    set Stiffness = 1 N/m
-    set Damping = 0.02 N s/m
-  end
-end
-subsection Contact right
-  set Between = mass.head
-  set Clearance = 1 m
-  set Law = piecewise stop
-  subsection Piecewise stop
-    set Stiffness = mu * 1 N/m
-    set Damping constant = 0.4 N s/m
-  end
-end
-subsection Contact left
-  set Between = mass.head
-  set Direction = -x
-  set Clearance = 1 m
-  set Law = piecewise stop
-  subsection Piecewise stop
-    set Stiffness = mu * 1 N/m
-    set Damping constant = 0.4 N s/m
-  end
-end
-subsection Excitation push
-  set Type = force
-  set At = mass.head
-  set Amplitude = f * 1 N
-  set Frequency = lambda * 1 rad/s
-end
+ISOLATOR = "set Variables = f = 0.52, lambda = 1.3, mu = 2\n" + isolator(
+    "mu * 1 N/m", "f * 1 N", "lambda * 1 rad/s") + """
 subsection Analysis folds
   set Type = locus
   subsection Locus

@@ -10,6 +10,7 @@ import subprocess
 import h5py
 import numpy as np
 
+from one_frequency import amplitude_at
 from program_runs import ProgramRuns, main
 
 # |X| = F / |k - m w^2 + i c w| is largest at k = m w^2 and is F / (c w) there; at k = 0 it is
@@ -31,21 +32,7 @@ subsection Excitation shaker
   set Amplitude = 5 N
   set Frequency = f * 1 Hz
 end
-subsection Analysis curve
-  set Type = frequency response
-  subsection Frequency response
-    set First frequency = f * 1 Hz
-    set Last frequency = f * 1 Hz
-    set Points = 1
-  end
-end
-subsection Derived amplitude
-  set From = curve
-  set Operation = maximum
-  set Field = point/block.head/displacement_x/amplitude
-  set Along = frequency
-end
-"""
+""" + amplitude_at("curve", "f * 1 Hz", "amplitude", "point/block.head/displacement_x/amplitude")
 SEARCH = """
 subsection Analysis search
   set Type = optimise

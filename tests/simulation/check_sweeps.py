@@ -6,45 +6,10 @@ usage: check_sweeps.py PROGRAM MPIEXEC
 import h5py
 import numpy as np
 
+from isolator import isolator
 from program_runs import ProgramRuns, main
 
-# An isolator with a two-sided elastic stop; the folds of its response are at 0.195964 Hz (falling)
-# and 0.216888 Hz (rising).
-FILE = """
-subsection Body mass
-  set Type = lumped
-  subsection Mass head
-    set Mass = 1 kg
-    set Stiffness = 1 N/m
-    set Damping = 0.02 N s/m
-  end
-end
-subsection Contact right
-  set Between = mass.head
-  set Direction = x
-  set Clearance = 1 m
-  set Law = piecewise stop
-  subsection Piecewise stop
-    set Stiffness = 2 N/m
-    set Damping constant = 0.4 N s/m
-  end
-end
-subsection Contact left
-  set Between = mass.head
-  set Direction = -x
-  set Clearance = 1 m
-  set Law = piecewise stop
-  subsection Piecewise stop
-    set Stiffness = 2 N/m
-    set Damping constant = 0.4 N s/m
-  end
-end
-subsection Excitation push
-  set Type = force
-  set At = mass.head
-  set Amplitude = 0.52 N
-  set Frequency = 1.1 rad/s
-end
+FILE = isolator() + """
 subsection Integration
   set Relative tolerance = 1e-9
 end

@@ -17,8 +17,10 @@ import time
 import h5py
 import numpy as np
 
-SETTINGS = ["--set", "Analyses=gap_40",
-            "--set", "Analysis curve/Stepped sweep/Points=1001"]
+# Files with their overrides: a sweep, branches through grazes, loci, harmonic balances.
+CASES = [("bumpers.prm", ["Analyses=gap_40", "Analysis curve/Stepped sweep/Points=1001"]),
+         ("verification/rigid-branches.prm", []), ("isolator-loci.prm", []),
+         ("verification/rigid-grazes.prm", []), ("beam-harmonics.prm", ["Analyses=balances"])]
 
 
 def datasets(folder):
@@ -39,13 +41,14 @@ def datasets(folder):
 class Runs:
     """Starts the program, and ends it when its time has come."""
 
-    def __init__(self, program, parameters):
+    def __init__(self, program, parameters, overrides):
         self.program, self.parameters = program, parameters
+        self.overrides = [word for override in overrides for word in ("--set", override)]
 
     def arguments(self, folder):
         if (folder / "parameters.prm").exists():
             return ["--resume", str(folder)]
-        return [str(self.parameters), "--output", str(folder), "--overwrite", *SETTINGS]
+        return [str(self.parameters), "--output", str(folder), "--overwrite", *self.overrides]
 
     def run(self, folder, ranks, limit=None, how=signal.SIGKILL):
         """True when it finished, False when it was killed after `limit` seconds."""
@@ -72,7 +75,15 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     dice = random.Random(options.seed)
-    runs = Runs(options.program, options.source / "params" / "bumpers.prm")
+    different = 0
+    for file, overrides in CASES:
+        runs = Runs(options.program, options.source / "params" / file, overrides)
+        different += different_after_kills(file, runs, options.kills // len(CASES), dice)
+    sys.exit(1 if different else 0)
+
+
+def different_after_kills(name, runs, least, dice):
+    """How many runs of one file differ that were killed so many times at least."""
     with tempfile.TemporaryDirectory() as temporary:
         whole = pathlib.Path(temporary) / "whole"
         started = time.monotonic()
@@ -80,15 +91,15 @@ def main():
         duration = time.monotonic() - started
         expected = datasets(whole)
         kills = episodes = different = 0
-        while kills < options.kills:
+        while kills < least:
             folder = pathlib.Path(temporary) / f"cut{episodes}"
             while not runs.run(folder, dice.choice((1, 1, 2, 3)), dice.uniform(0.1, 0.9) * duration,
                                dice.choice((signal.SIGKILL, signal.SIGKILL, signal.SIGTERM))):
                 kills += 1
             episodes += 1
             different += datasets(folder) != expected
-            print(f"{kills} kills in {episodes} runs, {different} differ", flush=True)
-    sys.exit(1 if different else 0)
+            print(f"{name}: {kills} kills in {episodes} runs, {different} differ", flush=True)
+    return different
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 // Fits of known curves to data that were made with them.
 #include "analyses/design/estimate.h"
+#include "analyses/design/known_outcomes.h"
 #include "common/error.h"
 #include "simulation.h"
-#include "support/points.h"
 #include "temporary_folder.h"
 
 #include <fstream>
@@ -45,21 +45,6 @@ public:
   }
   mutable int calls = 0;
   mutable int good = 1 << 30; ///< calls, the others fail
-};
-
-class FitPoints : public testing::Points {
-public:
-  explicit FitPoints(const Outcomes &outcomes) : outcomes_(outcomes) {}
-  const Outcomes &outcomes() const override { return outcomes_; }
-  void store(PointResult result) override {
-    if (left-- == 0)
-      throw Interrupted{};
-    testing::Points::store(std::move(result));
-  }
-  int left = -1; ///< points that may be stored
-
-private:
-  const Outcomes &outcomes_;
 };
 
 class EstimateTest : public ::testing::Test {
@@ -111,7 +96,7 @@ subsection Analysis fit
     const auto set = parameters::ParameterSet::parse(declare_parameters(), text, "test.prm", false);
     return create_analysis(set->root().instance("Analysis", "fit"));
   }
-  static void run(const Analysis &fit, FitPoints &points) {
+  static void run(const Analysis &fit, SearchPoints &points) {
     System system{.model = model::Model({}), .contacts = {}, .integration = {}, .initial = {}};
     for (std::size_t line = 0; line < fit.lines(); ++line)
       fit.run_line(line, system, points);
@@ -122,7 +107,7 @@ subsection Analysis fit
 TEST_F(EstimateTest, FindsWhatTheDataWereMadeWith) {
   write();
   const Curve curve;
-  FitPoints points(curve);
+  SearchPoints points(curve);
   run(*analysis(""), points);
   EXPECT_NEAR(points.value({0, 0}, "key/a"), 2, 1e-4); // interpolation between 0.01 s
   EXPECT_NEAR(points.value({0, 0}, "key/b"), 1.3, 1e-4);
@@ -137,7 +122,7 @@ TEST_F(EstimateTest, StandardErrorsAreThoseOfTheLinearModel) {
   write(0.02);
   const Curve curve;
   for (const char *step : {"1e-5", "3e-3"}) {
-    FitPoints points(curve);
+    SearchPoints points(curve);
     run(*analysis(std::string("set Difference = ") + step + "\n"), points);
     const double a = points.value({0, 0}, "key/a"), b = points.value({0, 0}, "key/b");
     const auto x = points.values({0, 0}, "abscissa/decay");
@@ -166,7 +151,7 @@ TEST_F(EstimateTest, StandardErrorsAreThoseOfTheLinearModel) {
 TEST_F(EstimateTest, ABoundThatHoldsIsNamed) {
   write();
   const Curve curve;
-  FitPoints points(curve);
+  SearchPoints points(curve);
   run(*analysis("", "set Lower = 0.1\nset Upper = 1\nset Start = 0.5\n"), points);
   EXPECT_EQ(points.value({0, 0}, "key/b"), 1);
   EXPECT_EQ(points.value({0, 0}, "search/bound/b"), 1);
@@ -176,7 +161,7 @@ TEST_F(EstimateTest, ABoundThatHoldsIsNamed) {
 TEST_F(EstimateTest, OneNumberLeavesADirectionFree) {
   write();
   const Curve curve;
-  FitPoints points(curve);
+  SearchPoints points(curve);
   const auto fit = analysis("subsection Data product\nset Repeat = other\nset Quantity = number\n"
                             "set Value = 2.6\nset Standard deviation = 0.01\nend\n");
   run(*fit, points);
@@ -187,7 +172,7 @@ TEST_F(EstimateTest, OneNumberLeavesADirectionFree) {
 TEST_F(EstimateTest, FailedEvaluationsArePointsAndOtherStartsGoOn) {
   write();
   const Curve curve;
-  FitPoints points(curve);
+  SearchPoints points(curve);
   run(*analysis("set Starts = 4\n", "set Lower = 0.1\nset Upper = 5\nset Start = 4\n"), points);
   EXPECT_EQ(points.all().at({0, 1}).reason, "too steep");
   EXPECT_EQ(points.all().at({0, 0}).status, Status::failed);
@@ -205,7 +190,7 @@ TEST_F(EstimateTest, WhereNothingGoesOnTheBestSoFarIsTheResult) {
   for (int good = 1; good < 12; ++good) {
     curve.calls = 0;
     curve.good = good;
-    FitPoints points(curve);
+    SearchPoints points(curve);
     run(*analysis("set Most evaluations = 40\n"), points);
     EXPECT_EQ(points.all().at({0, 0}).status, Status::finished) << good;
     EXPECT_GE(points.value({0, 0}, "search/failed"), 1) << good;
@@ -216,21 +201,13 @@ TEST_F(EstimateTest, WhatIsStoredIsNotComputedAgain) {
   write(0.01);
   const Curve curve;
   const auto fit = analysis("set Starts = 2\n");
-  FitPoints whole(curve);
+  SearchPoints whole(curve);
   run(*fit, whole);
   const int calls = curve.calls;
-  curve.calls = 0;
-  FitPoints cut(curve);
-  cut.left = 5;
-  EXPECT_THROW(run(*fit, cut), Interrupted);
-  FitPoints resumed(curve);
-  for (const auto &[index, point] : cut.all())
-    resumed.know(point);
-  run(*fit, resumed);
-  EXPECT_EQ(curve.calls, calls + 1); // the one that was cut off
-  EXPECT_EQ(whole.all().size(), cut.all().size() + resumed.all().size());
+  const CutRun parts(curve, calls, 5, [&](SearchPoints &points) { run(*fit, points); });
+  EXPECT_EQ(whole.all().size(), parts.cut.all().size() + parts.resumed.all().size());
   for (const Field &field : whole.all().at({1, 0}).fields) {
-    const std::vector<double> &again = resumed.values({1, 0}, field.name());
+    const std::vector<double> &again = parts.resumed.values({1, 0}, field.name());
     for (std::size_t i = 0; i < again.size(); ++i)
       EXPECT_TRUE(again[i] == field.values[i] ||
                   (std::isnan(again[i]) && std::isnan(field.values[i])));

@@ -8,6 +8,8 @@
 #include "simulation.h"
 #include "support/points.h"
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <map>
 
@@ -65,6 +67,25 @@ public:
 private:
   const Outcomes &outcomes_;
   std::map<std::size_t, LineNote> notes_;
+};
+
+/// A run that is cut off behind `count` points, and one that goes on: together they evaluate once
+/// more than a whole one. `outcomes` count their calls.
+struct CutRun {
+  SearchPoints cut, resumed;
+
+  template <class Counted>
+  CutRun(const Counted &outcomes, int whole_calls, int count,
+         const std::function<void(SearchPoints &)> &run)
+      : cut(outcomes), resumed(outcomes) {
+    outcomes.calls = 0;
+    cut.left = count;
+    EXPECT_THROW(run(cut), Interrupted);
+    for (const auto &[index, point] : cut.all())
+      resumed.know(point);
+    run(resumed);
+    EXPECT_EQ(outcomes.calls, whole_calls + 1); // the one that was cut off
+  }
 };
 
 /// The analysis "search" of a file that has the variables x, y, z and the analysis "other".

@@ -146,22 +146,15 @@ TEST(OptimiseTest, WhatIsStoredIsNotComputedAgain) {
     outcomes.calls = 0;
     run_all(*search, whole);
     const int calls = outcomes.calls;
-    outcomes.calls = 0;
-    SearchPoints cut(outcomes);
-    cut.left = 17;
-    EXPECT_THROW(run_all(*search, cut), Interrupted);
-    SearchPoints resumed(outcomes);
-    for (const auto &[index, point] : cut.all())
-      resumed.know(point);
-    run_all(*search, resumed);
-    EXPECT_EQ(outcomes.calls, calls + 1) << method; // the one that was cut off
+    const CutRun parts(outcomes, calls, 17,
+                       [&](SearchPoints &points) { run_all(*search, points); });
     for (const auto &[index, point] : whole.all()) {
-      const auto &from = cut.all().count(index) > 0 ? cut : resumed;
+      const auto &from = parts.cut.all().count(index) > 0 ? parts.cut : parts.resumed;
       ASSERT_EQ(from.all().count(index), 1U) << method;
       for (const Field &field : point.fields)
         EXPECT_EQ(from.values(index, field.name()), field.values) << method << " " << field.name();
     }
-    EXPECT_EQ(whole.all().size(), cut.all().size() + resumed.all().size()) << method;
+    EXPECT_EQ(whole.all().size(), parts.cut.all().size() + parts.resumed.all().size()) << method;
   }
 }
 
