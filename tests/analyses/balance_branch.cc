@@ -14,7 +14,7 @@ namespace vibroimpact::analyses {
 namespace {
 
 using testing::field_of;
-using testing::isolator;
+using testing::isolator_system;
 using testing::IsolatorPoint;
 
 constexpr double pi = std::numbers::pi;
@@ -34,7 +34,7 @@ BalanceBranch::Settings along_frequency(Index harmonics) {
 
 PointResult run(const BalanceBranch::Settings &settings, double lambda, double mu) {
   IsolatorPoint point(lambda);
-  System system = isolator(lambda, mu);
+  System system = isolator_system(lambda, mu);
   const BalanceBranch analysis(settings);
   analysis.check(system);
   analysis.run_line(0, system, point);
@@ -132,7 +132,7 @@ TEST(BalanceBranchTest, EstimateOfTheError) {
 }
 
 TEST(BalanceBranchTest, AnotherSourceMustFitAtBothEndsOfTheFrequency) {
-  System system = isolator(1.3, 2);
+  System system = isolator_system(1.3, 2);
   system.model.add_force("hum",
                          std::make_shared<model::Harmonic>(model::Given::displacement, 0.1, 2.6, 0),
                          {}, Vector3::UnitX());

@@ -17,7 +17,7 @@ namespace vibroimpact::analyses {
 namespace {
 
 using testing::field_of;
-using testing::isolator;
+using testing::isolator_system;
 using testing::IsolatorPoint;
 using testing::value_of;
 
@@ -53,7 +53,7 @@ std::vector<double> places(const PointResult &result, double kind, const std::st
 
 // A trial step may ask for one, and the next one must find its way back.
 TEST(OrbitBranchTest, FrequenciesThatAreNoneLeaveTheMapAsItWas) {
-  System system = isolator(1.3, 2);
+  System system = isolator_system(1.3, 2);
   const IsolatorPoint context(1.3);
   const OrbitBranch::Settings settings = along_frequency(1, 2);
   KeyedMap maps({settings.parameter}, "", system, context,
@@ -74,7 +74,7 @@ TEST(OrbitBranchTest, FoldsOfTheIsolator) {
                       {2, {1.23127927195557, 1.36274825262772}, 1e-10},
                       {5, {1.232439, 1.651114}, 6e-7}};
   for (const Row &row : rows) {
-    const PointResult result = run(along_frequency(0.6, 2), isolator(1.9, row.mu));
+    const PointResult result = run(along_frequency(0.6, 2), isolator_system(1.9, row.mu));
     ASSERT_EQ(result.status, Status::finished) << result.reason;
     const std::vector<double> folds = places(result, 1, "frequency");
     ASSERT_EQ(folds.size(), row.folds.size()) << row.mu;
@@ -85,7 +85,7 @@ TEST(OrbitBranchTest, FoldsOfTheIsolator) {
 
 // Between the folds the motions are unstable; at both ends of the frequency they are stable.
 TEST(OrbitBranchTest, StabilityChangesAtTheFolds) {
-  const PointResult result = run(along_frequency(0.6, 2), isolator(1.9, 2));
+  const PointResult result = run(along_frequency(0.6, 2), isolator_system(1.9, 2));
   const std::vector<double> &stable = field_of(result, "stable").values;
   int changes = 0;
   for (std::size_t i = 1; i < stable.size(); ++i)
@@ -114,7 +114,7 @@ TEST(OrbitBranchTest, FoldAlongAnotherKey) {
   settings.start.state = {-1.9, 1.0};
   const double lambda = 1.36274825262772;
   IsolatorPoint point(lambda);
-  System system = isolator(lambda, 2.5);
+  System system = isolator_system(lambda, 2.5);
   OrbitBranch(settings).run_line(0, system, point);
   ASSERT_EQ(point.result.status, Status::finished) << point.result.reason;
   const std::vector<double> folds = places(point.result, 1, "Contact.right.Stiffness");
@@ -133,13 +133,14 @@ TEST(OrbitBranchTest, MotionsThatAreNotRecordedSayWhy) {
   };
   OrbitBranch::Settings settings = along_frequency(1.8, 2);
   settings.recorders = {[](const System & /*system*/) { return std::make_unique<Failing>(); }};
-  const PointResult result = run(settings, isolator(1.9, 2));
+  const PointResult result = run(settings, isolator_system(1.9, 2));
   ASSERT_EQ(result.status, Status::finished) << result.reason;
   const std::vector<double> &recorded = field_of(result, "recorded").values;
   EXPECT_EQ(recorded, std::vector<double>(field_of(result, "frequency").values.size(), 0));
   EXPECT_NE(result.reason.find("is not recorded: the pen is broken"), std::string::npos)
       << result.reason;
-  EXPECT_EQ(field_of(run(along_frequency(1.8, 2), isolator(1.9, 2)), "recorded").values[0], 1);
+  EXPECT_EQ(field_of(run(along_frequency(1.8, 2), isolator_system(1.9, 2)), "recorded").values[0],
+            1);
 }
 
 TEST(OrbitBranchTest, LinearVibrationInClosedForm) {

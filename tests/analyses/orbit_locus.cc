@@ -13,7 +13,7 @@ namespace vibroimpact::analyses {
 namespace {
 
 using testing::field_of;
-using testing::isolator;
+using testing::isolator_system;
 using testing::IsolatorPoint;
 
 constexpr double pi = std::numbers::pi;
@@ -36,7 +36,7 @@ PointResult run(const SweptParameter &first, const SweptParameter &second,
   settings.continuation.first_key = {.lower = first.values[0], .upper = first.values[1]};
   settings.continuation.second_key = {.lower = second.values[0], .upper = second.values[1]};
   IsolatorPoint point(lambda);
-  System system = isolator(lambda, 2, 0.52);
+  System system = isolator_system(lambda, 2, 0.52);
   OrbitLocus(settings).run_line(0, system, point);
   return point.result;
 }

@@ -24,7 +24,7 @@ enum class Stops { both, right };
 
 /// The isolator, or with a single stop that takes no energy.
 System oscillator(double lambda, double mu, double f, Stops stops) {
-  System system = testing::isolator(lambda, mu, f);
+  System system = testing::isolator_system(lambda, mu, f);
   if (stops == Stops::right)
     system.contacts = contact::ContactSet({testing::contact_along_x(
         system.model, "block.head", "", 1, std::make_shared<contact::PiecewiseStop>(mu, 0.0))});

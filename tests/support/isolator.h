@@ -8,7 +8,7 @@
 namespace vibroimpact::testing {
 
 /// x'' + 0.02 x' + x = f sin(lambda t), with stops of stiffness mu and damping 0.4 at |x| = 1.
-inline analyses::System isolator(double lambda, double mu, double f = 0.52) {
+inline analyses::System isolator_system(double lambda, double mu, double f = 0.52) {
   model::Model model({single_mass("block", 1, 1, 0.02)});
   model.add_force("push",
                   std::make_shared<model::Harmonic>(model::Given::displacement, f, lambda, 0), {},
@@ -35,7 +35,7 @@ public:
     double mu = 2, f = 0.52;
     for (const parameters::Override &one : overrides)
       (one.path == "f" ? f : mu) = std::stod(one.value);
-    return isolator(lambda_, mu, f);
+    return isolator_system(lambda_, mu, f);
   }
 
   PointResult result;
