@@ -100,19 +100,37 @@ TEST(IsolatorConstraintsTest, TheAveragedResponseAllowsALargerClearance) {
               1e-9);
 }
 
+std::string refusal(const StopConditions &conditions) {
+  try {
+    preferred_stop(conditions, corners_of(conditions), Preference::least_stiffness);
+  } catch (const NumericalError &error) {
+    return error.what();
+  }
+  return "";
+}
+
 TEST(IsolatorConstraintsTest, ConditionsThatNoStopMeetsAreRefused) {
   StopConditions tight = published();
   tight.working_ratio = 1.5; // f <= 1.25, below the corner
   EXPECT_TRUE(std::isnan(corners_of(tight).resonance_and_jump.force));
-  EXPECT_THROW(preferred_stop(tight, corners_of(tight), Preference::least_stiffness),
-               NumericalError);
+  EXPECT_NE(refusal(tight).find("no stop meets all conditions"), std::string::npos);
   StopConditions loose = published();
-  loose.allowed = 60; // the isolator alone: 50
-  EXPECT_THROW(preferred_stop(loose, corners_of(loose), Preference::least_stiffness),
-               NumericalError);
-  loose.allowed = 4; // at f_max the dashpot does it
-  EXPECT_THROW(preferred_stop(loose, corners_of(loose), Preference::least_stiffness),
-               NumericalError);
+  loose.allowed = 50.01; // the isolator alone: 1/(2 zeta_0 sqrt(1 - zeta_0^2)) = 50.0025
+  EXPECT_NE(refusal(loose).find("no stop is needed"), std::string::npos);
+  loose.allowed = 49.99; // at f_max the dashpot does it
+  EXPECT_NE(refusal(loose).find("no least stiffness"), std::string::npos);
+}
+
+TEST(IsolatorConstraintsTest, TheMarginCountsForTheAveragedResponseToo) {
+  StopConditions averaged = published();
+  averaged.jump_limit = JumpLimit::averaged_response;
+  averaged.margin = 0.1;
+  const StopChoice corner = corners_of(averaged).linear_and_jump;
+  const auto folds = [&](double factor) {
+    return AveragedResponse(damping, {factor * corner.stiffness, corner.force}).folds().size();
+  };
+  EXPECT_EQ(folds(1.099), 0);
+  EXPECT_EQ(folds(1.101), 2);
 }
 
 } // namespace

@@ -49,6 +49,12 @@ TEST(IsolatorUnfoldingTest, HasThePublishedStops) {
   EXPECT_EQ(region_of({0.1, -0.1}, damping.rho()), Region::two);
 }
 
+// H begins at (0, -1).
+TEST(IsolatorUnfoldingTest, HardStopsJumpAboveMinusOne) {
+  EXPECT_EQ(region_of({1e-7, -0.999}, damping.rho()), Region::three);
+  EXPECT_EQ(region_of({1e-7, -1.001}, damping.rho()), Region::four);
+}
+
 TEST(IsolatorUnfoldingTest, AStopAboveB2HasNoForce) {
   EXPECT_TRUE(std::isnan(stop_of({0.5, 0.4}, damping, 1).force));
   EXPECT_EQ(region_of({0.5, 0.4}, damping.rho()), Region::none);
