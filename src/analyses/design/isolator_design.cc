@@ -88,7 +88,7 @@ void IsolatorDesign::declare(parameters::Section &analysis) {
                   "Of further stops to judge.", 0, 10000)
       .quantities(second_key, "", dimension::none, range::any, "\\alpha_2",
                   "Of the same stops, each below the bifurcation set B2.", 0, 10000)
-      .integer("Points", "200", Range{.lower = 2, .upper = 1e5}, "", "Of each curve.")
+      .integer("Points", "200", Range{.lower = 2, .upper = 2000}, "", "Of each curve.")
       .text("Excitation", "", "The force; empty when there is only one excitation.");
   IsolatorBranches::declare(section);
 }
