@@ -43,6 +43,18 @@ def write(folder, sign):
                     [("start", np.array([1.0, 2]), "1"), ("evaluation", np.arange(2.0), "1")])
     writer.field("sum_of_squares", np.array([[3.0, 3], [1, 1]]), "1")
     writer.field("key/x", X[:, :2], "1")
+    writer.field("key/y", 10 * X[:, :2], "m")
+    # Statistics stand in the result alone; the second start is the better one.
+    for name, error in (("x", 0.1), ("y", 0.5)):
+        row = np.full((2, 2), NAN)
+        row[1, 0] = error
+        writer.field(f"standard_error/{name}", row, "1" if name == "x" else "m")
+        for end, sign in (("lower", -1), ("upper", 1)):
+            writer.field(f"interval_{end}/{name}", row * 0 + X[1, 0] * (1 if name == "x" else 10)
+                         + sign * 12.706 * error, "1" if name == "x" else "m")
+    correlation = np.full((2, 2, 2, 2), NAN)
+    correlation[1, 0] = [[1, 0.6], [0.6, 1]]
+    writer.field("correlation", correlation, "1", ("fitted_key", "other_key"))
     at = np.broadcast_to([1.0, 2, 4], (2, 2, 3))
     start = np.arange(2.0)[:, None, None]
     for group, values, unit in (("abscissa", at, "Hz"), ("measured", 1e-3 * at, "m"),
@@ -88,6 +100,7 @@ class SearchFigures(unittest.TestCase):
 
     def test_names(self):
         self.assertEqual(set(self.draw()), {"search-history", "search-plane", "fit-fit-sweep", "fit-history",
+                                            "fit-residuals", "fit-ellipses",
                                             "both-front", "both-keys", "shares-shares", "orbit-derivatives"})
 
     def test_the_best_so_far_never_gets_worse_and_meets_the_constraint(self):
@@ -119,11 +132,29 @@ class SearchFigures(unittest.TestCase):
 
     def test_a_fit_shows_data_model_and_residuals_of_the_best_start(self):
         above, below = self.draw()["fit-fit-sweep"].axes
-        model, measured = above.get_lines()
+        model, start, measured = above.get_lines()
+        np.testing.assert_allclose(start.get_xydata(), model.get_xydata())
         np.testing.assert_allclose(model.get_xydata(), [[1, 2], [2, 3], [4, 5]])
         np.testing.assert_allclose(measured.get_xydata(), [[1, 1], [2, 2], [4, 4]])
         np.testing.assert_allclose(below.get_lines()[1].get_xydata(), [[1, 2], [2, 3], [4, 5]])
         self.assertEqual((above.get_ylabel(), below.get_xlabel()), ("Sweep (mm)", "Frequency (Hz)"))
+
+    def test_residuals_beside_a_normal_distribution(self):
+        over, against = self.draw()["fit-residuals"].axes
+        np.testing.assert_allclose(over.get_lines()[0].get_xydata(), [[0.4, 2], [0.6, 3], [1, 5]])
+        np.testing.assert_allclose(against.get_lines()[0].get_xydata(),
+                                   [[-0.967422, 2], [0, 3], [0.967422, 5]], rtol=1e-6)
+
+    def test_an_ellipse_is_where_the_quadratic_form_of_both_keys_is_twice_the_quantile_of_f(self):
+        axes = self.draw()["fit-ellipses"].axes[0]
+        points, best = (line.get_xydata() for line in axes.get_lines())
+        np.testing.assert_allclose(best, [[0.6, 6]])
+        covariance = np.array([[0.01, 0.6 * 0.05], [0.6 * 0.05, 0.25]])
+        away = points - best
+        form = np.einsum("ki,ij,kj->k", away, np.linalg.inv(covariance), away)
+        # 199.5 is the quantile of 95 % with 2 and 1 degrees of freedom: three data, two keys.
+        np.testing.assert_allclose(form, 2 * 199.5, rtol=1e-4)
+        self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("$x$", "$y$ (m)"))
 
     def test_a_front_among_the_evaluations_that_meet_the_constraint(self):
         axes = self.draw()["both-front"].axes[0]
