@@ -69,6 +69,144 @@ MASS_KEY = """    subsection Key mass
       set Start = 1.84
     end
 """
+STRIP = """
+set Variables = young = 150, zeta = 0.02
+subsection Body strip
+  set Type = beam
+  subsection Geometry
+    set Line     = 0 m, 0 m, 0 m -> 0 m, 0 m, 0.3 m
+    set Elements = 40
+  end
+  subsection Section
+    set Width     = 30 mm
+    set Thickness = 0.75 mm
+  end
+  subsection Material
+    set Young modulus = young * 1 GPa
+    set Poisson ratio = 0.3
+    set Density       = 7850 kg/m^3
+  end
+  subsection Support root
+    set At  = start
+    set Fix = all
+  end
+  subsection Support plane
+    set At  = all
+    set Fix = y, z, rx, rz
+  end
+  subsection Modes
+    set Number        = 3
+    set Damping ratio = zeta
+  end
+end
+subsection Analysis modes
+  set Type = modal
+end
+subsection Analysis fit
+  set Type = estimate
+  subsection Estimate
+    subsection Key young
+      set Path = Variables/young
+      set Lower = 50
+      set Upper = 300
+    end
+    subsection Key zeta
+      set Path = Variables/zeta
+      set Lower = 0.001
+      set Upper = 0.2
+    end
+    subsection Data frequencies
+      set Repeat = modes
+      set Quantity = body/strip/frequency
+      set File = modes.csv
+      set Abscissa column = mode
+      set Value column = frequency_hz
+      set Relative deviation = 0.005
+    end
+    subsection Data damping
+      set Repeat = modes
+      set Quantity = body/strip/damping_ratio
+      set File = modes.csv
+      set Abscissa column = mode
+      set Value column = damping_percent
+      set Value unit = %
+      set Relative deviation = 0.1
+    end
+  end
+end
+"""
+# A mass that strikes a stop with a spring and a dashpot.
+STRIKE = """
+set Variables = k = 8000, c = 3
+subsection Body block
+  set Type = lumped
+  subsection Mass mass
+    set Mass = 0.5 kg
+  end
+end
+subsection Contact stop
+  set Between = block.mass, stop
+  set Direction = x
+  set Clearance = 1 mm
+  set Law = kelvin-voigt
+  subsection Kelvin-Voigt
+    set Stiffness = k * 1 N/m
+    set Damping constant = c * 1 N s/m
+  end
+end
+subsection Initial condition push
+  set At = block.mass
+  set Shape = mode
+  set Velocity = 0.4 m/s
+end
+subsection Analysis strike
+  set Type = transient
+  set Record = history
+  subsection History
+    set Quantities = normal_force
+    set Sampling interval = 5e-5 s
+  end
+  subsection Transient
+    set Duration = 40 ms
+  end
+end
+subsection Analysis fit
+  set Type = estimate
+  subsection Estimate
+    subsection Key stiffness
+      set Path = Variables/k
+      set Lower = 1000
+      set Upper = 50000
+    end
+    subsection Key damping
+      set Path = Variables/c
+      set Lower = 0.1
+      set Upper = 30
+    end
+    subsection Data pulse
+      set Repeat = strike
+      set Quantity = recorded/history/contact/stop/normal_force
+      set File = pulse.h5
+      set Abscissa column = /transducer/time
+      set Abscissa unit = ms
+      set Value column = /transducer/force
+      set Value unit = kN
+    end
+  end
+end
+"""
+
+
+def pulse(time, stiffness=10e3, damping=5.0, mass=0.5, speed=0.4, start=2.5e-3):
+    """Force of a mass in a spring and a dashpot [N] from `start` on, none where it would pull."""
+    decay = damping / (2 * mass)
+    rate = np.sqrt(stiffness / mass - decay ** 2)
+    since = np.maximum(time - start, 0)
+    depth = speed / rate * np.exp(-decay * since) * np.sin(rate * since)
+    velocity = (speed * np.exp(-decay * since) * np.cos(rate * since) - decay * depth)
+    force = stiffness * depth + damping * velocity
+    end = np.flatnonzero((force < 0) & (time > start))[0]
+    return np.where((time >= start) & (np.arange(len(time)) < end), force, 0)
 
 
 def amplitude(frequency, mass=MASS, damping=DAMPING, stiffness=STIFFNESS):
@@ -182,6 +320,34 @@ end
         for name, true in (("mass", MASS), ("damping", DAMPING), ("stiffness", STIFFNESS)):
             self.assertAlmostEqual(fit[f"derived/best_{name}"][()] / true, 1, delta=1e-4)
 
+    def test_natural_frequencies_and_damping(self):
+        """Young's modulus 206 GPa by the closed form of a clamped-free beam, damping about 1 %."""
+        beta = np.array([1.875104069, 4.694091133, 7.854757438])
+        density, thickness, length = 7850, 0.75e-3, 0.3
+        wave = np.sqrt(206e9 * thickness ** 2 / 12 / density) / length ** 2
+        rows = [f"{mode},{value:.12g},{damping}" for mode, value, damping in
+                zip((1, 2, 3), beta ** 2 * wave / (2 * np.pi), (1.1, 1.0, 0.9))]
+        (self.folder / "modes.csv").write_text(
+            "\n".join(["mode,frequency_hz,damping_percent", *rows]), encoding="utf-8")
+        fit = self.results(STRIP)["fit"]
+        self.assertAlmostEqual(fit["derived/best_young"][()], 206, delta=2e-3)
+        # sum ((z - d) / (0.1 d))^2 is smallest at z = sum(1/d) / sum(1/d^2).
+        parts = 1 / np.array([1.1, 1.0, 0.9])
+        self.assertAlmostEqual(100 * fit["derived/best_zeta"][()],
+                               parts.sum() / (parts ** 2).sum(), delta=1e-4)
+        # Counted in known deviations: each of three values with 10 %.
+        error = 0.1 / (parts ** 2).sum() ** 0.5
+        self.assertAlmostEqual(100 * fit["derived/standard_error_zeta"][()] / error, 1, delta=1e-3)
+
+    def test_a_force_pulse_from_hdf5(self):
+        time = np.arange(0, 39e-3, 5e-5)
+        with h5py.File(self.folder / "pulse.h5", "w") as file:
+            file["transducer/time"] = 1e3 * time
+            file["transducer/force"] = 1e-3 * pulse(time)
+        fit = self.results(STRIKE)["fit"]
+        self.assertAlmostEqual(fit["derived/best_stiffness"][()] / 10e3, 1, delta=1e-3)
+        self.assertAlmostEqual(fit["derived/best_damping"][()] / 5, 1, delta=1e-2)
+
     def test_data_that_cannot_be_used(self):
         self.write_data()
         cases = {
@@ -192,6 +358,9 @@ end
             ("set Start = 25", "set Start = 0.5"): ["Key damping / Start", "from Lower to Upper"],
             ("set File = data.csv", "set Value = 3 mm"): ["Data sweep / Abscissa column", "Value"],
             ("subsection Data sweep", "subsection Data sweep\nset Weight = 0"): ["Weight", "0"],
+            ("set Start = 25", "set Start = 250"): ["Key damping / Start", "from Lower to Upper"],
+            ("subsection Data sweep", "subsection Data sweep\nset Standard deviation = 1 mm\n"
+             "set Relative deviation = 0.1"): ["Relative deviation", "Standard deviation"],
         }
         for (old, new), parts in cases.items():
             self.run_file((MODEL + FIT).replace(old, new), code=1)
@@ -200,6 +369,16 @@ end
         self.write_data(frequency=FREQUENCY[:1])
         self.run_file(MODEL + FIT, code=1)
         self.assertIn("two samples at least", self.done.stderr)
+        few = FIT[:FIT.index("    subsection Data")] + """    subsection Data sweep
+      set Repeat = curve
+      set Quantity = peak/point/first.mass/absolute_displacement_x/amplitude
+      set Value = 14 mm
+    end
+  end
+end
+"""
+        self.run_file(MODEL + few, code=1)
+        self.assertIn("fewer data than keys: 1 for 2", self.done.stderr)
         # What only an outcome shows, is the reason of the points.
         self.write_data(frequency=FREQUENCY + 1)
         reason = self.results(MODEL + FIT, code=3)["fit"]["reason"].asstr()[0, 0]

@@ -161,6 +161,11 @@ Vector Estimate::residuals(const Vector &coordinates, FitEvaluations &evaluation
   return 10 * worst;
 }
 
+void Estimate::leave_if_spent(const FitEvaluations &evaluations) const {
+  if (evaluations.all().size() >= settings_.most)
+    throw EvaluationsSpent{};
+}
+
 // The residuals beside a place, and by how much the coordinate is another there; nothing beyond a
 // bound or where the evaluation fails, which `failure` then says.
 std::optional<std::pair<double, Vector>> Estimate::beside(const Vector &coordinates, Index k,
@@ -193,7 +198,11 @@ Matrix Estimate::jacobian(const Vector &coordinates, bool second_order,
   const double h = settings_.difference;
   for (Index k = 0; k < coordinates.size(); ++k) {
     std::string failure = "bounds on both sides";
-    const auto at = [&](double step) { return beside(coordinates, k, step, evaluations, failure); };
+    const auto at = [&](double step) {
+      if (!second_order) // those for the last derivatives come on top
+        leave_if_spent(evaluations);
+      return beside(coordinates, k, step, evaluations, failure);
+    };
     auto one = at(h);
     auto other = one && !second_order ? std::nullopt : at(-h);
     if (second_order && one.has_value() != other.has_value())
@@ -228,16 +237,11 @@ SearchEnd Estimate::fit_from(std::size_t line, FitEvaluations &evaluations) cons
     problem.lower[k] = std::isfinite(key.lower) ? key.coordinate(key.lower) : -infinity;
     problem.upper[k] = std::isfinite(key.upper) ? key.coordinate(key.upper) : infinity;
   }
-  const auto within = [&] {
-    if (evaluations.all().size() >= settings_.most)
-      throw EvaluationsSpent{};
-  };
   problem.residuals = [&](const Vector &coordinates) {
-    within();
+    leave_if_spent(evaluations);
     return residuals(coordinates, evaluations);
   };
   problem.jacobian = [&](const Vector &coordinates) {
-    within();
     return jacobian(coordinates, false, evaluations);
   };
   try {
@@ -310,6 +314,8 @@ PointResult Estimate::result(std::size_t line, FitEvaluations &evaluations, Sear
     add_statistics(result, *best, evaluations);
   } catch (const NumericalError &error) {
     result.reason = std::string("no standard errors: ") + error.what();
+  } catch (const EvaluationsSpent &) {
+    result.reason = "no standard errors: too many of the evaluations for them failed";
   }
   add_search(result, "best", static_cast<double>(best->number), "number of the best evaluation");
   add_search(result, "evaluations", static_cast<double>(evaluations.all().size()),

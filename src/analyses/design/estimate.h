@@ -44,6 +44,7 @@ public:
 private:
   std::size_t all_evaluations() const { return settings_.most + 2 * settings_.keys.size(); }
   Vector residuals(const Vector &coordinates, FitEvaluations &evaluations) const;
+  void leave_if_spent(const FitEvaluations &evaluations) const;
   std::optional<std::pair<double, Vector>> beside(const Vector &coordinates, Index k, double step,
                                                   FitEvaluations &evaluations,
                                                   std::string &failure) const;

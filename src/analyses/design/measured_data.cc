@@ -61,6 +61,9 @@ void DataSet::declare(parameters::Section &section) {
       .quantity("Standard deviation", "", dimension::any, range::positive, "",
                 "Of the measured values; empty means that it is not known, and that differences "
                 "are counted in the root mean square of the values.")
+      .quantity("Relative deviation", "", dimension::none, range::positive, "",
+                "Their standard deviation as a part of each measured value, such as 0.02, where "
+                "it is not the same for all.")
       .quantity("Weight", "1", dimension::none, range::positive, "",
                 "Multiplies the squares of the differences.");
 }
@@ -70,6 +73,8 @@ DataSet::DataSet(const Values &section, std::string name)
       quantity_(section.text("Quantity")), single_(section.has("Value")),
       weight_(section.quantity("Weight")), section_(section) {
   section.require("Quantity");
+  if (section.has("Relative deviation") && section.has("Standard deviation"))
+    section.reject("Relative deviation", "nothing beside the key Standard deviation.");
   if (single_)
     read_single();
   else
@@ -105,13 +110,24 @@ double DataSet::unit_factor(const char *key, const Number &one) const {
              : 1;
 }
 
-double DataSet::deviation(const std::vector<double> &measured, const Number &one) const {
-  if (has_deviation())
-    return section_.quantity_of("Standard deviation", one.dimension) / one.value;
+std::vector<double> DataSet::deviations(const std::vector<double> &measured,
+                                        const Number &one) const {
+  if (section_.has("Relative deviation")) {
+    std::vector<double> parts;
+    for (const double value : measured) {
+      if (value == 0)
+        section_.reject("Relative deviation", "nothing where a measured value is zero.");
+      parts.push_back(section_.quantity("Relative deviation") * std::abs(value));
+    }
+    return parts;
+  }
+  const auto same = [&](double value) { return std::vector(measured.size(), value); };
+  if (section_.has("Standard deviation"))
+    return same(section_.quantity_of("Standard deviation", one.dimension) / one.value);
   const double size = root_mean_square(measured);
   if (!(size > 0))
     section_.reject_section("values that are all zero need a Standard deviation.");
-  return size;
+  return same(size);
 }
 
 std::vector<double> DataSet::interpolated(const Outcome &outcome,
@@ -173,9 +189,9 @@ FittedSet DataSet::compare(const Outcome &outcome) const {
     }
     set.model = interpolated(outcome, set.abscissa);
   }
-  const double factor = std::sqrt(weight_) / deviation(set.measured, outcome.one);
+  const std::vector<double> deviation = deviations(set.measured, outcome.one);
   for (std::size_t i = 0; i < set.model.size(); ++i)
-    set.residual.push_back(factor * (set.model[i] - set.measured[i]));
+    set.residual.push_back(std::sqrt(weight_) / deviation[i] * (set.model[i] - set.measured[i]));
   return set;
 }
 

@@ -28,7 +28,9 @@ public:
   const std::string &quantity() const { return quantity_; }
   std::size_t size() const { return value_.size(); }
   /// Is the standard deviation of the data known?
-  bool has_deviation() const { return section_.has("Standard deviation"); }
+  bool has_deviation() const {
+    return section_.has("Standard deviation") || section_.has("Relative deviation");
+  }
 
   /// Beside the model's outcome, which is interpolated at the abscissae of the data: by a cubic
   /// that is monotone between its points, or along straight lines through less than four.
@@ -40,7 +42,9 @@ private:
   void read_curve();
   void read_single();
   double unit_factor(const char *key, const parameters::Number &one) const;
-  double deviation(const std::vector<double> &measured, const parameters::Number &one) const;
+  /// Of each measured value.
+  std::vector<double> deviations(const std::vector<double> &measured,
+                                 const parameters::Number &one) const;
   std::vector<double> interpolated(const Outcome &outcome,
                                    const std::vector<double> &abscissa) const;
 

@@ -148,6 +148,25 @@ TEST_F(EstimateTest, StandardErrorsAreThoseOfTheLinearModel) {
   }
 }
 
+// A deviation in proportion to the values weighs each by itself, and is known.
+TEST_F(EstimateTest, ARelativeDeviationCountsEachValueInItsOwn) {
+  write(0.02);
+  const Curve curve;
+  FitPoints points(curve);
+  run(*analysis("", "set Lower = 0.1\nset Upper = 5\nset Start = 0.5\nend\n"
+                    "subsection Data other\nset Repeat = other\nset Quantity = curve\n"
+                    "set File = data.csv\nset Separator = semicolon\n"
+                    "set Abscissa column = time\nset Abscissa unit = ms\n"
+                    "set Value column = size\nset Value unit = um\nset Weight = 4\n"
+                    "set Relative deviation = 0.05\n"),
+      points);
+  const auto &residual = points.values({0, 0}, "residual/other");
+  const auto &model = points.values({0, 0}, "model/other");
+  const auto &measured = points.values({0, 0}, "measured/other");
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    EXPECT_NEAR(residual[i], 2 * (model[i] / measured[i] - 1) / 0.05, 1e-12);
+}
+
 TEST_F(EstimateTest, ABoundThatHoldsIsNamed) {
   write();
   const Curve curve;
@@ -194,6 +213,20 @@ TEST_F(EstimateTest, WhereNothingGoesOnTheBestSoFarIsTheResult) {
     run(*analysis("set Most evaluations = 40\n"), points);
     EXPECT_EQ(points.all().at({0, 0}).status, Status::finished) << good;
     EXPECT_GE(points.value({0, 0}, "search/failed"), 1) << good;
+  }
+}
+
+// Wherever the evaluations of the fit end, in the midst of derivatives too, those for the standard
+// errors are left.
+TEST_F(EstimateTest, EveryNumberOfEvaluationsLeavesStandardErrors) {
+  write(0.02);
+  const Curve curve;
+  for (int most = 1; most < 16; ++most) {
+    FitPoints points(curve);
+    run(*analysis("set Most evaluations = " + std::to_string(most) + "\n"), points);
+    EXPECT_EQ(points.all().at({0, 0}).status, Status::finished) << most;
+    EXPECT_TRUE(std::isfinite(points.value({0, 0}, "standard_error/a"))) << most;
+    EXPECT_LE(points.value({0, 0}, "search/evaluations"), most + 4) << most;
   }
 }
 
