@@ -5,12 +5,12 @@
 
 namespace vibroimpact::benchmarks {
 
-Isolator isolator_by_hand(double lambda) {
-  return {.zeta0 = 0.01, .zeta1 = 0.2, .mu = 2, .amplitude = 0.52, .forcing = lambda};
+Isolator isolator_by_hand(double lambda, double mu) {
+  return {.zeta0 = 0.01, .zeta1 = 0.2, .mu = mu, .amplitude = 0.52, .forcing = lambda};
 }
 
-analyses::System isolator_system(double lambda) {
-  const Isolator values = isolator_by_hand(lambda);
+analyses::System isolator_system(double lambda, double mu) {
+  const Isolator values = isolator_by_hand(lambda, mu);
   const auto one = [](double value) { return Vector::Constant(1, value); };
   model::Model model({body_along_x("mass", one(1), one(1), one(2 * values.zeta0), one(1))});
   model.add_force("drive",

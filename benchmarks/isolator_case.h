@@ -7,8 +7,8 @@
 
 namespace vibroimpact::benchmarks {
 
-/// mu = 2, f = 0.52, zeta0 = 0.01, zeta1 = 0.2.
-Isolator isolator_by_hand(double lambda);
-analyses::System isolator_system(double lambda);
+/// f = 0.52, zeta0 = 0.01, zeta1 = 0.2.
+Isolator isolator_by_hand(double lambda, double mu = 2);
+analyses::System isolator_system(double lambda, double mu = 2);
 
 } // namespace vibroimpact::benchmarks
