@@ -73,9 +73,8 @@ public:
       result.cusp = result.gradient.head(n).dot(bordered.v);
       result.side = sign(bordered.w.dot(result.at.slope.col(n)) * result.cusp);
     } else {
-      // (J + I) v + b g = 0: g = -(mu + 1) w^T v / (w^T b)
-      result.side = sign(bordered.w.dot(bordered.v) * bordered.w.dot(borders_.b)) *
-                    sign_along_first_key(result);
+      // (J + I) v + b g = 0 and w^T b = 1: g = -(mu + 1) w^T v
+      result.side = sign(bordered.w.dot(bordered.v)) * sign_along_first_key(result);
     }
     return result;
   }

@@ -251,6 +251,66 @@ TEST(VariationTest, EndOfContactAtTheRoundingOfTheInstant) {
   }
 }
 
+// It begins where a stop with a dashpot begins: further out it meets the force later, and
+// deviations into the stop meet it at once as the motion itself does. The variation is that of the
+// former.
+TEST(VariationTest, StartAtTheFirstTouch) {
+  Case touching{.model = Model({single_mass("block", 1, 40, 0.5)}), .end = 0.05};
+  touching.contacts = ContactSet({contact_along_x(touching.model, "block.head", "", 0.03,
+                                                  std::make_shared<DampedStop>(500, 12))});
+  touching.start.physical = state_of({0.03, 0.3});
+  const Vector column = touching.by_variation().col(0);
+  EXPECT_EQ(touching.events, 1);
+  const auto one_sided = [&](double e) -> Vector {
+    const Vector out = e * Vector::Unit(2, 0);
+    return (4 * (touching.flow(touching.start.physical - out / 2) -
+                 touching.flow(touching.start.physical)) -
+            (touching.flow(touching.start.physical - out) -
+             touching.flow(touching.start.physical))) /
+           -e;
+  };
+  const double e = 1e-4;
+  const Vector outside = (4 * one_sided(e / 2) - one_sided(e)) / 3; // errors of e^2 and of e^3
+  EXPECT_LT((column - outside).norm(), 1e-6 * column.norm());
+}
+
+// Of a few steps the last is far shorter than those before and taken together with them again.
+TEST(VariationTest, DeterminantAfterAShortPart) {
+  const double damping = 3;
+  Case hertz{.model = Model({single_mass("block", 1, 50, damping)}), .end = 0.11};
+  hertz.contacts = ContactSet({contact_along_x(
+      hertz.model, "block.head", "", 0.01,
+      std::make_shared<Hertz>(HertzConstants{.stiffness = 1e4, .exponent = 1.5}))});
+  hertz.start.physical = state_of({0.02, 0.4});
+  Trajectory trajectory(hertz.model, hertz.contacts, hertz.settings());
+  trajectory.start(hertz.start);
+  Variation variation(trajectory, Vector::Ones(2), 1e-12);
+  variation.set_columns(Matrix::Identity(2, 2));
+  for (const double end : {0.03, 0.03 + 1e-6}) {
+    trajectory.advance(end, variation);
+    EXPECT_NEAR(variation.determinant().logarithm, -damping * end, 1e-10);
+  }
+}
+
+// Three bodies touch their stops at one instant. The first force begins without a jump; of the
+// other two, which do jump, deviating motions meet one after the other.
+TEST(VariationTest, TwoJumpsBehindATouchWithoutOne) {
+  Case three{.model = Model({single_mass("a", 1, 0, 0), single_mass("b", 1, 0, 0),
+                             single_mass("c", 1, 0, 0)})};
+  const auto stop = [&](const char *side, std::shared_ptr<const ContactLaw> law) {
+    return contact_along_x(three.model, side, "", 0.1, std::move(law));
+  };
+  const auto damped = std::make_shared<DampedStop>(500, 12);
+  three.contacts = ContactSet({stop("a.head", std::make_shared<LinearPenalty>(500)),
+                               stop("b.head", damped), stop("c.head", damped)});
+  Trajectory trajectory(three.model, three.contacts, three.settings());
+  trajectory.start(0, Vector::Zero(3), Vector::Ones(3));
+  Variation variation(trajectory, Vector::Ones(6), 1e-10);
+  variation.set_columns(Matrix::Identity(6, 6));
+  trajectory.advance(0.11, variation);
+  EXPECT_EQ(variation.tangential_events(), 1);
+}
+
 // The product of the multipliers is exp(-c/m t) for any conservative contact (Liouville).
 TEST(VariationTest, DeterminantOfHertzContact) {
   Case hertz{.model = Model({single_mass("block", 2, 50, 0.6)}), .end = 5};

@@ -99,6 +99,28 @@ TEST(LociTest, GrazesOfASymmetricMotion) {
     EXPECT_NEAR(point.point.keys[0], exact(point.point.keys[1]), 1e-12);
 }
 
+// A touch that lies before the new section comes half a period later, at the other stop: the orbit
+// stays one, and its least gap what it was.
+TEST(LociTest, GrazesOfASymmetricMotionFromEverySection) {
+  Family family(
+      Family::Make([](const Vector &keys) { return testing::isolator(keys[1], 2, keys[0]); }));
+  OrbitProblem problem(family, 1, vector_of({1, 1, 3, 2}));
+  const double w = 0.7, gap = 1e-3;
+  const Vector keys = vector_of({std::hypot(1 - w * w, 0.02 * w) * (1 - gap), w});
+  const Orbit orbit = find_orbit(family.at(keys), 1, vector_of({0, 0.5}));
+  const Point start{.state = orbit.point.state, .keys = keys, .chart = orbit.section.phase};
+  const auto grazes = problem.grazes_near(start);
+  ASSERT_FALSE(grazes.empty());
+  for (const double chart : {0.05, 0.15, 0.25, 0.35, 0.45}) {
+    const auto extended = problem.extended(grazes[0]);
+    EXPECT_NEAR(extended->extend(start, grazes[0]).value, gap, 1e-10);
+    const Point moved = extended->transfer(start, chart).point;
+    const auto there = extended->extend(moved, grazes[0]);
+    EXPECT_LT(there.smooth.residual.norm(), 1e-9) << chart;
+    EXPECT_NEAR(there.value, gap, 1e-9) << chart;
+  }
+}
+
 // Derivatives of the residual by both keys, by differences.
 TEST(LociTest, DerivativesByTwoKeys) {
   Family family(

@@ -39,6 +39,24 @@ TEST(SymmetryTest, EqualStopsOnBothSides) {
   EXPECT_FALSE(has_symmetry(one_sided));
 }
 
+// Stops that stand still beside a base that moves are symmetric when they do so on both sides.
+TEST(SymmetryTest, StopsThatMoveAgainstTheBase) {
+  for (const bool both : {true, false}) {
+    Oscillator shaken = oscillator(1, 1, 0.02);
+    shaken.model.add_base_motion(
+        "shake", std::make_shared<model::Harmonic>(model::Given::displacement, 0.4, 1.3, 0), {0},
+        Vector3::UnitX());
+    const auto law = std::make_shared<PiecewiseStop>(2, 0.4);
+    shaken.stop({{1, law}}, {{1, law}});
+    std::vector<contact::ContactPair> pairs = shaken.contacts.pairs();
+    ASSERT_NE(pairs[0].gap.base_coefficients.at(0), 0);
+    if (!both)
+      pairs[1].gap.base_coefficients[0] = 0;
+    shaken.contacts = contact::ContactSet(std::move(pairs));
+    EXPECT_EQ(has_symmetry(shaken), both);
+  }
+}
+
 TEST(SymmetryTest, OddForcing) {
   Oscillator forced = isolator(1.3);
   forced.push(0.1, 3 * 1.3, 0.2);

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Judges random models by two methods and counts the verdicts.
 
-usage: check_random_models.py PROGRAM (--models NUMBER [--first SEED] | --seeds SEED...)
+usage: check_random_models.py PROGRAM (--models NUMBER [--first SEED] | --seeds SEED... | --files FILE...)
                               [--processes NUMBER] [--limit SECONDS] [--report FILE]
 
 PROGRAM (tests/random_models) judges one model after the other and prints a line each. One that needs
@@ -43,8 +43,8 @@ def processor_time(process):
 class Batch:
     """Models first, ..., first + number - 1, in as many processes as it takes."""
 
-    def __init__(self, program, first, number, limit, report):
-        self.program, self.limit, self.report = program, limit, report
+    def __init__(self, program, first, number, files, limit, report):
+        self.program, self.files, self.limit, self.report = program, files, limit, report
         self.next, self.end = first, first + number
         self.lines = []
 
@@ -56,7 +56,7 @@ class Batch:
 
     def run_process(self, folder):
         process = subprocess.Popen(
-            [self.program, folder, str(self.next), str(self.end - self.next)],
+            [self.program, folder, str(self.next), str(self.end - self.next), *self.files],
             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, bufsize=1,
             env={**os.environ, "OMPI_MCA_ess_singleton_isolated": "1"})
         since = 0.0
@@ -88,13 +88,15 @@ class Batch:
 
 def judge(options, report):
     """The lines of all models, sorted by seed; the report gets each as it is found."""
-    if options.seeds:
+    if options.files:
+        parts = [(place, 1) for place in range(len(options.files))]
+    elif options.seeds:
         parts = [(seed, 1) for seed in options.seeds]
     else:
         part = max(1, min(100, options.models // options.processes))
         end = options.first + options.models
         parts = [(first, min(part, end - first)) for first in range(options.first, end, part)]
-    batches = [Batch(options.program, first, number, options.limit, report)
+    batches = [Batch(options.program, first, number, options.files or [], options.limit, report)
                for first, number in parts]
     with concurrent.futures.ThreadPoolExecutor(options.processes) as pool:
         lines = [line for found in pool.map(Batch.run, batches) for line in found]
@@ -107,6 +109,7 @@ def main():
     which = parser.add_mutually_exclusive_group(required=True)
     which.add_argument("--models", type=int)
     which.add_argument("--seeds", type=int, nargs="+")
+    which.add_argument("--files", nargs="+")
     parser.add_argument("--first", type=int, default=1)
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--limit", type=float, default=60)

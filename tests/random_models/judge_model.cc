@@ -84,13 +84,12 @@ double difference_if_both_end(const ModelRun &one, const ModelRun &other) {
   return one.status == other.status ? difference(one, other) : INFINITY;
 }
 
-Verdict judge_difference(const ModelRun &own, const ModelRun &rk, const ModelChoice &choice,
-                         const std::string &text, const std::string &folder) {
+Verdict judge_difference(const ModelRun &own, const ModelRun &rk, const std::string &text,
+                         const std::string &nudged_text, const std::string &folder) {
   const double apart = difference(own, rk);
   if (apart <= agreement)
     return {.word = "agree", .detail = digits(apart)};
-  const ModelRun nudged =
-      run_model(random_model({.seed = choice.seed, .nudge = nudge}), folder, {});
+  const ModelRun nudged = run_model(nudged_text, folder, {});
   const double by_nudge = difference_if_both_end(own, nudged);
   std::string detail = digits(apart) + " apart; by the nudge " + digits(by_nudge);
   if (apart <= sensitivity_factor * by_nudge)
@@ -108,16 +107,7 @@ Verdict judge_difference(const ModelRun &own, const ModelRun &rk, const ModelCho
   return {.word = converge ? "converge" : "wrong", .detail = detail};
 }
 
-} // namespace
-
-double difference(const ModelRun &one, const ModelRun &other) {
-  return std::max(difference_of_kind(one, other, {"displacement", "gap"}),
-                  difference_of_kind(one, other, {"normal_force"}));
-}
-
-Verdict judge_model(std::uint64_t seed, const std::string &folder) {
-  const ModelChoice choice{.seed = seed};
-  const std::string text = random_model(choice);
+Verdict judge(const std::string &text, const std::string &nudged, const std::string &folder) {
   const ModelRun own = run_model(text, folder, {});
   if (own.status == ModelRun::Status::refused)
     return {.word = "refused", .detail = own.reason};
@@ -128,10 +118,31 @@ Verdict judge_model(std::uint64_t seed, const std::string &folder) {
   else if (rk.status == ModelRun::Status::failed)
     verdict = {.word = "failed-rk", .detail = rk.reason};
   else
-    verdict = judge_difference(own, rk, choice, text, folder);
+    verdict = judge_difference(own, rk, text, nudged, folder);
   verdict.seconds = own.seconds;
   verdict.energy_residual = residual_of(own);
   return verdict;
+}
+
+} // namespace
+
+double difference(const ModelRun &one, const ModelRun &other) {
+  return std::max(difference_of_kind(one, other, {"displacement", "gap"}),
+                  difference_of_kind(one, other, {"normal_force"}));
+}
+
+Verdict judge_model(std::uint64_t seed, const std::string &folder) {
+  return judge(random_model({.seed = seed}), random_model({.seed = seed, .nudge = nudge}), folder);
+}
+
+Verdict judge_text(const std::string &text, const std::string &folder) {
+  const std::string key = "Mass = ";
+  const std::size_t place = text.find(key) + key.size();
+  std::size_t length = 0;
+  const double mass = std::stod(text.substr(place), &length);
+  std::string nudged = text;
+  nudged.replace(place, length, digits(mass * (1 + nudge)));
+  return judge(text, nudged, folder);
 }
 
 } // namespace vibroimpact::testing

@@ -29,5 +29,7 @@ double difference(const ModelRun &one, const ModelRun &other);
 /// hundredth of the tolerances takes a difference of up to 1e-3 to a tenth, or below 1e-6, but not
 /// to nothing, as it does where a contact change was missed.
 Verdict judge_model(std::uint64_t seed, const std::string &folder);
+/// The same of a parameter file with an analysis "a" and a mass in it.
+Verdict judge_text(const std::string &text, const std::string &folder);
 
 } // namespace vibroimpact::testing

@@ -1,5 +1,6 @@
 // random_models FOLDER FIRST NUMBER: judges models FIRST, FIRST + 1, ..., a line each as soon as it
-// is known; random_models FOLDER --print SEED prints one as a parameter file. FOLDER takes the
+// is known; random_models FOLDER FIRST NUMBER FILES... the parameter files of these places in the
+// list; random_models FOLDER --print SEED prints a model as a parameter file. FOLDER takes the
 // record.
 #include "random_models/judge_model.h"
 
@@ -8,15 +9,26 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <iostream>
+#include <sstream>
+#include <vector>
 
 using namespace vibroimpact::testing;
 
 namespace {
 
-void judge_all(const std::string &folder, std::uint64_t first, std::uint64_t number) {
+std::string text_of(const std::string &file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+void judge_all(const std::string &folder, std::uint64_t first, std::uint64_t number,
+               const std::vector<std::string> &files) {
   for (std::uint64_t seed = first; seed < first + number; ++seed) {
-    Verdict verdict = judge_model(seed, folder);
+    Verdict verdict =
+        files.empty() ? judge_model(seed, folder) : judge_text(text_of(files.at(seed)), folder);
     std::replace(verdict.detail.begin(), verdict.detail.end(), '\n', ' ');
     std::cout << seed << '\t' << verdict.word << '\t' << verdict.seconds << '\t'
               << verdict.energy_residual << '\t' << verdict.detail << std::endl;
@@ -26,7 +38,7 @@ void judge_all(const std::string &folder, std::uint64_t first, std::uint64_t num
 } // namespace
 
 int main(int argc, char **argv) {
-  if (argc != 4)
+  if (argc < 4)
     return 1;
   const std::string folder = argv[1];
   if (std::strcmp(argv[2], "--print") == 0) {
@@ -41,7 +53,8 @@ int main(int argc, char **argv) {
   if (SlepcInitialize(&count, &private_arguments, nullptr, nullptr) != 0)
     return 1;
   write_record(folder + "/" + record_name);
-  judge_all(folder, std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
+  judge_all(folder, std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10),
+            {argv + 4, argv + argc});
   SlepcFinalize();
   return 0;
 }

@@ -326,7 +326,8 @@ VariationVerdict judge_window(KeyedModel &random, const WindowChoice &choice,
 
 // In another window.
 bool goes_on(const std::string &word) {
-  return word == "unresolved" || word == "failed" || word == "agree but for rounding";
+  return word == "unresolved" || word == "failed" || word == "no derivative" ||
+         word == "agree but for rounding";
 }
 
 } // namespace
@@ -347,7 +348,7 @@ VariationVerdict judge_variation(std::uint64_t seed, const std::string &folder) 
     if (!goes_on(verdict.word))
       break;
   }
-  if (verdict.word == "failed" && !verdict.found.empty())
+  if ((verdict.word == "failed" || verdict.word == "no derivative") && !verdict.found.empty())
     verdict.word = word_of(verdict.found);
   for (const auto &[what, found] : verdict.found)
     if (!(found.apart <= agreement))

@@ -25,7 +25,7 @@ struct Found {
 ///   agree but for rounding   in no window to more than the differences leave open, times ten; less
 ///                than 1e-5
 ///   unresolved   some in none of them
-///   no derivative  several contacts at one instant; the variation has counted it
+///   no derivative  in no window: several contacts at one instant; the variation has counted it
 ///   failed       the motion has no end, by a reason; refused: not a model
 ///   wrong        also where the motion has an end but its variation has none
 struct VariationVerdict {
