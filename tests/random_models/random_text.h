@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <initializer_list>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,28 @@ inline std::string set(const std::string &key, double value, const std::string &
 
 inline std::string subsection(const std::string &name, const std::string &content) {
   return "subsection " + name + "\n" + content + "end\n";
+}
+
+/// Numbers from arguments like "3" and "5-17".
+inline std::vector<std::uint64_t> seeds_of(const std::vector<std::string> &arguments) {
+  std::vector<std::uint64_t> seeds;
+  for (const std::string &argument : arguments) {
+    const std::size_t dash = argument.find('-');
+    const std::uint64_t first = std::stoull(argument);
+    const std::uint64_t last =
+        dash == std::string::npos ? first : std::stoull(argument.substr(dash + 1));
+    for (std::uint64_t seed = first; seed <= last; ++seed)
+      seeds.push_back(seed);
+  }
+  return seeds;
+}
+
+/// "a, b".
+inline std::string joined(const std::set<std::string> &names) {
+  std::string text;
+  for (const std::string &name : names)
+    text += (text.empty() ? "" : ", ") + name;
+  return text;
 }
 
 } // namespace vibroimpact::testing

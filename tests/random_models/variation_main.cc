@@ -2,12 +2,12 @@
 // line each, and sums up by law and kind of event. Exit code 1 when one is wrong or cannot be
 // judged, or too few agree to say anything. FOLDER takes the record.
 #include "random_models/random_model.h"
+#include "random_models/random_text.h"
 #include "random_models/random_variation.h"
 
 #include <slepcsys.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 
@@ -28,13 +28,6 @@ struct Summary {
   }
 };
 
-std::string list_of(const std::set<std::string> &names) {
-  std::string text;
-  for (const std::string &name : names)
-    text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 void print(std::uint64_t seed, const VariationVerdict &verdict) {
   std::string detail = verdict.detail;
   std::replace(detail.begin(), detail.end(), '\n', ' ');
@@ -43,8 +36,7 @@ void print(std::uint64_t seed, const VariationVerdict &verdict) {
             << verdict.found.size() << '\t' << verdict.determinant << '\t' << spectra.word << '\t'
             << spectra.apart << '\t' << spectra.polynomial << '\t' << spectra.bound << '\t'
             << verdict.cost << '\t' << verdict.window << '\t' << verdict.events << '\t'
-            << list_of(verdict.laws) << '\t' << list_of(verdict.kinds) << '\t' << detail
-            << std::endl;
+            << joined(verdict.laws) << '\t' << joined(verdict.kinds) << '\t' << detail << std::endl;
 }
 
 bool judge_all(const std::string &folder, const std::vector<std::uint64_t> &seeds) {
@@ -79,24 +71,13 @@ bool judge_all(const std::string &folder, const std::vector<std::uint64_t> &seed
   return judged == seeds.size() && 2 * words["agree"] >= static_cast<int>(seeds.size());
 }
 
-// "3" or "3-17"
-void add_seeds(const std::string &text, std::vector<std::uint64_t> &seeds) {
-  const std::size_t dash = text.find('-');
-  const std::uint64_t first = std::stoull(text);
-  const std::uint64_t last = dash == std::string::npos ? first : std::stoull(text.substr(dash + 1));
-  for (std::uint64_t seed = first; seed <= last; ++seed)
-    seeds.push_back(seed);
-}
-
 } // namespace
 
 int main(int argc, char **argv) {
   if (argc < 3)
     return 1;
   const std::string folder = argv[1];
-  std::vector<std::uint64_t> seeds;
-  for (int i = 2; i < argc; ++i)
-    add_seeds(argv[i], seeds);
+  const std::vector<std::uint64_t> seeds = seeds_of({argv + 2, argv + argc});
   char program[] = "random_variations";
   char skip[] = "-skip_petscrc";
   char *arguments[] = {program, skip, nullptr};

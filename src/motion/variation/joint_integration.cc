@@ -32,6 +32,9 @@ constexpr double stiff_length = 30;
 constexpr double length_of_return = 2;
 // Of the model's own time scale: where a slope is infinite it still falls there.
 constexpr double short_time = 1e-4;
+// Of a part that begins or ends with a contact change: so far from it its gap may be found to
+// vanish. A force with a fourth root of the penetration would keep 1e-4 of what it grows to.
+constexpr double location_of_event = 1e-6;
 // Of an instant at which a gap was found to vanish, relative to itself.
 constexpr double rounding_of_time = 4 * std::numeric_limits<double>::epsilon();
 // A step that takes more evaluations of the rates finds no end.
@@ -95,7 +98,9 @@ bool is_steep(const Equations &equations, std::size_t c, contact::LocalState loc
 
 // Within the duration before `time` (or after it, for a negative one): the nearest one.
 std::optional<ZeroOfGap> zero_of_gap(const Equations &equations, double time, const Vector &state,
-                                     double duration) {
+                                     double duration, bool at_event) {
+  const double same = std::max(rounding_of_time * std::abs(time),
+                               at_event ? location_of_event * std::abs(duration) : 0);
   double nearest = std::abs(duration);
   std::optional<ZeroOfGap> found;
   for (std::size_t c = 0; c < equations.contacts().size(); ++c) {
@@ -105,7 +110,7 @@ std::optional<ZeroOfGap> zero_of_gap(const Equations &equations, double time, co
         equations.local_state(c, time, ConstVectorView(state.data(), state.size()));
     double elapsed = local.gap / local.gap_rate;
     if (std::abs(local.gap) <= equations.rounding(c, {.gap = 1}, time, state) ||
-        std::abs(elapsed) <= rounding_of_time * std::abs(time))
+        std::abs(elapsed) <= same)
       elapsed = std::copysign(0.0, duration);
     if (!std::isfinite(elapsed) || std::copysign(elapsed, duration) != elapsed ||
         std::abs(elapsed) > nearest)
@@ -244,12 +249,13 @@ double integrate_beside(const SmoothPart &part, const Equations &equations,
                     .state = part.start_state,
                     .far = part.end,
                     .far_state = part.end_state};
-  if (const auto zero = zero_of_gap(equations, part.start, part.start_state, h)) {
+  if (const auto zero = zero_of_gap(equations, part.start, part.start_state, h, part.from_event)) {
     interval.zero = zero->instant;
     interval.steep = zero->steep;
   }
   return integrate_part({equations, keys, accuracy, free}, interval,
-                        zero_of_gap(equations, part.end, part.end_state, -h), columns);
+                        zero_of_gap(equations, part.end, part.end_state, -h, part.to_event),
+                        columns);
 }
 
 } // namespace vibroimpact::motion

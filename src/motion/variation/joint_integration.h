@@ -25,6 +25,7 @@ struct VariationAccuracy {
 struct SmoothPart {
   double start = 0, end = 0; ///< [s]
   Vector start_state, end_state;
+  bool from_event = false, to_event = false; ///< contacts change at the start, at the end
   double length() const { return end - start; }
 };
 

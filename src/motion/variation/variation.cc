@@ -72,6 +72,7 @@ void Variation::begin(const Trajectory &trajectory, std::vector<KeyTangent *> ke
   joined_ = 0;
   last_part_.reset();
   instant_ = {};
+  last_event_ = -std::numeric_limits<double>::infinity();
   tangential_events_ = 0;
 }
 
@@ -178,18 +179,24 @@ void Variation::step(const StepView &view) {
 
 // The motion's steps follow its own error, and near an event where the slope of a force is infinite
 // they become so short that the gap within one is nothing but its rounding. Deviations are taken
-// through several at once.
+// through several at once; the last one waits, since an event may be at its end.
 void Variation::join(const StepView &view) {
+  if (joined_ >= most_joined || turn_of_waiting() > longest_turn)
+    catch_up();
   if (!waiting_)
     waiting_ = {.start = view.start(),
                 .end = view.end(),
                 .start_state = view.start_state(),
-                .end_state = {}};
+                .end_state = {},
+                .from_event = same_instant(view.start(), last_event_)};
   waiting_->end = view.end();
   waiting_->end_state = view.end_state();
-  const double turn = equations_.model().highest_frequency() * waiting_->length();
-  if (++joined_ >= most_joined || turn > longest_turn)
-    catch_up();
+  ++joined_;
+}
+
+// Of the fastest mode [rad].
+double Variation::turn_of_waiting() const {
+  return waiting_ ? equations_.model().highest_frequency() * waiting_->length() : 0;
 }
 
 // What is left may be far shorter than what was integrated before, and is passed together with it.
@@ -202,6 +209,7 @@ void Variation::catch_up() {
   if (last_part_ && part.length() < short_part * last_part_->part.length()) {
     part.start = last_part_->part.start;
     part.start_state = std::move(last_part_->part.start_state);
+    part.from_event = last_part_->part.from_event;
     columns_ = std::move(last_part_->columns);
     determinant_.logarithm = last_part_->logarithm;
   }
@@ -249,7 +257,10 @@ bool Variation::contradicts(const Saltation &saltation, double time) {
 }
 
 void Variation::event(const ContactEvent &event) {
+  if (waiting_)
+    waiting_->to_event = same_instant(waiting_->end, event.time);
   forget_parts();
+  last_event_ = event.time;
   std::optional<Saltation> saltation = saltations_.of(event, start_);
   if (!saltation)
     return;

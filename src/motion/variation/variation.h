@@ -112,6 +112,7 @@ private:
   void join(const StepView &view);
   void catch_up();
   void forget_parts();
+  double turn_of_waiting() const;
   void check(double time) const;
   bool contradicts(const Saltation &saltation, double time);
 
@@ -130,7 +131,8 @@ private:
   Matrix columns_;                    ///< of deviations, then of keys
   LinearMap projection_;
   Determinant determinant_;
-  Instant instant_; ///< of the last event
+  Instant instant_;                                              ///< of the last event
+  double last_event_ = -std::numeric_limits<double>::infinity(); ///< of any kind [s]
   long tangential_events_ = 0;
 };
 
