@@ -46,6 +46,7 @@ ExactPath::ExactPath(Equations &equations, ExactPhases &phases, double event_tol
 void ExactPath::begin() {
   known_ = nullptr;
   running_ = false;
+  walk_.pieces = 0;
   last_event_ = -std::numeric_limits<double>::infinity();
   exact_phases_.forget();
 }

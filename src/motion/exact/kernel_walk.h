@@ -146,10 +146,10 @@ private:
           k += 2;
           continue;
         }
-        remember(hint, k, trial);
+        remember(hint, k);
         return found;
       }
-      remember(hint, k, trial);
+      remember(hint, k);
       ++w_.pieces_of_phase;
       w_.undecided += touches_;
       return pass(l, rest);
@@ -157,11 +157,13 @@ private:
     return Step::unclear;
   }
 
-  void remember(signed char *hint, int k, int trial) const {
+  // The next motion through here takes pieces that were short enough now; now and then it finds out
+  // whether longer ones will do.
+  void remember(signed char *hint, int k) const {
     if (!hint)
       return;
-    const int wanted = trial > 0 ? k : wanted_level();
-    *hint = static_cast<signed char>(wanted);
+    const int wanted = wanted_level();
+    *hint = static_cast<signed char>(k > wanted && w_.pieces % pieces_kept != 0 ? k : wanted);
   }
 
   Step pass(const LevelView &l, double rest) {
@@ -424,6 +426,7 @@ private:
   }
 
   static constexpr int pieces_at_once = 10000, pieces_in_a_row = 16;
+  static constexpr int pieces_kept = 32;
   static constexpr int trials_before_touch = 2;
   static constexpr int most_corrections = 60;
 
