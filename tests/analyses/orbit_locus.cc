@@ -2,6 +2,7 @@
 // first touches in closed form.
 #include "analyses/orbit_locus.h"
 
+#include "analyses/locus_follower.h"
 #include "support/isolator.h"
 
 #include <gtest/gtest.h>
@@ -84,6 +85,23 @@ TEST(OrbitLocusTest, NothingOfTheKindIsAFailedPoint) {
       run(frequency(0.5, 2), key("mu", 0.5, 3), {0, 2}, LocusOf::neimark_sacker, 1.3, {0, -1});
   EXPECT_EQ(result.status, Status::failed);
   EXPECT_NE(result.reason.find("no special point"), std::string::npos) << result.reason;
+}
+
+// A multiplier -1 of half a symmetric motion is no period doubling: its branch loses the symmetry.
+TEST(OrbitLocusTest, FlipsOfHalfAMotionAreLossesOfSymmetry) {
+  for (const long halves : {1, 2, 3})
+    for (const LocusOf wanted : {LocusOf::period_doubling, LocusOf::loss_of_symmetry}) {
+      LocusOrigins origins({wanted});
+      origins.begin(0, halves, 1);
+      continuation::SpecialPoint flip;
+      flip.kind = continuation::Special::flip;
+      flip.at.point.keys = Vector::Constant(1, 0.3);
+      origins.add(flip);
+      const bool symmetric = halves % 2 != 0;
+      EXPECT_EQ(origins.in_order().size(),
+                symmetric == (wanted == LocusOf::loss_of_symmetry) ? 1u : 0u)
+          << halves;
+    }
 }
 
 } // namespace
