@@ -135,8 +135,9 @@ TEST_F(EstimateTest, StandardErrorsAreThoseOfTheLinearModel) {
       j.row(i) << e, -a * at * e;
       r[i] = a * e - y[static_cast<std::size_t>(i)];
     }
-    if (std::stod(step) < 1e-4) // a minimum
+    if (std::stod(step) < 1e-4) { // a minimum
       EXPECT_LT((j.transpose() * r).norm(), 1e-3 * j.norm() * r.norm());
+    }
     const Matrix c = r.squaredNorm() / 10 * (j.transpose() * j).inverse();
     const auto expect = [&](const std::string &name, double expected) {
       EXPECT_NEAR(points.value({0, 0}, name) / expected, 1, 1e-3) << name << " " << step;
@@ -152,7 +153,7 @@ TEST_F(EstimateTest, StandardErrorsAreThoseOfTheLinearModel) {
 TEST_F(EstimateTest, ARelativeDeviationCountsEachValueInItsOwn) {
   write(0.02);
   const Curve curve;
-  FitPoints points(curve);
+  SearchPoints points(curve);
   run(*analysis("", "set Lower = 0.1\nset Upper = 5\nset Start = 0.5\nend\n"
                     "subsection Data other\nset Repeat = other\nset Quantity = curve\n"
                     "set File = data.csv\nset Separator = semicolon\n"
@@ -222,7 +223,7 @@ TEST_F(EstimateTest, EveryNumberOfEvaluationsLeavesStandardErrors) {
   write(0.02);
   const Curve curve;
   for (int most = 1; most < 16; ++most) {
-    FitPoints points(curve);
+    SearchPoints points(curve);
     run(*analysis("set Most evaluations = " + std::to_string(most) + "\n"), points);
     EXPECT_EQ(points.all().at({0, 0}).status, Status::finished) << most;
     EXPECT_TRUE(std::isfinite(points.value({0, 0}, "standard_error/a"))) << most;
