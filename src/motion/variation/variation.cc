@@ -21,8 +21,10 @@ constexpr double equal_delays = 1e-6;
 // Of what is left of a column beside those before it: below, it is the rounding of the column.
 constexpr double dependent_column = 1e-14;
 
-// Beside the part before it.
-constexpr double short_part = 1e-3;
+// Beside the part before it. The state between two parts has the error of the motion's steps, and
+// before the end of a contact whose slope is infinite there this counts relative to the gap, which
+// goes with the time that is left: with a thousandth of the part before, 1e-5 of a multiplier.
+constexpr double short_part = 0.1;
 // Steps of the motion.
 constexpr int most_joined = 16;
 // Of the fastest mode [rad]: over longer parts contacts observe all modes (observable_columns.h).
