@@ -15,7 +15,7 @@ packages=(
   libopenblas0-serial
   python3 python3-h5py python3-matplotlib
 )
-test_packages=(libgtest-dev python3-xarray python3-netcdf4)
+test_packages=(libgtest-dev python3-xarray python3-netcdf4 python3-pip)
 
 case "${1-}" in
 "") ;;

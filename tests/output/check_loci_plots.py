@@ -12,11 +12,11 @@ del sys.argv[1:]
 sys.dont_write_bytecode = True
 sys.path[:0] = [str(PROGRAM.parent), str(Path(__file__).resolve().parent)]
 
-from vibroimpact_plots import style  # noqa: E402
-from vibroimpact_plots.figure_list import figures  # noqa: E402
-from vibroimpact_plots.results import Results  # noqa: E402
+from vibroimpact.plots import style  # noqa: E402
+from vibroimpact.plots.figure_list import figures  # noqa: E402
+from vibroimpact.plots.results import Results  # noqa: E402
 
-import matplotlib.pyplot as plt  # noqa: E402  (after style has chosen the backend)
+import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
 from plot_examples import Writer  # noqa: E402

@@ -5,7 +5,7 @@ import sys
 def panels(study, rows):
     """A figure with panels below each other, and the colours of curves."""
     sys.path.insert(0, str(study.arguments.source / "postprocess"))
-    from vibroimpact_plots import style
+    from vibroimpact.plots import style
 
     style.plt.rcParams.update(style.SETTINGS)
     figure, axes = style.panels(rows)

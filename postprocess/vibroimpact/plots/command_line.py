@@ -7,9 +7,12 @@ import fnmatch
 import sys
 from contextlib import ExitStack
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from .choice import choose
-from .results import Analysis, ResultError, Results
+from .errors import ResultError
+
+if TYPE_CHECKING:  # --help and wrong options answer without NumPy
+    from .results import Analysis, Results
 
 EPILOG = """--figure may be repeated and takes shell patterns: --figure 'response-contact-*'.
 --at picks points of an axis by their nearest values, in the unit of the figures or in SI:
@@ -62,11 +65,17 @@ def size(text: str) -> tuple[float, float]:
 
 
 def draw(options: argparse.Namespace) -> int:
+    from .choice import choose
+    from .results import Results
+
     with Results(options.results) as results, ExitStack() as others:
         chosen = chosen_analyses(results, options.analysis)
         for analysis in chosen:
             choose(analysis, options.at)
         # Matplotlib takes a second to load; a wrong name should not have to wait for it.
+        import matplotlib
+
+        matplotlib.use("Agg")  # the program draws into files; who imports the package chooses
         import matplotlib.pyplot as plt
 
         from .labels import ANGULAR

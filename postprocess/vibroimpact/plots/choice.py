@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 
+from .errors import ResultError
 from .parameters_text import number
-from .results import Analysis, ResultError
+from .results import Analysis
 
 
 def choose(analysis: Analysis, requests: list[str]) -> None:

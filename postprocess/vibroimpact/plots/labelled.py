@@ -1,6 +1,6 @@
 """An analysis as one xarray.Dataset.
 
-    from vibroimpact_plots.labelled import open_analysis
+    from vibroimpact.plots.labelled import open_analysis
     release = open_analysis("output/impacting-beams/results.h5", "release")
     release["contact/heads/normal_force"].plot()
 

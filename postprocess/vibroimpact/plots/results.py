@@ -8,11 +8,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from .errors import ResultError
 from .parameters_text import sections
-
-
-class ResultError(Exception):
-    """The results cannot be read or do not hold what was asked for; the message is complete."""
 
 
 @dataclass
