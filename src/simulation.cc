@@ -13,6 +13,7 @@
 #include "model/excitation.h"
 #include "model/initial_condition.h"
 #include "motion/settings.h"
+#include "output/figure_sections.h"
 #include "output/result_files.h"
 #include "output/vtu_writer.h"
 #include "parameters/text.h"
@@ -51,6 +52,7 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
   motion::declare_integration(*root);
   analyses::declare_analyses(*root);
   derived::declare_derived(*root);
+  output::declare_figures(*root);
   return root;
 }
 
@@ -230,6 +232,7 @@ std::vector<std::shared_ptr<const ReducedBody>> Simulation::bodies(const Values 
 derived::DerivedQuantities Simulation::derived_quantities(const std::vector<Job> &jobs) const {
   const Values root = parameters_->root();
   derived::check_analyses(root);
+  output::check_figures(root);
   derived::DerivedQuantities quantities;
   for (const Job &job : jobs) {
     std::vector<Axis> axes = analyses::grid_axes(job.keys, *parameters_);

@@ -93,6 +93,8 @@ void declare_derived(parameters::Section &root) {
       .text("From", "", "Name of the analysis.")
       .choice("Operation", "maximum", names, "What is done.")
       .text("Description", "", "A sentence about the result; empty means one that is made up.")
+      .text("Symbol", "",
+            "What figures call it, between dollar signs as in TeX; empty means its name.")
       .text("Field", "",
             "What it is done to: the path of a field of the analysis, the name of a Derived of the "
             "same analysis that stands before this one, or an axis.")

@@ -18,7 +18,7 @@ using testing::isolator_system;
 using testing::IsolatorPoint;
 
 constexpr double pi = std::numbers::pi;
-constexpr const char *peak = "point/block.head/displacement_x/peak_excursion";
+constexpr const char *peak = "point/block.head/displacement_x/largest";
 
 BalanceBranch::Settings along_frequency(Index harmonics) {
   BalanceBranch::Settings settings{

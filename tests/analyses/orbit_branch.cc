@@ -93,7 +93,7 @@ TEST(OrbitBranchTest, StabilityChangesAtTheFolds) {
   EXPECT_EQ(changes, 2);
   EXPECT_EQ(stable.front(), 1);
   EXPECT_EQ(stable.back(), 1);
-  const Field &peak = field_of(result, "special/point/block.head/displacement_x/peak_excursion");
+  const Field &peak = field_of(result, "special/point/block.head/displacement_x/largest");
   std::vector<double> at_folds;
   for (std::size_t i = 0; i < peak.values.size(); ++i)
     if (field_of(result, "special/kind").values[i] == 1)
@@ -150,7 +150,7 @@ TEST(OrbitBranchTest, LinearVibrationInClosedForm) {
   const PointResult result = run(along_frequency(2, 6), testing::system_of(std::move(model)));
   ASSERT_EQ(result.status, Status::finished) << result.reason;
   const std::vector<double> &frequency = field_of(result, "frequency").values;
-  const Field &peak = field_of(result, "point/block.head/displacement_x/peak_excursion");
+  const Field &peak = field_of(result, "point/block.head/displacement_x/largest");
   const Field &modulus = field_of(result, "multiplier_real");
   EXPECT_GE(frequency.size(), 10u);
   EXPECT_EQ(modulus.shape, (std::vector<std::size_t>{frequency.size(), 2}));

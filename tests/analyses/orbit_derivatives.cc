@@ -78,7 +78,7 @@ PointResult orbit(const Isolator &of, const std::vector<double> &state,
 const std::vector<double> small{0.72, 0.2}, unstable{-0.41, -1.68}, large{-1.0, 2.3};
 const std::vector<std::string> keys{"stiffness", "damping", "amplitude", "clearance", "stop"};
 const std::vector<std::string> measured{
-    "point/block.head/displacement_x/peak_excursion", "point/block.head/velocity_x/maximum",
+    "point/block.head/displacement_x/largest", "point/block.head/velocity_x/maximum",
     "contact/right/peak_force/maximum", "contact/right/impulse/mean"};
 
 double richardson(const Isolator &of, const std::vector<double> &state, const std::string &path,

@@ -59,7 +59,7 @@ PointResult run(const OrbitStart &start, System system) {
   return point.result;
 }
 
-const std::string peak = "point/block.head/displacement_x/peak_excursion";
+const std::string peak = "point/block.head/displacement_x/largest";
 
 TEST(PeriodicOrbitTest, UnstableMotionBetweenTwoStableOnes) {
   const PointResult result = run(from_state({-0.41, -1.68}), isolator(1.3));

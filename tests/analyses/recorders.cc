@@ -71,12 +71,12 @@ TEST(RecordersTest, ExcursionsOfASine) {
   const PointResult result = recorded<Excursions>(pushed(), three_periods(), ObservedSelection{});
   const double amplitude = force / std::abs(impedance);
   const double mean = offset / stiffness;
-  EXPECT_NEAR(value_of(result, displacement + "/peak_to_peak_excursion"), 2 * amplitude, 1e-10);
-  EXPECT_NEAR(value_of(result, displacement + "/peak_excursion"), mean + amplitude, 1e-10);
+  EXPECT_NEAR(value_of(result, displacement + "/peak_to_peak"), 2 * amplitude, 1e-10);
+  EXPECT_NEAR(value_of(result, displacement + "/amplitude"), amplitude, 1e-10);
+  EXPECT_NEAR(value_of(result, displacement + "/largest"), mean + amplitude, 1e-10);
   EXPECT_NEAR(value_of(result, displacement + "/minimum"), mean - amplitude, 1e-10);
   EXPECT_NEAR(value_of(result, displacement + "/maximum"), mean + amplitude, 1e-10);
-  EXPECT_NEAR(value_of(result, "point/block.head/velocity_x/peak_excursion"), omega * amplitude,
-              1e-8);
+  EXPECT_NEAR(value_of(result, "point/block.head/velocity_x/largest"), omega * amplitude, 1e-8);
   EXPECT_NEAR(value_of(result, acceleration + "/minimum"), -omega * omega * amplitude, 1e-6);
   EXPECT_FALSE(has_field(result, "point/block.head/absolute_displacement_x/maximum"));
 }
@@ -173,8 +173,7 @@ TEST(RecordersTest, ForceOnTheBaseAndItsTransmissibility) {
   const PointResult result = recorded<Forces>(pushed(), three_periods());
   const double transmitted = std::abs(Complex(stiffness, omega * damping) / impedance);
   EXPECT_NEAR(value_of(result, base_force + "/mean"), offset, 1e-7);
-  EXPECT_NEAR(value_of(result, base_force + "/peak_to_peak_excursion"), 2 * transmitted * force,
-              1e-7);
+  EXPECT_NEAR(value_of(result, base_force + "/peak_to_peak"), 2 * transmitted * force, 1e-7);
   EXPECT_NEAR(value_of(result, base_force + "/rms_about_mean"),
               transmitted * force / std::sqrt(2.0), 1e-7);
   EXPECT_NEAR(value_of(result, base_force + "/transmissibility"), transmitted, 1e-8);
@@ -239,8 +238,7 @@ TEST(RecordersTest, TensionOfACubicConnection) {
   const PointResult result = recorded<Forces>(system, {.start = 0, .end = 0.5});
   EXPECT_NEAR(value_of(result, "connection/spring/force/maximum"), tension, 1e-6 * tension);
   EXPECT_NEAR(value_of(result, "connection/spring/force/minimum"), -tension, 1e-6 * tension);
-  EXPECT_NEAR(value_of(result, base_force + "/peak_to_peak_excursion"), 2 * tension,
-              1e-6 * tension);
+  EXPECT_NEAR(value_of(result, base_force + "/peak_to_peak"), 2 * tension, 1e-6 * tension);
 }
 
 TEST(RecordersTest, StaticDisplacementUnderTheFrozenPeak) {

@@ -56,7 +56,7 @@ double amplitude() {
   return force / std::abs(std::complex<double>(stiffness - mass * omega * omega, omega * damping));
 }
 
-const std::string excursion = "point/block.head/displacement_x/peak_to_peak_excursion";
+const std::string excursion = "point/block.head/displacement_x/peak_to_peak";
 
 TEST(ResponseTest, SettlesByCyclesUntilItIsSteady) {
   const PointResult result = run(by_cycles(500), oscillator());

@@ -57,7 +57,7 @@ SteppedSweep::Settings sweep(double first, double last, std::size_t points) {
 }
 
 double peak(const testing::Points &points, const std::vector<std::size_t> &index) {
-  return points.value(index, "point/mass.head/displacement_x/peak_excursion");
+  return points.value(index, "point/mass.head/displacement_x/largest");
 }
 
 // Brackets of both directions, as (from, to) in lambda, one per jump.

@@ -23,7 +23,7 @@ import numpy as np  # noqa: E402
 
 from plot_examples import Writer  # noqa: E402
 
-PEAK = "point/block.head/displacement_x/peak_excursion"
+PEAK = "point/block.head/displacement_x/largest"
 # An S: the frequency turns at the third and the sixth point; a second branch of two points.
 FREQUENCY = np.array([1.0, 2.0, 3.0, 2.5, 2.0, 1.5, 2.5, 4.0, 3.2, 3.6])
 HEIGHT = np.array([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 7.4, 7.8]) * 1e-3

@@ -242,9 +242,9 @@ PointResult sweep_point(double frequency, bool forward, double clearance,
   for (const auto &[body, factor] : {std::pair("left.head", 1.0), std::pair("right.head", 0.7)}) {
     const std::string name = std::string("point/") + body + "/";
     point.fields.push_back(
-        scalar(name + "displacement_x/peak_to_peak_excursion", "m", 2 * factor * amplitude));
-    point.fields.push_back(scalar(name + "displacement_x/peak_excursion", "m", factor * amplitude));
-    point.fields.push_back(scalar(name + "acceleration_x/peak_to_peak_excursion", "m/s^2",
+        scalar(name + "displacement_x/peak_to_peak", "m", 2 * factor * amplitude));
+    point.fields.push_back(scalar(name + "displacement_x/largest", "m", factor * amplitude));
+    point.fields.push_back(scalar(name + "acceleration_x/peak_to_peak", "m/s^2",
                                   2 * factor * amplitude * omega * omega + 3e4 * penetration));
   }
   point.fields.push_back(
@@ -255,8 +255,7 @@ PointResult sweep_point(double frequency, bool forward, double clearance,
   point.fields.push_back(scalar("steady", "1", frequency > 3.3 && frequency < 3.4 ? 0 : 1));
   point.fields.push_back(
       {Label("state", "1", "state at the end", {"state"}), {2}, {amplitude, omega}});
-  point.summary = {
-      {Label("left.head.displacement_x.peak_to_peak_excursion", "m", ""), 2 * amplitude}};
+  point.summary = {{Label("left.head.displacement_x.peak_to_peak", "m", ""), 2 * amplitude}};
   return point;
 }
 

@@ -85,7 +85,7 @@ def write_sweep(writer):
     jump[3, 0] = 3.25
     steady = np.ones((5, 2))
     steady[1, 1] = 0
-    writer.field("point/first.mass/displacement_x/peak_to_peak_excursion", value, "m")
+    writer.field("point/first.mass/displacement_x/peak_to_peak", value, "m")
     writer.field("contact/stop/impacts_per_period", np.ones((5, 2)), "1")
     writer.field("jump_from", jump, "Hz")
     writer.field("jump_to", jump + 0.5, "Hz")
@@ -118,7 +118,7 @@ def write_family(writer):
                     [("Variables.gap", GAP, "m"), ("frequency", FREQUENCY, "Hz"),
                      ("direction", ["forward"], "1")], ["Variables/gap"])
     value = np.arange(3)[:, None, None] + FREQUENCY[:, None]
-    writer.field("point/first.mass/displacement_x/peak_to_peak_excursion", value, "m")
+    writer.field("point/first.mass/displacement_x/peak_to_peak", value, "m")
 
 
 def write_receptances(writer):
@@ -172,7 +172,7 @@ def write_plane(writer):
                     [("Variables.lambda", LAMBDA, "1"), ("Variables.delta0", DELTA, "m")],
                     ["Variables/lambda", "Variables/delta0"])
     value = LAMBDA[:, None] + 10 * DELTA
-    writer.field("point/first.mass/displacement_x/peak_to_peak_excursion", value, "m")
+    writer.field("point/first.mass/displacement_x/peak_to_peak", value, "m")
     both = ["Variables.lambda", "Variables.delta0"]
     writer.field("derived/largest", value, "m", dimensions=both, operation="maximum", axis="")
     writer.field("derived/best", np.array([2.0, 3.0, 4.0]), "1", dimensions=both[1:],

@@ -81,7 +81,7 @@ TEST_F(ResultFiles, HoldEveryPointAtItsPlace) {
   const Hdf5File file = Hdf5File::open(folder / "results.h5");
   const std::string group = "/analysis/map";
   EXPECT_EQ(file.read_attribute(group, "type"), "stepped sweep");
-  const std::string field = group + "/point/right.head/displacement_x/peak_to_peak_excursion";
+  const std::string field = group + "/point/right.head/displacement_x/peak_to_peak";
   EXPECT_EQ(file.shape(field), (Shape{3, 31, 2}));
   EXPECT_EQ(file.shape(group + "/state"), (Shape{3, 31, 2, 2}));
   const std::vector<double> values = file.read_numbers(field);
@@ -89,7 +89,7 @@ TEST_F(ResultFiles, HoldEveryPointAtItsPlace) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto &fields = example.points[i].fields;
     const auto found = std::find_if(fields.begin(), fields.end(), [](const Field &candidate) {
-      return candidate.name() == "point/right.head/displacement_x/peak_to_peak_excursion";
+      return candidate.name() == "point/right.head/displacement_x/peak_to_peak";
     });
     EXPECT_EQ(values[i], found->values[0]);
   }

@@ -44,13 +44,13 @@ end
 subsection Derived peak
   set From = map
   set Operation = maximum
-  set Field = point/block.head/displacement_x/peak_excursion
+  set Field = point/block.head/displacement_x/largest
   set Along = frequency, direction
 end
 subsection Derived forward
   set From = map
   set Operation = select
-  set Field = point/block.head/displacement_x/peak_excursion
+  set Field = point/block.head/displacement_x/largest
   set Where = direction = forward, spring = 2 kN/m
 end
 subsection Derived resonance

@@ -31,7 +31,7 @@ end
 subsection Derived amplitude
   set From = steady
   set Operation = expression
-  set Fields = x = point/block.head/displacement_x/peak_to_peak_excursion
+  set Fields = x = point/block.head/displacement_x/peak_to_peak
   set Expression = x / 2
 end
 subsection Analysis search
@@ -143,7 +143,7 @@ const std::string front =
                     "set Objective = amplitude",
                     "subsection Objective a\nset Quantity = amplitude\nend\n"
                     "subsection Objective b\nset Quantity = point/block.head/displacement_x/"
-                    "peak_to_peak_excursion\nset Sense = maximise\nend"),
+                    "peak_to_peak\nset Sense = maximise\nend"),
             "set Start = 700", "");
 const std::string shares = changed(
     changed(changed(changed(sound, "set Type = optimise", "set Type = sensitivity"),

@@ -74,7 +74,7 @@ subsection Analysis map
   end
 end
 """
-FIELD = "point/oscillator.mass/displacement_x/peak_to_peak_excursion"
+FIELD = "point/oscillator.mass/displacement_x/peak_to_peak"
 DERIVED = f"""
 subsection Derived upward
   set From = map
@@ -204,6 +204,17 @@ class Derived(ProgramRuns):
             jumps = np.where(steps.max(axis=2) > 0.2, middles[steps.argmax(axis=2)], np.nan)
             np.testing.assert_array_equal(derived["jump"], jumps)
         self.assertIn("analysis.map.derived.peak[6,4] = ", (out / "summary.txt").read_text())
+
+    def test_a_field_by_its_former_name_is_read_with_one_warning(self):
+        former = FIELD.replace("peak_to_peak", "peak_to_peak_excursion")
+        expected, out = self.folder / "present", self.folder / "former"
+        self.assertEqual(self.run_map(expected).returncode, 0)
+        self.file.write_text((FILE + DERIVED).replace(FIELD, former))
+        done = self.run_map(out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(datasets(out), datasets(expected))
+        self.assertEqual(done.stdout.count("Derived upward / Field: the field is now called " + FIELD),
+                         1)
 
     def test_a_field_that_is_not_there_is_told_and_costs_nothing_else(self):
         self.file.write_text((FILE + DERIVED).replace("= upward", "= downward", 1))

@@ -196,7 +196,7 @@ end
 
     def values(self, out):
         with h5py.File(self.folder / out / "results.h5") as file:
-            return file["analysis/cases/point/mass.head/displacement_x/peak_excursion"][()]
+            return file["analysis/cases/point/mass.head/displacement_x/largest"][()]
 
     def expect_kept(self, done, out):
         self.assertEqual(done.code, 2, done.stdout + done.stderr)

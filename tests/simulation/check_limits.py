@@ -81,7 +81,7 @@ class Limits(ProgramRuns):
         self.assertTrue(np.isnan(self.read(out, "steps")[1]))
 
     def expect_others_same(self, out, whole):
-        peak = "point/mass.head/displacement_x/peak_excursion"
+        peak = "point/mass.head/displacement_x/largest"
         for name in ("steps", "events", "energy_residual", peak):
             np.testing.assert_array_equal(self.read(out, name)[[0, 2]],
                                           self.read(whole, name)[[0, 2]])

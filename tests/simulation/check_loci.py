@@ -88,7 +88,7 @@ class Loci(ProgramRuns):
             np.testing.assert_allclose(grazes["Variables.f"][()],
                                        np.abs(1 - w**2 + 0.02j * w), atol=1e-12)
             np.testing.assert_allclose(
-                grazes["point/mass.head/displacement_x/peak_excursion"][()], 1, atol=1e-9)
+                grazes["point/mass.head/displacement_x/largest"][()], 1, atol=1e-9)
             self.assertEqual(file["analysis/family/status"][()].tolist(), [0, 0, 0])
             cusps = file["analysis/family/special/Variables.mu"][:, 0]
             self.assertEqual(cusps[1], folds["special/Variables.mu"][0])

@@ -90,7 +90,7 @@ subsection Analysis linear
   end
 end
 """
-PEAK = "point/mass.head/displacement_x/peak_excursion"
+PEAK = "point/mass.head/displacement_x/largest"
 
 
 class Sweeps(ProgramRuns):

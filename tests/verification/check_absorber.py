@@ -46,7 +46,7 @@ APERIODIC = {10: ("Table 3, row 3", .0518), 11: ("Table 3, row 4", .0514),
 
 
 def figures(analysis, index):
-    half = [analysis[f"point/{point}/{quantity}/peak_to_peak_excursion"][index].item() / 2
+    half = [analysis[f"point/{point}/{quantity}/peak_to_peak"][index].item() / 2
             for point in ("structure.floor", "damper.ball")
             for quantity in ("displacement_x", "velocity_x")]
     return half + [analysis[f"contact/{side}/normal_force/maximum"][index].item()

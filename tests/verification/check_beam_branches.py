@@ -14,7 +14,7 @@ from systems import Table, arguments_of_checks
 
 FOLD, DOUBLING, NEIMARK_SACKER, GRAZE, GRAZING_FOLD = 1, 3, 5, 6, 7
 NAMES = {FOLD: "fold", DOUBLING: "period doubling", NEIMARK_SACKER: "Neimark–Sacker"}
-PEAK = "point/left.head/displacement_x/peak_excursion"
+PEAK = "point/left.head/displacement_x/largest"
 STOP = pathlib.Path("verification") / "beam-on-stop.prm"
 #        beam and head, base acceleration, damping ratio, clearance
 LENGTH, BENDING, MASS, HEAD = .3, 206e9 * .03 * .00075 ** 3 / 12, 7850 * .03 * .00075, .0577114

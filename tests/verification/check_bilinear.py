@@ -29,7 +29,7 @@ def check(table):
 def responses(table):
     gaps = table.run(FILE, "bilinear-oscillator")["analysis/gaps"]
     frequency = gaps["frequency"][:]
-    amplitude = [gaps[f"point/{body}.mass/absolute_displacement_x/peak_to_peak_excursion"][:] * 500
+    amplitude = [gaps[f"point/{body}.mass/absolute_displacement_x/peak_to_peak"][:] * 500
                  for body in ("first", "second")]
     contacts = gaps["contact/between/impacts_per_period"][:]
     peaks(table, frequency, amplitude)

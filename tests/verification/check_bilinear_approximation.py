@@ -11,7 +11,7 @@ FILE = "bilinear-approximation.prm"
 MASS, DAMPING, STIFFNESS = (1.80, 2.46), (31.14, 19.13), (430.00, 417.78)
 # By samples of the motion, which miss the extreme values by parts of 1e-5.
 AT_2_4 = {0: (13.3965, 16.0744, 0.2528), 2: (12.8698, 16.4207, 0.1853)}
-AMPLITUDE = "point/{}.mass/absolute_displacement_x/peak_to_peak_excursion"
+AMPLITUDE = "point/{}.mass/absolute_displacement_x/peak_to_peak"
 BODIES = ("first", "second")
 GAPS = ("gap 0", "gap 2 mm", "gap 11 mm, base 11 mm")
 

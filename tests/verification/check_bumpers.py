@@ -49,8 +49,8 @@ def measures(analysis):
     sides = [analysis["contact/" + side] for side in ("left", "right")]
     force = sum(side["normal_force/maximum"][:] for side in sides)
     pushed = sum(numpy.maximum(0, -side["gap/minimum"][:]) for side in sides)
-    return (mass["acceleration_x/peak_to_peak_excursion"][:] / ACCELERATION,
-            mass["displacement_x/peak_to_peak_excursion"][:] / 2, force / ACCELERATION, pushed / 2)
+    return (mass["acceleration_x/peak_to_peak"][:] / ACCELERATION,
+            mass["displacement_x/peak_to_peak"][:] / 2, force / ACCELERATION, pushed / 2)
 
 
 def points(table, *overrides):

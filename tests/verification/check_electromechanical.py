@@ -9,7 +9,7 @@ import numpy
 from systems import Table, nearest
 
 FILE = "electromechanical.prm"
-CASING = "point/machine.casing/absolute_displacement_y/peak_to_peak_excursion"
+CASING = "point/machine.casing/absolute_displacement_y/peak_to_peak"
 SIDES = ("lower", "upper")
 RECORDED = ("rotor/rotor/speed/mean", *(f"contact/{side}/{name}" for side in SIDES for name in
                                         ("impacts_per_period", "normal_force/maximum",

@@ -19,7 +19,7 @@ DESIGNS = {(.471239, .509296): ((), ()), (.824668, 1.068355): ((), ()),
            (1.099557, .807083): ((1.324645, 1.328215), (1.324758, 1.326452)),
            (3.298672, 1.422456): (None, (1.548395, 1.755699))}
 FOLD = 1
-PEAK = "point/beam.head/displacement_x/peak_excursion"
+PEAK = "point/beam.head/displacement_x/largest"
 BEAM_HARMONICS = (3, 9, 27)
 
 

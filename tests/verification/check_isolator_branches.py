@@ -16,7 +16,7 @@ FOLDS = {.5: (), 1: (1.226409, 1.242077), 2: (1.23127927195557, 1.36274825262772
 GRAZES = [math.sqrt(1 - 2e-4 + sign * math.sqrt((1 - 2e-4) ** 2 - 1 + .52 ** 2))
           for sign in (-1, 1)]
 FOLD, GRAZE, GRAZING_FOLD = 1, 6, 7
-PEAK = "point/isolator.mass/displacement_x/peak_excursion"
+PEAK = "point/isolator.mass/displacement_x/largest"
 
 
 def check(table):

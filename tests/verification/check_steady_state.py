@@ -14,7 +14,7 @@ import numpy
 
 from systems import Table, arguments_of_checks
 
-EXCURSION = "point/oscillator.mass/displacement_x/peak_to_peak_excursion"
+EXCURSION = "point/oscillator.mass/displacement_x/peak_to_peak"
 SAME = 1e-6
 # damping: gaps, stiffnesses, frequencies, largest share of the periods of the transient
 ALL = {0.1: ((0, 0.0657506, 0.1989975, 0.3, 0.4, 0.55, 0.7), (0.1, 1, 5, 10, 50, 100), 240, 0.5),

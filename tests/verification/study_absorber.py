@@ -20,7 +20,7 @@ ROWS = {"Table 1, row 2": {"m2": 20, "k2": 3190, "C": 0.06},
         "Table 2, row 2": {"E4": 2.1e7},
         "Table 5, row 1": HEAVY | {"E2": 2.1e7, "nu2": 0.49},
         "Table 5, row 3": HEAVY | {"E2": 2.1e7, "nu2": 0.49, "E4": 2.1e7, "nu4": 0.49}}
-EXCURSIONS = [f"point/{point}/{quantity}_x/peak_to_peak_excursion"
+EXCURSIONS = [f"point/{point}/{quantity}_x/peak_to_peak"
               for point in ("structure.floor", "damper.ball")
               for quantity in ("displacement", "velocity")]
 FORCES = [f"contact/{side}/normal_force/maximum" for side in ("left", "right")]

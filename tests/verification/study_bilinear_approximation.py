@@ -5,7 +5,7 @@ import numpy
 from studies import Study
 from study_figures import panels, save
 
-AMPLITUDE = "point/{}.mass/absolute_displacement_x/peak_to_peak_excursion"
+AMPLITUDE = "point/{}.mass/absolute_displacement_x/peak_to_peak"
 NAMES = ("gap 0, base 10 mm", "gap 2 mm, base 10 mm", "gap 11 mm, base 11 mm")
 
 

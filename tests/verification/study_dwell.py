@@ -32,7 +32,7 @@ def jump(study, gap, stiffness, first, last, stay):
                         *(f"{sweep}{key}={value}" for key, value in keys.items()))
     upward = results["analysis/upward"]
     frequency = upward["frequency"][:] * 2 * math.pi
-    travel = upward["point/oscillator.mass/displacement_x/peak_to_peak_excursion"][:, 0]
+    travel = upward["point/oscillator.mass/displacement_x/peak_to_peak"][:, 0]
     return f"{frequency[numpy.argmin(numpy.diff(travel))]:.3f}"
 
 

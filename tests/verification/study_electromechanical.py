@@ -14,7 +14,7 @@ CHANGES = [("settling time and window doubled", [f"{SWEEP}Settling cycles=1948",
            ("all tolerances 100 times tighter", ["Integration/Relative tolerance=1e-11",
                                                  "Integration/Absolute tolerance=1e-14 m"]),
            ("τ = 1 s instead of 0.1 s", ["Body/rotor/Motor/Time constant=1 s"])]
-CASING = "point/machine.casing/absolute_displacement_y/peak_to_peak_excursion"
+CASING = "point/machine.casing/absolute_displacement_y/peak_to_peak"
 CONTACT = {"largest contact force, N": ("contact/lower/normal_force/maximum", 1),
            "deepest penetration, µm": ("contact/lower/gap/minimum", -1e6),
            "smallest gap above, mm": ("contact/upper/gap/minimum", 1e3)}

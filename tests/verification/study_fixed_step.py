@@ -93,7 +93,7 @@ def located(study, tolerance):
                        f"Integration/Relative tolerance={tolerance}",
                        f"Analysis/motion/Stepped sweep/Settling cycles={CYCLES}",
                        f"Analysis/motion/Stepped sweep/Recorded cycles={CYCLES}")["analysis/motion"]
-    casing = motion["point/machine.casing/absolute_displacement_y/peak_to_peak_excursion"][0, 0]
+    casing = motion["point/machine.casing/absolute_displacement_y/peak_to_peak"][0, 0]
     return casing * 1e3, motion["steps"][0, 0]
 
 

@@ -11,7 +11,7 @@ def amplitudes(study, gap):
     """Frequencies, stiffnesses, and the upward amplitudes of both masses in mm."""
     analysis = study.run("bilinear-oscillator.prm", "penalties-" + gap.replace(" ", ""),
                          "Analyses=penalties", f"Variables/gap={gap}")["analysis/penalties"]
-    path = "point/{}.mass/absolute_displacement_x/peak_to_peak_excursion"
+    path = "point/{}.mass/absolute_displacement_x/peak_to_peak"
     return (analysis["frequency"][:], analysis["Variables.penalty"][:],
             [analysis[path.format(body)][:, :, 0] * 500 for body in ("first", "second")])
 

@@ -47,7 +47,7 @@ def isolator(study):
         response = study.run("isolator-stop.prm", "settling-" + name, "Analyses=response",
                              *overrides)["analysis/response"]
         frequency = response["frequency"][:] * 2 * math.pi
-        peak = response["point/isolator.mass/displacement_x/peak_excursion"]
+        peak = response["point/isolator.mass/displacement_x/largest"]
         at = nearest(frequency, 1.3)
         ends = [response["jump_" + end][:] * 2 * math.pi for end in ("from", "to")]
         jump = numpy.nanmax((ends[0] + ends[1]) / 2, axis=0)
@@ -68,7 +68,7 @@ def bilinear(study):
         shared = slice(None, None, (len(frequency) - 1) // 250)
         figures = {}
         for number, body in enumerate(("first", "second"), 1):
-            path = f"point/{body}.mass/absolute_displacement_x/peak_to_peak_excursion"
+            path = f"point/{body}.mass/absolute_displacement_x/peak_to_peak"
             amplitude = gaps[path][:][:, shared, 0] * 500
             figures[f"A{number} at 2.4 Hz"] = amplitude[:, nearest(frequency[shared], 2.4)]
             figures[f"largest A{number}"] = amplitude.max(axis=1)

@@ -11,10 +11,11 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from . import overlays, style
+from .axis_meaning import Meaning, Panel, note
 from .branch_curves import TYPES, key_name, key_of, pick, pieces
 from .curves import explain, field_of
 from .labels import scale_for
-from .layout import LARGEST_FAMILY, Layout, kept
+from .layout import LARGEST_FAMILY, Layout, family_of, kept
 from .measures import sheets
 from .results import Analysis, Results
 
@@ -61,6 +62,8 @@ def branch_figure(layout: Layout, sheet):
             found |= mark(axes, layout, case, key, shown)
         laid |= {handle.get_label(): handle for handle in overlays.draw(axes, layout, key, shown)}
         axes.set_ylabel(shown[1].label(panel.label))
+        note(axes, Panel(Meaning((key[0],), analysis.read(key[0]).unit, key[1]),
+                         Meaning((path,), field.unit, shown[1]), family_of(layout)))
     if sheet.title:
         panels[0].set_title(sheet.title)
     panels[-1].set_xlabel(key[1].label(key_name(key[0])))

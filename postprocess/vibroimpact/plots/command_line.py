@@ -40,9 +40,14 @@ def parse(arguments) -> argparse.Namespace:
                         help="only figures whose name matches")
     parser.add_argument("--at", metavar="AXIS=VALUES", action="append", default=[],
                         help="only these points of an axis")
-    parser.add_argument("--overlay", metavar="[FOLDER:]ANALYSIS", action="append", default=[],
-                        help="drawn over the figures of branches: a stepped sweep, a harmonic "
-                             "balance or another branch along the same key")
+    parser.add_argument("--overlay", metavar="FILE.csv or [FOLDER:]ANALYSIS", action="append",
+                        default=[],
+                        help="points of a table, drawn over every figure with axes of these names; "
+                             "or, over figures of branches, a stepped sweep, a harmonic balance or "
+                             "another branch along the same key")
+    parser.add_argument("--sections", metavar="FILE.prm", type=Path,
+                        help="the sections Figure of this parameter file instead of those stored "
+                             "with the results")
     parser.add_argument("--angular", action="store_true", help="frequencies in rad/s")
     parser.add_argument("--list", action="store_true", help="names of the figures, nothing drawn")
     parser.add_argument("--format", choices=["png", "pdf", "svg"], default="png")
@@ -69,6 +74,8 @@ def draw(options: argparse.Namespace) -> int:
     from .results import Results
 
     with Results(options.results) as results, ExitStack() as others:
+        if options.sections:
+            results.take_figures(options.sections)
         chosen = chosen_analyses(results, options.analysis)
         for analysis in chosen:
             choose(analysis, options.at)
@@ -78,11 +85,15 @@ def draw(options: argparse.Namespace) -> int:
         matplotlib.use("Agg")  # the program draws into files; who imports the package chooses
         import matplotlib.pyplot as plt
 
+        from . import table_points
         from .labels import ANGULAR
         from .overlays import attach
         from .style import SETTINGS
 
-        attach(results, chosen, options.overlay, others)
+        tables = [table_points.read(Path(name)) for name in options.overlay
+                  if name.endswith(".csv")]
+        attach(results, chosen, [name for name in options.overlay if not name.endswith(".csv")],
+               others)
         ANGULAR["frequencies"] = options.angular
         with plt.rc_context(SETTINGS):
             wanted = [entry for analysis in chosen
@@ -93,32 +104,43 @@ def draw(options: argparse.Namespace) -> int:
             if options.list:
                 print("\n".join(name for name, _ in wanted))
                 return 0
-            return draw_all(results, wanted, options)
+            return draw_all(results, wanted, tables, options)
 
 
-def draw_all(results: Results, wanted, options: argparse.Namespace) -> int:
-    """Code 1 when a figure could not be drawn; the others are drawn all the same."""
+def draw_all(results: Results, wanted, tables, options: argparse.Namespace) -> int:
+    """Code 1 when a figure could not be drawn or a table fits none; the others are drawn all the
+    same."""
     folder = options.output or results.folder / "figures"
     folder.mkdir(parents=True, exist_ok=True)
     code = 0
+    drawn: dict[Path, int] = {table.file: 0 for table in tables}
     for name, function in wanted:
         try:
             file = folder / f"{name}.{options.format}"
-            save(function, file, options)
+            save(name, function, file, tables, drawn, options)
             enter_in_list(results.folder, file)
             print(file, flush=True)
         except Exception as error:  # one figure must not take the others with it
             code = 1
             print(f"vibroimpact-plot: {name} cannot be drawn: {type(error).__name__}: {error}",
                   file=sys.stderr)
+    for table in tables:
+        if not drawn[table.file]:
+            code = 1
+            print(f"vibroimpact-plot: --overlay {table.file}: no figure has axes of two of its "
+                  f"columns, which are {', '.join(table.columns)}", file=sys.stderr)
     return code
 
 
-def save(function, file: Path, options: argparse.Namespace) -> None:
+def save(name: str, function, file: Path, tables, drawn, options: argparse.Namespace) -> None:
     import matplotlib.pyplot as plt
+
+    from . import table_points
 
     try:
         figure = function()
+        for table in tables:
+            drawn[table.file] += table_points.draw(figure, name, table)
         if options.size:
             figure.set_size_inches(*options.size)
         figure.savefig(file, dpi=options.dpi)

@@ -7,7 +7,7 @@ import re
 import numpy as np
 from matplotlib.lines import Line2D
 
-from . import style
+from . import style, traces
 from .labels import scale_for
 from .layout import Layout, axis_name
 from .results import Analysis, Array
@@ -31,49 +31,47 @@ def field_of(analysis: Analysis, path: str) -> Array:
 
 
 def draw(axes, layout: Layout, path: str, colours, scale) -> None:
-    """One field; `colours` gives that of each case. Points that did not settle are hollow, curves
-    are interrupted at jumps."""
+    """One field; `colours` gives that of each case."""
     analysis = layout.analysis
     x = layout.coordinates() / layout.scale.factor
     field = field_of(analysis, path).values
-    steady = analysis.read("steady").values if analysis.has("steady") else None
     for case, colour in zip(layout.cases(), colours):
         for number, direction in enumerate(layout.directions):
+            def pick(name, case=case, direction=direction):
+                return layout.pick(analysis.read(name).values, case, direction)
+
             y = layout.pick(field, case, direction) / scale.factor
-            draw_curve(axes, layout, case, direction, x, y, colour, number)
-            if steady is not None:
-                unsettled = layout.pick(steady, case, direction) == 0
-                axes.plot(x[unsettled], y[unsettled], "o", color=colour, fillstyle="none")
+            shown = traces.plain(x, y) if layout.along not in analysis.axes else traces.trace(
+                x, y, loose_of(analysis, pick), bracket(layout, pick), direction == "backward")
+            traces.draw(axes, shown, colour, **look_of(layout, direction, number, len(x)))
 
 
-def draw_curve(axes, layout: Layout, case, direction: str, x, y, colour, number: int) -> None:
-    """A line with some markers, without a piece where a jump lies; a dotted line joins the ends."""
-    jump = jumps(layout, case, direction, x, y)
-    breaks = np.flatnonzero(np.isfinite(jump)) if jump is not None else np.array([], int)
-    before = breaks + (1 if direction == "backward" else 0)
+def look_of(layout: Layout, direction: str, number: int, count: int) -> dict:
+    """Line and about ten markers of a direction."""
     alone = len(layout.directions) == 1
     look = dict(LINES[""] if alone else LINES.get(direction, LINES[""]))
-    if alone and len(x) <= FEW_POINTS:
+    if alone and count <= FEW_POINTS:
         look["marker"] = "o"
-    axes.plot(np.insert(x, before, np.nan), np.insert(y, before, np.nan), color=colour,
-              markevery=None if alone else marked(len(x), number), **look)
-    step = -1 if direction == "backward" else 1
-    for place in breaks:
-        at = jump[place]
-        axes.plot([x[place - step], at, at, x[place]],
-                  [y[place - step], y[place - step], y[place], y[place]],
-                  color=colour, linestyle=":", linewidth=0.9, zorder=1.5, label="_jump")
+    return dict(look, markevery=None if alone else marked(count, number))
 
 
-def jumps(layout: Layout, case, direction: str, x, y):
-    """Where a jump between a point and the one before it in the direction lies, else NaN."""
+def loose_of(analysis: Analysis, pick) -> np.ndarray:
+    """Points that are not joined: motions that have not settled, or do not repeat themselves. `pick`
+    gives the values of a field of all outer axes along the curve."""
+    loose = np.zeros(pick("status").shape, bool)
+    if analysis.has("steady"):
+        loose |= pick("steady") == 0
+    if analysis.has("regime/class"):
+        loose |= np.isin(pick("regime/class"), traces.CHAOTIC)
+    return loose
+
+
+def bracket(layout: Layout, pick):
+    """Both ends of each located jump along the axis; None where jumps are not located."""
     analysis = layout.analysis
     if not analysis.has("jump_from") or layout.along in analysis.grid_axes:
         return None
-    factor = layout.scale.factor
-    ends = [layout.pick(analysis.read(name).values, case, direction) / factor
-            for name in ("jump_from", "jump_to")]
-    return np.where(np.isfinite(y), sum(ends) / 2, np.nan)
+    return [pick(name) / layout.scale.factor for name in ("jump_from", "jump_to")]
 
 
 def marked(count: int, number: int):

@@ -16,8 +16,8 @@ from .results import Analysis, Results
 MOST_CASES = 8
 MOST_QUANTITIES = 6
 # What is shown of a contact or of a displacement, the first first.
-SHOWN = ("displacement_x/peak_excursion", "peak_force/maximum", "impulse/mean", "peak_excursion",
-         "peak_to_peak_excursion")
+SHOWN = ("displacement_x/largest", "peak_force/maximum", "impulse/mean", "largest",
+         "peak_to_peak")
 
 
 def figures(results: Results, analysis: Analysis):

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .labels import words
 from .layout import DIRECTION, kept
 from .results import Analysis
 
@@ -57,8 +56,7 @@ class Derived:
 
     @property
     def text(self) -> str:
-        text = words(self.name)
-        return text[:1].upper() + text[1:]
+        return self.analysis.symbol(self.name)
 
 
 def derived_of(analysis: Analysis) -> list[Derived]:

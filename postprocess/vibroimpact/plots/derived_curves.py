@@ -8,6 +8,7 @@ import re
 from matplotlib.lines import Line2D
 
 from . import style
+from .axis_meaning import Meaning, Panel, note
 from .derived import Derived, coordinates, derived_of, pair_of
 from .labels import scale_for
 from .layout import axis_name, axis_scale
@@ -44,6 +45,9 @@ def curves(analysis: Analysis, axis: str, entries: list[Derived]):
             handles.append(Line2D([], [], linestyle=line, marker="o", color=colour, label=text))
     axes.set_xlabel(axis_scale(analysis, axis).label(axis_name(analysis, axis)))
     axes.set_ylabel(scale.label(entries[0].text if len(entries) == 1 else "Derived quantity"))
+    note(axes, Panel(
+        Meaning((axis,), analysis.read(axis).unit, axis_scale(analysis, axis)),
+        Meaning(tuple(f"derived/{entry.name}" for entry in entries), entries[0].unit, scale)))
     if style.is_logarithmic(where):
         axes.set_xscale("log")
     style.legend_beside(axes, handles if len(handles) > 1 else [])

@@ -8,6 +8,7 @@ from . import (
     basins,
     bifurcation,
     branches,
+    chosen_figures,
     cycles,
     derivatives,
     derived_curves,
@@ -45,3 +46,4 @@ def figures(results, analysis):
     kinds = OWN.get(analysis.type, KINDS)
     for kind in kinds:
         yield from kind.figures(results, analysis)
+    yield from chosen_figures.figures(results, analysis)

@@ -45,7 +45,7 @@ def finite(array) -> np.ndarray:
 
 
 def words(name: str) -> str:
-    """"peak_to_peak_excursion" as "peak-to-peak excursion"."""
+    """"contact_duration" as "contact duration"."""
     return name.replace("peak_to_peak", "peak-to-peak").replace("_", " ")
 
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import style
+from .axis_meaning import Meaning
 from .labels import key_label, scale_for, value_text
 from .parameters_text import followers
 from .results import Analysis, Array
@@ -81,6 +82,17 @@ class Layout:
         return values[tuple(index + own)]
 
 
+def family_of(layout: Layout) -> list[tuple[Meaning, dict]]:
+    """Colours of the values of a family over one axis, for points that are drawn over it."""
+    if len(layout.family) != 1:
+        return []
+    name = layout.family[0]
+    axis = layout.analysis.read(name)
+    known = {axis.values[case.index[name]]: case.colour for case in layout.cases()}
+    names = (name, *([grid_key(layout.analysis, name)] if name in layout.analysis.grid_axes else []))
+    return [(Meaning(names, axis.unit, axis_scale(layout.analysis, name)), known)]
+
+
 def kept(analysis: Analysis, axis: str) -> list[int]:
     """Indices along an outer axis that are drawn: all, unless some were chosen."""
     return analysis.chosen.get(axis) or list(range(len(analysis.read(axis).values)))
@@ -121,6 +133,8 @@ def following(analysis: Analysis, axis: str) -> list[tuple[str, list[str]]]:
 def axis_name(analysis: Analysis, axis: str) -> str:
     """Name of a key without its sections; with the keys that follow it when one of them is needed
     to tell the values apart."""
+    if axis in analysis.shown:
+        return analysis.shown[axis][1]
     if axis not in analysis.grid_axes:
         return "Frequency" if axis == "frequency" else key_label(axis.replace(".", "/"))
     names = [grid_key(analysis, axis)]
@@ -210,5 +224,7 @@ def thinned(indices: list, most: int) -> list:
 
 def axis_scale(analysis: Analysis, axis: str):
     """Scale of the coordinates of an outer axis."""
+    if axis in analysis.shown:
+        return analysis.shown[axis][0]
     array = analysis.read(axis)
     return scale_for(array.unit, array.values[kept(analysis, axis)])

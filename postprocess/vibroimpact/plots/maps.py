@@ -12,6 +12,7 @@ from matplotlib.patheffects import Normal, Stroke
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 
 from . import style
+from .axis_meaning import Meaning, Panel, note
 from .derived import Derived, can_span, coordinates, derived_of, pair_of
 from .labels import scale_for
 from .layout import DIRECTION, axis_name, axis_scale, layout_of
@@ -99,7 +100,7 @@ def suits_a_map(sheet) -> bool:
 
 def has_maximum(sheet) -> bool:
     """Whether the largest value along a sweep means something."""
-    return any(word in sheet.panels[0].curves[0][0] for word in ("excursion", "maximum", "transm"))
+    return any(word in sheet.panels[0].curves[0][0] for word in ("peak_to_peak", "largest", "maximum", "transm"))
 
 
 def recorded(analysis: Analysis, axes, sheet, direction: str) -> Map:
@@ -132,20 +133,24 @@ def largest(values: np.ndarray, axes) -> np.ndarray:
 
 def map_figure(make, overlays: list[Derived]):
     shown = make()
+    inside = [entry for entry in overlays if set(pair_of(entry)) == set(shown.axes)]
+    return draw_map(shown, inside, scale_for(shown.unit, shown.values))
+
+
+def draw_map(shown: Map, overlays: list[Derived], scale, ends=()):
+    """`overlays` lie in the plane of the map; `ends` of the colours, those of the values if empty."""
     analysis = shown.analysis
     figure, (axes,) = style.panels(1, height=3.6)
-    scale = scale_for(shown.unit, shown.values)
     x, y = (coordinates(analysis, axis) / axis_scale(analysis, axis).factor for axis in shown.axes)
     values = np.ma.masked_invalid(shown.values / scale.factor)
-    levels = MaxNLocator(LEVELS).tick_values(values.min(), values.max())
-    filled = axes.contourf(x, y, values.T, levels, cmap=style.SEQUENCE)
-    lines = axes.contour(x, y, values.T, levels, colors="white", linewidths=0.5)
+    levels = MaxNLocator(LEVELS).tick_values(*(ends or (values.min(), values.max())))
+    filled = axes.contourf(x, y, values.T, levels, cmap=style.SEQUENCE, extend="both" if ends else "neither")
+    lines = axes.contour(x, y, values.T, levels, colors="white", linewidths=0.4, alpha=0.7)
     axes.clabel(lines, levels[::2], fontsize=7, fmt="%g")
     figure.colorbar(filled, ax=axes, label=scale.label(shown.label.replace("\n", " ")), pad=0.015)
     label_plane(axes, analysis, shown.axes)
     axes.set_title(shown.title.strip(", "))
-    inside = [entry for entry in overlays if set(pair_of(entry)) == set(shown.axes)]
-    handles = draw_overlays(axes, shown.axes, inside)
+    handles = draw_overlays(axes, shown.axes, overlays)
     axes.set(xlim=(x.min(), x.max()), ylim=(y.min(), y.max()))
     if handles:
         style.legend_below(axes, handles)
@@ -154,6 +159,8 @@ def map_figure(make, overlays: list[Derived]):
 
 def label_plane(axes, analysis: Analysis, names) -> None:
     """Labels and logarithmic axes."""
+    note(axes, Panel(*[Meaning((axis,), analysis.read(axis).unit, axis_scale(analysis, axis))
+                       for axis in names]))
     for axis, letter in zip(names, "xy"):
         label = axis_scale(analysis, axis).label(axis_name(analysis, axis))
         axes.set(**{f"{letter}label": label})
@@ -230,9 +237,9 @@ def draw_band(axes, names, entry: Derived, direction: str, look: dict, text: str
     where = scaled(entry, along, coordinates(entry.analysis, along))
     bounds = scaled(entry, across, entry.of_direction(direction)).reshape(len(where), -1, 2)
     fill = axes.fill_between if names[0] == along else axes.fill_betweenx
-    hatch = "////" if look["linestyle"] == "-" else "\\\\\\\\"
-    shade = dict(facecolor=look["color"] + "44", edgecolor=look["color"], hatch=hatch,
-                 linewidth=0.6)
+    hatch = "/" if look["linestyle"] == "-" else "\\"
+    # The field below stays visible: no filling, few lines.
+    shade = dict(facecolor="none", edgecolor=look["color"] + "AA", hatch=hatch, linewidth=1.0)
     for interval in range(bounds.shape[1]):
         fill(where, bounds[:, interval, 0], bounds[:, interval, 1], **shade)
     return Patch(label=text, **shade)

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from .labels import quantity_label, words
 from .results import Analysis
 
-MAIN = ["peak_to_peak_excursion", "peak_excursion"]  # the first that is there is drawn
-PEAKS = [("peak_excursion", "peak excursion"), ("maximum", "maximum"), ("minimum", "minimum")]
+MAIN = ["peak_to_peak", "largest"]  # the first that is there is drawn
+PEAKS = [("largest", "largest magnitude"), ("maximum", "maximum"), ("minimum", "minimum")]
 AVERAGES = [("rms", "rms"), ("rms_about_mean", "rms about mean"), ("mean", "mean")]
 HARMONIC = [("amplitude", "amplitude"), ("phase", "phase")]
 CONTACT = [
@@ -124,7 +124,8 @@ def of_points(analysis: Analysis, root: str, separate: bool) -> list[Sheet]:
             found += [sheet("", main_of(analysis, root, group, quantity)),
                       sheet("-peaks", PEAKS), sheet("-averages", AVERAGES),
                       sheet("-transmissibility", [("transmissibility", "transmissibility")]),
-                      sheet("-response", HARMONIC)]
+                      sheet("-response", HARMONIC if any(analysis.has(
+                          f"{root}point/{point}/{quantity}/phase") for point in group) else [])]
     return found
 
 
@@ -145,7 +146,7 @@ def of_quantity(analysis: Analysis, path: str, name: str, title: str) -> list[Sh
                                           for measure, text in measures
                                           if analysis.has(f"{path}/{measure}")])
 
-    return [sheet("", [("peak_to_peak_excursion", "peak-to-peak excursion"),
+    return [sheet("", [("peak_to_peak", "peak-to-peak"),
                        ("transmissibility", "transmissibility")]),
             sheet("-peaks", PEAKS), sheet("-averages", AVERAGES)]
 

@@ -27,7 +27,7 @@ def sections(text: str) -> dict:
     """Keys with their text; a subsection is a dictionary under its name."""
     root: dict = {}
     open_sections = [root]
-    for line in text.splitlines():
+    for line in re.sub(r"\\\n\s*", "", text).splitlines():  # long values go on in the next line
         line = line.split("#", 1)[0].strip()
         if line.startswith("subsection "):
             open_sections.append(open_sections[-1].setdefault(line[len("subsection "):].strip(), {}))

@@ -10,10 +10,11 @@ import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from . import style
+from . import axis_meaning, style
+from .axis_meaning import Meaning, note
 from .curves import direction_handles, draw, field_of, finish
 from .labels import scale_for
-from .layout import LARGEST_FAMILY, Layout, layout_of
+from .layout import LARGEST_FAMILY, Layout, family_of, layout_of
 from .measures import Panel, Sheet, sheets
 from .results import Analysis, Results
 
@@ -65,6 +66,11 @@ def draw_panel(axes, layout: Layout, panel: Panel, colours: dict) -> None:
         draw(axes, layout, path,
              [case.colour if layout.family else colours[text] for case in layout.cases()], scale)
     axes.set_ylabel(scale.label(panel.label))
+    along = layout.analysis.read(layout.along).unit
+    note(axes, axis_meaning.Panel(
+        Meaning((layout.along,), along, layout.scale),
+        Meaning(tuple(path for path, _ in panel.curves), arrays[0].unit, scale),
+        family_of(layout)))
     adapt_axis(axes, panel.curves[0][0], max(magnitude(array) for array in arrays) / scale.factor)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,6 +11,10 @@ import numpy as np
 
 from .errors import ResultError
 from .parameters_text import sections
+
+
+# Last words of fields and their former names.
+FORMER_WORDS = {"peak_to_peak": "peak_to_peak_excursion", "largest": "peak_excursion"}
 
 
 @dataclass
@@ -38,6 +43,7 @@ class Analysis:
         self.parameters = parameters or {}
         self.chosen: dict[str, list[int]] = {}  # indices along an axis, of the axes with a choice
         self.overlays: list[Analysis] = []  # drawn over the figures of this one
+        self.shown: dict[str, tuple] = {}  # scale and label of an axis that a figure chooses
 
     @property
     def file(self) -> str:
@@ -54,11 +60,23 @@ class Analysis:
         return self.axes[: len(self.grid)]
 
     def has(self, path: str) -> bool:
-        return isinstance(self._group.get(path), h5py.Dataset)
+        return isinstance(self._group.get(self._stored(path)), h5py.Dataset)
 
     def read(self, path: str) -> Array:
         """A field or axis; its first dimensions are the outer axes, unless it is a coordinate."""
-        return read_array(self._group[path])
+        return read_array(self._group[self._stored(path)])
+
+    def _stored(self, path: str) -> str:
+        """By the name that results of the version before have, where they hold only that one."""
+        stem, _, word = path.rpartition("/")
+        former = f"{stem}/{FORMER_WORDS.get(word, word)}"
+        return former if path not in self._group and former in self._group else path
+
+    def symbol(self, derived: str) -> str:
+        """Of a derived quantity: its key Symbol, else its name in words."""
+        section = self.parameters.get(f"Derived {derived}", {})
+        text = section.get("Symbol", "") or derived.replace("_", " ")
+        return text if section.get("Symbol", "") else text[:1].upper() + text[1:]
 
     def members(self, path: str) -> list[str]:
         """Names in a group below the analysis, in the order of the file; empty without it."""
@@ -78,7 +96,7 @@ class Analysis:
 
     def dimensions(self, path: str) -> list[str]:
         """Names of the dimensions of a field."""
-        return [dimension.label for dimension in self._group[path].dims]
+        return [dimension.label for dimension in self._group[self._stored(path)].dims]
 
     def is_coordinate(self, path: str) -> bool:
         return h5py.h5ds.is_scale(self._group[path].id)
@@ -139,14 +157,34 @@ class Results:
     def folder(self) -> Path:
         return self.file.parent
 
-    @property
+    @functools.cached_property
     def parameters(self) -> dict:
         """The stored parameters, as sections() gives them."""
         return sections(str(self._file.attrs.get("parameters", "")))
 
+    def take_figures(self, file: Path) -> None:
+        """The sections Figure of a parameter file, the symbols of its derived quantities, and its
+        variables where the stored parameters have none of the name."""
+        other = sections(file.read_text())
+        self.parameters["Variables"] = ", ".join(filter(None, [
+            known.get("Variables", "") for known in (other, self.parameters)]))
+        for name in [name for name in self.parameters if name.startswith("Figure ")]:
+            del self.parameters[name]
+        for name, keys in other.items():
+            if name.startswith("Figure "):
+                self.parameters[name] = keys
+            elif name.startswith("Derived ") and "Symbol" in keys:
+                self.parameters.setdefault(name, {})["Symbol"] = keys["Symbol"]
+
     def analyses(self) -> list[Analysis]:
         parameters = self.parameters
         return [Analysis(group, parameters) for group in self._file.get("analysis", {}).values()]
+
+    def analysis(self, name: str) -> Analysis:
+        found = [analysis for analysis in self.analyses() if analysis.name == name]
+        if not found:
+            raise ResultError(f"{self.file}: there is no analysis {name}")
+        return found[0]
 
     def bodies(self) -> list[Body]:
         return [Body(group) for group in self._file.get("body", {}).values()]

@@ -18,7 +18,9 @@ PANEL_HEIGHT = 1.9
 # Okabe and Ito's palette: eight colours that the common colour-vision deficiencies keep apart;
 # yellow is left out, it is too light for a line.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
-SEQUENCE = "viridis"
+SEQUENCE = "viridis"  # of fields
+LINE_SEQUENCE = "plasma"  # of ordered families of lines,
+LINE_RANGE = 0.78  # as far as it is dark enough on white
 DIRECTION_LINES = ["-", "--"]
 GREY = "#555555"
 
@@ -73,6 +75,12 @@ def legend_beside(axes, handles=None, title=None) -> None:
         )
 
 
+def legend_inside(axes, handles) -> None:
+    """For axes with a colour bar on the right and room above their curves."""
+    if handles:
+        axes.legend(handles=handles, loc="best")
+
+
 def legend_below(axes, handles) -> None:
     """For axes that have a colour bar on the right."""
     axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.0, -0.17), borderaxespad=0.0,
@@ -83,14 +91,14 @@ def colours_along(count: int):
     """Colours for an ordered family of curves: the palette for few, a sequence for many."""
     if count <= 3:
         return COLOURS[:count]
-    sequence = plt.get_cmap(SEQUENCE)
-    return [sequence(0.92 * i / (count - 1)) for i in range(count)]
+    sequence = plt.get_cmap(LINE_SEQUENCE)
+    return [sequence(LINE_RANGE * i / (count - 1)) for i in range(count)]
 
 
 def colour_bar(figure, axes, values, label: str) -> None:
     """For families too large for a legend; colours as in colours_along()."""
-    sequence = plt.get_cmap(SEQUENCE)
-    shown = matplotlib.colors.ListedColormap([sequence(0.92 * i / 255) for i in range(256)])
+    sequence = plt.get_cmap(LINE_SEQUENCE)
+    shown = matplotlib.colors.ListedColormap([sequence(LINE_RANGE * i / 255) for i in range(256)])
     mappable = ScalarMappable(Normalize(min(values), max(values)), shown)
     figure.colorbar(mappable, ax=axes, label=label, pad=0.015)
 

@@ -57,9 +57,12 @@ void add_extremes(PointResult &result, const TiedSystem &tied, const BilinearMot
   for (std::size_t k = 0; k < all.size(); ++k)
     include(all[k], closed[k]);
   for (std::size_t k = 0; k < signals.size(); ++k) {
-    result.fields.push_back(scalar_field(signals[k].path + "/peak_to_peak_excursion",
+    result.fields.push_back(scalar_field(signals[k].path + "/peak_to_peak",
                                          all[k].maximum - all[k].minimum, signals[k].unit,
                                          "largest minus smallest " + signals[k].meaning));
+    result.fields.push_back(scalar_field(
+        signals[k].path + "/amplitude", (all[k].maximum - all[k].minimum) / 2, signals[k].unit,
+        "half of the largest minus the smallest " + signals[k].meaning));
     add_bounds(result, signals[k], all[k]);
   }
   const std::string base = "contact/" + contact + "/";

@@ -23,10 +23,12 @@ void add_bounds(PointResult &result, const ExcursionLabels &labels, const ValueR
 } // namespace
 
 ExcursionLabels::ExcursionLabels(const ObservedQuantity &quantity)
-    : peak_to_peak(quantity.path + "/peak_to_peak_excursion", quantity.unit,
+    : peak_to_peak(quantity.path + "/peak_to_peak", quantity.unit,
                    "largest minus smallest value in the recorded window"),
-      peak(quantity.path + "/peak_excursion", quantity.unit,
-           "largest absolute value in the recorded window"),
+      amplitude(quantity.path + "/amplitude", quantity.unit,
+                "half of the largest minus the smallest value in the recorded window"),
+      largest(quantity.path + "/largest", quantity.unit,
+              "largest absolute value in the recorded window"),
       minimum(quantity.path + "/minimum", quantity.unit,
               "smallest value in the recorded window, " + quantity.meaning),
       maximum(quantity.path + "/maximum", quantity.unit,
@@ -34,7 +36,8 @@ ExcursionLabels::ExcursionLabels(const ObservedQuantity &quantity)
 
 void add_range(PointResult &result, const ExcursionLabels &labels, const ValueRange &range) {
   result.fields.push_back(scalar_field(labels.peak_to_peak, range.peak_to_peak()));
-  result.fields.push_back(scalar_field(labels.peak, range.peak()));
+  result.fields.push_back(scalar_field(labels.amplitude, range.peak_to_peak() / 2));
+  result.fields.push_back(scalar_field(labels.largest, range.peak()));
   add_bounds(result, labels, range);
 }
 

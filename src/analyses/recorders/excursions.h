@@ -9,13 +9,14 @@
 
 namespace vibroimpact::analyses {
 
-/// PATH/peak_to_peak_excursion, /peak_excursion, /minimum, /maximum of a quantity.
+/// PATH/peak_to_peak, /amplitude (half of it), /largest (of the absolute value), /minimum, /maximum
+/// of a quantity.
 struct ExcursionLabels {
   explicit ExcursionLabels(const ObservedQuantity &quantity);
-  Label peak_to_peak, peak, minimum, maximum;
+  Label peak_to_peak, amplitude, largest, minimum, maximum;
 };
 
-/// All four as scalar fields.
+/// All five as scalar fields.
 void add_range(PointResult &result, const ExcursionLabels &labels, const motion::ValueRange &range);
 
 class Excursions : public Recorder, private motion::OutputMonitor {

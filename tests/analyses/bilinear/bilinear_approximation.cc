@@ -129,8 +129,7 @@ System two_oscillators(double gap) {
 
 double amplitude(const testing::Points &points, const std::string &body) {
   return 1e3 / 2 *
-         points.value({0},
-                      "point/" + body + ".head/absolute_displacement_x/peak_to_peak_excursion");
+         points.value({0}, "point/" + body + ".head/absolute_displacement_x/peak_to_peak");
 }
 
 TEST(BilinearApproximationTest, TwoOscillatorsAsAnIndependentSolverHasThem) {

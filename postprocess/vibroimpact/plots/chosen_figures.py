@@ -1,0 +1,264 @@
+"""Figures that sections "Figure" of the parameters describe: curves or maps with chosen axes."""
+
+from __future__ import annotations
+
+import functools
+import itertools
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from . import maps, style, traces
+from .axis_meaning import Meaning, Panel, note
+from .branch_curves import TYPES as BRANCHES
+from .branch_curves import pieces
+from .branches import KINDS, kind_handles, mark_kinds
+from .choice import choose
+from .curves import LARGEST_LEGEND, LINES, colour_bar, loose_of, marked
+from .derived import derived_of, pair_of
+from .errors import ResultError
+from .figure_axes import FigureAxis, Quantity, find, plain, read_axis
+from .layout import DIRECTION, Layout, family_of, kept
+from .results import Analysis, Results
+
+SPECIAL = "special/"
+
+
+def figures(results: Results, analysis: Analysis):
+    """Name of each figure of an analysis and what draws it."""
+    for section, keys in results.parameters.items():
+        name = section.removeprefix("Figure ")
+        if name != section and keys.get("From") == analysis.name:
+            yield name, functools.partial(figure, results, name, keys)
+
+
+def figure(results: Results, name: str, section: dict):
+    try:
+        if section.get("Colour", {}).get("Quantity", ""):
+            return map_figure(results, section)
+        return curve_figure(results, section)
+    except ResultError as error:
+        raise ResultError(f"Figure {name}: {error}") from error
+
+
+def analysis_of(results: Results, section: dict) -> Analysis:
+    analysis = results.analysis(section["From"])
+    wanted = [part.strip() for part in section.get("Where", "").split(";") if part.strip()]
+    for request in wanted:
+        before = dict(analysis.chosen)
+        choose(analysis, [request])
+        if analysis.chosen == before:
+            raise ResultError(f"Where: {request}: {analysis.name} has no such axis")
+    return analysis
+
+
+def axes_of(results: Results, section: dict, analyses) -> list[FigureAxis]:
+    return [read_axis(results, section.get(name, {}), analyses)
+            for name in ("Horizontal", "Vertical")]
+
+
+def curve_figure(results: Results, section: dict):
+    analysis = analysis_of(results, section)
+    reference = section.get("Reference", "") and results.analysis(section["Reference"])
+    both = axes_of(results, section, [analysis] + [reference] * bool(reference))
+    shown, (axes,) = style.panels(1, height=3.0)
+    handles = []
+    if reference:
+        curves(axes, reference, both, colour="black", linewidth=1.5)
+        handles.append(Line2D([], [], color="black", linewidth=1.5,
+                              label=section.get("Reference label", "") or reference.name))
+    layout, own = curves(axes, analysis, both)
+    finish(shown, axes, layout, both, handles + own, section)
+    return shown
+
+
+def finish(shown, axes, layout: Layout, both, handles, section: dict) -> None:
+    for axis, letter in zip(both, "xy"):
+        axis.apply(axes, letter)
+    draw_marks(axes, both)
+    axes.set_title(section.get("Title", ""))
+    family = layout.cases() if layout.family else []
+    if len(family) > LARGEST_LEGEND:
+        colour_bar(shown, [axes], layout, family)
+        style.legend_inside(axes, handles)
+    else:
+        entries = [Line2D([], [], color=case.colour, label=case.text) for case in family]
+        style.legend_beside(axes, entries + handles, layout.family_name if family else None)
+    note(axes, Panel(*[meaning(layout.analysis, axis) for axis in both], family_of(layout)))
+
+
+def meaning(analysis: Analysis, axis: FigureAxis) -> Meaning:
+    return Meaning((axis.quantity,), find(analysis, axis.quantity).unit, axis.scale,
+                   plain(axis.label))
+
+
+def draw_marks(axes, both) -> None:
+    """Lines across at the marked values, their labels at the end."""
+    for axis, letter in zip(both, "xy"):
+        for label, value in axis.marks:
+            line, place = (axes.axvline, (value, 1.01)) if letter == "x" else \
+                (axes.axhline, (1.01, value))
+            line(value, color=style.GREY, linewidth=0.7, linestyle=(0, (6, 3)), zorder=1)
+            transform = axes.get_xaxis_transform() if letter == "x" else axes.get_yaxis_transform()
+            axes.text(*place, label, transform=transform, color=style.GREY, fontsize=9,
+                      ha="center" if letter == "x" else "left",
+                      va="bottom" if letter == "x" else "center", clip_on=False)
+
+
+def curves(axes, analysis: Analysis, both, colour=None, **look):
+    """All curves of an analysis; gives its layout and the legend entries of its lines."""
+    quantities = [find(analysis, axis.quantity) for axis in both]
+    along = along_of(analysis, quantities)
+    union = list(dict.fromkeys(name for quantity in quantities for name in quantity.dimensions))
+    family = [name for name in analysis.axes
+              if name in union and name not in (along, DIRECTION) and len(kept(analysis, name)) > 1]
+    layout = Layout(analysis, along, family)
+    directions = layout.directions if DIRECTION in union else [""]
+    for case, (number, direction) in itertools.product(layout.cases(), enumerate(directions)):
+        index = {**case.index, DIRECTION: direction_index(analysis, direction)}
+        chosen = colour or (case.colour if family else style.COLOURS[0])
+        values = [pick(quantity, analysis, index, along) / axis.scale.factor
+                  for quantity, axis in zip(quantities, both)]
+        if analysis.type in BRANCHES:
+            draw_branches(axes, analysis, index, values, both, chosen)
+        else:
+            draw_curve(axes, analysis, index, along, quantities, values, both, chosen,
+                       dict(look_of(direction, len(directions), number, len(values[0])), **look))
+    return layout, line_handles(analysis, directions, union, colour)
+
+
+def along_of(analysis: Analysis, quantities: list[Quantity]) -> str:
+    """The dimension along which a curve runs: that of a coordinate, else the last that both have."""
+    if analysis.type in BRANCHES and quantities[0].dimensions != [quantities[0].path]:
+        return quantities[0].dimensions[-1]
+    for quantity in quantities:
+        if quantity.dimensions == [quantity.path]:
+            return quantity.path
+    common = [name for name in quantities[0].dimensions
+              if name in quantities[1].dimensions and name != DIRECTION]
+    if not common:
+        raise ResultError(f"{quantities[0].path} and {quantities[1].path} have no axis in common")
+    return common[-1]
+
+
+def direction_index(analysis: Analysis, direction: str) -> int:
+    return list(analysis.read(DIRECTION).values).index(direction) if direction else 0
+
+
+def pick(quantity: Quantity, analysis: Analysis, index: dict, along: str) -> np.ndarray:
+    """Values along one dimension at an index along the others."""
+    outer = set(analysis.axes)
+    where = tuple(
+        (kept(analysis, name) if name in outer else slice(None)) if name == along
+        else index.get(name, kept(analysis, name)[0] if name in outer else 0)
+        for name in quantity.dimensions)
+    return np.asarray(quantity.values[where], dtype=float)
+
+
+def field(analysis: Analysis, path: str, index: dict, along: str) -> np.ndarray:
+    array = analysis.read(path)
+    return pick(Quantity(path, analysis.dimensions(path), array.values, array.unit, ""), analysis,
+                index, along)
+
+
+def draw_curve(axes, analysis, index, along, quantities, values, both, colour, look) -> None:
+    swapped = quantities[1].path == along
+    coordinate, curve = reversed(values) if swapped else values
+    scale = both[1 if swapped else 0].scale
+    whole = any(set(quantity.dimensions) >= set(analysis.axes) for quantity in quantities)
+    swept = whole and along in analysis.axes
+
+    def values_of(name):
+        return field(analysis, name, index, along)
+
+    if not swept:
+        shown = traces.plain(coordinate, curve)
+    else:
+        bracket = None
+        if analysis.has("jump_from") and along not in analysis.grid_axes:
+            bracket = [values_of(name) / scale.factor for name in ("jump_from", "jump_to")]
+        shown = traces.trace(coordinate, curve, loose_of(analysis, values_of), bracket,
+                             DIRECTION in analysis.axes and bool(index[DIRECTION]))
+    traces.draw(axes, shown, colour, swapped, **look)
+
+
+def look_of(direction: str, count: int, number: int, points: int) -> dict:
+    """Lines of both directions with about ten markers each."""
+    if count == 1:
+        return dict(linestyle="-")
+    return dict(LINES.get(direction, LINES[""]), markevery=marked(points, number))
+
+
+def draw_branches(axes, analysis: Analysis, index, values, both, colour) -> None:
+    along = "branch_point"
+    number = field(analysis, "branch", index, along)
+    stable = np.ones(number.shape, bool)
+    if analysis.has("stable"):
+        stable = field(analysis, "stable", index, along) == 1
+    for branch in np.unique(number[np.isfinite(number)]):
+        here = number == branch
+        pieces(axes, values[0][here], values[1][here], stable[here], colour)
+    if analysis.has("special/kind"):
+        kinds = field(analysis, "special/kind", index, "special_point")
+        if all(analysis.has(SPECIAL + axis.quantity) for axis in both):
+            x, y = (field(analysis, SPECIAL + axis.quantity, index, "special_point")
+                    / axis.scale.factor for axis in both)
+            mark_kinds(axes, kinds, x, y, colour)
+
+
+def line_handles(analysis: Analysis, directions, union, colour) -> list[Line2D]:
+    if colour is not None:
+        return []
+    if analysis.type in BRANCHES:
+        found = set()
+        if analysis.has("special/kind"):
+            kinds = analysis.read("special/kind").values
+            found = {int(kind) for kind in kinds[np.isfinite(kinds)]} & set(KINDS)
+        lines = [("-", "stable"), ("--", "unstable")] if analysis.has("stable") else []
+        return [Line2D([], [], color=style.GREY, linestyle=line, label=label)
+                for line, label in lines] + kind_handles(found)
+    handles = [Line2D([], [], color=style.GREY, label=direction, **LINES.get(direction, LINES[""]))
+               for direction in directions if len(directions) > 1]
+    if analysis.has("steady") and set(union) >= set(analysis.axes) \
+            and np.any(analysis.read("steady").values == 0):
+        handles.append(Line2D([], [], color=style.GREY, linestyle="", marker="o", fillstyle="none",
+                              markersize=2.6, label="not settled"))
+    return handles
+
+
+def map_figure(results: Results, section: dict):
+    """Over two axes of the analysis, with derived curves of their plane on top."""
+    analysis = analysis_of(results, section)
+    both = axes_of(results, section, [analysis])
+    colour = read_axis(results, section["Colour"], [analysis])
+    quantity = find(analysis, colour.quantity)
+    names = tuple(find(analysis, axis.quantity).path for axis in both)
+    for name, axis in zip(names, both):
+        if name not in analysis.axes:
+            raise ResultError(f"{axis.quantity} is no axis of a map of {analysis.name}")
+        analysis.shown[name] = (axis.scale, axis.label)
+    wanted = [name.strip() for name in section.get("Curves", "").split(",") if name.strip()]
+    over = [entry for entry in derived_of(analysis) if set(pair_of(entry)) == set(names)
+            and (entry.name in wanted if wanted else len(maps.levels_of(entry)) <= 2)]
+    values = plane(quantity, analysis, names)
+    shown = maps.draw_map(maps.Map(analysis, names, values, quantity.unit, colour.label,
+                                   section.get("Title", "")), over, colour.scale, colour.range)
+    axes = shown.axes[0]
+    for axis, letter in zip(both, "xy"):
+        axis.apply(axes, letter)
+    draw_marks(axes, both)
+    note(axes, Panel(*[meaning(analysis, axis) for axis in both]))
+    return shown
+
+
+def plane(quantity: Quantity, analysis: Analysis, names) -> np.ndarray:
+    """Values over two axes, in their order; the first chosen point of all others."""
+    where = tuple(kept(analysis, name) if name in names else
+                  [kept(analysis, name)[0] if name in analysis.axes else 0]
+                  for name in quantity.dimensions)
+    left = [name for name in quantity.dimensions if name in names]
+    if set(left) != set(names):
+        raise ResultError(f"{quantity.path} does not run over {' and '.join(names)}")
+    values = quantity.values[np.ix_(*where)]
+    values = values.reshape([len(kept(analysis, name)) for name in left])
+    return values if tuple(left) == tuple(names) else values.T

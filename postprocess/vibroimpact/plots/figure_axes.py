@@ -1,0 +1,122 @@
+"""The axes of a section "Figure" of the parameters: what runs along each of them, divided by what, and
+how it is called.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from .choice import is_called
+from .errors import ResultError
+from .labels import Scale, quantity_label, scale_for
+from .layout import axis_name
+from .parameters_text import number
+from .results import Analysis, Results
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """Values in SI over named dimensions; `path` as in the result file."""
+
+    path: str
+    dimensions: list[str]
+    values: np.ndarray
+    unit: str
+    label: str
+
+
+@dataclass(frozen=True)
+class FigureAxis:
+    """One axis of a figure: divide by `scale.factor`, call it `label`."""
+
+    quantity: str
+    scale: Scale
+    label: str
+    logarithmic: bool
+    range: list[float]
+    marks: list[tuple[str, float]]
+
+    def apply(self, axes, letter: str) -> None:
+        axes.set(**{f"{letter}label": self.scale.label(self.label)})
+        if self.logarithmic:
+            axes.set(**{f"{letter}scale": "log"})
+        if self.range:
+            axes.set(**{f"{letter}lim": self.range})
+
+
+def plain(label: str) -> str:
+    r"""eta_a of $\eta_{a}$."""
+    return "".join(letter for letter in label if letter not in "$\\{} ").strip()
+
+
+def find(analysis: Analysis, name: str) -> Quantity:
+    """A derived quantity, a field, or an axis by its full name or the last part of it."""
+    for path in (f"derived/{name}", name):
+        if analysis.has(path):
+            array = analysis.read(path)
+            own = path in analysis.axes or analysis.is_coordinate(path)
+            return Quantity(path, [path] if own else analysis.dimensions(path), array.values,
+                            array.unit, axis_name(analysis, path) if own
+                            else label_of(analysis, path))
+    for axis in analysis.axes:
+        if is_called(axis, name):
+            array = analysis.read(axis)
+            return Quantity(axis, [axis], array.values, array.unit, axis_name(analysis, axis))
+    raise ResultError(f"the analysis {analysis.name} has no quantity {name}")
+
+
+def label_of(analysis: Analysis, path: str) -> str:
+    if path.startswith("derived/"):
+        return analysis.symbol(path.removeprefix("derived/"))
+    parts = path.rsplit("/", 2)
+    return ", ".join([quantity_label(parts[-2]), *[p.replace("_", " ") for p in parts[-1:]]]) \
+        if len(parts) > 1 else quantity_label(path)
+
+
+def read_axis(results: Results, section: dict, analyses: list[Analysis]) -> FigureAxis | None:
+    """`analyses`: those whose values are drawn; None for an axis that the section does not have."""
+    name = section.get("Quantity", "")
+    if not name:
+        return None
+    quantities = [find(analysis, name) for analysis in analyses]
+    scale = divisor(results, section, name, quantities[0].unit) or scale_for(
+        quantities[0].unit, *[quantity.values for quantity in quantities])
+    return FigureAxis(
+        name, scale, section.get("Label", "") or quantities[0].label,
+        section.get("Scale", "") == "logarithmic",
+        numbers(section.get("Range", ""), results.parameters),
+        marks(section.get("Marks", ""), results.parameters))
+
+
+def divisor(results: Results, section: dict, name: str, unit: str) -> Scale | None:
+    """In the unit of the result file, where frequencies are in hertz."""
+    if section.get("Divide by", ""):
+        value = number(section["Divide by"], results.parameters)
+        if value is None:
+            raise ResultError(f"Divide by = {section['Divide by']}: not a number")
+        return Scale(value / (2 * math.pi if unit == "Hz" else 1.0), "")
+    if section.get("Divide by largest of", ""):
+        other = results.analysis(section["Divide by largest of"])
+        return Scale(float(np.nanmax(np.abs(find(other, name).values))), "")
+    return None
+
+
+def numbers(text: str, parameters: dict) -> list[float]:
+    return [number(part, parameters) for part in text.split(",") if part.strip()]
+
+
+def marks(text: str, parameters: dict) -> list[tuple[str, float]]:
+    """LABEL = NUMBER, ..."""
+    found = []
+    for part in filter(str.strip, text.split(",")):
+        label, _, value = part.rpartition("=")
+        position = number(value, parameters)
+        if not label or position is None:
+            raise ResultError(f"Marks: '{part.strip()}' is not LABEL = NUMBER")
+        found.append((label.strip(), position))
+    return found
+
+

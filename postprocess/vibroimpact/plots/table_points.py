@@ -1,0 +1,187 @@
+"""Reference or measured points from a table, drawn over any figure whose axes have the same quantities.
+
+    # name: Paper, Table 2
+    # drawn as: points
+    frequency [Hz], displacement_x/amplitude [mm], gap [mm], figure, series
+    2.4,            13.4,                          2,        curve*, page 7
+
+A column is called as a quantity of the figure's axes: by its path in the results, the last parts of it, or
+its label without TeX. A column of the key of a family gives a point the colour of that member; `figure`
+restricts rows to figures whose names match a pattern, `series` names rows in the legend. Other columns,
+such as the page, are left to the reader.
+"""
+
+from __future__ import annotations
+
+import csv
+import fnmatch
+import math
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from . import style
+from .axis_meaning import Meaning, Panel, panel_of
+from .errors import ResultError
+from .parameters_text import UNITS, evaluate
+
+LOOKS = {"points": dict(linestyle="", marker="o", markersize=5.0, markerfacecolor="white",
+                        markeredgewidth=1.2, zorder=4),
+         "line": dict(linestyle=(0, (4, 1.5, 1, 1.5)), linewidth=1.0, zorder=3)}
+NEAR = 1e-3  # of a member's value: a row belongs to it
+SPECIAL = ("figure", "series")
+
+
+@dataclass
+class Table:
+    """Columns of numbers in SI by their names; `texts` has those named in SPECIAL."""
+
+    file: Path
+    name: str
+    look: str
+    columns: dict[str, np.ndarray]
+    texts: dict[str, list[str]] = field(default_factory=dict)
+
+
+def read(file: Path) -> Table:
+    comments, rows = split(file)
+    if not rows:
+        raise ResultError(f"--overlay {file}: no line with the names of the columns")
+    notes = dict(note for note in map(note_of, comments) if note)
+    look = notes.get("drawn as", "points")
+    if look not in LOOKS:
+        raise ResultError(f"--overlay {file}: drawn as: {look}; it must be points or line")
+    head, body = rows[0], rows[1:]
+    for number, row in enumerate(body, 2):
+        if len(row) != len(head):
+            raise ResultError(f"--overlay {file}: row {number} has {len(row)} values, "
+                              f"but there are {len(head)} columns")
+    table = Table(file, notes.get("name", file.stem), look, {})
+    for place, title in enumerate(head):
+        add_column(table, title, [row[place] for row in body])
+    return table
+
+
+def split(file: Path):
+    """Comment lines, and the others as lists of texts."""
+    lines = file.read_text().splitlines()
+    comments = [line for line in lines if line.startswith("#")]
+    others = [line for line in lines if line.strip() and not line.startswith("#")]
+    return comments, [[part.strip() for part in row]
+                      for row in csv.reader(others, skipinitialspace=True)]
+
+
+def note_of(comment: str):
+    key, colon, value = comment.lstrip("# ").partition(":")
+    return (key.strip().lower(), value.strip()) if colon else None
+
+
+def add_column(table: Table, title: str, values: list[str]) -> None:
+    match = re.fullmatch(r"(.*?)\s*(?:\[(.*)\])?", title)
+    name, unit = match[1], match[2]
+    if name in SPECIAL:
+        table.texts[name] = values
+        return
+    factor = 1.0 if unit in (None, "", "1") else evaluate(f"1 {unit}", dict(UNITS))
+    if factor is None:
+        raise ResultError(f"--overlay {table.file}: the unit [{unit}] of {name} is not known")
+    try:
+        table.columns[name] = factor * np.array([float(value or "nan") for value in values])
+    except ValueError as error:
+        if unit is not None:
+            raise ResultError(f"--overlay {table.file}: column {name}: {error}") from None
+
+
+def draw(figure, name: str, table: Table) -> int:
+    """Draws the rows that belong to a figure into its panels; gives their number."""
+    drawn, handles = 0, {}
+    for axes in figure.axes:
+        panel = panel_of(axes)
+        if panel is None:
+            continue
+        x, y = (column(table, meaning) for meaning in (panel.x, panel.y))
+        if x is None or y is None:
+            continue
+        for text, rows in series(table, name):
+            rows = rows & np.isfinite(x) & np.isfinite(y)
+            for colour, part in members(table, panel, rows):
+                line = axes.plot(x[part], y[part], color=colour, label="_points",
+                                 **LOOKS[table.look])[0]
+                handles.setdefault(text, line)
+                drawn += int(part.sum())
+    if handles:
+        explain(figure, handles)
+    return drawn
+
+
+def column(table: Table, meaning: Meaning):
+    """In the numbers at the axis, or None."""
+    if meaning.label and meaning.label in table.columns:
+        return table.columns[meaning.label]
+    found = [name for name in table.columns if meaning.is_called(name)]
+    if not found:
+        return None
+    return table.columns[found[0]] / hertz(meaning) / meaning.scale.factor
+
+
+def hertz(meaning: Meaning) -> float:
+    """Frequencies are read in rad/s, and in Hz in results."""
+    return 2 * math.pi if meaning.unit == "Hz" else 1.0
+
+
+def series(table: Table, figure: str):
+    """Texts of the legend and their rows, of those that belong to the figure."""
+    count = len(next(iter(table.columns.values()), []))
+    own = np.ones(count, bool)
+    if "figure" in table.texts:
+        own = np.array([any(fnmatch.fnmatch(figure, part) for part in text.split())
+                        if text else True for text in table.texts["figure"]], bool)
+    names = table.texts.get("series", [""] * count)
+    for text in dict.fromkeys(names):
+        rows = own & (np.array(names) == text)
+        if rows.any():
+            yield ", ".join(filter(None, [table.name, text])), rows
+
+
+def members(table: Table, panel: Panel, rows):
+    """Rows of each member of a family with its colour; without a column for it all in black."""
+    for meaning, colours in panel.members:
+        values = column(table, Meaning(meaning.names, meaning.unit, type(meaning.scale)(1.0, "")))
+        if values is None:
+            continue
+        for value, colour in colours.items():
+            part = rows & (np.abs(values - value) <= NEAR * abs(value) + 1e-12)
+            if part.any():
+                yield colour, part
+        return
+    if rows.any():
+        yield "black", rows
+
+
+def explain(figure, handles: dict) -> None:
+    """Further entries of the legend of the first panel."""
+    axes = figure.axes[0]
+    legend = axes.get_legend()
+    lines = [*(legend.legendHandles if legend else [])]
+    texts = [text.get_text() for text in (legend.get_texts() if legend else [])]
+    for text, line in handles.items():
+        lines.append(grey(line))
+        texts.append(text)
+    title = legend.get_title().get_text() if legend else None
+    if len(figure.axes) > 1 and figure.axes[-1].get_label() == "<colorbar>":
+        axes.legend(lines, texts, loc="upper left", bbox_to_anchor=(0.0, -0.17),
+                    borderaxespad=0.0, ncols=2)
+    else:
+        axes.legend(lines, texts, loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0,
+                    title=title or None, alignment="left")
+
+
+def grey(line):
+    from matplotlib.lines import Line2D
+
+    copy = Line2D([], [])
+    copy.update_from(line)
+    copy.set_color(style.GREY)
+    return copy

@@ -1,0 +1,256 @@
+"""Figures with chosen axes, and points of tables in them: check_chosen_figures.py PROGRAM"""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = Path(sys.argv[1]).resolve()
+del sys.argv[1:]
+sys.dont_write_bytecode = True
+sys.path[:0] = [str(PROGRAM.parent), str(Path(__file__).resolve().parent)]
+
+import numpy as np  # noqa: E402
+from plot_examples import Writer  # noqa: E402
+from vibroimpact.plots import chosen_figures, table_points, traces  # noqa: E402
+from vibroimpact.plots.errors import ResultError  # noqa: E402
+from vibroimpact.plots.results import Results  # noqa: E402
+
+FREQUENCY = np.array([1.0, 2.0, 3.0, 4.0, 5.0])
+LAMBDA = np.array([1.0, 2.0])
+AMPLITUDE = "point/first.mass/displacement_x/amplitude"
+SECTIONS = r"""
+set Variables = unit = 1 rad/s, height = 2 mm, long = 1 + \
+  1
+subsection Derived best
+  set From = sweep
+  set Symbol = $\lambda_{opt}$
+end
+subsection Figure curve
+  set From = sweep
+  set Reference = free
+  set Reference label = no contact
+  subsection Horizontal
+    set Quantity = frequency
+    set Divide by = unit
+    set Label = $\beta$
+    set Marks = $\beta_1$ = 10, $\beta_2$ = 10 * long
+  end
+  subsection Vertical
+    set Quantity = AMPLITUDE
+    set Divide by = height
+    set Label = $\eta_{d}$
+    set Range = 0, 4
+  end
+end
+subsection Figure swapped
+  set From = sweep
+  set Where = lambda = 2; direction = forward
+  subsection Horizontal
+    set Quantity = AMPLITUDE
+    set Divide by largest of = free
+    set Scale = logarithmic
+  end
+  subsection Vertical
+    set Quantity = frequency
+  end
+end
+subsection Figure plane
+  set From = sweep
+  set Where = direction = backward
+  subsection Horizontal
+    set Quantity = frequency
+    set Divide by = unit
+  end
+  subsection Vertical
+    set Quantity = lambda
+    set Label = $\lambda$
+  end
+  subsection Colour
+    set Quantity = AMPLITUDE
+    set Divide by = height
+    set Label = $\eta_d$
+  end
+end
+subsection Figure best
+  set From = sweep
+  subsection Horizontal
+    set Quantity = frequency
+  end
+  subsection Vertical
+    set Quantity = best
+  end
+end
+""".replace("AMPLITUDE", AMPLITUDE)
+#             lambda, direction, frequency; a jump between 3 and 4 Hz upward for lambda = 1
+VALUES = 1e-3 * np.array([[[1, 2, 3, 0.5, 0.4], [1, 0.9, 0.8, 0.5, 0.4]],
+                          [[2, 4, 6, 8, 8], [2, 4, 6, 8, 8]]])
+
+
+def write(folder):
+    writer = Writer(folder)
+    writer.analysis("sweep", "parameter grid",
+                    [("Variables.lambda", LAMBDA, "1"),
+                     ("direction", np.array(["forward", "backward"]), "1"),
+                     ("frequency", FREQUENCY, "Hz")], grid=["Variables/lambda"])
+    writer.field(AMPLITUDE, VALUES, "m")
+    jump = np.full(VALUES.shape, np.nan)
+    jump[0, 0, 3] = 1
+    for name, at in (("jump_from", 3.4), ("jump_to", 3.6)):
+        writer.field(name, jump * at, "Hz")
+    steady = np.ones(VALUES.shape)
+    steady[1, 0, 1] = 0
+    writer.field("steady", steady, "1")
+    writer.field("derived/best", 1.0 / FREQUENCY, "1", dimensions=["frequency"])
+    writer.analysis("free", "stepped sweep", [("direction", np.array(["forward"]), "1"),
+                                              ("frequency", FREQUENCY, "Hz")])
+    writer.field(AMPLITUDE, 1e-3 * np.array([[5, 4, 3, 2, 1.0]]), "m")
+    writer.file.close()
+    (folder / "sections.prm").write_text(SECTIONS)
+
+
+class Figures(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        write(self.folder)
+        self.results = self.enterContext(Results(self.folder))
+        self.results.take_figures(self.folder / "sections.prm")
+
+    def figure(self, name):
+        known = dict(chosen_figures.figures(self.results, self.results.analysis("sweep")))
+        return known[name]()
+
+    def lines(self, figure):
+        """Solid and dashed curves, without marks and jumps."""
+        return [line for line in figure.axes[0].get_lines() if len(line.get_xdata()) > 4]
+
+    def test_curves_are_divided_by_a_variable_and_carry_their_symbols(self):
+        figure = self.figure("curve")
+        axes = figure.axes[0]
+        self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), (r"$\beta$", r"$\eta_{d}$"))
+        self.assertEqual(axes.get_ylim(), (0, 4))
+        free = self.lines(figure)[0]
+        np.testing.assert_allclose(free.get_xdata(), 2 * np.pi * FREQUENCY)
+        np.testing.assert_allclose(free.get_ydata(), [2.5, 2, 1.5, 1, 0.5])
+        self.assertEqual(free.get_color(), "black")
+        texts = [text.get_text() for text in axes.get_legend().get_texts()]
+        self.assertIn("no contact", texts)
+
+    def test_marks_stand_where_they_belong(self):
+        axes = self.figure("curve").axes[0]
+        places = {text.get_text(): text.get_position()[0] for text in axes.texts}
+        self.assertEqual(places, {r"$\beta_1$": 10, r"$\beta_2$": 20})
+
+    def test_a_jump_is_a_gap_with_a_dotted_line_in_its_bracket(self):
+        axes = self.figure("curve").axes[0]
+        dotted = [line for line in axes.get_lines() if line.get_linestyle() == ":"]
+        self.assertEqual(len(dotted), 1)
+        np.testing.assert_allclose(dotted[0].get_xdata(),
+                                   2 * np.pi * np.array([3, 3.5, 3.5, 4]))
+        solid = self.lines(self.figure("curve"))[1]
+        self.assertTrue(np.isnan(solid.get_ydata()[3]))
+
+    def test_unsettled_points_are_not_joined(self):
+        axes = self.figure("curve").axes[0]
+        hollow = [line for line in axes.get_lines() if line.get_fillstyle() == "none"]
+        self.assertEqual([list(line.get_ydata()) for line in hollow], [[2.0]])
+
+    def test_axes_are_swapped_and_divided_by_another_analysis(self):
+        axes = self.figure("swapped").axes[0]
+        self.assertEqual(axes.get_ylabel(), "Frequency (Hz)")
+        self.assertEqual(axes.get_xscale(), "log")
+        line = self.lines(self.figure("swapped"))[0]
+        np.testing.assert_allclose(line.get_ydata(), FREQUENCY)
+        np.testing.assert_allclose(line.get_xdata(), [0.4, np.nan, 1.2, 1.6, 1.6])
+
+    def test_a_map_has_its_axes_as_asked(self):
+        axes = self.figure("plane").axes
+        self.assertEqual(axes[0].get_ylabel(), r"$\lambda$")
+        np.testing.assert_allclose(axes[0].get_xlim(), 2 * np.pi * np.array([1, 5]))
+        np.testing.assert_allclose(axes[0].get_ylim(), [1, 2])
+        self.assertEqual(axes[1].get_ylabel(), r"$\eta_d$")
+
+    def test_a_derived_quantity_goes_by_its_symbol(self):
+        self.assertEqual(self.figure("best").axes[0].get_ylabel(), r"$\lambda_{opt}$")
+
+    def test_what_is_not_there_is_named(self):
+        section = self.results.parameters["Figure swapped"]
+        section["Where"] = "gap = 2"
+        with self.assertRaisesRegex(ResultError, "Figure swapped: Where: gap = 2"):
+            self.figure("swapped")
+        section["Where"] = ""
+        section["Vertical"]["Quantity"] = "speed"
+        with self.assertRaisesRegex(ResultError, "sweep has no quantity speed"):
+            self.figure("swapped")
+
+
+class Tables(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        write(self.folder)
+        self.table = self.folder / "paper.csv"
+
+    def plot(self, text, *options):
+        self.table.write_text(text)
+        return subprocess.run([PROGRAM, self.folder, "--sections", self.folder / "sections.prm",
+                               "--overlay", self.table, "--dpi", "40", *options],
+                              capture_output=True, text=True, check=False)
+
+    def points(self, text, name="curve"):
+        self.table.write_text(text)
+        with Results(self.folder) as results:
+            results.take_figures(self.folder / "sections.prm")
+            known = dict(chosen_figures.figures(results, results.analysis("sweep")))
+            figure = known[name]()
+            table_points.draw(figure, name, table_points.read(self.table))
+            return [line for line in figure.axes[0].get_lines() if line.get_label() == "_points"]
+
+    def test_columns_go_by_quantity_and_unit_or_by_label(self):
+        by_path = self.points("frequency [Hz], displacement_x/amplitude [mm]\n2, 3\n")
+        by_label = self.points("beta [1], eta_d [1]\n12.566370614359172, 1.5\n")
+        for lines in (by_path, by_label):
+            np.testing.assert_allclose(lines[0].get_xydata(), [[4 * np.pi, 1.5]])
+
+    def test_a_point_has_the_colour_of_its_member(self):
+        lines = self.points("beta, eta_d, lambda\n12, 1, 2\n")
+        colours = {line.get_color() for line in self.points("beta, eta_d\n12, 1\n")}
+        self.assertEqual(len(lines), 1)
+        self.assertNotIn(lines[0].get_color(), colours)
+
+    def test_rows_of_other_figures_are_left_out(self):
+        self.assertEqual(self.points("beta, eta_d, figure\n12, 1, other*\n"), [])
+        self.assertEqual(len(self.points("beta, eta_d, figure\n12, 1, other* cur*\n")), 1)
+
+    def test_lines_are_drawn_as_lines(self):
+        line = self.points("# drawn as: line\nbeta, eta_d\n12, 1\n13, 2\n")[0]
+        self.assertIn(line.get_marker(), ("", "None"))
+
+    def test_a_table_that_fits_nothing_is_an_error(self):
+        done = self.plot("speed [m/s], eta_d\n1, 2\n", "--figure", "curve")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("no figure has axes of two of its columns, which are speed, eta_d",
+                      done.stderr)
+
+    def test_tables_that_cannot_be_read(self):
+        for text, message in [("", "no line with the names of the columns"),
+                              ("beta, eta_d\n1\n", "row 2 has 1 values, but there are 2 columns"),
+                              ("beta [furlong], eta_d\n1, 2\n", "unit [furlong] of beta"),
+                              ("# drawn as: bars\nbeta, eta_d\n1, 2\n", "points or line"),
+                              ("beta [1], eta_d [1]\n1, x\n", "column eta_d")]:
+            done = self.plot(text)
+            self.assertEqual(done.returncode, 1, text)
+            self.assertIn(message, done.stderr)
+
+
+class Traces(unittest.TestCase):
+    def test_a_single_large_step_is_a_jump(self):
+        along = np.arange(8.0)
+        steep = np.array([0, 1, 2, 3, 0.1, 0.1, 0.1, 0.1])
+        self.assertEqual(traces.abrupt(along, steep), [])  # a peak between points is none
+        self.assertEqual(traces.abrupt(along, np.array([0, 0.1, 0.2, 0.3, 3, 3.1, 3.2, 3.3])),
+                         [(3, 4, 3.5)])
+
+
+if __name__ == "__main__":
+    unittest.main()
