@@ -87,7 +87,8 @@ StepView Trajectory::view() const {
 
 // A guard that was zero when its mode began counts from there, without the remainder that the
 // location of that instant has left; otherwise a short first step would see the remainder as a
-// change of its own.
+// change of its own. What the step's polynomial errs by counts too: bodies that begin to move
+// together part in a high order of time.
 Bernstein Trajectory::indicator(const StepView &view, std::size_t contact,
                                 std::size_t guard) const {
   Bernstein curve = view.indicator(contact, guard_of(contact, guard).indicator);
@@ -95,8 +96,10 @@ Bernstein Trajectory::indicator(const StepView &view, std::size_t contact,
   if (zero == zero_at_start_.end())
     return curve;
   curve += zero->remainder + zero->slack;
+  const AffineForm &form = guard_of(contact, guard).indicator;
   if (zero->slack == 0)
-    curve.clear_start(negligible(contact, guard_of(contact, guard).indicator));
+    curve.clear_start(std::max(negligible(contact, form),
+                               scales_.error_of_step(contact, form, view.end(), view.end_state())));
   return curve;
 }
 

@@ -91,13 +91,18 @@ std::vector<Trajectory::KnownZero> Trajectory::known_zeros(const Crossing &first
                                                            bool stuck) const {
   const std::size_t contact = first.contact;
   const contact::Guard &passed = guard_of(contact, first.guard);
-  std::vector<KnownZero> zeros = {{.form = passed.indicator, .size = first.residual}};
   const Vector &x = steppers_.present().state();
   const LocalState local =
       equations_.local_state(contact, time(), ConstVectorView(x.data(), x.size()));
+  std::vector<KnownZero> zeros;
   const auto add = [&](const AffineForm &form) {
     zeros.push_back({.form = form, .size = std::abs(form(local))});
   };
+  // The segment that located it and the state round differently.
+  const double left = std::abs(passed.indicator(local));
+  const bool rounded = left <= negligible(contact, passed.indicator);
+  zeros.push_back({.form = passed.indicator,
+                   .size = rounded ? std::max(first.residual, left) : first.residual});
   // A gap that was held is zero, whatever error of the integration it has.
   if (equations_.mode(contact).holds_gap)
     add({.gap = 1});

@@ -212,5 +212,37 @@ TEST(IndeterminateModesTest, TouchesBeforeAContactChangeAreCounted) {
   EXPECT_EQ(trajectory.accuracy().undecided_events, 1);
 }
 
+// Two bodies that touch are pushed from rest with the same acceleration a sin(w t). Their gap grows
+// with the fifth power of time, k/m (difference) a w t^5 / 120, which no polynomial of a first step
+// knows the sign of: it is judged by the sizes that the step reaches.
+TEST(IndeterminateModesTest, BodiesThatPartInTheFifthOrder) {
+  const double amplitude = 15, omega = 13, slow = 8, fast = 11;
+  const auto displacement = [&](double own, double t) {
+    return amplitude / (own * own - omega * omega) *
+           (std::sin(omega * t) - omega / own * std::sin(own * t));
+  };
+  for (const char *method : {"exact", "rk", "arkimex"}) {
+    Model model(
+        {single_mass("behind", 1, fast * fast, 0), single_mass("ahead", 1, slow * slow, 0)});
+    for (const std::size_t body : {0, 1})
+      model.add_force("push " + std::to_string(body),
+                      std::make_shared<Harmonic>(Given::displacement, amplitude, omega, 0),
+                      {.body = body, .point = 0}, Vector3::UnitX());
+    const ContactSet contacts({contact_along_x(
+        model, "behind.head", "ahead.head", 0,
+        contact::HuntCrossley::with_dimensionless_damping({4e8, 1.5}, 0.2, 1e-6))});
+    Settings settings;
+    settings.method = method;
+    settings.relative_tolerance = 1e-12;
+    settings.maximum_step = 9e-4;
+    Trajectory trajectory(model, contacts, settings);
+    trajectory.start(0, Vector::Zero(2), Vector::Zero(2));
+    const double end = 0.1;
+    trajectory.advance(end);
+    EXPECT_NEAR(trajectory.state()[0], displacement(fast, end), 1e-11) << method;
+    EXPECT_NEAR(trajectory.state()[1], displacement(slow, end), 1e-11) << method;
+  }
+}
+
 } // namespace
 } // namespace vibroimpact::motion

@@ -38,6 +38,15 @@ TEST(QuadraticFormTest, NothingIsAForm) {
   EXPECT_TRUE(form->isZero(0));
 }
 
+// The digits of so small a number do not suffice for any comparison.
+TEST(QuadraticFormTest, ATermBelowTheSmallestNormalNumber) {
+  const std::optional<Matrix> form =
+      quadratic_form([](const Vector &x) { return 1e-320 * x[0] * x[0] + 5 * x[1] * x[1]; }, 2);
+  ASSERT_TRUE(form.has_value());
+  EXPECT_NEAR((*form)(0, 0), 0, 1e-307);
+  EXPECT_NEAR((*form)(1, 1), 5, 1e-14);
+}
+
 TEST(QuadraticFormTest, OtherFunctionsAreRefused) {
   EXPECT_FALSE(quadratic_form([](const Vector &x) { return std::abs(x[0]); }, 1).has_value());
   EXPECT_FALSE(quadratic_form([](const Vector &x) { return std::max(0.0, x[0] * x[0] * x[1]); }, 2)

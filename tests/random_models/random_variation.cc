@@ -29,6 +29,10 @@ constexpr double resolved = 1e-8;
 constexpr double hopeless = 1e-5;
 constexpr double variation_tolerance = 1e-12;
 constexpr int most_motions = 2000; // for one window
+// Keys move events within a window by no more than its length times the step, a thousandth;
+// instants are rounded to 2e-16 of the time. Differences by keys need a longer window for seven
+// digits.
+constexpr double shortest_window = 2e-6; // of the time
 // Where differences do not agree: they see the error of the motion's own steps.
 constexpr std::array<double, 2> short_steps = {2e3, 2e4};
 // What dies out within one, or leaves no room between events, shows in a shorter one, or in one
@@ -234,6 +238,8 @@ private:
   }
 
   void compare_keys() {
+    if (window_.end - window_.start.time < shortest_window * window_.start.time)
+      return note_unresolved_keys();
     for (std::size_t k = 0; k < keys_.size(); ++k) {
       if (!wanted(keys_[k].path))
         continue;
@@ -254,6 +260,11 @@ private:
       };
       note(compare_with_care(compare_once), keys_[k].path);
     }
+  }
+
+  void note_unresolved_keys() {
+    for (const analyses::SweptParameter &key : keys_)
+      note({}, key.path);
   }
 
   // Of matrices that rounding leaves a determinant, and where nothing was projected.

@@ -33,10 +33,10 @@ void ContactScales::begin(double time, const Vector &state) {
 }
 
 void ContactScales::note(double time, const Vector &state, bool with_forces) {
-  elapsed_ = time - time_;
+  const double elapsed = time - time_;
   time_ = time;
   for (std::size_t c = 0; c < of_.size(); ++c) {
-    of_[c].include(terms(c, time, state));
+    of_[c].include(terms(c, time, state, elapsed));
     largest_.include(of_[c]);
     if (with_forces)
       include_forces(c, time, state);
@@ -44,8 +44,8 @@ void ContactScales::note(double time, const Vector &state, bool with_forces) {
 }
 
 // A coordinate that does not oscillate counts with its way since the last look.
-ContactScales::Sizes ContactScales::terms(std::size_t contact, double time,
-                                          const Vector &state) const {
+ContactScales::Sizes ContactScales::terms(std::size_t contact, double time, const Vector &state,
+                                          double elapsed) const {
   const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
   const StateLayout &layout = equations_.layout();
   Sizes terms{.gap = std::abs(pair.clearance)};
@@ -53,7 +53,7 @@ ContactScales::Sizes ContactScales::terms(std::size_t contact, double time,
     const double row = std::abs(pair.gap.row[j]);
     const double q = std::abs(state[j]);
     const double v = std::abs(state[layout.velocity() + j]);
-    terms.gap += row * (q + v * std::min(elapsed_, turning_time_[j]));
+    terms.gap += row * (q + v * std::min(elapsed, turning_time_[j]));
     terms.gap_rate += row * (v + q / turning_time_[j]);
   }
   for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k) {
@@ -96,6 +96,12 @@ double ContactScales::error(std::size_t contact, const contact::AffineForm &form
            equations_.contacts().effective_mass(contact, equations_.model()) *
            (share * acceleration_ + absolute_speed_ * highest_);
   return sum;
+}
+
+double ContactScales::error_of_step(std::size_t contact, const contact::AffineForm &form,
+                                    double end, const Vector &state) const {
+  const Sizes sizes = terms(contact, end, state, 0);
+  return share * (std::abs(form.gap) * sizes.gap + std::abs(form.gap_rate) * sizes.gap_rate);
 }
 
 } // namespace vibroimpact::motion

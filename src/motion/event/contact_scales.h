@@ -39,23 +39,27 @@ public:
   double speed(std::size_t contact) const;
   /// Error of an affine form of its local state.
   double error(std::size_t contact, const contact::AffineForm &form) const;
+  /// Error of its gap and gap rate within a step that ends there: 1e-11 times what they are made
+  /// of.
+  double error_of_step(std::size_t contact, const contact::AffineForm &form, double end,
+                       const Vector &state) const;
 
 private:
   struct Sizes {
     double gap = 0, gap_rate = 0;
     void include(const Sizes &other);
   };
-  Sizes terms(std::size_t contact, double time, const Vector &state) const;
+  Sizes terms(std::size_t contact, double time, const Vector &state, double elapsed) const;
   void include_forces(std::size_t contact, double time, const Vector &state);
 
   const Equations &equations_;
   double highest_;                   ///< frequency [rad/s]
   double absolute_, absolute_speed_; ///< [m], [m/s]
-  Vector turning_time_;           ///< 1 / w of each coordinate [s]; infinite: it does not oscillate
-  double time_ = 0, elapsed_ = 0; ///< since the motion was looked at before [s]
-  std::vector<Sizes> of_;         ///< each contact
-  Sizes largest_;                 ///< of all
-  double acceleration_ = 0;       ///< of a gap, each of its terms alone [m/s^2]
+  Vector turning_time_;     ///< 1 / w of each coordinate [s]; infinite: it does not oscillate
+  double time_ = 0;         ///< the motion was looked at last [s]
+  std::vector<Sizes> of_;   ///< each contact
+  Sizes largest_;           ///< of all
+  double acceleration_ = 0; ///< of a gap, each of its terms alone [m/s^2]
 };
 
 } // namespace vibroimpact::motion
