@@ -2,6 +2,7 @@
 
 #include "analyses/fields.h"
 #include "analyses/key_neighbours.h"
+#include "analyses/tangents/measure_tangents.h"
 #include "analyses/window_recording.h"
 #include "common/error.h"
 
@@ -125,17 +126,24 @@ void add_state(PointResult &result, const OrbitKey &key, const Vector &values) {
           key.parameter.unit));
 }
 
+double difference(const Field &field, const std::vector<Recorded> &near, const Vector &weight) {
+  double derivative = 0;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const Field *there = find(near[i].point, field.name());
+    derivative += weight[static_cast<Index>(i)] * (there->values[0] - field.values[0]);
+  }
+  return derivative;
+}
+
 void add_recorded(PointResult &result, const OrbitKey &key, const Recorded &present,
-                  const std::vector<Recorded> &near, const Vector &weight) {
+                  const std::map<std::string, double> &tangents, const std::vector<Recorded> &near,
+                  const Vector &weight) {
   for (const Field &field : present.point.fields) {
     if (!field.shape.empty() || field.unit() == "1" || !std::isfinite(field.values[0]))
       continue;
-    double derivative = 0;
-    for (std::size_t i = 0; i < near.size(); ++i) {
-      const Field *there = find(near[i].point, field.name());
-      derivative += weight[static_cast<Index>(i)] * (there->values[0] - field.values[0]);
-    }
-    add_number(result, "derivative/" + key.name + "/" + field.name(), derivative,
+    const auto known = tangents.find(field.name());
+    add_number(result, "derivative/" + key.name + "/" + field.name(),
+               known != tangents.end() ? known->second : difference(field, near, weight),
                unit_by_key(field.unit(), key.parameter.unit), "derivative: " + field.description());
   }
 }
@@ -181,6 +189,8 @@ void add_derivatives(PointResult &result, const OrbitKey &key, const RecordedOrb
   const Vector by_key = state_by_key(motion);
   add_state(result, key, at_zero_phase(motion, by_key));
   motion.map.set_keys({});
+  const std::map<std::string, double> tangents =
+      measure_tangents(motion, forced, neighbours, by_key);
   const Vector weight = weights(neighbours);
   const Recorded present = record(motion.system, motion.orbit.point.state, motion);
   const std::vector<Recorded> near = record_neighbours(std::move(neighbours), by_key, motion);
@@ -188,11 +198,11 @@ void add_derivatives(PointResult &result, const OrbitKey &key, const RecordedOrb
       near.begin(), near.end(), [&](const Recorded &one) { return one.events == present.events; });
   add_number(result, "derivative/" + key.name + "/smooth", smooth ? 1 : 0, "1",
              "0 where motions with the key some thousandths off have another number of contact "
-             "changes, so that the derivatives may be of no use");
+             "changes, so that derivatives of what other recorders give may be of no use");
   if (!key.parameter.is_frequency())
     add_number(result, "derivative/" + key.name + "/value", key.parameter.values[0],
                key.parameter.unit, "value of the key " + key.parameter.path);
-  add_recorded(result, key, present, near, weight);
+  add_recorded(result, key, present, tangents, near, weight);
 }
 
 } // namespace vibroimpact::analyses
