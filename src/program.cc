@@ -6,6 +6,7 @@
 #include "common/petsc_error.h"
 #include "common/petsc_stage.h"
 #include "common/signals.h"
+#include "launcher.h"
 #include "run_information.h"
 #include "simulation.h"
 
@@ -13,10 +14,10 @@
 
 #include <petscsys.h>
 
-#include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <set>
 
 namespace vibroimpact {
@@ -64,9 +65,8 @@ RunOptions run_options(const CommandLine &line) {
 }
 
 void print_version() {
-  const output::RunInformation information = run_information("", "", MPI_COMM_WORLD);
-  std::string text = "vibroimpact " + information.version + " (" + information.commit + ")";
-  for (const std::string &library : information.libraries)
+  std::string text = "vibroimpact " + program_version();
+  for (const std::string &library : libraries())
     text += "\n  " + library;
   log::info(text);
 }
@@ -122,7 +122,8 @@ int run(const CommandLine &line) {
   return tell_end(summary, folder);
 }
 
-int perform(const CommandLine &line) {
+// What needs neither MPI nor PETSc; nothing when the line asks for more than a text.
+std::optional<int> print_only(const CommandLine &line) {
   switch (line.task) {
   case CommandLine::Task::print_help:
     log::info(usage());
@@ -134,37 +135,60 @@ int perform(const CommandLine &line) {
     log::info(parameters::print_declarations(*declare_parameters(), line.print_format));
     return all_done;
   default:
-    return run(line);
+    return std::nullopt;
   }
 }
 
+int perform(const CommandLine &line) {
+  if (const std::optional<int> code = print_only(line))
+    return *code;
+  PetscOptionsInsertString(nullptr, line.petsc_options.c_str());
+  begin_petsc_log();
+  return run(line);
+}
+
+// The other ranks may be waiting for this one.
+void end_other_ranks() {
+  int started = 0;
+  int ranks = 1;
+  MPI_Initialized(&started);
+  if (started != 0)
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  if (ranks > 1)
+    MPI_Abort(MPI_COMM_WORLD, broke_off);
+}
+
 // The same InputError is found on every rank; rank 0 prints it.
-int guarded(int argc, char **argv, int rank) {
+template <typename Work> auto guarded(int rank, const Work &work) -> decltype(work()) {
   try {
-    const CommandLine line = parse_command_line(argc, argv);
-    PetscOptionsInsertString(nullptr, line.petsc_options.c_str());
-    begin_petsc_log();
-    return perform(line);
+    return work();
   } catch (const InputError &error) {
     if (rank == 0)
       std::cerr << error.what() << std::endl;
     return bad_input;
   } catch (const std::exception &error) {
     std::cerr << "vibroimpact: " << error.what() << std::endl;
-    int ranks = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    // The other ranks may be waiting for this one.
-    if (ranks > 1)
-      MPI_Abort(MPI_COMM_WORLD, broke_off);
+    end_other_ranks();
     return broke_off;
   }
+}
+
+// Without a launcher there is one process, which can print texts and refuse arguments by itself.
+std::optional<int> before_mpi(int argc, char **argv) {
+  return guarded(0, [&] { return print_only(parse_command_line(argc, argv)); });
 }
 
 } // namespace
 
 int run_program(int argc, char **argv) {
-  // Under mpirun one of the processes speaks for all, once they know who they are.
-  install_signal_handlers(std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr);
+  const bool launched = started_by_launcher();
+  // Under a launcher one of the processes speaks for all, once they know who they are.
+  install_signal_handlers(!launched);
+  if (!launched) {
+    if (const std::optional<int> code = before_mpi(argc, argv))
+      return *code;
+    prepare_single_process();
+  }
   use_one_blas_thread();
   // PETSc must see none of the program's own arguments, nor a .petscrc of the user.
   char skip[] = "-skip_petscrc";
@@ -177,7 +201,7 @@ int run_program(int argc, char **argv) {
   log::set_rank(rank);
   keep_petsc_errors();
   install_signal_handlers(rank == 0); // again: the libraries set their own
-  return guarded(argc, argv, rank);
+  return guarded(rank, [&] { return perform(parse_command_line(argc, argv)); });
 }
 
 } // namespace vibroimpact

@@ -30,7 +30,16 @@ std::string processor_name() {
 
 } // namespace
 
-std::string program_version() { return std::string(version) + " " + commit; }
+std::vector<std::string> libraries() {
+  return {
+      "deal.II " + dotted(DEAL_II_VERSION_MAJOR, DEAL_II_VERSION_MINOR, DEAL_II_VERSION_SUBMINOR),
+      "PETSc " + dotted(PETSC_VERSION_MAJOR, PETSC_VERSION_MINOR, PETSC_VERSION_SUBMINOR),
+      "SLEPc " + dotted(SLEPC_VERSION_MAJOR, SLEPC_VERSION_MINOR, SLEPC_VERSION_SUBMINOR),
+      "Eigen " + dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION),
+      "Boost " + dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)};
+}
+
+std::string program_version() { return std::string(version) + " (" + commit + ")"; }
 
 output::RunInformation run_information(const std::string &parameters,
                                        const std::string &command_line, MPI_Comm communicator) {
@@ -40,14 +49,7 @@ output::RunInformation run_information(const std::string &parameters,
           .commit = commit,
           .parameters = parameters,
           .command_line = command_line,
-          .libraries =
-              {"deal.II " +
-                   dotted(DEAL_II_VERSION_MAJOR, DEAL_II_VERSION_MINOR, DEAL_II_VERSION_SUBMINOR),
-               "PETSc " + dotted(PETSC_VERSION_MAJOR, PETSC_VERSION_MINOR, PETSC_VERSION_SUBMINOR),
-               "SLEPc " + dotted(SLEPC_VERSION_MAJOR, SLEPC_VERSION_MINOR, SLEPC_VERSION_SUBMINOR),
-               "Eigen " + dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION),
-               "Boost " +
-                   dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
+          .libraries = libraries(),
           .ranks = ranks,
           .processor = processor_name()};
 }

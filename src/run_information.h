@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 #include <string>
+#include <vector>
 
 namespace vibroimpact {
 
@@ -14,5 +15,8 @@ output::RunInformation run_information(const std::string &parameters,
 
 /// Version and commit.
 std::string program_version();
+
+/// The libraries that the program was built with, each with its version.
+std::vector<std::string> libraries();
 
 } // namespace vibroimpact

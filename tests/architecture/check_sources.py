@@ -20,9 +20,11 @@ ORDER = ["common", "parameters", "continuation", "structure", "modes", "reductio
 ALLOWED = {"common": {"common"}, "parameters": {"common", "parameters"},
            "continuation": {"common", "continuation"}}
 # The files above all folders, each with those of its kind that it may include.
-PROGRAM = {"command_line": set(), "run_information": set(), "simulation": {"run_information"},
+PROGRAM = {"command_line": set(), "launcher": set(), "run_information": set(),
+           "simulation": {"run_information"},
            "simulation_cases": {"simulation"}, "simulation_checks": {"simulation"},
-           "program": {"command_line", "run_information", "simulation"}, "main": {"program"}}
+           "program": {"command_line", "launcher", "run_information", "simulation"},
+           "main": {"program"}}
 GENERATED = {"version.h"}
 
 # What is known in few places only: a pattern of the include, the files that may have it, the reason.
