@@ -1,7 +1,5 @@
 #include "output/derived_results.h"
 
-#include "output/summary.h"
-
 namespace vibroimpact::output {
 
 namespace {
@@ -21,17 +19,17 @@ std::string index_text(std::size_t flat, const Shape &shape) {
 
 } // namespace
 
-std::string derived_summary(const AnalysisHeader &header,
+SummaryList derived_summary(const AnalysisHeader &header,
                             const std::vector<DerivedArray> &quantities) {
-  std::string text;
+  SummaryList list;
   for (const DerivedArray &quantity : quantities) {
     if (quantity.values.size() > longest_summary || !quantity.own_dimensions.empty())
       continue;
     const std::string name = "analysis." + header.name + ".derived." + quantity.name;
     for (std::size_t i = 0; i < quantity.values.size(); ++i)
-      text += summary_line(name + index_text(i, quantity.shape), quantity.values[i], quantity.unit);
+      list.add(name + index_text(i, quantity.shape), quantity.values[i], quantity.unit);
   }
-  return text;
+  return list;
 }
 
 } // namespace vibroimpact::output

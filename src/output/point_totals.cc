@@ -1,7 +1,6 @@
 #include "output/point_totals.h"
 
 #include "analyses/fields.h"
-#include "output/summary.h"
 
 #include <algorithm>
 
@@ -49,24 +48,18 @@ void PointTotals::add(const PointResult &point) {
 
 std::size_t PointTotals::listed_reasons() const { return std::min(most_reasons, reasons_.size()); }
 
-std::string PointTotals::summary_lines(const std::string &prefix) const {
-  std::string text;
-  const auto add = [&text](const std::string &name, double value) {
+void PointTotals::add_to(SummaryList &list, const std::string &prefix) const {
+  const auto add = [&list](const std::string &name, double value, const std::string &why = "") {
     if (value > 0)
-      text += summary_line(name, value, "1");
+      list.add(name, value, "1", why);
   };
   add(prefix + ".failed_points", static_cast<double>(failed_));
-  for (std::size_t i = 0; i < listed_reasons(); ++i) {
+  for (std::size_t i = 0; i < listed_reasons(); ++i)
     add(prefix + ".failed_points[" + std::to_string(i + 1) + "]",
-        static_cast<double>(reasons_[i].points));
-    std::string reason = reasons_[i].text;
-    std::replace(reason.begin(), reason.end(), '\n', ' ');
-    text.insert(text.size() - 1, "  " + reason);
-  }
+        static_cast<double>(reasons_[i].points), reasons_[i].text);
   add(prefix + ".unsettled_points", static_cast<double>(unsettled_));
   add(prefix + ".unbalanced_points", static_cast<double>(unbalanced_));
   add(prefix + ".total_undecided_events", undecided_);
-  return text;
 }
 
 std::string PointTotals::failures() const {

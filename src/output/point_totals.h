@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/result_sink.h"
+#include "output/summary_list.h"
 
 #include <string>
 #include <vector>
@@ -12,9 +13,9 @@ class PointTotals {
 public:
   void add(const PointResult &point);
 
-  /// Lines of the summary, `PREFIX.failed_points = 3 [1]`, only for what there is. Below them, for
-  /// the first distinct reasons, `PREFIX.failed_points[1] = 2 [1]  why`.
-  std::string summary_lines(const std::string &prefix) const;
+  /// Adds `PREFIX.failed_points = 3 [1]` and others, only for what there is. Below them, for the
+  /// first distinct reasons, `PREFIX.failed_points[1] = 2 [1]  why`.
+  void add_to(SummaryList &list, const std::string &prefix) const;
 
   /// "1 of 3 points failed:" and the reasons, one below the other; empty when none did.
   std::string failures() const;

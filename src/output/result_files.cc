@@ -139,11 +139,12 @@ void FileSink::tell_totals() const {
 std::vector<StoredAnalysis> FileSink::replace_files() {
   const Clock::time_point start = Clock::now();
   std::vector<StoredAnalysis> analyses = read_run(folder_.journal_files());
-  std::vector<std::string> derived_lines;
-  replace_file(folder_.results_file(), [&](const std::filesystem::path &file) {
-    derived_lines = write_results(file, analyses);
-  });
-  replace_file(folder_.summary_file(), summary(analyses, derived_lines));
+  std::vector<SummaryList> derived;
+  replace_file(folder_.results_file(),
+               [&](const std::filesystem::path &file) { derived = write_results(file, analyses); });
+  const SummaryList list = summary(analyses, derived);
+  replace_file(folder_.summary_file(), list.text());
+  replace_file(folder_.summary_json_file(), list.json());
   // A large file must not keep rank 0 from computing: at most a twentieth of its time goes here.
   const std::chrono::duration<double> took = Clock::now() - start;
   next_rebuild_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
@@ -151,9 +152,9 @@ std::vector<StoredAnalysis> FileSink::replace_files() {
   return analyses;
 }
 
-std::vector<std::string> FileSink::write_results(const std::filesystem::path &file,
+std::vector<SummaryList> FileSink::write_results(const std::filesystem::path &file,
                                                  const std::vector<StoredAnalysis> &analyses) {
-  std::vector<std::string> derived_lines;
+  std::vector<SummaryList> derived;
   Hdf5File results = Hdf5File::create(file);
   write_information(results, information_);
   for (const ReducedBody &body : bodies_)
@@ -165,10 +166,10 @@ std::vector<std::string> FileSink::write_results(const std::filesystem::path &fi
         derived_.evaluate(header.name, derived::derivation_source(header, arrays));
     note_problems(problems);
     write_analysis(results, header, arrays, quantities);
-    derived_lines.push_back(derived_summary(header, quantities));
+    derived.push_back(derived_summary(header, quantities));
   }
   results.close();
-  return derived_lines;
+  return derived;
 }
 
 void FileSink::note_problems(const std::vector<std::string> &problems) {
@@ -187,20 +188,20 @@ std::string FileSink::missing_derived() const {
                               communicator_);
 }
 
-std::string FileSink::summary(const std::vector<StoredAnalysis> &analyses,
-                              const std::vector<std::string> &derived_lines) {
-  std::string text;
+SummaryList FileSink::summary(const std::vector<StoredAnalysis> &analyses,
+                              const std::vector<SummaryList> &derived) {
+  SummaryList list;
   for (const ReducedBody &body : bodies_)
-    text += body_summary(body);
-  text += contact_summary(contacts_);
+    list.append(body_summary(body));
+  list.append(contact_summary(contacts_));
   for (std::size_t a = 0; a < analyses.size(); ++a) {
     PointTotals totals;
-    text += analysis_summary(analyses[a].header, analyses[a].points.sequence(), totals) +
-            derived_lines[a];
+    list.append(analysis_summary(analyses[a].header, analyses[a].points.sequence(), totals));
+    list.append(derived[a]);
     if (analyses[a].header.name == header_.name)
       totals_ = totals;
   }
-  return text;
+  return list;
 }
 
 void FileSink::write_motion(const StoredPoints &points) {

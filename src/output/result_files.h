@@ -8,6 +8,7 @@
 #include "output/point_totals.h"
 #include "output/record.h"
 #include "output/run_folder.h"
+#include "output/summary_list.h"
 #include "reduction/reduced_body.h"
 
 #include <chrono>
@@ -44,8 +45,8 @@ public:
   /// keep every point.
   void end() override;
 
-  /// Rank 0: replaces results.h5 and summary.txt by what all journals hold now. Warns of derived
-  /// quantities that cannot be computed from the fields there are.
+  /// Rank 0: replaces results.h5, summary.txt and summary.json by what all journals hold now. Warns
+  /// of derived quantities that cannot be computed from the fields there are.
   void rebuild() { replace_files(); }
 
   /// Collective, behind the last end(). The derived quantities that the files lack, and why; empty
@@ -61,11 +62,11 @@ private:
   void register_header(const AnalysisHeader &header);
   /// Returns what all journals hold now.
   std::vector<StoredAnalysis> replace_files();
-  /// The lines of the summary about derived quantities, for each analysis.
-  std::vector<std::string> write_results(const std::filesystem::path &file,
+  /// What the summary says of derived quantities, for each analysis.
+  std::vector<SummaryList> write_results(const std::filesystem::path &file,
                                          const std::vector<StoredAnalysis> &analyses);
-  std::string summary(const std::vector<StoredAnalysis> &analyses,
-                      const std::vector<std::string> &derived_lines);
+  SummaryList summary(const std::vector<StoredAnalysis> &analyses,
+                      const std::vector<SummaryList> &derived);
   void note_problems(const std::vector<std::string> &problems);
   void write_motion(const StoredPoints &points);
   void tell_totals() const;

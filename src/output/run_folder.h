@@ -35,6 +35,7 @@ public:
 
   std::filesystem::path results_file() const { return folder_ / "results.h5"; }
   std::filesystem::path summary_file() const { return folder_ / "summary.txt"; }
+  std::filesystem::path summary_json_file() const { return folder_ / "summary.json"; }
   std::filesystem::path log_file() const { return folder_ / "log.txt"; }
   /// The complete echo of a run's parameters.
   static std::filesystem::path parameters_file(const std::filesystem::path &folder) {

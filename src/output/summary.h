@@ -1,22 +1,21 @@
-// The few figures of a run that a person or a test compares: `name = value [unit]` lines.
+// The few values of a run that a person or a test compares.
 #pragma once
 
 #include "contact/truncation.h"
 #include "output/point_totals.h"
 #include "output/record.h"
+#include "output/summary_list.h"
 #include "reduction/reduced_body.h"
-
-#include <string>
 
 namespace vibroimpact::output {
 
 /// `body.NAME.frequency[1] = 2.95 [Hz]`, counted from 1; then damping ratio, effective and total
 /// mass along x, y, z, and for modal bodies the orthogonality residual.
-std::string body_summary(const reduction::ReducedBody &body);
+SummaryList body_summary(const reduction::ReducedBody &body);
 
 /// `contact.NAME.flexibility_share = 0.97 [1]` and `contact.NAME.impact_error = 0.008 [1]` of each
 /// contact for which they are known.
-std::string contact_summary(const std::vector<contact::ContactFigures> &contacts);
+SummaryList contact_summary(const std::vector<contact::ContactFigures> &contacts);
 
 /// Nobody reads the lines of more points than this.
 constexpr std::size_t most_listed_points = 10000;
@@ -26,10 +25,7 @@ constexpr std::size_t most_listed_points = 10000;
 /// for what a finished point says in words; then the lines of `totals`, to which
 /// all points are added. With more than most_listed_points the lines of the points are left out and
 /// `analysis.NAME.points` tells their number.
-std::string analysis_summary(const AnalysisHeader &header, const derived::PointSequence &points,
+SummaryList analysis_summary(const AnalysisHeader &header, const derived::PointSequence &points,
                              PointTotals &totals);
-
-/// One line; numbers with 12 significant digits.
-std::string summary_line(const std::string &name, double value, const std::string &unit);
 
 } // namespace vibroimpact::output

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array files_of_every_run = {"results.h5", "summary.txt", "log.txt",
+constexpr std::array files_of_every_run = {"results.h5", "summary.txt", "summary.json", "log.txt",
                                            "parameters.prm"};
 
 fs::path list_file(const fs::path &folder) { return folder / journal_folder / "written_files.txt"; }

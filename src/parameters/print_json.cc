@@ -1,29 +1,12 @@
+#include "common/json_text.h"
 #include "parameters/print_formats.h"
 #include "parameters/text.h"
 
-#include <array>
-#include <cstdio>
 #include <functional>
 
 namespace vibroimpact::parameters {
 
 namespace {
-
-std::string quoted(const std::string &text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (static_cast<unsigned char>(c) < 0x20) {
-      std::array<char, 8> code{};
-      std::snprintf(code.data(), code.size(), "\\u%04x", static_cast<unsigned>(c));
-      result += code.data();
-      continue;
-    }
-    if (c == '"' || c == '\\')
-      result += '\\';
-    result += c;
-  }
-  return result + "\"";
-}
 
 const char *kind_name(KeyKind kind) {
   switch (kind) {
@@ -58,17 +41,18 @@ std::string quoted_list(const std::vector<std::string> &words) {
   std::vector<std::string> items;
   items.reserve(words.size());
   for (const std::string &word : words)
-    items.push_back(quoted(word));
+    items.push_back(json_string(word));
   return "[" + join(items, ", ") + "]";
 }
 
 std::string key_object(const Key &key) {
   const bool has_unit = key.kind == KeyKind::quantity || key.kind == KeyKind::quantities;
-  return "{\"name\": " + quoted(key.name) + ", \"kind\": " + quoted(kind_name(key.kind)) +
-         ", \"default\": " + quoted(key.default_value) +
-         ", \"unit\": " + quoted(has_unit ? si_unit(key.dimension) : "") +
-         ", \"range\": " + quoted(limits(key)) + ", \"options\": " + quoted_list(key.options) +
-         ", \"symbol\": " + quoted(key.symbol) + ", \"sentence\": " + quoted(key.sentence) + "}";
+  return "{\"name\": " + json_string(key.name) + ", \"kind\": " + json_string(kind_name(key.kind)) +
+         ", \"default\": " + json_string(key.default_value) +
+         ", \"unit\": " + json_string(has_unit ? si_unit(key.dimension) : "") +
+         ", \"range\": " + json_string(limits(key)) + ", \"options\": " + quoted_list(key.options) +
+         ", \"symbol\": " + json_string(key.symbol) +
+         ", \"sentence\": " + json_string(key.sentence) + "}";
 }
 
 std::string section_object(const Section &section, int depth) {
@@ -83,8 +67,8 @@ std::string section_object(const Section &section, int depth) {
     return list(items, depth + 1);
   };
   const std::string indent(2 * static_cast<std::size_t>(depth), ' ');
-  return "{\n" + indent + "  \"name\": " + quoted(section.name()) + ",\n" + indent +
-         "  \"sentence\": " + quoted(section.sentence()) + ",\n" + indent +
+  return "{\n" + indent + "  \"name\": " + json_string(section.name()) + ",\n" + indent +
+         "  \"sentence\": " + json_string(section.sentence()) + ",\n" + indent +
          "  \"keys\": " + list(keys, depth + 1) + ",\n" + indent +
          "  \"subsections\": " + objects(section.subsections()) + ",\n" + indent +
          "  \"named subsections\": " + objects(section.named_subsections()) + "\n" + indent + "}";

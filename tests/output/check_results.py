@@ -1,5 +1,7 @@
 """Other programs open results.h5 as labelled arrays: check_results.py FOLDER"""
 
+import json
+import re
 import sys
 import unittest
 from pathlib import Path
@@ -7,7 +9,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-FILE = Path(sys.argv.pop(1)) / "results.h5"
+FOLDER = Path(sys.argv.pop(1))
+FILE = FOLDER / "results.h5"
 
 
 class Hdf5(unittest.TestCase):
@@ -86,6 +89,46 @@ class Xarray(unittest.TestCase):
         with xarray.open_dataset(FILE, engine="netcdf4", group="analysis/map") as data:
             self.assertEqual(data.steady.dims, ("Contact.heads.Clearance", "frequency", "direction"))
             self.assertEqual(float(data.steady.sel(frequency=1, direction="forward")[0]), 1)
+
+
+class Summary(unittest.TestCase):
+    """summary.json has the entries of summary.txt with all digits: those of results.h5."""
+
+    def setUp(self):
+        self.text = (FOLDER / "summary.txt").read_text(encoding="utf-8")
+        content = json.loads((FOLDER / "summary.json").read_text(encoding="utf-8"),
+                             object_pairs_hook=self.without_repetition)
+        self.values, self.notes = content["values"], content["notes"]
+
+    def without_repetition(self, pairs):
+        names = [name for name, _ in pairs]
+        self.assertEqual(len(names), len(set(names)))
+        return dict(pairs)
+
+    @staticmethod
+    def number(value):
+        return float("nan" if value is None else value)
+
+    def test_every_line_of_the_text_is_there_in_its_order(self):
+        lines = re.findall(r"^(?!# )(.*?) = (\S+) \[(.*?)\](?:  (.*))?$", self.text, re.MULTILINE)
+        self.assertGreater(len(lines), 100)
+        self.assertEqual(
+            lines, [(name, f"{self.number(entry['value']):.12g}", entry["unit"],
+                     entry.get("remark", "")) for name, entry in self.values.items()])
+        notes = re.findall(r"^# (.*?): (.*)$", self.text, re.MULTILINE)
+        self.assertEqual(dict(notes), self.notes)
+
+    def test_values_are_those_of_the_result_file(self):
+        with h5py.File(FILE, "r") as file:
+            for name in file["body"]:
+                frequency = file[f"body/{name}/frequency"]
+                for j, value in enumerate(frequency[:]):
+                    entry = self.values[f"body.{name}.frequency[{j + 1}]"]
+                    self.assertEqual(entry["unit"], frequency.attrs["unit"])
+                    self.assertAlmostEqual(entry["value"] / value, 1, delta=4e-16)
+            failed = np.count_nonzero(file["analysis/response/status"][:] == 1)
+            self.assertGreater(failed, 0)
+            self.assertEqual(self.values["analysis.response.failed_points"]["value"], failed)
 
 
 if __name__ == "__main__":

@@ -70,6 +70,7 @@ TEST_F(ResultFiles, AreTheSameForAnyRanksAndOrder) {
   run(MPI_COMM_WORLD, folder, 17);
   EXPECT_EQ(text_of(folder / "results.h5"), text_of(reference / "results.h5"));
   EXPECT_EQ(text_of(folder / "summary.txt"), text_of(reference / "summary.txt"));
+  EXPECT_EQ(text_of(folder / "summary.json"), text_of(reference / "summary.json"));
   EXPECT_EQ(text_of(folder / "release/frame-00002.vtu"),
             text_of(reference / "release/frame-00002.vtu"));
   EXPECT_GT(fs::file_size(folder / "results.h5"), 10000U);
