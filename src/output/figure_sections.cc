@@ -18,9 +18,11 @@ void declare_axis(Section &axis) {
           "a Derived of the same analysis.")
       .quantity("Divide by", "", dimension::any, range::any, "",
                 "Value that the quantity is divided by, with its unit; the axis then has no unit.")
-      .text("Divide by largest of", "",
-            "Name of an analysis of the same file, such as one without contact: the quantity is "
-            "divided by its largest value there.")
+      .text(
+          "Divide by largest of", "",
+          "Name of an analysis of the same file, such as one without contact: the quantity is "
+          "divided by its largest value there; that of the figure itself divides each curve by its "
+          "own.")
       .text("Label", "",
             "Name at the axis; symbols between dollar signs, as in TeX. Empty means a "
             "name that is made up.")

@@ -226,6 +226,15 @@ class Tables(unittest.TestCase):
         line = self.points("# drawn as: line\nbeta, eta_d\n12, 1\n13, 2\n")[0]
         self.assertIn(line.get_marker(), ("", "None"))
 
+    def test_rows_of_another_file_under_other_names(self):
+        (self.folder / "other.csv").write_text("f,A,B\n2,3,9\n4,1,9\n")
+        head = "# rows of: other.csv\n# columns: f = frequency [Hz], A = amplitude [mm]\n"
+        line = self.points(head + "# figure: cur*\n")[0]
+        np.testing.assert_allclose(line.get_xydata(), [[4 * np.pi, 1.5], [8 * np.pi, 0.5]])
+        self.assertEqual(self.points(head + "# figure: other\n"), [])
+        done = self.plot(head.replace("A =", "C ="))
+        self.assertIn("other.csv has no column C", done.stderr)
+
     def test_a_table_that_fits_nothing_is_an_error(self):
         done = self.plot("speed [m/s], eta_d\n1, 2\n", "--figure", "curve")
         self.assertEqual(done.returncode, 1)

@@ -13,7 +13,7 @@ from .axis_meaning import Meaning, Panel, note
 from .branch_curves import TYPES as BRANCHES
 from .branch_curves import pieces
 from .branches import KINDS, kind_handles, mark_kinds
-from .choice import choose
+from .choice import choose, is_called
 from .curves import LARGEST_LEGEND, LINES, colour_bar, loose_of, marked
 from .derived import derived_of, pair_of
 from .errors import ResultError
@@ -41,43 +41,53 @@ def figure(results: Results, name: str, section: dict):
         raise ResultError(f"Figure {name}: {error}") from error
 
 
-def analysis_of(results: Results, section: dict) -> Analysis:
-    analysis = results.analysis(section["From"])
-    wanted = [part.strip() for part in section.get("Where", "").split(";") if part.strip()]
-    for request in wanted:
-        before = dict(analysis.chosen)
-        choose(analysis, [request])
-        if analysis.chosen == before:
-            raise ResultError(f"Where: {request}: {analysis.name} has no such axis")
-    return analysis
-
-
-def axes_of(results: Results, section: dict, analyses) -> list[FigureAxis]:
-    return [read_axis(results, section.get(name, {}), analyses)
-            for name in ("Horizontal", "Vertical")]
+def analyses_of(results: Results, section: dict) -> list[Analysis]:
+    """The analysis and, where there is one, its reference, with the chosen points of both."""
+    names = [section["From"], *filter(None, [section.get("Reference", "")])]
+    analyses = [results.analysis(name) for name in names]
+    for request in filter(str.strip, section.get("Where", "").split(";")):
+        axis = request.partition("=")[0].strip()
+        if not any(is_called(name, axis) for analysis in analyses for name in analysis.axes):
+            raise ResultError(f"Where: {request.strip()}: {names[0]} has no such axis")
+        for analysis in analyses:
+            choose(analysis, [request.strip()])
+    return analyses
 
 
 def curve_figure(results: Results, section: dict):
-    analysis = analysis_of(results, section)
-    reference = section.get("Reference", "") and results.analysis(section["Reference"])
-    both = axes_of(results, section, [analysis] + [reference] * bool(reference))
+    analyses = analyses_of(results, section)
+    names, given = several(section["Vertical"]["Quantity"]), several(section.get("Names", ""))
+    sheets = [[read_axis(results, section["Horizontal"], analyses),
+               read_axis(results, section["Vertical"] | {"Quantity": name}, analyses)]
+              for name in names]
     shown, (axes,) = style.panels(1, height=3.0)
     handles = []
-    if reference:
-        curves(axes, reference, both, colour="black", linewidth=1.5)
+    for reference in analyses[1:]:
+        curves(axes, reference, sheets[0], colour="black", linewidth=1.5)
         handles.append(Line2D([], [], color="black", linewidth=1.5,
                               label=section.get("Reference label", "") or reference.name))
-    layout, own = curves(axes, analysis, both)
-    finish(shown, axes, layout, both, handles + own, section)
+    for number, both in enumerate(sheets):
+        colour = style.COLOURS[number % len(style.COLOURS)] if len(sheets) > 1 else None
+        layout, own = curves(axes, analyses[0], both, colour)
+        if colour:
+            own = [Line2D([], [], color=colour, label=given[number] if number < len(given)
+                          else find(analyses[0], names[number]).label)]
+        handles += own
+    finish(shown, axes, layout, sheets, handles, section)
     return shown
 
 
-def finish(shown, axes, layout: Layout, both, handles, section: dict) -> None:
+def several(text: str) -> list[str]:
+    return [name.strip() for name in text.split(",") if name.strip()]
+
+
+def finish(shown, axes, layout: Layout, sheets, handles, section: dict) -> None:
+    both = sheets[0]
     for axis, letter in zip(both, "xy"):
         axis.apply(axes, letter)
     draw_marks(axes, both)
     axes.set_title(section.get("Title", ""))
-    family = layout.cases() if layout.family else []
+    family = layout.cases() if layout.family and len(sheets) == 1 else []
     if len(family) > LARGEST_LEGEND:
         colour_bar(shown, [axes], layout, family)
         style.legend_inside(axes, handles)
@@ -117,8 +127,7 @@ def curves(axes, analysis: Analysis, both, colour=None, **look):
     for case, (number, direction) in itertools.product(layout.cases(), enumerate(directions)):
         index = {**case.index, DIRECTION: direction_index(analysis, direction)}
         chosen = colour or (case.colour if family else style.COLOURS[0])
-        values = [pick(quantity, analysis, index, along) / axis.scale.factor
-                  for quantity, axis in zip(quantities, both)]
+        values = [axis.of(pick(quantity, analysis, index, along)) for quantity, axis in zip(quantities, both)]
         if analysis.type in BRANCHES:
             draw_branches(axes, analysis, index, values, both, chosen)
         else:
@@ -228,8 +237,8 @@ def line_handles(analysis: Analysis, directions, union, colour) -> list[Line2D]:
 
 def map_figure(results: Results, section: dict):
     """Over two axes of the analysis, with derived curves of their plane on top."""
-    analysis = analysis_of(results, section)
-    both = axes_of(results, section, [analysis])
+    analysis = analyses_of(results, section)[0]
+    both = [read_axis(results, section[name], [analysis]) for name in ("Horizontal", "Vertical")]
     colour = read_axis(results, section["Colour"], [analysis])
     quantity = find(analysis, colour.quantity)
     names = tuple(find(analysis, axis.quantity).path for axis in both)

@@ -5,6 +5,7 @@ how it is called.
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -38,6 +39,11 @@ class FigureAxis:
     logarithmic: bool
     range: list[float]
     marks: list[tuple[str, float]]
+    by_own: bool = False  # each curve is divided by its own largest value
+
+    def of(self, values: np.ndarray) -> np.ndarray:
+        """Of one curve, in the numbers at the axis."""
+        return values / (np.nanmax(np.abs(values)) if self.by_own else self.scale.factor)
 
     def apply(self, axes, letter: str) -> None:
         axes.set(**{f"{letter}label": self.scale.label(self.label)})
@@ -53,10 +59,26 @@ def plain(label: str) -> str:
 
 
 def find(analysis: Analysis, name: str) -> Quantity:
-    """A derived quantity, a field, or an axis by its full name or the last part of it."""
+    """One quantity, or a sum such as "- left/gap/minimum - right/gap/minimum"."""
+    terms = re.findall(r"(?:^|\s)([-+]?)\s*(\S+)", name)
+    found = [single(analysis, term) for _, term in terms]
+    if [sign for sign, _ in terms] == [""]:
+        return found[0]
+    if any(term.dimensions != found[0].dimensions for term in found):
+        raise ResultError(f"{name}: these run over different axes")
+    values = sum((-1.0 if sign == "-" else 1.0) * term.values
+                 for (sign, _), term in zip(terms, found))
+    return Quantity(found[0].path, found[0].dimensions, values, found[0].unit, name)
+
+
+def single(analysis: Analysis, name: str) -> Quantity:
+    """A derived quantity, a field, or an axis by its full name or the last part of it. Times of a
+    history count from its beginning."""
     for path in (f"derived/{name}", name):
         if analysis.has(path):
             array = analysis.read(path)
+            if path.endswith("history_time"):
+                array.values = array.values - array.values[..., :1]
             own = path in analysis.axes or analysis.is_coordinate(path)
             return Quantity(path, [path] if own else analysis.dimensions(path), array.values,
                             array.unit, axis_name(analysis, path) if own
@@ -88,7 +110,8 @@ def read_axis(results: Results, section: dict, analyses: list[Analysis]) -> Figu
         name, scale, section.get("Label", "") or quantities[0].label,
         section.get("Scale", "") == "logarithmic",
         numbers(section.get("Range", ""), results.parameters),
-        marks(section.get("Marks", ""), results.parameters))
+        marks(section.get("Marks", ""), results.parameters),
+        section.get("Divide by largest of", "") == analyses[0].name)
 
 
 def divisor(results: Results, section: dict, name: str, unit: str) -> Scale | None:

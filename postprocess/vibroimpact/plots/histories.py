@@ -14,7 +14,6 @@ from .motions import Motion, bases, contact_intervals, contacts_of
 from .results import Analysis, Results
 
 MOST = 3  # points of an analysis whose histories are drawn, unless points are chosen
-SHADES = ["#C9D8E6", "#F3D3C2", "#C7E5DA", "#EBD5E2"]
 MOST_SHADED = 80  # more contacts than that would be a pattern, no information
 ORDER = ["displacement", "absolute_displacement", "velocity", "acceleration", "normal_force", "gap"]
 GROUPS = {"point": "motion", "contact": "contacts", "rotor": "rotors", "connection": "connections"}
@@ -58,10 +57,10 @@ def history(motion: Motion, rows: dict[str, list[str]]):
     time = motion.time()[recent]
     start = time[0] if time[0] > 0 else 0.0
     scale = scale_for("s", time - start)
-    names = list(dict.fromkeys(owner(path) for paths in rows.values() for path in paths))
-    for axes, (quantity, paths) in zip(panels, rows.items()):
-        draw_row(axes, motion, paths, (time - start) / scale.factor, recent, names)
-    handles = [Line2D([], [], color=colour_of(name, names), label=name) for name in names]
+    colours = colours_of(motion, [path for paths in rows.values() for path in paths])
+    for axes, paths in zip(panels, rows.values()):
+        draw_row(axes, motion, paths, (time - start) / scale.factor, recent, colours)
+    handles = [Line2D([], [], color=colour, label=name) for name, colour in colours.items()]
     handles += shade(panels, motion, time, start, scale)
     panels[0].set_title(title(motion))
     panels[-1].set_xlabel(scale.label(f"Time from {start:.5g} s on" if start else "Time"))
@@ -74,15 +73,25 @@ def owner(path: str) -> str:
     return path.split("/")[1]
 
 
-def colour_of(name: str, names: list[str]) -> str:
-    return style.COLOURS[names.index(name) % len(style.COLOURS)]
+def colours_of(motion: Motion, paths: list[str]) -> dict[str, str]:
+    """Of the owners of the paths; a contact has the colour of its shade."""
+    contacts = contacts_of(motion.analysis, motion.base)
+    owners = list(dict.fromkeys((path.split("/")[0], owner(path)) for path in paths))
+    others = [name for group, name in owners if group != "contact"]
+    return {name: contact_colour(contacts.index(name)) if group == "contact"
+            else style.POINT_COLOURS[others.index(name) % len(style.POINT_COLOURS)]
+            for group, name in owners}
 
 
-def draw_row(axes, motion: Motion, paths, time, recent, names) -> None:
+def contact_colour(number: int) -> str:
+    return style.CONTACT_COLOURS[number % len(style.CONTACT_COLOURS)]
+
+
+def draw_row(axes, motion: Motion, paths, time, recent, colours) -> None:
     signals = [motion.signal(path)[recent] for path in paths]
     scale = scale_for(motion.unit(paths[0]), *signals)
     for path, signal in zip(paths, signals):
-        axes.plot(time, signal / scale.factor, color=colour_of(owner(path), names))
+        axes.plot(time, signal / scale.factor, color=colours[owner(path)])
     quantity = paths[0].split("/")[2:]
     label = "contact force" if quantity == ["normal_force"] else quantity_label(quantity[-1])
     axes.set_ylabel(scale.label(label[0].upper() + label[1:]))
@@ -93,15 +102,15 @@ def shade(panels, motion: Motion, time, start: float, scale) -> list[Patch]:
     """Background of the intervals in contact; gives the legend entries."""
     handles = []
     for number, contact in enumerate(contacts_of(motion.analysis, motion.base)):
-        colour = SHADES[number % len(SHADES)]
+        look = dict(color=contact_colour(number), alpha=style.SHADE, linewidth=0)
         inside = [(max(a, time[0]), min(b, time[-1]))
                   for a, b in contact_intervals(motion, contact) if b >= time[0] and a <= time[-1]]
         for a, b in inside if len(inside) <= MOST_SHADED else []:
             for axes in panels:
-                axes.axvspan((a - start) / scale.factor, (b - start) / scale.factor, color=colour,
-                             linewidth=0.3, zorder=0.5)
+                axes.axvspan((a - start) / scale.factor, (b - start) / scale.factor, zorder=0.5,
+                             **look)
         if 0 < len(inside) <= MOST_SHADED:
-            handles.append(Patch(color=colour, label=f"in contact, {contact}"))
+            handles.append(Patch(label=f"in contact, {contact}", **look))
     return handles
 
 

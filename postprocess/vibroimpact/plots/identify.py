@@ -11,8 +11,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from . import style
+from .axis_meaning import Meaning, Panel, note
 from .cases import cases, name_of_grid
-from .labels import scale_for
+from .labels import Scale, scale_for
 from .results import Analysis, Results
 
 SETS = dict(zip(["exact", "corrected", "printed"], style.COLOURS))
@@ -101,6 +102,8 @@ def restitution_over_speed(sheet: Sheet):
     axes.set_xscale("log")
     axes.set(xlabel="Approach speed $v_c$ (m/s)", ylabel=RESTITUTION,
              title=f"Contact {sheet.contact}")
+    note(axes, Panel(Meaning(("approach_speed",), "m/s", Scale(1.0, "m/s")),
+                     Meaning(("restitution_coefficient",), "1", Scale(1.0, ""))))
     style.legend_beside(axes)
     return figure
 

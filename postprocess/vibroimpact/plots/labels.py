@@ -31,12 +31,17 @@ def scale_for(unit: str, *arrays) -> Scale:
     if unit == "Hz" and ANGULAR["frequencies"]:
         return Scale(1 / (2 * np.pi), "rad/s")
     if unit not in UNITS_WITH_PREFIX:
-        return Scale(1.0, TYPESET.get(unit, unit))
+        return Scale(1.0, typeset(unit))
     largest = max((np.nanmax(np.abs(a), initial=0.0) for a in map(finite, arrays)), default=0.0)
     # A picture of 0.9995 m to 1.0005 m should not say 1000 mm at its upper end.
     fitting = [prefix for prefix in PREFIXES if prefix[0] <= largest * 1.0000001]
     factor, letter = fitting[-1] if fitting and largest > 0 else (1.0, "")
-    return Scale(factor, letter + TYPESET.get(unit, unit))
+    return Scale(factor, letter + typeset(unit))
+
+
+def typeset(unit: str) -> str:
+    """Powers above the line."""
+    return TYPESET.get(unit) or re.sub(r"\^\(?(-?[\d.]+)\)?", r"$^{\1}$", unit)
 
 
 def finite(array) -> np.ndarray:

@@ -18,6 +18,10 @@ PANEL_HEIGHT = 1.9
 # Okabe and Ito's palette: eight colours that the common colour-vision deficiencies keep apart;
 # yellow is left out, it is too light for a line.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
+# Contacts have colours of their own, apart from those of the first points; shaded lightly behind.
+CONTACT_COLOURS = ["#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+POINT_COLOURS = ["#0072B2", "#D55E00", "#009E73", "#7F5539", "#6A4C93", "#000000"]
+SHADE = 0.28  # opacity
 SEQUENCE = "viridis"  # of fields
 LINE_SEQUENCE = "plasma"  # of ordered families of lines,
 LINE_RANGE = 0.78  # as far as it is dark enough on white

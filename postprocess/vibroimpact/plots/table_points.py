@@ -8,7 +8,12 @@
 A column is called as a quantity of the figure's axes: by its path in the results, the last parts of it, or
 its label without TeX. A column of the key of a family gives a point the colour of that member; `figure`
 restricts rows to figures whose names match a pattern, `series` names rows in the legend. Other columns,
-such as the page, are left to the reader.
+such as the page, are left to the reader. Instead of rows of its own a table may name another file, whose
+columns it renames, and the figures that show it:
+
+    # rows of: ../reference.csv
+    # columns: f = frequency [Hz], A1 = displacement_x/amplitude [mm]
+    # figure: curve*
 """
 
 from __future__ import annotations
@@ -25,6 +30,7 @@ import numpy as np
 from . import style
 from .axis_meaning import Meaning, Panel, panel_of
 from .errors import ResultError
+from .figure_axes import plain
 from .parameters_text import UNITS, evaluate
 
 LOOKS = {"points": dict(linestyle="", marker="o", markersize=5.0, markerfacecolor="white",
@@ -47,9 +53,11 @@ class Table:
 
 def read(file: Path) -> Table:
     comments, rows = split(file)
+    notes = dict(note for note in map(note_of, comments) if note)
+    if "rows of" in notes:
+        rows = rows_of(file, notes)
     if not rows:
         raise ResultError(f"--overlay {file}: no line with the names of the columns")
-    notes = dict(note for note in map(note_of, comments) if note)
     look = notes.get("drawn as", "points")
     if look not in LOOKS:
         raise ResultError(f"--overlay {file}: drawn as: {look}; it must be points or line")
@@ -62,6 +70,21 @@ def read(file: Path) -> Table:
     for place, title in enumerate(head):
         add_column(table, title, [row[place] for row in body])
     return table
+
+
+def rows_of(file: Path, notes: dict) -> list[list[str]]:
+    """Rows of another file, of the columns that are renamed."""
+    other = file.parent / notes["rows of"]
+    rows = split(other)[1]
+    titles = [part.partition("=")[::2] for part in notes.get("columns", "").split(",")]
+    wanted = [(source.strip(), title.strip()) for source, title in titles]
+    missing = [source for source, _ in wanted if source not in rows[0]]
+    if missing:
+        raise ResultError(f"--overlay {file}: {other} has no column {missing[0]}")
+    places = [rows[0].index(source) for source, _ in wanted]
+    figure = notes.get("figure", "*")
+    return [[title for _, title in wanted] + ["figure"]] + [
+        [row[place] for place in places] + [figure] for row in rows[1:]]
 
 
 def split(file: Path):
@@ -118,8 +141,10 @@ def draw(figure, name: str, table: Table) -> int:
 
 def column(table: Table, meaning: Meaning):
     """In the numbers at the axis, or None."""
-    if meaning.label and meaning.label in table.columns:
-        return table.columns[meaning.label]
+    labelled = [name for name in table.columns
+                if meaning.label and plain(name).lower() == meaning.label.lower()]
+    if labelled:
+        return table.columns[labelled[0]]
     found = [name for name in table.columns if meaning.is_called(name)]
     if not found:
         return None

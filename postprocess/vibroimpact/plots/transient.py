@@ -12,7 +12,7 @@ from .cases import cases, explain
 from .histories import shade
 from .labels import key_label, quantity_label, scale_for, value_text
 from .layout import places
-from .motions import Motion
+from .motions import Motion, finely_sampled
 from .results import Analysis, Array, Results
 
 
@@ -110,7 +110,8 @@ def histories(analysis: Analysis, rows: list[tuple[str, str]], title: str, peaks
         scale = scale_for(field.unit, field.values, peaks[1].values if marked else [])
         if marked:
             handles.append(draw_peaks(axes, analysis, peaks, time_scale, scale))
-        draw(axes, analysis, time, field, time_scale, scale)
+        if not marked or shows_contacts(analysis, path):
+            draw(axes, analysis, time, field, time_scale, scale)
         axes.set_ylabel(scale.label(label))
     panels[0].set_title(title)
     panels[-1].set_xlabel(time_scale.label("Time"))
@@ -150,12 +151,21 @@ def impact_peaks(analysis: Analysis, contact: str):
     return analysis.read(table + "peak_time"), analysis.read(table + "peak_force")
 
 
+def shows_contacts(analysis: Analysis, path: str) -> bool:
+    """Whether the samples follow the contacts of every case; else the table of impacts stands for them."""
+    contact = path.split("/")[1]
+    return all(finely_sampled(Motion(analysis, "", place, ""), contact)
+               for place in places(analysis))
+
+
 def draw_peaks(axes, analysis: Analysis, peaks, time_scale, scale) -> Line2D:
+    """A stem for every impact."""
     times, forces = peaks
     for case in cases(analysis):
-        axes.plot(of_case(times, analysis, case.index) / time_scale.factor,
-                  of_case(forces, analysis, case.index) / scale.factor,
-                  "o", fillstyle="none", color=case.colour)
+        at, height = (of_case(times, analysis, case.index) / time_scale.factor,
+                      of_case(forces, analysis, case.index) / scale.factor)
+        axes.vlines(at, 0, height, color=case.colour, linewidth=0.9)
+        axes.plot(at, height, "o", fillstyle="none", color=case.colour)
     return Line2D([], [], color="#555555", marker="o", fillstyle="none", linestyle="",
                   label="peak of an impact")
 
