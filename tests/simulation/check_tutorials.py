@@ -10,31 +10,60 @@ import sys
 import tempfile
 
 
-def blocks(text, kind):
-    """The code blocks of a kind, in the order of the page."""
-    return re.findall(rf"(?ms)^```{kind}\n(.*?)^```$", text)
+BLOCK = re.compile(r"(?ms)^```(sh fails|sh|prm|text|message)\n(.*?)^```$")
+FILE = re.compile(r"([Ww]rite into|[Aa]dd to) `([^`]+)`")
+
+
+class Page:
+    """A page's blocks in their order, in a folder of their own: a file that the text before it says to write or to add to,
+    commands that must run ("sh") or end with 1 ("sh fails"), a part of what the last command said, lines of a summary."""
+
+    def __init__(self, program, source):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        (self.folder / "params").symlink_to(source / "params")
+        self.names = {"vibroimpact": str(program),
+                      "vibroimpact-plot": str(source / "postprocess" / "vibroimpact-plot")}
+        self.said = ""
+        self.missing = []
+
+    def follow(self, text):
+        end = 0
+        for block in BLOCK.finditer(text):
+            before, end = text[end:block.start()], block.end()
+            kind, content = block.groups()
+            if kind == "prm":
+                self.write(before, content)
+            elif kind == "message":
+                self.missing += [f"not said: {line}" for line in content.splitlines() if line not in self.said]
+            elif kind != "text":
+                self.command(content, 1 if kind == "sh fails" else 0)
+        self.compare([line for kind, content in BLOCK.findall(text) if kind == "text"
+                      for line in content.splitlines() if line])
+
+    def write(self, before, content):
+        how, name = FILE.findall(before)[-1]
+        with (self.folder / name).open("a" if how.lower().startswith("add") else "w",
+                                       encoding="utf-8") as file:
+            file.write(content)
+
+    def command(self, command, wanted):
+        command = re.sub(r"(?m)^(vibroimpact(?:-plot)?) ", lambda found: self.names[found[1]] + " ", command)
+        done = subprocess.run(["sh", "-e", "-c", command], cwd=self.folder, capture_output=True, text=True,
+                              check=False)
+        self.said = done.stdout + done.stderr
+        if done.returncode != wanted:
+            self.missing.append(f"{command}: {self.said}")
+
+    def compare(self, lines):
+        shown = "\n".join(path.read_text(encoding="utf-8")
+                          for path in sorted(self.folder.rglob("summary.txt")))
+        self.missing += [line for line in lines if not is_there(line, shown)]
 
 
 def run(program, source, page):
-    text = page.read_text(encoding="utf-8")
-    folder = pathlib.Path(tempfile.mkdtemp())
-    (folder / "params").symlink_to(source / "params")
-    names = {"vibroimpact": str(program), "vibroimpact-plot":
-             str(source / "postprocess" / "vibroimpact-plot")}
-    files = re.findall(r"write into `([^`]+)`", text)
-    missing = []
-    for command in blocks(text, "sh"):
-        command = re.sub(r"(?m)^(vibroimpact(?:-plot)?) ", lambda found: names[found[1]] + " ", command)
-        done = subprocess.run(["sh", "-e", "-c", command], cwd=folder, capture_output=True, text=True,
-                              check=False)
-        if done.returncode:
-            missing.append(f"{command}: {done.stdout}{done.stderr}")
-        if files:  # after the first command has made the folder
-            (folder / files.pop(0)).write_text(blocks(text, "prm")[0], encoding="utf-8")
-    shown = "\n".join(path.read_text(encoding="utf-8") for path in sorted(folder.rglob("summary.txt")))
-    for block in blocks(text, "text"):
-        missing += [line for line in block.splitlines() if line and not is_there(line, shown)]
-    return missing
+    followed = Page(program, source)
+    followed.follow(page.read_text(encoding="utf-8"))
+    return followed.missing
 
 
 def is_there(line, shown):
@@ -52,7 +81,7 @@ def is_there(line, shown):
 if __name__ == "__main__":
     PROGRAM, SOURCE = (pathlib.Path(value).resolve() for value in sys.argv[1:3])
     PAGES = [pathlib.Path(value) for value in sys.argv[3:]] or [
-        SOURCE / "docs" / "tutorials" / "fit-a-sweep.md"]
+        SOURCE / "docs" / "tutorials" / name for name in ("first-model.md", "fit-a-sweep.md")]
     FOUND = [line for page in PAGES for line in run(PROGRAM, SOURCE, page)]
     print("\n".join(FOUND) or "all commands ran, all lines are there")
     sys.exit(1 if FOUND else 0)

@@ -19,6 +19,8 @@ EPILOG = """--figure may be repeated and takes shell patterns: --figure 'respons
 --at "Clearance=3 mm, 5 mm" --at frequency=2.4 --at direction=forward.
 --overlay may be repeated: --overlay balance --overlay other-results:sweep."""
 
+MOST_DPI = 100  # of animations, which would become large files
+
 
 def main(arguments=None) -> int:
     options = parse(arguments)
@@ -53,9 +55,37 @@ def parse(arguments) -> argparse.Namespace:
     parser.add_argument("--format", choices=["png", "pdf", "svg"], default="png")
     parser.add_argument("--dpi", type=float, default=300, help="of pictures (default: 300)")
     parser.add_argument("--size", type=size, metavar="WxH", help="in inches, such as 6x4")
+    add_animation(parser.add_argument_group("animation", "A motion that was recorded with Frames, "
+                                            "as NAME-motion.gif."))
     parser.add_argument("--output", type=Path, metavar="FOLDER",
                         help="where the figures go (default: figures/ in the result folder)")
     return parser.parse_args(arguments)
+
+
+def add_animation(group) -> None:
+    group.add_argument("--animate", metavar="NAME", help="of this analysis, nothing else is drawn")
+    group.add_argument("--field", help="that colours it (default: von_mises_stress, where it is "
+                                       "known, else displacement)")
+    group.add_argument("--factor", type=float, help="of the displacements (default: such that they "
+                                                    "are well seen)")
+    group.add_argument("--view", type=angles, metavar="AZIMUTH,ELEVATION", default=(-60, 25),
+                       help="in degrees (default: -60,25)")
+    group.add_argument("--frames", type=positive, default=60, help="at most (default: 60)")
+    group.add_argument("--rate", type=positive, default=15, help="frames a second (default: 15)")
+
+
+def positive(text: str) -> int:
+    if not text.isdigit() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"{text}: a whole number greater than 0 is wanted")
+    return int(text)
+
+
+def angles(text: str) -> tuple[float, float]:
+    azimuth, _, elevation = text.partition(",")
+    try:
+        return float(azimuth), float(elevation)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text}: two angles are wanted, such as -60,25") from None
 
 
 def size(text: str) -> tuple[float, float]:
@@ -69,7 +99,31 @@ def size(text: str) -> tuple[float, float]:
     return values
 
 
+def draw_animation(options: argparse.Namespace) -> int:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    from .animation import Style, animate
+    from .style import SETTINGS
+
+    results = options.results if options.results.is_dir() else options.results.parent
+    folder = options.output or results / "figures"
+    folder.mkdir(parents=True, exist_ok=True)
+    file = folder / f"{options.animate}-motion.gif"
+    style = Style(options.field, options.factor, options.view, options.frames, options.rate,
+                  options.size or Style.size, min(options.dpi, MOST_DPI))
+    with plt.rc_context(SETTINGS):
+        animate(results, options.animate, file, style)
+    enter_in_list(results, file)
+    print(file)
+    return 0
+
+
 def draw(options: argparse.Namespace) -> int:
+    if options.animate:
+        return draw_animation(options)
     from .choice import choose
     from .results import Results
 

@@ -1,0 +1,145 @@
+"""Motions as animated pictures: check_animation.py PLOT FOLDER
+
+FOLDER is the example that write_examples makes, PLOT the command vibroimpact-plot.
+"""
+
+import base64
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+PLOT, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
+del sys.argv[1:]
+sys.path.insert(0, str(PLOT.parent))
+
+import matplotlib  # noqa: E402
+
+matplotlib.use("Agg")
+import numpy as np  # noqa: E402
+from PIL import Image  # noqa: E402
+from vibroimpact.plots import animation, vtu  # noqa: E402
+
+
+def run(*arguments):
+    return subprocess.run([PLOT, FOLDER, *arguments], capture_output=True, text=True, check=False)
+
+
+def packed(values, kind):
+    data = np.asarray(values).astype(kind).tobytes()
+    block = zlib.compress(data)
+    header = struct.pack("<4I", 1, len(data), len(data), len(block))
+    return base64.b64encode(header).decode() + base64.b64encode(block).decode()
+
+
+def array(name, values, kind, label, components=1):
+    return (f'<DataArray type="{label}" Name="{name}" NumberOfComponents="{components}" '
+            f'format="binary">{packed(values, kind)}</DataArray>')
+
+
+def write_vtu(file, points, cells, displacement, **scalars):
+    """Quadrilaterals with their corners around them."""
+    ends = np.cumsum([len(cell) for cell in cells])
+    data = array("displacement", displacement, "<f4", "Float32", 3)
+    data += "".join(array(name, values, "<f4", "Float32") for name, values in scalars.items())
+    file.write_text(
+        '<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece>'
+        f'<Points>{array("", points, "<f4", "Float32", 3)}</Points><Cells>'
+        + array("connectivity", np.concatenate(cells), "<i4", "Int32")
+        + array("offsets", ends, "<i4", "Int32") + array("types", [9] * len(cells), "u1", "UInt8")
+        + f"</Cells><PointData>{data}</PointData></Piece></UnstructuredGrid></VTKFile>")
+
+
+SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+
+
+class Command(unittest.TestCase):
+    def test_it_draws_the_instants_of_a_motion(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run("--animate", "release", "--output", folder, "--rate", "5")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            picture = self.enterContext(Image.open(Path(folder, "release-motion.gif")))
+            self.assertEqual((picture.n_frames, picture.info["duration"]), (3, 200))
+            frames = []
+            for number in range(3):
+                picture.seek(number)
+                frames.append(np.asarray(picture.convert("RGB")))
+            self.assertTrue((frames[0][0, 0] == 255).all())
+            self.assertFalse((frames[0] == frames[1]).all())  # it moves
+
+    def test_what_is_not_there_is_said(self):
+        done = run("--animate", "modes_of_it")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("there is no motion modes_of_it.pvd; there are: release", done.stderr)
+        done = run("--animate", "release", "--field", "colour")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("there is no field colour; there are: displacement", done.stderr)
+
+    def test_wrong_numbers_are_refused(self):
+        for option, value in (("--frames", "0"), ("--rate", "-1"), ("--view", "30")):
+            done = run("--animate", "release", f"{option}={value}")
+            self.assertEqual(done.returncode, 2, option)
+            self.assertIn("wanted", done.stderr)
+
+
+class Files(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def test_points_cells_and_data(self):
+        displacement = np.arange(12).reshape(4, 3)
+        write_vtu(self.folder / "a.vtu", SQUARE, [[0, 1, 2, 3]], displacement, contact_gap=[1, 2, 3, 4])
+        mesh = vtu.read_mesh(self.folder / "a.vtu")
+        np.testing.assert_array_equal(mesh.points, SQUARE)
+        np.testing.assert_array_equal(mesh.cells, [[0, 1, 2, 3]])
+        np.testing.assert_array_equal(mesh.data["contact_gap"], [1, 2, 3, 4])
+        np.testing.assert_array_equal(mesh.moved(10), SQUARE + 10 * displacement)
+
+    def test_the_parts_of_an_instant_are_together(self):
+        (self.folder / "m.pvd").write_text(
+            '<VTKFile><Collection><DataSet timestep="0.5" part="0" file="m/frame-00001.vtu"/>'
+            '<DataSet timestep="0.5" part="1" file="m/frame-00001-lines.vtu"/>'
+            '<DataSet timestep="1" part="0" file="m/frame-00002.vtu"/></Collection></VTKFile>')
+        (first, files), (second, _) = vtu.instants(self.folder / "m.pvd")
+        self.assertEqual((first, second), (0.5, 1))
+        self.assertEqual([animation.part_of(file) for file in files], ["frame", "frame lines"])
+
+
+def mesh(displacement, **data):
+    return vtu.Mesh(SQUARE.astype(float), [np.arange(4)],
+                    {"displacement": np.array(displacement, float), **data})
+
+
+class Motion(unittest.TestCase):
+    def test_the_usual_factor_shows_a_tenth_of_the_size(self):
+        motion = [animation.Instant(0, {"frame": mesh(np.zeros((4, 3)))}),
+                  animation.Instant(1, {"frame": mesh([[0, 0, 3e-3], [0, 4e-3, 3e-3], [0] * 3, [0] * 3])})]
+        self.assertAlmostEqual(animation.usual_factor(motion) * 5e-3, 0.1 * np.sqrt(2))
+        self.assertEqual(animation.usual_factor(motion[:1]), 1)
+
+    def test_stress_colours_a_motion_that_has_it(self):
+        still = np.zeros((4, 3))
+        plain, stressed = mesh(still), mesh(still, von_mises_stress=np.full(4, 2e6))
+        self.assertEqual(animation.usual_field([animation.Instant(0, {"frame": plain})]), "displacement")
+        self.assertEqual(animation.usual_field([animation.Instant(0, {"frame": plain, "frame lines": stressed})]),
+                         "von_mises_stress")
+        self.assertTrue(np.isnan(animation.magnitudes(plain, "von_mises_stress")).all())
+
+    def test_stops_on_which_a_force_acts_are_red(self):
+        still = np.zeros((4, 3))
+        def drawn(state):
+            parts = {"frame": mesh(still), "stops": mesh(still, contact_state=np.full(4, state))}
+            instant = animation.Instant(0, parts)
+            picture = animation.Picture([instant], "displacement", 1.0, animation.Style())
+            picture.draw(instant)
+            return matplotlib.colors.to_hex(picture.axes.collections[-1].get_facecolor()[0]).upper()
+        self.assertEqual(drawn(2.0), animation.CONTACT)
+        self.assertEqual(drawn(1.0), animation.STOP)
+
+
+if __name__ == "__main__":
+    unittest.main()
