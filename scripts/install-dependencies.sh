@@ -7,15 +7,15 @@
 set -euo pipefail
 
 packages=(
-  build-essential cmake ninja-build pkg-config
+  build-essential cmake ninja-build pkg-config file
   libdeal.ii-dev petsc-dev slepc-dev libmumps-dev libfftw3-dev libnlopt-dev
   zlib1g-dev
   libhdf5-openmpi-dev libopenmpi-dev openmpi-bin
   libeigen3-dev libboost-dev libboost-serialization-dev libboost-program-options-dev
   libopenblas0-serial
-  python3 python3-h5py python3-matplotlib
+  python3 python3-h5py python3-matplotlib python3-xarray
 )
-test_packages=(libgtest-dev python3-xarray python3-netcdf4 python3-pip)
+test_packages=(libgtest-dev python3-netcdf4 python3-pip python3-pytest)
 
 case "${1-}" in
 "") ;;

@@ -1,4 +1,4 @@
-"""An analysis as one xarray.Dataset.
+"""A group of results.h5 as one xarray.Dataset; vibroimpact.open(folder) hands these out.
 
     from vibroimpact.plots.labelled import open_analysis
     release = open_analysis("output/impacting-beams/results.h5", "release")
@@ -17,7 +17,13 @@ from .results import read_array
 
 
 def open_analysis(file, name: str) -> xarray.Dataset:
-    """All fields by their path, in SI, with their axes as coordinates and their unit as attribute."""
+    """All fields of an analysis."""
+    return open_group(file, f"analysis/{name}")
+
+
+def open_group(file, path: str) -> xarray.Dataset:
+    """All arrays of a group and those below by their path, in SI, with their axes as coordinates; unit
+    and description as attributes (`units` is where xarray's own figures look)."""
     variables = {}
 
     def collect(path, item):
@@ -25,10 +31,12 @@ def open_analysis(file, name: str) -> xarray.Dataset:
             own = [path.replace("/", "_")] if h5py.h5ds.is_scale(item.id) else None
             dimensions = own or [scale_name(dimension) for dimension in item.dims]
             array = read_array(item)
-            variables[own[0] if own else path] = (dimensions, array.values, {"unit": array.unit})
+            attributes = {"unit": array.unit, "units": array.unit,
+                          "description": str(item.attrs.get("description", ""))}
+            variables[own[0] if own else path] = (dimensions, array.values, attributes)
 
     with h5py.File(file, "r") as results:
-        group = results["analysis"][name]
+        group = results[path]
 
         def scale_name(dimension):
             return dimension[0].name[len(group.name) + 1 :].replace("/", "_")
