@@ -379,13 +379,47 @@ end
 """
         self.run_file(MODEL + few, code=1)
         self.assertIn("fewer data than keys: 1 for 2", self.done.stderr)
-        # What only an outcome shows, is the reason of the points.
-        self.write_data(frequency=FREQUENCY + 1)
-        reason = self.results(MODEL + FIT, code=3)["fit"]["reason"].asstr()[0, 0]
-        self.assertIn("which goes from 0.9 to 6.1 Hz", reason)
+
+    def refused(self, text, *words):
+        """Before anything runs: no folder of results is there."""
+        self.file.write_text(text, encoding="utf-8")
+        for arguments in (("--output", "refused"), ("--check",)):
+            done = self.run_program(self.file, *arguments, ranks=2)
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            for word in words:
+                self.assertIn(word, done.stderr)
+            self.assertEqual(done.stderr.count(words[0]), 1)
+        self.assertFalse((self.folder / "refused").exists())
+
+    def test_data_that_do_not_fit_the_quantity_are_refused_before_anything_runs(self):
         self.write_data()
-        text = (MODEL + FIT).replace("Value unit = mm", "Value unit = kg")
-        self.assertIn("Value unit", self.results(text, code=3)["fit"]["reason"].asstr()[0, 0])
+        text = MODEL + FIT
+        self.refused(text.replace("Value unit = mm", "Value unit = kg"), "Data sweep / Value unit",
+                     "kg", "case.prm:")
+        self.refused(text.replace("Value unit = mm", "Value unit = mm\n      set Abscissa unit = s"),
+                     "Data sweep / Abscissa unit", "s")
+        self.refused(text.replace("Value unit = mm",
+                                  "Value unit = mm\n      set Standard deviation = 1 N"),
+                     "Data sweep / Standard deviation", "1 N")
+        self.refused(text.replace("x/amplitude", "x/amplitud"), "Data sweep / Quantity",
+                     "is no field of the analysis curve", "did you mean")
+        weight = """set Value unit = mm
+    end
+    subsection Data weight
+      set Repeat = scales
+      set Quantity = x
+      set Value = 1.8 kg
+    end"""
+        single = text.replace("set Value unit = mm\n    end", weight) + amplitude_at(
+            "scales", "1 Hz", "x", "point/first.mass/absolute_displacement_x/amplitude")
+        self.refused(single, "Data weight / Value", "1.8 kg")
+        self.refused(single.replace("Quantity = x", "Quantity = y"), "Data weight / Quantity",
+                     "'y' is no field")
+        self.refused(single.replace("Quantity = x\n      set Value = 1.8 kg",
+                                    "Quantity = x\n      set File = data.csv"),
+                     "Data weight / Quantity", "along one axis")
+        self.write_data(frequency=FREQUENCY + 1)
+        self.refused(text, "which goes from 0.9 to 6.1 Hz", "Data sweep / Abscissa column")
 
     def test_same_bytes_on_all_ranks_and_after_a_kill(self):
         self.write_data(noise=0.1)

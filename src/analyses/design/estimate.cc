@@ -146,6 +146,12 @@ void Estimate::check_outcomes(const Outcomes &outcomes) const {
                     });
 }
 
+void Estimate::try_outcomes(const Outcomes &outcomes) const {
+  try_data(outcomes,
+           overrides_at(settings_.keys, start_of_search(settings_.keys, settings_.seed, 0)),
+           settings_.data);
+}
+
 // A failed evaluation counts as ten times worse than the worst before it.
 Vector Estimate::residuals(const Vector &coordinates, FitEvaluations &evaluations) const {
   const FitValue &value = evaluations.at(coordinates).value;

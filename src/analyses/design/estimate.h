@@ -39,6 +39,7 @@ public:
   std::string evaluated() const override { return settings_.data.front().analysis(); }
   std::vector<std::string> changed_keys() const override;
   void check_outcomes(const Outcomes &outcomes) const override;
+  void try_outcomes(const Outcomes &outcomes) const override;
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:

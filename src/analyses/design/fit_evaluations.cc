@@ -1,5 +1,6 @@
 #include "analyses/design/fit_evaluations.h"
 
+#include "analyses/design/single_outcomes.h"
 #include "analyses/fields.h"
 #include "common/error.h"
 
@@ -64,6 +65,21 @@ FitValue FitEvaluations::compute(const std::vector<parameters::Override> &overri
       return {.failure = error.what()};
     }
   return value;
+}
+
+void try_data(const Outcomes &outcomes, const std::vector<parameters::Override> &overrides,
+              const std::vector<DataSet> &data) {
+  for (const std::string &analysis : analyses_of(data)) {
+    std::vector<const DataSet *> sets;
+    std::vector<WantedQuantity> quantities;
+    for (const DataSet &set : data)
+      if (set.analysis() == analysis) {
+        sets.push_back(&set);
+        quantities.push_back({set.quantity(), set.place()});
+      }
+    try_quantities(outcomes, analysis, overrides, quantities,
+                   [&](std::size_t i, const Outcome &outcome) { sets[i]->check(outcome); });
+  }
 }
 
 PointResult fit_point(const std::vector<std::size_t> &index, const FitEvaluation &evaluation,

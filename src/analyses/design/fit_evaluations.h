@@ -33,6 +33,11 @@ private:
   const std::vector<DataSet> &data_;
 };
 
+/// Refuses data whose quantities are not there or do not fit them, as far as
+/// Outcomes::try_first_point() shows. InputError.
+void try_data(const Outcomes &outcomes, const std::vector<parameters::Override> &overrides,
+              const std::vector<DataSet> &data);
+
 /// The fields of an evaluation with this index, to which more may be added.
 PointResult fit_point(const std::vector<std::size_t> &index, const FitEvaluation &evaluation,
                       const std::vector<DesignKey> &keys, const std::vector<DataSet> &data);

@@ -130,6 +130,19 @@ std::vector<double> DataSet::deviations(const std::vector<double> &measured,
   return same(size);
 }
 
+void DataSet::check_reach(const Outcome &outcome, const std::vector<double> &abscissa) const {
+  const Axis &axis = outcome.axes.at(0);
+  const auto [first, last] = std::minmax_element(axis.values.begin(), axis.values.end());
+  const double reach = 1e-9 * std::max(std::abs(*first), std::abs(*last));
+  for (const double at : {abscissa.front(), abscissa.back()})
+    if (axis.size() < 2 || at < *first - reach || at > *last + reach)
+      section_.reject("Abscissa column",
+                      "values along the axis " + axis.name + ", which goes from " +
+                          parameters::number_text(*first) + " to " +
+                          parameters::number_text(*last) + " " + axis.unit + "; the data have " +
+                          parameters::number_text(at) + " there");
+}
+
 std::vector<double> DataSet::interpolated(const Outcome &outcome,
                                           const std::vector<double> &abscissa) const {
   std::vector<double> x = outcome.axes.at(0).values, y = outcome.values;
@@ -140,14 +153,6 @@ std::vector<double> DataSet::interpolated(const Outcome &outcome,
   for (const double value : y)
     if (!std::isfinite(value))
       throw NumericalError(quantity_ + " is not finite everywhere along " + outcome.axes[0].name);
-  const double reach = 1e-9 * std::max(std::abs(x.front()), std::abs(x.back()));
-  for (const double at : {abscissa.front(), abscissa.back()})
-    if (x.size() < 2 || at < x.front() - reach || at > x.back() + reach)
-      section_.reject("Abscissa column",
-                      "values along the axis " + outcome.axes[0].name + ", which goes from " +
-                          parameters::number_text(x.front()) + " to " +
-                          parameters::number_text(x.back()) + " " + outcome.axes[0].unit +
-                          "; the data have " + parameters::number_text(at) + " there");
   const auto inside = [&](double at) { return std::clamp(at, x.front(), x.back()); };
   std::vector<double> values;
   if (x.size() < 4) {
@@ -162,36 +167,50 @@ std::vector<double> DataSet::interpolated(const Outcome &outcome,
   return values;
 }
 
-FittedSet DataSet::compare(const Outcome &outcome) const {
-  FittedSet set;
-  set.unit = outcome.unit;
-  if (single_) {
-    if (outcome.values.size() != 1)
-      section_.reject("Quantity", "a single number beside the key Value.");
-    set.abscissa_unit = "1";
-    set.abscissa = {0};
-    set.measured = {section_.quantity_of("Value", outcome.one.dimension) / outcome.one.value};
-    set.model = outcome.values;
-    if (!std::isfinite(set.model[0]))
-      throw NumericalError(quantity_ + " is no finite number");
-  } else {
-    if (outcome.axes.size() != 1 || !outcome.axes[0].labels.empty())
-      section_.reject("Quantity",
-                      "a quantity along one axis with numbers; this one goes over " +
-                          std::to_string(outcome.axes.size()) +
-                          ". A section Derived with Operation = select makes one of it.");
-    const double factor = unit_factor("Abscissa unit", outcome.axis_ones[0]);
-    const double scale = unit_factor("Value unit", outcome.one);
-    set.abscissa_unit = outcome.axes[0].unit;
-    for (std::size_t i = 0; i < value_.size(); ++i) {
-      set.abscissa.push_back(factor * abscissa_[i]);
-      set.measured.push_back(scale * value_[i]);
-    }
-    set.model = interpolated(outcome, set.abscissa);
+DataSet::Measured DataSet::measured_curve(const Outcome &outcome) const {
+  if (outcome.axes.size() != 1 || !outcome.axes[0].labels.empty())
+    section_.reject("Quantity", "a quantity along one axis with numbers; this one goes over " +
+                                    std::to_string(outcome.axes.size()) +
+                                    ". A section Derived with Operation = select makes one of it.");
+  const double factor = unit_factor("Abscissa unit", outcome.axis_ones[0]);
+  const double scale = unit_factor("Value unit", outcome.one);
+  Measured data;
+  for (std::size_t i = 0; i < value_.size(); ++i) {
+    data.abscissa.push_back(factor * abscissa_[i]);
+    data.values.push_back(scale * value_[i]);
   }
-  const std::vector<double> deviation = deviations(set.measured, outcome.one);
+  check_reach(outcome, data.abscissa);
+  return data;
+}
+
+DataSet::Measured DataSet::measured(const Outcome &outcome) const {
+  if (single_ && outcome.values.size() != 1)
+    section_.reject("Quantity", "a single number beside the key Value.");
+  Measured data = single_
+                      ? Measured{.abscissa = {0},
+                                 .values = {section_.quantity_of("Value", outcome.one.dimension) /
+                                            outcome.one.value},
+                                 .deviations = {}}
+                      : measured_curve(outcome);
+  data.deviations = deviations(data.values, outcome.one);
+  return data;
+}
+
+FittedSet DataSet::compare(const Outcome &outcome) const {
+  Measured data = measured(outcome);
+  FittedSet set{.unit = outcome.unit,
+                .abscissa_unit = single_ ? "1" : outcome.axes[0].unit,
+                .abscissa = std::move(data.abscissa),
+                .measured = std::move(data.values),
+                .model = outcome.values,
+                .residual = {}};
+  if (!single_)
+    set.model = interpolated(outcome, set.abscissa);
+  else if (!std::isfinite(set.model[0]))
+    throw NumericalError(quantity_ + " is no finite number");
   for (std::size_t i = 0; i < set.model.size(); ++i)
-    set.residual.push_back(std::sqrt(weight_) / deviation[i] * (set.model[i] - set.measured[i]));
+    set.residual.push_back(std::sqrt(weight_) / data.deviations[i] *
+                           (set.model[i] - set.measured[i]));
   return set;
 }
 

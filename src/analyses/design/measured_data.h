@@ -32,6 +32,10 @@ public:
     return section_.has("Standard deviation") || section_.has("Relative deviation");
   }
 
+  /// Where the file asks for the quantity, for messages.
+  std::string place() const { return section_.place("Quantity"); }
+  /// The checks of compare() that do not need the values of the outcome. InputError.
+  void check(const Outcome &outcome) const { measured(outcome); }
   /// Beside the model's outcome, which is interpolated at the abscissae of the data: by a cubic
   /// that is monotone between its points, or along straight lines through less than four.
   /// InputError when the outcome does not go over one axis with numbers (is no single number), or
@@ -45,6 +49,13 @@ private:
   /// Of each measured value.
   std::vector<double> deviations(const std::vector<double> &measured,
                                  const parameters::Number &one) const;
+  /// The data and their standard deviations, which the outcome gives their units.
+  struct Measured {
+    std::vector<double> abscissa, values, deviations;
+  };
+  Measured measured(const Outcome &outcome) const;
+  Measured measured_curve(const Outcome &outcome) const;
+  void check_reach(const Outcome &outcome, const std::vector<double> &abscissa) const;
   std::vector<double> interpolated(const Outcome &outcome,
                                    const std::vector<double> &abscissa) const;
 

@@ -31,9 +31,10 @@ double single_number(const Outcome &outcome, const std::string &path) {
 }
 
 std::optional<std::vector<Outcome>>
-try_single_numbers(const Outcomes &outcomes, const std::string &analysis,
-                   const std::vector<parameters::Override> &overrides,
-                   const std::vector<WantedQuantity> &quantities) {
+try_quantities(const Outcomes &outcomes, const std::string &analysis,
+               const std::vector<parameters::Override> &overrides,
+               const std::vector<WantedQuantity> &quantities,
+               const std::function<void(std::size_t, const Outcome &)> &check) {
   std::vector<std::string> paths;
   for (const WantedQuantity &quantity : quantities)
     paths.push_back(quantity.path);
@@ -42,7 +43,7 @@ try_single_numbers(const Outcomes &outcomes, const std::string &analysis,
     if (!tried)
       return std::nullopt;
     for (std::size_t i = 0; i < paths.size(); ++i)
-      require_single_number(tried->outcomes[i], paths[i]);
+      check(i, tried->outcomes[i]);
     return tried->outcomes;
   } catch (const InputError &error) {
     const std::string message = error.what();
@@ -51,6 +52,16 @@ try_single_numbers(const Outcomes &outcomes, const std::string &analysis,
         throw InputError(quantity.place + ": " + message);
     throw;
   }
+}
+
+std::optional<std::vector<Outcome>>
+try_single_numbers(const Outcomes &outcomes, const std::string &analysis,
+                   const std::vector<parameters::Override> &overrides,
+                   const std::vector<WantedQuantity> &quantities) {
+  return try_quantities(outcomes, analysis, overrides, quantities,
+                        [&](std::size_t i, const Outcome &outcome) {
+                          require_single_number(outcome, quantities[i].path);
+                        });
 }
 
 } // namespace vibroimpact::analyses

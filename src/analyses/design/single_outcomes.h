@@ -3,6 +3,7 @@
 
 #include "analyses/outcomes.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,15 @@ struct WantedQuantity {
 
 /// InputError when the outcome is no single number, NumericalError when it is not finite.
 double single_number(const Outcome &outcome, const std::string &path);
+
+/// Are the quantities there? InputError with their place when they are not, or when `check`, which
+/// is called with the number and the outcome of each, throws one; none when some seconds do not
+/// suffice to know.
+std::optional<std::vector<Outcome>>
+try_quantities(const Outcomes &outcomes, const std::string &analysis,
+               const std::vector<parameters::Override> &overrides,
+               const std::vector<WantedQuantity> &quantities,
+               const std::function<void(std::size_t, const Outcome &)> &check);
 
 /// Are the quantities there, and single numbers? InputError when they are not; none when some
 /// seconds do not suffice to know.
