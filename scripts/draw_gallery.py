@@ -5,6 +5,7 @@ names the pictures and draws nothing.
 """
 
 import argparse
+import fnmatch
 import os
 import shlex
 import subprocess
@@ -67,16 +68,23 @@ def read(file: Path = LIST) -> Gallery:
     return gallery
 
 
-def draw(gallery: Gallery, systems, build: Path, output: Path, with_long: bool) -> int:
-    wanted = [picture for picture in gallery.pictures
-              if not systems or picture.system in systems]
+@dataclass
+class Places:
+    """Folders of the programs, of the runs, and of the pictures."""
+
+    build: Path
+    output: Path
+    images: Path
+
+
+def draw(gallery: Gallery, wanted: list[Picture], places: Places, with_long: bool) -> int:
     code = 0
     for name in dict.fromkeys(picture.run for picture in wanted):
         run = gallery.runs[name]
         if run.seconds > LONGEST and not with_long:
             print(f"{name}: takes {run.seconds / 60:.0f} minutes, left out without --long")
             continue
-        if execute(build, name, run, output):
+        if execute(name, run, places):
             code = 1
             continue
         batches = defaultdict(list)
@@ -84,24 +92,25 @@ def draw(gallery: Gallery, systems, build: Path, output: Path, with_long: bool) 
             if picture.run == name:
                 batches[picture.system, tuple(picture.options)].append(picture)
         for (system, options), pictures in batches.items():
-            code |= plot(build, output / name, system, options, pictures)
+            code |= plot(name, system, options, pictures, places)
     return code
 
 
-def execute(build: Path, name: str, run: Run, output: Path) -> int:
-    command = [build / "vibroimpact", SOURCE / run.file, "--output", output / name, "--overwrite",
-               *run.options]
+def execute(name: str, run: Run, places: Places) -> int:
+    command = [places.build / "vibroimpact", SOURCE / run.file, "--output", places.output / name,
+               "--overwrite", *run.options]
     done = subprocess.run(command, check=False, stdout=subprocess.DEVNULL)
     print(f"{name}: {'done' if done.returncode == 0 else f'ended with code {done.returncode}'}",
           flush=True)
     return done.returncode
 
 
-def plot(build: Path, results: Path, system: str, options, pictures) -> int:
+def plot(run: str, system: str, options, pictures, places: Places) -> int:
     """All pictures with the same options in one call; they get their names afterwards."""
+    results = places.output / run
     sections = SOURCE / "params" / "figures" / f"{system}.prm"
     with tempfile.TemporaryDirectory() as folder:
-        command = [build / "vibroimpact-plot", results, "--output", folder, "--dpi", DPI]
+        command = [places.build / "vibroimpact-plot", results, "--output", folder, "--dpi", DPI]
         command += ["--sections", sections] if sections.is_file() else []
         for picture in pictures:
             command += ["--figure", picture.figure]
@@ -110,12 +119,11 @@ def plot(build: Path, results: Path, system: str, options, pictures) -> int:
         for picture in pictures:
             drawn = Path(folder, f"{picture.figure}.png")
             if drawn.is_file():
-                target = LIST.parent / "images" / f"{picture.name}.png"
-                target.write_bytes(drawn.read_bytes())
+                (places.images / f"{picture.name}.png").write_bytes(drawn.read_bytes())
                 print(f"  {picture.name}", flush=True)
             else:
                 code = 1
-                print(f"  {picture.name}: {results} has no figure {picture.figure}",
+                print(f"  {picture.name}: {run} has no figure {picture.figure}",
                       file=sys.stderr)
     return code
 
@@ -131,6 +139,8 @@ def main() -> int:
     parser.add_argument("systems", metavar="SYSTEM", nargs="*")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--long", action="store_true")
+    parser.add_argument("--picture", metavar="PATTERN", default="*", help="only these")
+    parser.add_argument("--images", type=Path, default=LIST.parent / "images")
     parser.add_argument("--build", type=Path, default=SOURCE / "build")
     parser.add_argument("--output", type=Path, default=SOURCE / "output" / "gallery")
     options = parser.parse_args()
@@ -139,12 +149,15 @@ def main() -> int:
     unknown = [name for name in options.systems if name not in known]
     if unknown:
         parser.error(f"{unknown[0]} is no system; there are: {', '.join(known)}")
+    wanted = [picture for picture in gallery.pictures
+              if (not options.systems or picture.system in options.systems)
+              and fnmatch.fnmatch(picture.name, options.picture)]
     if options.list:
-        print("\n".join(picture.name for picture in gallery.pictures))
+        print("\n".join(picture.name for picture in wanted))
         return 0
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    return draw(gallery, options.systems, options.build.resolve(), options.output.resolve(),
-                options.long)
+    places = Places(*[path.resolve() for path in (options.build, options.output, options.images)])
+    return draw(gallery, wanted, places, options.long)
 
 
 if __name__ == "__main__":

@@ -67,9 +67,9 @@ void declare_figures(Section &root) {
       .text("Reference label", "",
             "Name of this curve in the legend; empty means that of the "
             "analysis.")
-      .names(
-          "Curves", "",
-          "Derived quantities that are drawn over a map; empty means all that lie in its plane.");
+      .names("Curves", "",
+             "Derived quantities that are drawn over a map, NAME or ANALYSIS:NAME; empty means all "
+             "of the analysis that lie in its plane.");
   for (const char *axis : axes)
     declare_axis(figure.subsection(
         axis, std::string(axis) == "Colour"

@@ -19,7 +19,8 @@ import check_bilinear
 import check_bumpers
 import check_electromechanical
 import check_isolator
-from systems import Table, arguments_of_checks, markdown, shown, signed, write_into
+from page_tables import markdown, write_into
+from systems import Table, arguments_of_checks, shown, signed
 
 HEAD = ("quantity", "reference", "exact", "rk", "exact − reference", "rk − reference",
         "exact − rk")

@@ -3,7 +3,8 @@
 A study runs the shipped files as the checks do, but its table has columns of its own and nothing
 in it decides about an exit code.
 """
-from systems import Table, arguments_of_checks, markdown, write_into
+from page_tables import markdown, write_into
+from systems import Table, arguments_of_checks
 
 
 class Study(Table):

@@ -14,7 +14,7 @@ import typing
 import h5py
 import numpy
 
-BEGIN, END = "<!-- table made by {} -->", "<!-- end of table -->"
+from page_tables import markdown, write_into
 
 
 class Row(typing.NamedTuple):
@@ -141,20 +141,6 @@ class Table:
         good = sum(row.good() for row in self.rows)
         print(f"{good} of {len(self.rows)} within their tolerances")
         sys.exit(0 if good == len(self.rows) else 1)
-
-
-def markdown(lines):
-    """A table whose first line is its head."""
-    lines = [lines[0], ("---",) * len(lines[0]), *lines[1:]]
-    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
-
-
-def write_into(path, name, text):
-    """Puts a table between the marker lines of a page that name what makes it."""
-    page = path.read_text(encoding="utf-8")
-    begin = BEGIN.format(name)
-    first = page.index(begin) + len(begin)
-    path.write_text(page[:first] + "\n" + text + page[page.index(END, first):], encoding="utf-8")
 
 
 def nearest(values, wanted):

@@ -58,7 +58,8 @@ def curve_figure(results: Results, section: dict):
     analyses = analyses_of(results, section)
     names, given = several(section["Vertical"]["Quantity"]), several(section.get("Names", ""))
     sheets = [[read_axis(results, section["Horizontal"], analyses),
-               read_axis(results, section["Vertical"] | {"Quantity": name}, analyses)]
+               read_axis(results, section["Vertical"] | {"Quantity": name},
+                         analyses if name == names[0] else analyses[:1])]
               for name in names]
     shown, (axes,) = style.panels(1, height=3.0)
     handles = []
@@ -138,11 +139,11 @@ def curves(axes, analysis: Analysis, both, colour=None, **look):
 
 def along_of(analysis: Analysis, quantities: list[Quantity]) -> str:
     """The dimension along which a curve runs: that of a coordinate, else the last that both have."""
-    if analysis.type in BRANCHES and quantities[0].dimensions != [quantities[0].path]:
+    if analysis.type in BRANCHES and not quantities[0].is_coordinate:
         return quantities[0].dimensions[-1]
     for quantity in quantities:
-        if quantity.dimensions == [quantity.path]:
-            return quantity.path
+        if quantity.is_coordinate:
+            return quantity.dimensions[0]
     common = [name for name in quantities[0].dimensions
               if name in quantities[1].dimensions and name != DIRECTION]
     if not common:
@@ -171,7 +172,7 @@ def field(analysis: Analysis, path: str, index: dict, along: str) -> np.ndarray:
 
 
 def draw_curve(axes, analysis, index, along, quantities, values, both, colour, look) -> None:
-    swapped = quantities[1].path == along
+    swapped = quantities[1].dimensions == [along]
     coordinate, curve = reversed(values) if swapped else values
     scale = both[1 if swapped else 0].scale
     whole = any(set(quantity.dimensions) >= set(analysis.axes) for quantity in quantities)
@@ -246,9 +247,7 @@ def map_figure(results: Results, section: dict):
         if name not in analysis.axes:
             raise ResultError(f"{axis.quantity} is no axis of a map of {analysis.name}")
         analysis.shown[name] = (axis.scale, axis.label)
-    wanted = [name.strip() for name in section.get("Curves", "").split(",") if name.strip()]
-    over = [entry for entry in derived_of(analysis) if set(pair_of(entry)) == set(names)
-            and (entry.name in wanted if wanted else len(maps.levels_of(entry)) <= 2)]
+    over = overlays(results, section, analysis, names)
     values = plane(quantity, analysis, names)
     shown = maps.draw_map(maps.Map(analysis, names, values, quantity.unit, colour.label,
                                    section.get("Title", "")), over, colour.scale, colour.range)
@@ -258,6 +257,19 @@ def map_figure(results: Results, section: dict):
     draw_marks(axes, both)
     note(axes, Panel(*[meaning(analysis, axis) for axis in both]))
     return shown
+
+
+def overlays(results: Results, section: dict, analysis: Analysis, names) -> list:
+    """Derived curves of the plane: those listed in Curves, NAME or ANALYSIS:NAME, else all of the analysis."""
+    found = []
+    for wanted in several(section.get("Curves", "")):
+        other, _, name = wanted.rpartition(":")
+        source = results.analysis(other) if other else analysis
+        source.shown = analysis.shown
+        found += [entry for entry in derived_of(source) if entry.name == name]
+    if not section.get("Curves", ""):
+        found = [entry for entry in derived_of(analysis) if len(maps.levels_of(entry)) <= 2]
+    return [entry for entry in found if set(pair_of(entry)) == set(names)]
 
 
 def plane(quantity: Quantity, analysis: Analysis, names) -> np.ndarray:

@@ -28,6 +28,10 @@ class Quantity:
     unit: str
     label: str
 
+    @property
+    def is_coordinate(self) -> bool:
+        return self.dimensions == [self.path.rsplit("/", 1)[-1]]
+
 
 @dataclass(frozen=True)
 class FigureAxis:
@@ -80,7 +84,8 @@ def single(analysis: Analysis, name: str) -> Quantity:
             if path.endswith("history_time"):
                 array.values = array.values - array.values[..., :1]
             own = path in analysis.axes or analysis.is_coordinate(path)
-            return Quantity(path, [path] if own else analysis.dimensions(path), array.values,
+            return Quantity(path, [path.rsplit("/", 1)[-1]] if own
+                            else analysis.dimensions(path), array.values,
                             array.unit, axis_name(analysis, path) if own
                             else label_of(analysis, path))
     for axis in analysis.axes:

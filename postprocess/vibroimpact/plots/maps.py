@@ -21,6 +21,7 @@ from .results import Analysis, Results
 
 LEVELS = 12
 MOST_LEVELS = 2  # level lines of more levels have a figure of their own
+FEW_POINTS = 20  # of a curve that shows each of them
 LEAST_ROWS = 8  # fewer curves than that are a family, no map
 OVERLAYS = ["#D55E00", "#000000", "#CC79A7", "#56B4E9", "#E69F00"]
 LINES = ["-", "--", "-.", ":"]
@@ -228,7 +229,8 @@ def draw_curve(axes, names, entry: Derived, direction: str, look: dict, text: st
     effects = [Stroke(linewidth=3, foreground="white"), Normal()]
     for curve in values.reshape(len(where), -1).T:
         pair = (where, curve) if names[0] == along else (curve, where)
-        axes.plot(*pair, linewidth=1.4, path_effects=effects, marker="o", markersize=2, **look)
+        few = dict(marker="o", markersize=2) if len(where) <= FEW_POINTS else {}
+        axes.plot(*pair, linewidth=1.4, path_effects=effects, **few, **look)
     return Line2D([], [], linewidth=1.4, label=text, **look)
 
 

@@ -36,6 +36,7 @@ from .parameters_text import UNITS, evaluate
 LOOKS = {"points": dict(linestyle="", marker="o", markersize=5.0, markerfacecolor="white",
                         markeredgewidth=1.2, zorder=4),
          "line": dict(linestyle=(0, (4, 1.5, 1, 1.5)), linewidth=1.0, zorder=3)}
+MARKERS = "osD^v"  # of the series of points in a figure
 NEAR = 1e-3  # of a member's value: a row belongs to it
 SPECIAL = ("figure", "series")
 
@@ -127,11 +128,13 @@ def draw(figure, name: str, table: Table) -> int:
         x, y = (column(table, meaning) for meaning in (panel.x, panel.y))
         if x is None or y is None:
             continue
-        for text, rows in series(table, name):
+        for number, (text, rows) in enumerate(series(table, name)):
+            look = dict(LOOKS[table.look])
+            if look["linestyle"] == "":
+                look["marker"] = MARKERS[number % len(MARKERS)]
             rows = rows & np.isfinite(x) & np.isfinite(y)
             for colour, part in members(table, panel, rows):
-                line = axes.plot(x[part], y[part], color=colour, label="_points",
-                                 **LOOKS[table.look])[0]
+                line = axes.plot(x[part], y[part], color=colour, label="_points", **look)[0]
                 handles.setdefault(text, line)
                 drawn += int(part.sum())
     if handles:
