@@ -12,9 +12,10 @@ SOURCE = Path(sys.argv[1]).resolve()
 BUILD = Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else None
 del sys.argv[1:]
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(SOURCE / "scripts"), str(SOURCE / "postprocess")]
+sys.path[:0] = [str(SOURCE / place) for place in ("scripts", "postprocess", "tests/verification")]
 
 import draw_gallery  # noqa: E402
+import page_tables  # noqa: E402
 from vibroimpact.plots import table_points  # noqa: E402
 from vibroimpact.plots.parameters_text import sections  # noqa: E402
 
@@ -73,6 +74,28 @@ class List(unittest.TestCase):
         for page in GALLERY.glob("*.md"):
             for text in re.findall(r"!\[([^\]]*)\]\(images/[a-z]+-fig-", page.read_text()):
                 self.assertTrue(text.strip(), page.name)
+
+
+class LongTables(unittest.TestCase):
+    def test_a_long_table_leaves_some_rows_and_a_link(self):
+        head = ("quantity", "paper", "reference")
+        rows = [(f"|z| {i}", "7" if i == 20 else "", "1 **beyond tolerance**" if i == 25 else "1")
+                for i in range(30)]
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder, "page.md")
+            page.write_text("a\n<!-- table made by check_it.py -->\n<!-- end of table -->\nb\n")
+            page_tables.write_into(page, "check_it.py", page_tables.markdown([head, *rows]))
+            text = page.read_text()
+            self.assertIn("30 rows in all: [tables/page-check-it.csv](tables/page-check-it.csv)",
+                          text)
+            self.assertEqual([i for i in range(30) if f"| |z| {i} |" in text],
+                             [0, 1, 2, 3, 4, 5, 20, 25])
+            lines = Path(folder, "tables", "page-check-it.csv").read_text().splitlines()
+            self.assertEqual(lines, [",".join(head), *map(",".join, rows)])
+
+    def test_a_short_table_stands_whole(self):
+        text = page_tables.markdown([("a",), ("1",)])
+        self.assertEqual(page_tables.shortened(Path("page.md"), "check_it.py", text), text)
 
 
 @unittest.skipUnless(BUILD, "no folder of programs")

@@ -86,11 +86,11 @@ def draw_edges(axes, analysis, root, place, direction, time, frequency, x_scale,
     edge = analysis.read(f"{root}wavelet_edge")
     width = edge.values if edge.values.ndim == 1 else place.pick(analysis, edge, direction)
     width = np.minimum(width, (time[-1] - time[0]) / 2)
-    look = dict(facecolor="#FFFFFF55", edgecolor="white", hatch="////", linewidth=0.8)
+    look = dict(facecolor="none", edgecolor="#FFFFFFAA", hatch="/", linewidth=0.6)
     y = frequency / y_scale.factor
     axes.fill_betweenx(y, time[0] / x_scale.factor, (time[0] + width) / x_scale.factor, **look)
     axes.fill_betweenx(y, (time[-1] - width) / x_scale.factor, time[-1] / x_scale.factor, **look)
-    return [Patch(facecolor="#BBBBBB", edgecolor="white", hatch="////",
+    return [Patch(facecolor="#BBBBBB", edgecolor="white", hatch="/",
                   label="the ends of the record show")]
 
 
