@@ -5,7 +5,6 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import unittest.mock
 from pathlib import Path
 
 PROGRAM = Path(sys.argv[1]).resolve()
@@ -14,9 +13,7 @@ del sys.argv[1:]
 sys.dont_write_bytecode = True
 sys.path[:0] = [str(PROGRAM.parent), str(Path(__file__).resolve().parent)]
 
-from vibroimpact.plots import (  # noqa: E402
-    cases, choice, curves, labels, parameters_text, style, transient,
-)
+from vibroimpact.plots import cases, choice, curves, labels, parameters_text, style  # noqa: E402
 from vibroimpact.plots.figure_list import figures  # noqa: E402
 from vibroimpact.plots.labelled import open_analysis  # noqa: E402
 from vibroimpact.plots.results import Results  # noqa: E402
@@ -24,7 +21,6 @@ from vibroimpact.plots.results import Results  # noqa: E402
 import h5py  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from matplotlib.colors import to_rgb  # noqa: E402
 
 from plot_examples import Writer, write_all  # noqa: E402
 from shell_plot_examples import pipe_nodes, plate_nodes, write_shells  # noqa: E402
@@ -146,24 +142,6 @@ class Figures(unittest.TestCase):
                     self.assertLess(abs(instant - largest), 0.2 * duration)
                 plt.close(figure)
 
-    def test_impacts_are_stems_where_samples_miss_them(self):
-        with Results(FOLDER) as results:
-            release = next(a for a in results.analyses() if a.name == "release")
-            peaks = release.read("contact/heads/impact/peak_force").values.ravel()
-            draw = dict(figures(results, release))["release-contact-heads"]
-            samples = len(release.read("time").values)
-            longest = {}
-            for fine in (True, False):
-                with unittest.mock.patch.object(transient, "shows_contacts", lambda *_: fine):
-                    axes = draw().axes[0]
-                stems = axes.collections[0].get_segments()
-                np.testing.assert_allclose([stem[0][1] for stem in stems], 0)
-                heights = np.array([stem[1][1] for stem in stems])
-                np.testing.assert_allclose(heights / heights[0], peaks / peaks[0])
-                longest[fine] = max(len(line.get_xdata()) for line in axes.get_lines())
-            self.assertGreaterEqual(longest[True], samples)
-            self.assertLess(longest[False], samples)
-
     def test_large_families_get_a_colour_bar(self):
         for module in (cases, curves):
             self.addCleanup(setattr, module, "LARGEST_LEGEND", module.LARGEST_LEGEND)
@@ -245,16 +223,6 @@ class Kinds(unittest.TestCase):
                  for patch in axes[0].patches]
         np.testing.assert_allclose([[span.x0, span.x1] for span in spans],
                                    [[1 / 12, 5 / 12], [13 / 12, 17 / 12]], atol=0.005)
-
-    def test_a_contact_has_one_colour_and_points_have_others(self):
-        force = self.axes("orbits-history-contacts-1")[0]
-        self.assertEqual(to_rgb(force.get_lines()[0].get_color()),
-                         tuple(force.patches[0].get_facecolor()[:3]))
-        motion = self.axes("orbits-history-motion-1")[0]
-        self.assertEqual(tuple(motion.patches[0].get_facecolor()[:3]),
-                         to_rgb(force.get_lines()[0].get_color()))
-        self.assertNotIn(to_rgb(force.get_lines()[0].get_color()),
-                         [to_rgb(line.get_color()) for line in motion.get_lines()])
 
     def test_cycles_and_portraits_have_a_panel_for_each_motion(self):
         for name in ("orbits-cycle-stop", "orbits-force-displacement-first.mass-x",

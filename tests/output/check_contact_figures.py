@@ -1,0 +1,62 @@
+"""Contacts in figures of motions: check_contact_figures.py PROGRAM FOLDER"""
+
+import sys
+import tempfile
+import unittest
+import unittest.mock
+from pathlib import Path
+
+PROGRAM = Path(sys.argv[1]).resolve()
+FOLDER = Path(sys.argv[2])
+del sys.argv[1:]
+sys.dont_write_bytecode = True
+sys.path[:0] = [str(PROGRAM.parent), str(Path(__file__).resolve().parent)]
+
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.colors import to_rgb  # noqa: E402
+from plot_examples import write_all  # noqa: E402
+from vibroimpact.plots import transient  # noqa: E402
+from vibroimpact.plots.figure_list import figures  # noqa: E402
+from vibroimpact.plots.results import Results  # noqa: E402
+
+
+class Contacts(unittest.TestCase):
+    def setUp(self):
+        self.addCleanup(plt.close, "all")
+
+    def test_impacts_are_stems_where_samples_miss_them(self):
+        with Results(FOLDER) as results:
+            release = next(a for a in results.analyses() if a.name == "release")
+            peaks = release.read("contact/heads/impact/peak_force").values.ravel()
+            draw = dict(figures(results, release))["release-contact-heads"]
+            samples = len(release.read("time").values)
+            longest = {}
+            for fine in (True, False):
+                with unittest.mock.patch.object(transient, "shows_contacts", lambda *_: fine):
+                    axes = draw().axes[0]
+                stems = axes.collections[0].get_segments()
+                np.testing.assert_allclose([stem[0][1] for stem in stems], 0)
+                heights = np.array([stem[1][1] for stem in stems])
+                np.testing.assert_allclose(heights / heights[0], peaks / peaks[0])
+                longest[fine] = max(len(line.get_xdata()) for line in axes.get_lines())
+            self.assertGreaterEqual(longest[True], samples)
+            self.assertLess(longest[False], samples)
+
+    def test_a_contact_has_one_colour_and_points_have_others(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write_all(Path(folder))
+            with Results(Path(folder)) as results:
+                known = dict(figures(results, results.analysis("orbits")))
+                force, motion = (known[f"orbits-history-{name}-1"]().axes[0]
+                                 for name in ("contacts", "motion"))
+        self.assertEqual(to_rgb(force.get_lines()[0].get_color()),
+                         tuple(force.patches[0].get_facecolor()[:3]))
+        self.assertEqual(tuple(motion.patches[0].get_facecolor()[:3]),
+                         to_rgb(force.get_lines()[0].get_color()))
+        self.assertNotIn(to_rgb(force.get_lines()[0].get_color()),
+                         [to_rgb(line.get_color()) for line in motion.get_lines()])
+
+
+if __name__ == "__main__":
+    unittest.main()
