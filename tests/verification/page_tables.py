@@ -22,6 +22,25 @@ def write_into(path, name, text):
     path.write_text(page[:first] + "\n" + text + page[page.index(END, first):], encoding="utf-8")
 
 
+def table_in(path, name):
+    """The cells of the table that a page has from a script, line by line, without its head; of a long one
+    all lines of its CSV, which those on the page must be among."""
+    page = path.read_text(encoding="utf-8")
+    begin = BEGIN.format(name)
+    first = page.index(begin) + len(begin)
+    lines = [line for line in page[first:page.index(END, first)].splitlines() if line.startswith("|")]
+    shown = [cells(line) for line in lines[2:]]
+    file = path.parent / "tables" / f"{path.stem}-{slug(name)}.csv"
+    if not file.exists():
+        return shown
+    with open(file, encoding="utf-8", newline="") as stream:
+        rows = [tuple(row) for row in csv.reader(stream)][1:]
+    foreign = [row for row in shown if row not in rows]
+    if foreign:
+        raise ValueError(f"{path} shows what {file.name} does not have: {foreign[0]}")
+    return rows
+
+
 def shortened(path, name, text):
     """The text for the page; a long table goes into tables/ beside it."""
     lines = text.splitlines()

@@ -14,7 +14,7 @@ import typing
 import h5py
 import numpy
 
-from page_tables import markdown, write_into
+from page_tables import markdown, table_in, write_into
 
 
 class Row(typing.NamedTuple):
@@ -49,6 +49,16 @@ class Row(typing.NamedTuple):
         return (self.quantity, shown(self.paper, "g"), shown(self.reference), shown(self.value),
                 last)
 
+    def agrees_with(self, cells):
+        """Does a line of a page have this quantity, the same references, and a figure within the
+        tolerance of the new one?"""
+        if tuple(cells[:3]) != tuple(text.strip() for text in self.cells()[:3]):
+            return False
+        if isinstance(self.value, tuple):
+            return cells[3] == shown(self.value)
+        allowed = self.tolerance * (1 if self.absolute else abs(self.value)) + 1e-6 * abs(self.value)
+        return abs(self.value - float(cells[3])) <= allowed
+
 
 def shown(value, precision=".7g"):
     """A number, a tuple of whole numbers or nothing as the text of a cell."""
@@ -67,6 +77,8 @@ def arguments_of_checks():
     parser.add_argument("program", help="the vibroimpact program")
     parser.add_argument("source", type=pathlib.Path, help="folder of the source")
     parser.add_argument("--page", type=pathlib.Path, help="page that takes up the table")
+    parser.add_argument("--compare", type=pathlib.Path,
+                        help="page whose table must have these figures")
     parser.add_argument("--keep", type=pathlib.Path, help="folder that keeps the results")
     parser.add_argument("--ranks", type=int, default=1, help="ranks of the runs")
     return parser
@@ -140,7 +152,16 @@ class Table:
             write_into(self.arguments.page, self.script, text)
         good = sum(row.good() for row in self.rows)
         print(f"{good} of {len(self.rows)} within their tolerances")
-        sys.exit(0 if good == len(self.rows) else 1)
+        stale = self.stale_rows() if self.arguments.compare else []
+        for quantity in stale:
+            print(f"{self.arguments.compare}: not what was computed now: {quantity}")
+        sys.exit(0 if good == len(self.rows) and not stale else 1)
+
+    def stale_rows(self):
+        """Quantities that the page to compare does not have, or with other figures. It may have more
+        of them: not every run computes all."""
+        lines = table_in(self.arguments.compare, self.script)
+        return [row.quantity for row in self.rows if not any(map(row.agrees_with, lines))]
 
 
 def nearest(values, wanted):
