@@ -71,7 +71,7 @@ void Trajectory::change_mode(double instant, std::size_t contact, std::size_t gu
                      .before = &before_,
                      .guard = &passed,
                      .layout = &layout()};
-  const double held = equations_.contact_energy(contact, event.from, local);
+  const double stored = integrals_ ? equations_.contact_energy(contact, event.from, local) : 0;
   double *const internal = state.data() + layout().internal() + pair.internal_offset;
   for (std::size_t i = 0; i < passed.reset.size(); ++i)
     internal[i] = passed.reset[i](local);
@@ -79,9 +79,10 @@ void Trajectory::change_mode(double instant, std::size_t contact, std::size_t gu
   const bool apart = !equations_.mode(contact).in_contact;
   equations_.set_mode(contact, passed.target);
   event.onset = apart && equations_.mode(contact).in_contact;
-  // What the new mode holds no more is lost at this instant.
-  state[layout().contact_work(static_cast<Index>(contact))] +=
-      held - equations_.contact_energy(contact, event.to, local);
+  // What the new mode stores no more is lost at this instant.
+  if (integrals_)
+    state[layout().contact_work(static_cast<Index>(contact))] +=
+        stored - equations_.contact_energy(contact, event.to, local);
   observer.event(event);
   ++events_;
 }

@@ -36,10 +36,10 @@ Flow StroboscopicMap::flow(double from, double to, const Vector &state) const {
   for (ForcedKey *key : keys_)
     keys.push_back(&key->tangent);
   PatternObserver pattern(system_.contacts(), begin);
-  const motion::LinearisedMotion motion =
+  motion::LinearisedMotion motion =
       (*lineariser_)({.time = begin, .physical = state}, end, keys, &pattern);
-  Flow flow{.state = motion.end.physical,
-            .by_state = motion.by_state,
+  Flow flow{.state = std::move(motion.end.physical),
+            .by_state = std::move(motion.by_state),
             .by_keys = Matrix(size(), static_cast<Index>(keys_.size())),
             .pattern = pattern.pattern(end),
             .determinant = motion.determinant,
@@ -66,9 +66,11 @@ Flow StroboscopicMap::image(const Section &section, const Vector &state) const {
   begin(unseen).setZero();
   Flow image = flow(section.phase, section.phase + section.length(), begin);
   image.by_state(Eigen::all, unseen).setZero();
-  image.state = mirrored(section, image.state);
-  image.by_state = mirrored(section, image.by_state);
-  image.by_keys = mirrored(section, image.by_keys);
+  if (section.with_symmetry()) {
+    image.state = mirrored(section, image.state);
+    image.by_state = mirrored(section, image.by_state);
+    image.by_keys = mirrored(section, image.by_keys);
+  }
   return image;
 }
 

@@ -178,9 +178,8 @@ protected:
     }
     Trajectory trajectory(parts.model, parts.contacts,
                           {.relative_tolerance = 1e-13, .event_tolerance = 1e-15});
-    const LinearisedMotion motion =
-        linearise(trajectory, {.time = start_time, .physical = start()}, end,
-                  {.scale = Vector::Ones(n_states()), .tolerance = 1e-13}, list);
+    Lineariser linearise(trajectory, {.scale = Vector::Ones(n_states()), .tolerance = 1e-13});
+    const LinearisedMotion motion = linearise({.time = start_time, .physical = start()}, end, list);
     Outcome outcome{.derivatives =
                         Matrix(n_states(), n_states() + static_cast<Index>(keys().size())),
                     .state = motion.end.physical,

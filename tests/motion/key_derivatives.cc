@@ -55,8 +55,9 @@ struct Family {
     const Parts parts = make(value);
     KeyTangent key = tangent(parts);
     Trajectory trajectory(parts.model, parts.contacts, settings());
-    return linearise(trajectory, start, end,
-                     {.scale = Vector::Ones(start.physical.size()), .tolerance = 1e-12}, {&key});
+    Lineariser linearise(trajectory,
+                         {.scale = Vector::Ones(start.physical.size()), .tolerance = 1e-12});
+    return linearise(start, end, {&key});
   }
   Vector flow(double of, Index *events = nullptr) const {
     const Parts parts = make(of);

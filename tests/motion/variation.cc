@@ -243,9 +243,8 @@ TEST(VariationTest, EndOfContactAtTheRoundingOfTheInstant) {
     thrown.start = {.time = 0.613, .physical = state_of({-0.00525, 0.49 + 1e-4 * i})};
     Trajectory trajectory(thrown.model, thrown.contacts, thrown.settings());
     LinearisedMotion motion;
-    ASSERT_NO_THROW(motion = linearise(trajectory, thrown.start, thrown.end,
-                                       {.scale = Vector::Ones(2), .tolerance = 1e-12}))
-        << i;
+    Lineariser linearise(trajectory, {.scale = Vector::Ones(2), .tolerance = 1e-12});
+    ASSERT_NO_THROW(motion = linearise(thrown.start, thrown.end)) << i;
     EXPECT_GE(motion.events, 2);
     EXPECT_NEAR(motion.by_state.determinant() / motion.determinant.value(), 1, 1e-9) << i;
   }
@@ -266,8 +265,8 @@ TEST(VariationTest, BeginOfContactAsCloseAsEventsAreLocated) {
                               .relative_tolerance = closely ? 1e-13 : 1e-11,
                               .event_tolerance = closely ? 1e-15 : 1e-12};
       Trajectory trajectory(impact.model, impact.contacts, settings);
-      const LinearisedMotion motion =
-          linearise(trajectory, start, impact.end, {.scale = Vector::Ones(2), .tolerance = 1e-12});
+      Lineariser linearise(trajectory, {.scale = Vector::Ones(2), .tolerance = 1e-12});
+      const LinearisedMotion motion = linearise(start, impact.end);
       EXPECT_GE(motion.events, 1);
       columns[closely ? 0 : 1] = motion.by_state;
     }

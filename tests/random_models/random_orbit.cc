@@ -83,8 +83,8 @@ private:
     motion::Trajectory trajectory(system_->model, system_->contacts, tight(*system_));
     trajectory.start(window_.start);
     projection_ = motion::Variation(trajectory, scale_, tolerance).projection().by_state;
-    const motion::LinearisedMotion motion = motion::linearise(
-        trajectory, window_.start, window_.end, {.scale = scale_, .tolerance = tolerance});
+    motion::Lineariser linearised(trajectory, {.scale = scale_, .tolerance = tolerance});
+    const motion::LinearisedMotion motion = linearised(window_.start, window_.end);
     matrix_ = scale_.asDiagonal() * motion.by_state * scale_.cwiseInverse().asDiagonal();
   }
 

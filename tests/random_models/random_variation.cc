@@ -154,9 +154,9 @@ private:
     projection_ = motion::Variation(trajectory, scale_, variation_tolerance, tangents).projection();
     try {
       const double with = seconds_of(
-          [&] { own_ = motion::linearise(trajectory, window_.start, window_.end, accuracy); });
+          [&] { own_ = motion::Lineariser(trajectory, accuracy)(window_.start, window_.end); });
       verdict_.cost = with / seconds_;
-      own_ = motion::linearise(trajectory, window_.start, window_.end, accuracy, tangents);
+      own_ = motion::Lineariser(trajectory, accuracy)(window_.start, window_.end, tangents);
     } catch (const NumericalError &error) {
       verdict_.word = "wrong";
       verdict_.detail = error.what();

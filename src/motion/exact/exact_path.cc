@@ -165,20 +165,22 @@ bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
 void ExactPath::prepare_monitoring(KnownPhase &known) {
   if (!observer_->monitor)
     return;
+  const long monitor = observer_->monitor->identity();
+  if (!known.monitored || known.monitored->monitor != monitor)
+    std::swap(known.monitored, known.monitored_before);
   const long excitation = exact_phases_.excitation().generation();
-  if (known.monitored.monitor != observer_->monitor->identity()) {
+  if (!known.monitored || known.monitored->monitor != monitor) {
     std::vector<MonitoredForm> forms;
     observer_->monitor->add_forms(equations_, forms);
-    known.outputs.reset();
-    known.monitored = {.monitor = observer_->monitor->identity(), .forms = MonitoredForms(forms)};
+    known.monitored = std::make_unique<MonitoredOutputs>(
+        MonitoredOutputs{.monitor = monitor, .forms = MonitoredForms(forms)});
+    if (!forms.empty())
+      known.monitored->outputs =
+          std::make_unique<ExactOutputs>(known.monitored->forms, known.phase());
+  } else if (known.monitored->outputs && known.monitored->excitation != excitation) {
+    known.monitored->outputs->renew();
   }
-  if (known.monitored.forms.ranges.empty())
-    return;
-  if (!known.outputs)
-    known.outputs = std::make_unique<ExactOutputs>(known.monitored.forms, known.phase());
-  else if (known.outputs_excitation != excitation)
-    known.outputs->renew();
-  known.outputs_excitation = excitation;
+  known.monitored->excitation = excitation;
 }
 
 // A part of a phase is reported as a whole, and is not longer than its work integrals stay exact.
@@ -209,8 +211,8 @@ void ExactPath::end_part(double time, const double *amplitudes) {
     known_->linear->work(equations_).add(part_, amplitudes, time - part_start_, state_);
   if (!observer_->monitor)
     return;
-  if (!known_->monitored.forms.ranges.empty())
-    known_->outputs->include(part_, amplitudes, time - part_start_);
+  if (known_->monitored->outputs)
+    known_->monitored->outputs->include(part_, amplitudes, time - part_start_);
   observer_->monitor->part_done(equations_, part_start_, time);
 }
 

@@ -84,15 +84,17 @@ private:
   // What an observer monitors of a phase.
   struct MonitoredOutputs {
     long monitor = -1;
-    MonitoredForms forms{{}};
+    MonitoredForms forms;
+    std::unique_ptr<ExactOutputs> outputs{}; ///< none where there are no forms
+    long excitation = -1;                    ///< that these are for
   };
   // What depends on the excitation is renewed when it is asked for under another one.
   struct KnownPhase {
     LinearPhase *linear = nullptr; ///< none: not linear
     std::vector<std::unique_ptr<Transition>> transitions{};
-    MonitoredOutputs monitored{};
-    std::unique_ptr<ExactOutputs> outputs{}; ///< for the monitored forms
-    long outputs_excitation = -1;
+    /// By the present observer and by the one before: a search for the steady motion and the
+    /// recorders of a window take turns.
+    std::unique_ptr<MonitoredOutputs> monitored{}, monitored_before{};
 
     const std::vector<PhaseGuard> &guards() const { return linear->forms().guards(); }
     ExactPhase &phase() const { return linear->phase(); }

@@ -18,14 +18,22 @@ void append(const contact::AffineForm &form, std::vector<double> &list) {
   list.insert(list.end(), form.internal.begin(), form.internal.end());
 }
 
-Vector flat(const Matrix &matrix) { return Eigen::Map<const Vector>(matrix.data(), matrix.size()); }
+Eigen::Map<const Vector> numbers_of(const ModelData &data) {
+  return {data.numbers.data(), static_cast<Index>(data.numbers.size())};
+}
 
-Vector derivative(const std::vector<double> &offsets, const Vector &present,
-                  const std::vector<const Vector *> &neighbours) {
-  const Vector weights = derivative_weights(offsets);
-  Vector sum = Vector::Zero(present.size());
-  for (std::size_t i = 0; i < neighbours.size(); ++i)
-    sum += weights[static_cast<Index>(i)] * (*neighbours[i] - present);
+// Of all numbers, from the neighbours at these places.
+Vector derivative(const std::vector<double> &offsets, const ModelData &present,
+                  const std::vector<ModelData> &neighbours,
+                  const std::vector<std::size_t> &places) {
+  std::vector<double> used;
+  for (const std::size_t place : places)
+    used.push_back(offsets[place]);
+  const Vector weights = derivative_weights(used);
+  Vector sum = Vector::Zero(static_cast<Index>(present.numbers.size()));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    sum +=
+        weights[static_cast<Index>(i)] * (numbers_of(neighbours[places[i]]) - numbers_of(present));
   return sum;
 }
 
@@ -63,49 +71,53 @@ std::vector<std::size_t> structure_of(const model::Model &model,
   return sizes;
 }
 
-std::vector<Vector> data_of(const model::Model &model, const contact::ContactSet &contacts) {
-  std::vector<Vector> data = {model.mass(), flat(model.stiffness().dense()),
-                              flat(model.damping().dense())};
+ModelData data_of(const model::Model &model, const contact::ContactSet &contacts) {
+  ModelData data;
+  std::vector<double> &numbers = data.numbers;
+  const auto add = [&](const auto &values) {
+    numbers.insert(numbers.end(), values.data(), values.data() + values.size());
+    data.ends.push_back(numbers.size());
+  };
+  add(model.mass());
+  add(model.stiffness().dense());
+  add(model.damping().dense());
   for (const model::Source &source : model.sources())
-    data.insert(data.end(), {source.load, source.rate_load, source.inertial_load});
-  std::vector<double> numbers;
+    for (const Vector *load : {&source.load, &source.rate_load, &source.inertial_load})
+      add(*load);
   for (const contact::ContactPair &pair : contacts.pairs()) {
-    data.emplace_back(pair.gap.row.transpose());
-    numbers.assign(1, pair.clearance);
-    data.push_back(Eigen::Map<const Vector>(numbers.data(), 1));
+    add(pair.gap.row);
+    add(Eigen::Map<const Vector>(&pair.clearance, 1));
     for (const contact::Mode &mode : pair.law->modes())
       for (const contact::Guard &guard : mode.guards) {
-        numbers.clear();
         append(guard.indicator, numbers);
-        data.push_back(
-            Eigen::Map<const Vector>(numbers.data(), static_cast<Index>(numbers.size())));
+        data.ends.push_back(numbers.size());
       }
   }
   return data;
 }
 
-bool is_smooth(const std::vector<double> &offsets, const std::vector<Vector> &present,
-               const std::vector<std::vector<Vector>> &neighbours) {
+bool is_smooth(const std::vector<double> &offsets, const ModelData &present,
+               const std::vector<ModelData> &neighbours) {
   std::vector<std::size_t> order(offsets.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::vector<std::size_t> all = order;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return std::abs(offsets[a]) < std::abs(offsets[b]);
   });
-  const std::vector<double> nearest = {offsets[order[0]], offsets[order[1]]};
-  const double rounding = 64 * std::numeric_limits<double>::epsilon() / std::abs(nearest[0]);
-  for (std::size_t k = 0; k < present.size(); ++k) {
-    if (present[k].size() == 0)
-      continue;
-    std::vector<const Vector *> all;
-    all.reserve(neighbours.size());
-    for (const std::vector<Vector> &data : neighbours)
-      all.push_back(&data[k]);
-    const Vector fine = derivative(offsets, present[k], all);
-    const Vector coarse = derivative(nearest, present[k], {all[order[0]], all[order[1]]});
-    const double apart = (fine - coarse).cwiseAbs().maxCoeff();
-    if (!(apart <=
-          smooth * fine.cwiseAbs().maxCoeff() + rounding * present[k].cwiseAbs().maxCoeff()))
+  order.resize(2); // the nearest ones
+  const double rounding = 64 * std::numeric_limits<double>::epsilon() / std::abs(offsets[order[0]]);
+  const Vector fine = derivative(offsets, present, neighbours, all);
+  const Vector apart = fine - derivative(offsets, present, neighbours, order);
+  Index begin = 0;
+  for (const std::size_t end : present.ends) {
+    const Index size = static_cast<Index>(end) - begin;
+    const auto largest = [&](const auto &of) {
+      return of.segment(begin, size).cwiseAbs().maxCoeff();
+    };
+    if (size > 0 &&
+        !(largest(apart) <= smooth * largest(fine) + rounding * largest(numbers_of(present))))
       return false;
+    begin += size;
   }
   return true;
 }

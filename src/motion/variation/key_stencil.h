@@ -16,13 +16,20 @@ Vector derivative_weights(const std::vector<double> &offsets);
 std::vector<std::size_t> structure_of(const model::Model &model,
                                       const contact::ContactSet &contacts);
 
-/// The numbers that a model and its contacts are made of, each kind of quantity by itself; sources
-/// by their loads alone.
-std::vector<Vector> data_of(const model::Model &model, const contact::ContactSet &contacts);
+/// The numbers that a model and its contacts are made of, one kind of quantity after the other;
+/// sources by their loads alone.
+struct ModelData {
+  std::vector<double> numbers;
+  std::vector<std::size_t> ends; ///< of each kind, in `numbers`
+
+  bool operator==(const ModelData &) const = default;
+};
+ModelData data_of(const model::Model &model, const contact::ContactSet &contacts);
 
 /// True when the derivative from all neighbours is that from the two nearest ones up to 3e-5 of the
-/// largest entry: since the latter leaves c d^2, the former then leaves about (c d^2)^2 < 1e-9.
-bool is_smooth(const std::vector<double> &offsets, const std::vector<Vector> &present,
-               const std::vector<std::vector<Vector>> &neighbours);
+/// largest entry of a kind: since the latter leaves c d^2, the former then leaves about (c d^2)^2 <
+/// 1e-9.
+bool is_smooth(const std::vector<double> &offsets, const ModelData &present,
+               const std::vector<ModelData> &neighbours);
 
 } // namespace vibroimpact::motion

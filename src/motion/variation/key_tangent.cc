@@ -48,30 +48,44 @@ KeyTangent::KeyTangent(std::string key, const model::Model &model,
   }
   check_structure();
   check_smoothness();
-  for (Near &near : near_)
-    near.equations = std::make_unique<Equations>(near.data.model, near.data.contacts);
   sources_ = std::make_unique<SourceTangent>(model_, std::move(models), weights);
   data_ = std::make_unique<ModelTangent>(model_, contacts_, weighted);
 }
 
 void KeyTangent::check_structure() const {
+  const std::vector<std::size_t> present = structure_of(model_, contacts_);
   for (const Near &near : near_)
-    if (structure_of(near.data.model, near.data.contacts) != structure_of(model_, contacts_))
+    if (structure_of(near.data.model, near.data.contacts) != present)
       throw NumericalError("the key " + key_ +
                            " changes which coordinates, contacts or excitations there are: the "
                            "motion has no derivative by it");
 }
 
-void KeyTangent::check_smoothness() const {
+void KeyTangent::check_smoothness() {
   std::vector<double> offsets;
-  std::vector<std::vector<Vector>> data;
+  std::vector<ModelData> data;
   for (const Near &near : near_) {
     offsets.push_back(near.data.offset);
     data.push_back(data_of(near.data.model, near.data.contacts));
   }
-  if (!is_smooth(offsets, data_of(model_, contacts_), data))
+  const ModelData present = data_of(model_, contacts_);
+  if (!is_smooth(offsets, present, data))
     throw NumericalError("the model does not change smoothly with the key " + key_ +
                          ": the motion has no derivative by it");
+  sources_alone_ = std::all_of(data.begin(), data.end(),
+                               [&](const ModelData &near) { return near == present; }) &&
+                   has_same_laws();
+}
+
+// The very same, and not only equal ones.
+bool KeyTangent::has_same_laws() const {
+  return std::all_of(near_.begin(), near_.end(), [&](const Near &near) {
+    const std::vector<ContactPair> &others = near.data.contacts.pairs();
+    return std::equal(others.begin(), others.end(), contacts_.pairs().begin(),
+                      contacts_.pairs().end(), [](const ContactPair &a, const ContactPair &b) {
+                        return a.law == b.law && a.gap.base_coefficients == b.gap.base_coefficients;
+                      });
+  });
 }
 
 double KeyTangent::gap(std::size_t contact, double time, const Vector &state) const {
@@ -301,7 +315,8 @@ Vector KeyTangent::jump(const Equations &equations, const Collision &collision, 
       -(collision.rows * collision.response * collision.impulse_by_rate).diagonal();
   for (const Near &near : near_) {
     const Matrix rows = gap_rows(near.data.contacts, collision.contacts, n);
-    const Matrix response = near.equations->response_to(rows, time, view(before));
+    // Collisions of models with rotors have no derivative.
+    const Matrix response = near.data.model.mass().cwiseInverse().asDiagonal() * rows.transpose();
     Vector wanted(size);
     for (Index k = 0; k < size; ++k) {
       const std::size_t c = collision.contacts[static_cast<std::size_t>(k)];
@@ -324,26 +339,27 @@ bool KeyTangent::keeps_linear() const {
                      [](const Near &near) { return near.data.model.linear(); });
 }
 
-const KeyTangent::LinearTangent &KeyTangent::linear(const std::vector<int> &modes) {
+const KeyTangent::LinearTangent &KeyTangent::linear(const std::vector<int> &modes,
+                                                    const LinearSystem &own) {
   const auto known = linear_.find(modes);
   return known != linear_.end() ? known->second
-                                : linear_.emplace(modes, make_linear(modes)).first->second;
+                                : linear_.emplace(modes, make_linear(modes, own)).first->second;
 }
 
-KeyTangent::LinearTangent KeyTangent::make_linear(const std::vector<int> &modes) const {
-  const auto system_of = [&](const model::Model &model, const contact::ContactSet &contacts) {
-    Equations equations(model, contacts);
-    for (std::size_t c = 0; c < modes.size(); ++c)
-      equations.set_mode(c, modes[c]);
-    return LinearSystem(equations);
-  };
-  const LinearSystem own = system_of(model_, contacts_);
+KeyTangent::LinearTangent KeyTangent::make_linear(const std::vector<int> &modes,
+                                                  const LinearSystem &own) {
   const Vector zero = Vector::Zero(own.size());
   LinearTangent tangent{.matrix = Matrix::Zero(own.size(), own.size()),
                         .constant = zero,
                         .loads = {own.loads().size(), {zero, zero, zero}}};
-  for (const Near &near : near_) {
-    const LinearSystem other = system_of(near.data.model, near.data.contacts);
+  if (sources_alone_)
+    return tangent;
+  for (Near &near : near_) {
+    if (!near.equations)
+      near.equations = std::make_unique<Equations>(near.data.model, near.data.contacts);
+    for (std::size_t c = 0; c < modes.size(); ++c)
+      near.equations->set_mode(c, modes[c]);
+    const LinearSystem other(*near.equations);
     tangent.matrix += near.weight * (other.matrix() - own.matrix());
     tangent.constant += near.weight * (other.constant() - own.constant());
     for (std::size_t k = 0; k < own.loads().size(); ++k) {

@@ -66,8 +66,9 @@ public:
     Vector constant;
     std::vector<LinearSystem::Load> loads;
   };
-  /// For these modes of the contacts; kept from the first call on.
-  const LinearTangent &linear(const std::vector<int> &modes);
+  /// For these modes of the contacts, in which the equations are `own`; kept from the first call
+  /// on.
+  const LinearTangent &linear(const std::vector<int> &modes, const LinearSystem &own);
   /// The neighbours are linear without contacts, as a cubic spring that begins with the key is not.
   bool keeps_linear() const;
   /// How far the neighbours lie from the key [its unit].
@@ -78,15 +79,16 @@ public:
 private:
   struct Near {
     KeyNeighbour data;
-    std::unique_ptr<Equations> equations;
+    std::unique_ptr<Equations> equations; ///< once they are asked for
     double weight = 0;
   };
   struct Forces {
     Vector present, change; ///< of all contacts: F, and dF/dp of those that do not hold their gap
   };
-  LinearTangent make_linear(const std::vector<int> &modes) const;
+  LinearTangent make_linear(const std::vector<int> &modes, const LinearSystem &own);
   void check_structure() const;
-  void check_smoothness() const;
+  void check_smoothness();
+  bool has_same_laws() const;
   Forces forces(const Equations &equations, double time, const Vector &state, const Vector &rates,
                 Vector &change) const;
   Vector acceleration(const model::Model &model, const contact::ContactSet &contacts, double time,
@@ -109,6 +111,7 @@ private:
   std::unique_ptr<ModelTangent> data_;
   std::map<std::vector<int>, LinearTangent> linear_; ///< by the modes of the contacts
   double reach_ = 0;
+  bool sources_alone_ = false; ///< nothing else changes, as with the frequency of an excitation
   long identity_;
 };
 

@@ -66,7 +66,8 @@ Matrix LinearFlow::changed_inputs(const Matrix &generator, const Matrix &generat
 // E = C^-1 dM C with C = [W Y; 0 1].
 Matrix LinearFlow::coupling(KeyTangent &key, const Excitation &excitation) const {
   const ExactPhase &phase = phase_.phase();
-  const KeyTangent::LinearTangent &tangent = key.linear(phase_.forms().contact_modes());
+  const KeyTangent::LinearTangent &tangent =
+      key.linear(phase_.forms().contact_modes(), phase_.system());
   const Matrix &generator_change = key.sources().input_generator();
   const Matrix inputs = changed_inputs(excitation.generator(), generator_change, tangent);
   const Index n = phase.n_modes();

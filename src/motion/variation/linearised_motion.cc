@@ -21,19 +21,14 @@ LinearisedMotion Lineariser::operator()(const MotionState &start, double end,
   const Vector &state = trajectory_.state();
   trajectory_.equations().rates(end, ConstVectorView(state.data(), state.size()),
                                 VectorView(rates.data(), rates.size()));
+  rates.conservativeResize(size);
   return {.end = trajectory_.motion_state(),
           .by_state = variation_->columns(),
           .by_key = variation_->key_columns(),
-          .rates = rates.head(size),
+          .rates = std::move(rates),
           .determinant = variation_->determinant(),
           .events = trajectory_.events(),
           .without_derivative = variation_->tangential_events()};
-}
-
-LinearisedMotion linearise(Trajectory &trajectory, const MotionState &start, double end,
-                           const VariationAccuracy &accuracy, const std::vector<KeyTangent *> &keys,
-                           Observer *also) {
-  return Lineariser(trajectory, accuracy)(start, end, keys, also);
 }
 
 } // namespace vibroimpact::motion

@@ -47,9 +47,4 @@ private:
   std::optional<Variation> variation_;
 };
 
-/// The same once.
-LinearisedMotion linearise(Trajectory &trajectory, const MotionState &start, double end,
-                           const VariationAccuracy &accuracy,
-                           const std::vector<KeyTangent *> &keys = {}, Observer *also = nullptr);
-
 } // namespace vibroimpact::motion

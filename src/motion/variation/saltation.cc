@@ -74,6 +74,8 @@ Vector Saltations::rates_at_guard(const ContactEvent &event, const Vector &state
   const double force = equations_.force(event.contact, mode, local);
   local.gap = 0;
   const double at_zero = equations_.force(event.contact, mode, local);
+  if (at_zero == force)
+    return rates;
   const StateLayout &layout = equations_.layout();
   rates.segment(layout.velocity(), layout.n) +=
       (at_zero - force) * equations_.response_to(pair.gap.row, event.time, x);
@@ -81,7 +83,9 @@ Vector Saltations::rates_at_guard(const ContactEvent &event, const Vector &state
 }
 
 RowVector Saltations::gradient(std::size_t contact, const AffineForm &form) const {
-  return linear_row(equations_, contact, form).row.head(equations_.layout().physical_size());
+  RowVector row = linear_row(equations_, contact, form).row;
+  row.conservativeResize(equations_.layout().physical_size());
+  return row;
 }
 
 double Saltations::rate_along(std::size_t contact, const AffineForm &form,
@@ -173,14 +177,14 @@ Saltations::Reset Saltations::impact(const ContactEvent &event, const Vector &be
   return reset;
 }
 
-Saltation Saltations::join(const Crossing &crossing, const Reset &reset,
-                           const Vector &after) const {
+Saltation Saltations::join(Crossing crossing, Reset reset, const Vector &after) const {
   const Vector jump = after - reset.rates;
   const double size = scale_.cwiseProduct(after.cwiseAbs() + reset.rates.cwiseAbs()).maxCoeff();
   const bool shifts = scale_.cwiseProduct(jump).cwiseAbs().maxCoeff() > negligible_jump * size;
-  Saltation saltation{
-      .by_state = reset.by_state, .by_key = reset.by_key, .delay = crossing.by_state};
-  saltation.jumps = shifts || !reset.by_state.right.isZero(0);
+  Saltation saltation{.by_state = std::move(reset.by_state),
+                      .by_key = std::move(reset.by_key),
+                      .delay = std::move(crossing.by_state)};
+  saltation.jumps = shifts || !saltation.by_state.right.isZero(0);
   if (crossing.rate == 0) {
     saltation.delay.setZero();
     saltation.differentiable = !shifts;
@@ -213,9 +217,9 @@ Saltation Saltations::change(const ContactEvent &event, bool at_start) {
     crossing.by_key.setZero();
     crossing.rate = 1;
   }
-  const Reset reset = internal_reset(event, before);
+  Reset reset = internal_reset(event, before);
   equations_.set_mode(event.contact, event.to);
-  return join(crossing, reset, rates_at_guard(event, *event.state));
+  return join(std::move(crossing), std::move(reset), rates_at_guard(event, *event.state));
 }
 
 Saltation Saltations::collide(const ContactEvent &event) {
@@ -226,11 +230,12 @@ Saltation Saltations::collide(const ContactEvent &event) {
   for (std::size_t c = 0; c < collision.modes_before.size(); ++c)
     equations_.set_mode(c, collision.modes_before[c]);
   const Vector before = rates(event.time, *event.before);
-  const Crossing crossing = this->crossing(event, before);
-  const Reset reset = impact(event, before);
+  Crossing crossing = this->crossing(event, before);
+  Reset reset = impact(event, before);
   for (std::size_t c = 0; c < collision.modes_after.size(); ++c)
     equations_.set_mode(c, collision.modes_after[c]);
-  Saltation saltation = join(crossing, reset, rates(event.time, *event.state));
+  Saltation saltation =
+      join(std::move(crossing), std::move(reset), rates(event.time, *event.state));
   saltation.differentiable = saltation.differentiable && collision.unique;
   return saltation;
 }

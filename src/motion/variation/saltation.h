@@ -59,7 +59,7 @@ private:
   Reset no_reset(const Vector &before) const;
   Reset internal_reset(const ContactEvent &event, const Vector &before) const;
   Reset impact(const ContactEvent &event, const Vector &before) const;
-  Saltation join(const Crossing &crossing, const Reset &reset, const Vector &after) const;
+  Saltation join(Crossing crossing, Reset reset, const Vector &after) const;
   bool below_zero(const ContactEvent &event) const;
   Saltation change(const ContactEvent &event, bool at_start);
   Saltation collide(const ContactEvent &event);

@@ -142,7 +142,7 @@ Values SourceTangent::at(std::size_t source, double time) const {
 
 void SourceTangent::take_inputs(Interval &interval) const {
   interval.inputs.take({*interval.form});
-  for (std::size_t i = 0; i < neighbours_.size(); ++i)
+  for (std::size_t i = 0; interval.changes && i < neighbours_.size(); ++i)
     interval.near_inputs.emplace_back().take({*interval.neighbours[i]});
 }
 
@@ -198,7 +198,7 @@ Vector SourceTangent::input_coordinates(double time) const {
       into += weights_[static_cast<Index>(i)] *
               (Eigen::Map<const Vector>(near.data(), size) - present).tail(size - 1);
     }
-    if (interval.stretch != 0)
+    if (interval.changes && interval.stretch != 0)
       into += time * interval.stretch * (interval.inputs.generator() * present).tail(size - 1);
     place += size - 1;
   }

@@ -53,7 +53,7 @@ private:
     double stretch = 0;               ///< (d omega/dp) / omega
     std::vector<double> time_factors; ///< of each neighbour: the time at which it has the phase
     Excitation inputs{};              ///< of this source alone, where it has a closed form
-    std::vector<Excitation> near_inputs{};
+    std::vector<Excitation> near_inputs{}; ///< none where it does not change
   };
   void take_inputs(Interval &interval) const;
   void find_input_generator();

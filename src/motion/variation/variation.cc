@@ -252,8 +252,12 @@ bool Variation::contradicts(const Saltation &saltation, double time) {
     apart =
         size(delay - instant_.delay) > equal_delays * std::max(size(delay), size(instant_.delay));
   }
-  if (!again)
-    instant_ = {.time = time, .maps = {}, .delay = saltation.delay, .jumps = saltation.jumps};
+  if (!again) {
+    instant_.time = time;
+    instant_.maps.clear();
+    instant_.delay = saltation.delay;
+    instant_.jumps = false;
+  }
   instant_.jumps = instant_.jumps || saltation.jumps;
   return apart;
 }
