@@ -350,6 +350,47 @@ end
         self.assertIn("analysis.shares[1].total.amplitude.stiffness = ", summary)
         self.expect_same_bytes()
 
+    def test_sensitivities_of_the_function_of_ishigami(self):
+        # sin x1 + a sin^2 x2 + b x3^4 sin x1 with x from -pi to pi (Ishigami and Homma 1990). The keys are
+        # variables that the model does not know.
+        a, b = 7, 0.1
+        keys = "".join(f"""    subsection Key x{i}
+      set Path = Variables/x{i}
+      set Lower = -{np.pi!r}
+      set Upper = {np.pi!r}
+    end
+""" for i in (1, 2, 3))
+        text = MODEL.replace("f = 3\n", "f = 3, x1 = 0, x2 = 0, x3 = 0\n", 1) + f"""
+subsection Derived ishigami
+  set From = curve
+  set Operation = expression
+  set Fields = x = amplitude
+  set Expression = sin(x1) + {a} * sin(x2)^2 + {b} * x3^4 * sin(x1) + 0 * x / (1 m)
+end
+subsection Analysis shares
+  set Type = sensitivity
+  subsection Sensitivity
+    set Repeat = curve
+    set Samples = 300
+    subsection Quantity y
+      set Quantity = ishigami
+    end
+{keys}  end
+end
+"""
+        shares = self.results(text, "--set", "Analyses=shares")["shares"]
+        alone = (1 + b * np.pi ** 4 / 5) ** 2 / 2, a ** 2 / 8, 0
+        together = b ** 2 * np.pi ** 8 * (1 / 18 - 1 / 50)  # of x1 and x3
+        variance = sum(alone) + together
+        totals = alone[0] + together, alone[1], together
+        self.assertLess(abs(shares["mean/y"][0] - a / 2), 4 * (variance / 300) ** 0.5)
+        np.testing.assert_allclose(shares["deviation/y"][0], variance ** 0.5, rtol=0.1)
+        for i, (first, total) in enumerate(zip(alone, totals), 1):
+            for name, exact in (("first_order", first / variance), ("total", total / variance)):
+                error = shares[f"{name}_error/y/x{i}"][0]
+                self.assertLess(abs(shares[f"{name}/y/x{i}"][0] - exact), 4 * error + 1e-12)
+                self.assertLess(error, 0.15)
+
     def test_same_bytes_on_all_ranks_and_after_a_kill(self):
         self.file.write_text(MODEL + SEARCH + GRID, encoding="utf-8")
         self.expect_same_bytes()
