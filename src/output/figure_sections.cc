@@ -15,7 +15,8 @@ void declare_axis(Section &axis) {
   axis.text(
           "Quantity", "",
           "What runs along the axis: an axis of the analysis, the path of a field, or the name of "
-          "a Derived of the same analysis.")
+          "a Derived of the same analysis; or a sum of such, with blanks around the signs. Along "
+          "Vertical several of the same unit, separated by commas, make a curve each.")
       .quantity("Divide by", "", dimension::any, range::any, "",
                 "Value that the quantity is divided by, with its unit; the axis then has no unit.")
       .text(
@@ -67,6 +68,10 @@ void declare_figures(Section &root) {
       .text("Reference label", "",
             "Name of this curve in the legend; empty means that of the "
             "analysis.")
+      .boolean(
+          "Joined", "true",
+          "Are the points of a curve joined? Values of motions that do not repeat stand better "
+          "by themselves.")
       .names("Curves", "",
              "Derived quantities that are drawn over a map, NAME or ANALYSIS:NAME; empty means all "
              "of the analysis that lie in its plane.");

@@ -69,7 +69,9 @@ def curve_figure(results: Results, section: dict):
                               label=section.get("Reference label", "") or reference.name))
     for number, both in enumerate(sheets):
         colour = style.COLOURS[number % len(style.COLOURS)] if len(sheets) > 1 else None
-        layout, own = curves(axes, analyses[0], both, colour)
+        look = {} if section.get("Joined", "true") == "true" else \
+            dict(linestyle="", marker="o", markersize=3, markevery=None)
+        layout, own = curves(axes, analyses[0], both, colour, **look)
         if colour:
             own = [Line2D([], [], color=colour, label=given[number] if number < len(given)
                           else find(analyses[0], names[number]).label)]

@@ -15,6 +15,7 @@ from .layout import places
 from .motions import Motion, finely_sampled
 from .results import Analysis, Array, Results
 
+MOST_STEMS = 200
 
 
 def figures(results: Results, analysis: Analysis):
@@ -121,9 +122,12 @@ def histories(analysis: Analysis, rows: list[tuple[str, str]], title: str, peaks
 
 def contact_history(analysis: Analysis, contact: str):
     rows = [(f"contact/{contact}/normal_force", "Contact force")]
-    if analysis.has(f"contact/{contact}/gap"):
-        rows.append((f"contact/{contact}/gap", "Gap"))
     peaks = impact_peaks(analysis, contact)
+    many = peaks is not None and max(
+        np.count_nonzero(np.isfinite(of_case(peaks[0], analysis, case.index)))
+        for case in cases(analysis)) > MOST_STEMS  # their gap would be a block
+    if analysis.has(f"contact/{contact}/gap") and not many:
+        rows.append((f"contact/{contact}/gap", "Gap"))
     figure = histories(analysis, rows, f"Contact {contact}", peaks)
     draw_pulses(figure.axes[0], analysis, contact)
     return figure
@@ -159,13 +163,16 @@ def shows_contacts(analysis: Analysis, path: str) -> bool:
 
 
 def draw_peaks(axes, analysis: Analysis, peaks, time_scale, scale) -> Line2D:
-    """A stem for every impact."""
+    """A stem for every impact; of many their ends alone, which stems would hide."""
     times, forces = peaks
     for case in cases(analysis):
         at, height = (of_case(times, analysis, case.index) / time_scale.factor,
                       of_case(forces, analysis, case.index) / scale.factor)
-        axes.vlines(at, 0, height, color=case.colour, linewidth=0.9)
-        axes.plot(at, height, "o", fillstyle="none", color=case.colour)
+        few = np.count_nonzero(np.isfinite(at)) <= MOST_STEMS
+        if few:
+            axes.vlines(at, 0, height, color=case.colour, linewidth=0.9)
+        axes.plot(at, height, "o", fillstyle="none", color=case.colour, markeredgewidth=0.6,
+                  markersize=3.2 if few else 1.2)
     return Line2D([], [], color="#555555", marker="o", fillstyle="none", linestyle="",
                   label="peak of an impact")
 
