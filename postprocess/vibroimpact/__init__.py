@@ -3,7 +3,7 @@
     import vibroimpact
 
     results = vibroimpact.run("beams.prm", set={"Contact/heads/Clearance": "7 mm"}, ranks=2)
-    force = results["release"]["contact/heads/normal_force"]     # an xarray.DataArray in SI
+    force = results["release"]["contact/heads/impact/peak_force"]  # an xarray.DataArray in SI
     results.summary["analysis.release.contact.heads.impacts"]    # Quantity(value=17.0, unit='1')
     vibroimpact.plot(results, figure="release-*")
 

@@ -129,8 +129,7 @@ def start(arguments, ranks: int, program, echo: bool) -> subprocess.CompletedPro
     """Until the program ends. An interrupt is handed on to it, so that it keeps its points."""
     if ranks < 1:
         raise ValueError(f"ranks must be at least 1, but is {ranks}")
-    launcher = ["mpirun", "-q", "-np", str(ranks)] if ranks > 1 else []
-    command = launcher + [find_program(program), *map(str, arguments)]
+    command = [*launcher(ranks), find_program(program), *map(str, arguments)]
     with tempfile.TemporaryFile("w+") as errors:  # a second pipe could fill while the first is read
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=errors, text=True,
                               stdin=subprocess.DEVNULL, env=environment()) as process:
@@ -142,6 +141,15 @@ def start(arguments, ranks: int, program, echo: bool) -> subprocess.CompletedPro
                 raise
         errors.seek(0)
         return subprocess.CompletedProcess(command, process.returncode, printed, errors.read())
+
+
+def launcher(ranks: int) -> list[str]:
+    """mpirun for several ranks, without its own remarks on how processes ended."""
+    if ranks == 1:
+        return []
+    if not shutil.which("mpirun"):
+        raise ProgramNotFound(f"mpirun is needed for {ranks} ranks, but is not on the search path")
+    return ["mpirun", "-q", "-np", str(ranks)]
 
 
 def read_lines(process: subprocess.Popen, echo: bool) -> str:
@@ -169,8 +177,13 @@ def warnings_in(printed: str) -> list[str]:
 
 
 def raise_error(done: subprocess.CompletedProcess) -> None:
-    kinds = {BAD_INPUT: InputError, STOPPED: Stopped}
+    """What the exit code says; the message is on the error output, of a stopped run the last line."""
     if done.returncode in (ALL_DONE, POINTS_FAILED):
         return
-    message = done.stderr.strip() or done.stdout.strip()
-    raise kinds.get(done.returncode, RunError)(message or f"exit code {done.returncode}")
+    if done.returncode == STOPPED:
+        raise Stopped(done.stdout.strip().rpartition("\n")[2])
+    message = done.stderr.strip()
+    if not message:  # the program gives a reason; what ends without one is not the program's input
+        raise RunError(f"{done.args[0]} ended with code {done.returncode} and without a message\n"
+                       + done.stdout.strip())
+    raise (InputError if done.returncode == BAD_INPUT else RunError)(message)

@@ -127,9 +127,32 @@ def test_failed_points_are_a_warning(file):
 
 
 def test_codes_become_exceptions():
-    for code, kind in ((2, vibroimpact.RunError), (4, vibroimpact.Stopped), (-9, vibroimpact.RunError)):
+    for code, kind in ((1, vibroimpact.InputError), (2, vibroimpact.RunError), (-9, vibroimpact.RunError)):
         with pytest.raises(kind, match="the reason"):
             vibroimpact.program.raise_error(subprocess.CompletedProcess([], code, "", "the reason\n"))
+
+
+def test_an_end_without_a_message_is_not_wrong_input():
+    with pytest.raises(vibroimpact.RunError, match="mpirun ended with code 1 and without a message"):
+        vibroimpact.program.raise_error(subprocess.CompletedProcess(["mpirun"], 1, "", ""))
+
+
+def test_ranks_need_mpirun(file, tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(vibroimpact.ProgramNotFound, match="mpirun is needed for 2 ranks"):
+        vibroimpact.run(file, ranks=2)
+
+
+def test_a_stopped_run_says_how_to_go_on(file, tmp_path):
+    impatient = tmp_path / "impatient"
+    impatient.write_text('#!/bin/sh\nexec timeout --preserve-status --signal TERM 3 '
+                         f'{vibroimpact.program.find_program()} "$@"\n')
+    impatient.chmod(0o755)
+    endless = {"Analyses": "motion", "Integration/Method": "rk",
+               "Analysis/motion/Transient/Duration": "1e8 s",
+               "Analysis/motion/Transient/Sampling interval": "1e6 s"}
+    with pytest.raises(vibroimpact.Stopped, match="--resume output/case"):
+        vibroimpact.run(file, set=endless, program=str(impatient))
 
 
 def test_a_run_goes_on(file):
