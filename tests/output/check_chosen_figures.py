@@ -11,6 +11,7 @@ del sys.argv[1:]
 sys.dont_write_bytecode = True
 sys.path[:0] = [str(PROGRAM.parent), str(Path(__file__).resolve().parent)]
 
+import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from plot_examples import Writer  # noqa: E402
 from vibroimpact.plots import chosen_figures, table_points, traces  # noqa: E402
@@ -112,6 +113,7 @@ def write(folder):
 
 class Figures(unittest.TestCase):
     def setUp(self):
+        self.addCleanup(plt.close, "all")
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         write(self.folder)
         self.results = self.enterContext(Results(self.folder))
@@ -156,6 +158,32 @@ class Figures(unittest.TestCase):
         hollow = [line for line in axes.get_lines() if line.get_fillstyle() == "none"]
         self.assertEqual([list(line.get_ydata()) for line in hollow], [[2.0]])
 
+    def test_points_that_are_not_to_be_joined_stand_alone(self):
+        self.results.parameters["Figure curve"]["Joined"] = "false"
+        axes = self.figure("curve").axes[0]
+        own = [line for line in axes.get_lines() if line.get_color() != "black"]
+        self.assertNotIn("-", [line.get_linestyle() for line in own])
+        self.assertNotIn(":", [line.get_linestyle() for line in own])
+
+    def test_several_quantities_are_curves_with_names(self):
+        section = self.results.parameters["Figure curve"]
+        section["Vertical"]["Quantity"] = f"{AMPLITUDE}, - {AMPLITUDE}"
+        section["Names"] = "up, down"
+        section["Where"] = "lambda = 2; direction = backward"
+        axes = self.figure("curve").axes[0]
+        texts = [text.get_text() for text in axes.get_legend().get_texts()]
+        self.assertEqual(texts, ["no contact", "up", "down"])
+        up, down = (line.get_ydata() for line in self.lines(self.figure("curve"))[1:3])
+        np.testing.assert_allclose(up, [1, 2, 3, 4, 4])
+        np.testing.assert_allclose(down, -up)
+
+    def test_a_figure_by_its_own_largest_values(self):
+        section = self.results.parameters["Figure swapped"]
+        section["Horizontal"]["Divide by largest of"] = "sweep"
+        section["Where"] = "direction = backward"
+        for line in self.lines(self.figure("swapped")):
+            self.assertEqual(np.nanmax(line.get_xdata()), 1.0)
+
     def test_axes_are_swapped_and_divided_by_another_analysis(self):
         axes = self.figure("swapped").axes[0]
         self.assertEqual(axes.get_ylabel(), "Frequency (Hz)")
@@ -187,6 +215,7 @@ class Figures(unittest.TestCase):
 
 class Tables(unittest.TestCase):
     def setUp(self):
+        self.addCleanup(plt.close, "all")
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         write(self.folder)
         self.table = self.folder / "paper.csv"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import itertools
+from contextlib import suppress
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -49,8 +50,10 @@ def analyses_of(results: Results, section: dict) -> list[Analysis]:
         axis = request.partition("=")[0].strip()
         if not any(is_called(name, axis) for analysis in analyses for name in analysis.axes):
             raise ResultError(f"Where: {request.strip()}: {names[0]} has no such axis")
-        for analysis in analyses:
-            choose(analysis, [request.strip()])
+        choose(analyses[0], [request.strip()])
+        for reference in analyses[1:]:
+            with suppress(ResultError):  # it need not have the same points
+                choose(reference, [request.strip()])
     return analyses
 
 
