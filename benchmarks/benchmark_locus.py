@@ -20,8 +20,8 @@ PARAMETERS = Path(__file__).parents[1] / "params" / "isolator-loci.prm"
 STEP = "Analysis stiffness/Locus/Longest step"
 OPTIONS = ["--set", "Analyses=stiffness", "--set", "Analysis stiffness/Locus/Kinds=fold"]
 WAYS = {  # longest step and recorders
-    "all": ["0.0045", "excursions"],
-    "half": ["0.009", "excursions"],
+    "all": ["0.0045", "extreme values"],
+    "half": ["0.009", "extreme values"],
     "bare": ["0.0045", "none"],
 }
 

@@ -1,6 +1,6 @@
 #include "isolator_case.h"
 
-#include "contact/laws/piecewise_stop.h"
+#include "contact/laws/bilinear_stop.h"
 #include "vibroimpact_side.h"
 
 namespace vibroimpact::benchmarks {
@@ -17,7 +17,7 @@ analyses::System isolator_system(double lambda, double mu) {
                   std::make_shared<model::Harmonic>(model::Given::displacement, values.amplitude,
                                                     values.forcing, 0),
                   {.body = 0, .point = 0}, Vector3::UnitX());
-  const auto law = std::make_shared<contact::PiecewiseStop>(values.mu, 2 * values.zeta1);
+  const auto law = std::make_shared<contact::BilinearStop>(values.mu, 2 * values.zeta1);
   std::vector<contact::ContactPair> pairs = {contact_of_heads(model, "mass", "", 1, 1, law),
                                              contact_of_heads(model, "mass", "", -1, 1, law)};
   for (contact::ContactPair &pair : pairs)

@@ -1,8 +1,8 @@
 #include "cases.h"
 
 #include "contact/laws/hertz.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
-#include "contact/laws/relaxing_stop.h"
 #include "exact_bumpers.h"
 #include "sides.h"
 
@@ -29,7 +29,7 @@ Problem problem_of(const Bumpers &system) {
   model.add_base_motion(
       "ground", std::make_shared<Harmonic>(Given::acceleration, system.base(), system.beta, 0), {0},
       Vector3::UnitX());
-  const auto law = std::make_shared<RelaxingStop>(system.lambda, system.dashpot());
+  const auto law = std::make_shared<KelvinVoigtBumper>(system.lambda, system.dashpot());
   ContactSet contacts({contact_of_heads(model, "mass", "", 1, system.delta, law),
                        contact_of_heads(model, "mass", "", -1, system.delta, law)});
   const Projection recorded = along_x(model, 0, false);

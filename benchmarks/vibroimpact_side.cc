@@ -1,6 +1,6 @@
 #include "vibroimpact_side.h"
 
-#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/extreme_values.h"
 #include "motion/trajectory.h"
 
 #include <memory>

@@ -1,5 +1,7 @@
 #include "simulation.h"
 
+#include "analyses/case_table.h"
+#include "analyses/constants.h"
 #include "analyses/cost.h"
 #include "analyses/design/measured_data.h"
 #include "common/error.h"
@@ -95,7 +97,15 @@ Simulation::Simulation(std::shared_ptr<const ParameterSet> parameters, MPI_Comm 
     parameters_ = parameters_->with({{.path = "File folder",
                                       .value = parameters_->folder(),
                                       .origin = "folder of the parameter file"}});
+  read_tables();
   note_records();
+}
+
+// Behind the first reading the parameters hold the tables themselves.
+void Simulation::read_tables() {
+  const auto tables = analyses::tables_from_files(parameters_->root(), file_folder());
+  if (!tables.empty())
+    parameters_ = parameters_->with(tables);
 }
 
 // A run that is resumed, or repeated from its stored parameters, must find the records it had.
@@ -118,21 +128,34 @@ void Simulation::note_records() {
 
 std::string Simulation::file_folder() const { return parameters_->root().text("File folder"); }
 
+Simulation::Job Simulation::read_job(const std::string &name) const {
+  const Values root = parameters_->root();
+  const Values analysis = root.instance("Analysis", name);
+  if (analysis.choice("Type") != analyses::grid_type)
+    return {.name = name,
+            .repeated = name,
+            .keys = {},
+            .parameters = analyses::with_constants(parameters_, {name})};
+  const std::string repeated = analyses::repeated_analysis(analysis, root.instances("Analysis"));
+  if (root.instance("Analysis", repeated).choice("Type") == analyses::grid_type)
+    analysis.subsection("Parameter grid")
+        .reject("Repeat", "an analysis that is no grid itself; "
+                          "one grid takes any number of keys.");
+  std::vector<std::string> constant;
+  for (const std::string &with : {name, repeated})
+    for (const Override &change : analyses::read_constants(root.instance("Analysis", with)))
+      constant.push_back(change.path);
+  return {.name = name,
+          .repeated = repeated,
+          .keys = analyses::read_grid(analysis, repeated, constant),
+          .parameters = analyses::with_constants(parameters_, {repeated, name})};
+}
+
 std::vector<Simulation::Job> Simulation::jobs() const {
   const Values root = parameters_->root();
-  const std::vector<std::string> known = root.instances("Analysis");
   std::vector<Job> jobs;
   for (const std::string &name : analyses::listed_instances(root, "Analyses", "Analysis")) {
-    Job job{.name = name, .repeated = name, .keys = {}};
-    const Values analysis = root.instance("Analysis", name);
-    if (analysis.choice("Type") == analyses::grid_type) {
-      job.repeated = analyses::repeated_analysis(analysis, known);
-      if (root.instance("Analysis", job.repeated).choice("Type") == analyses::grid_type)
-        analysis.subsection("Parameter grid")
-            .reject("Repeat", "an analysis that is no grid itself; "
-                              "one grid takes any number of keys.");
-      job.keys = analyses::read_grid(analysis, job.repeated);
-    }
+    Job job = read_job(name);
     refuse_file_names(job);
     jobs.push_back(std::move(job));
   }
@@ -184,9 +207,10 @@ void Simulation::keep_bodies(output::RunFolder &folder) const {
 void Simulation::reduce_all(const std::vector<Job> &jobs) {
   reduce_bodies(parameters_->root());
   for (const Job &job : jobs) {
+    reduce_bodies(job.parameters->root());
     const std::vector<std::string> paths = analyses::grid_paths(job.keys);
     const bool grid_reaches = std::any_of(paths.begin(), paths.end(), reaches_bodies);
-    const Values analysis = parameters_->with(analyses::grid_overrides(job.keys, 0))->root();
+    const Values analysis = job.parameters->with(analyses::grid_overrides(job.keys, 0))->root();
     const auto variants =
         analyses::create_analysis(analysis.instance("Analysis", job.repeated))->variants();
     const bool sweep_reaches = !variants.empty() && reaches_bodies(variants.front().front().path);
@@ -198,7 +222,7 @@ void Simulation::reduce_all(const std::vector<Job> &jobs) {
 }
 
 void Simulation::reduce_point(const Job &job, std::size_t point, bool with_variants) {
-  const auto set = parameters_->with(analyses::grid_overrides(job.keys, point));
+  const auto set = job.parameters->with(analyses::grid_overrides(job.keys, point));
   const Values root = set->root();
   reduce_bodies(root);
   if (with_variants)
@@ -230,17 +254,16 @@ std::vector<std::shared_ptr<const ReducedBody>> Simulation::bodies(const Values 
 }
 
 derived::DerivedQuantities Simulation::derived_quantities(const std::vector<Job> &jobs) const {
-  const Values root = parameters_->root();
-  derived::check_analyses(root);
-  output::check_figures(root);
+  derived::check_analyses(parameters_->root());
+  output::check_figures(parameters_->root());
   derived::DerivedQuantities quantities;
   for (const Job &job : jobs) {
-    std::vector<Axis> axes = analyses::grid_axes(job.keys, *parameters_);
-    const Values first = parameters_->with(analyses::grid_overrides(job.keys, 0))->root();
+    std::vector<Axis> axes = analyses::grid_axes(job.keys, *job.parameters);
+    const Values first = job.parameters->with(analyses::grid_overrides(job.keys, 0))->root();
     const auto analysis = analyses::create_analysis(first.instance("Analysis", job.repeated));
     for (const Axis &axis : analysis->axes())
       axes.push_back(axis);
-    quantities.add(root, job.name, axes, job.keys);
+    quantities.add(job.parameters->root(), job.name, axes, job.keys);
   }
   return quantities;
 }
@@ -261,9 +284,9 @@ double Simulation::log_cost(const Job &job, double seconds) const {
 
 namespace {
 
-void log_groups(const contact::ContactSet &contacts, std::set<std::string> &told) {
+void log_groups(const contact::ContactSet &contacts, std::set<std::string> &reported) {
   for (const contact::ContactGroup &group : contacts.groups())
-    if (told.insert(group.name).second)
+    if (reported.insert(group.name).second)
       log::info("contact " + group.name + ": " + std::to_string(group.count) + " contacts" +
                 (group.unpaired > 0 ? "; nodes without a partner: " + std::to_string(group.unpaired)
                                     : "") +
@@ -384,7 +407,7 @@ RunSummary Simulation::run_jobs(const std::vector<Job> &jobs, output::FileSink &
   RunSummary total;
   for (const Job &job : jobs) {
     const RunSummary summary = analyses::run_analysis(
-        job.name, job.keys, analyses::grid_axes(job.keys, *parameters_),
+        job.name, job.keys, analyses::grid_axes(job.keys, *job.parameters),
         [&](const std::vector<Override> &overrides) { return build_case(job, overrides); }, sink,
         communicator_);
     total.finished += summary.finished;

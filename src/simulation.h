@@ -51,11 +51,15 @@ private:
     std::string name;     ///< of the analysis section that is run
     std::string repeated; ///< section that says what is computed: `name`, or what a grid repeats
     std::vector<analyses::GridKey> keys;
+    /// With what holds for this analysis alone.
+    std::shared_ptr<const parameters::ParameterSet> parameters;
   };
 
   std::vector<Job> jobs() const;
+  Job read_job(const std::string &name) const;
   void reduce_all(const std::vector<Job> &jobs);
   void note_records();
+  void read_tables();
   void reduce_point(const Job &job, std::size_t point, bool with_variants);
   const reduction::ReducedBody &body(const parameters::Values &section, const std::string &name,
                                      std::optional<reduction::ReducedBody> &own) const;
@@ -67,7 +71,8 @@ private:
   analyses::Case build_case(const std::shared_ptr<const parameters::ParameterSet> &parameters,
                             const std::string &name) const;
   derived::Repetition repetition(const std::shared_ptr<const parameters::ParameterSet> &parameters,
-                                 const std::string &name) const;
+                                 const std::string &name,
+                                 const std::vector<parameters::Override> &more) const;
   std::optional<reduction::ReducedBody> kept_body(const std::string &fingerprint) const;
   void keep_bodies(output::RunFolder &folder) const;
   derived::DerivedQuantities derived_quantities(const std::vector<Job> &jobs) const;

@@ -1,4 +1,5 @@
 // The cases of analyses: what they run on, and how the analyses that they evaluate are repeated.
+#include "analyses/constants.h"
 #include "simulation.h"
 
 namespace vibroimpact {
@@ -24,7 +25,8 @@ Values selecting_section(const Values &root, const std::string &name) {
 
 analyses::Case Simulation::build_case(const Job &job,
                                       const std::vector<Override> &overrides) const {
-  return build_case(overrides.empty() ? parameters_ : parameters_->with(overrides), job.repeated);
+  return build_case(overrides.empty() ? job.parameters : job.parameters->with(overrides),
+                    job.repeated);
 }
 
 analyses::Case Simulation::build_case(const std::shared_ptr<const ParameterSet> &parameters,
@@ -40,20 +42,25 @@ analyses::Case Simulation::build_case(const std::shared_ptr<const ParameterSet> 
   if (!work.analysis->evaluated().empty())
     work.outcomes = std::make_shared<derived::RepeatedAnalysis>(
         [this, parameters](const std::string &evaluated, const std::vector<Override> &more) {
-          return repetition(parameters->with(more), evaluated);
+          return repetition(parameters, evaluated, more);
         });
   return work;
 }
 
-derived::Repetition Simulation::repetition(const std::shared_ptr<const ParameterSet> &parameters,
-                                           const std::string &name) const {
-  const Values root = parameters->root();
-  const Values section = root.instance("Analysis", name);
+// The keys that the search changes have the last word.
+derived::Repetition Simulation::repetition(const std::shared_ptr<const ParameterSet> &around,
+                                           const std::string &name,
+                                           const std::vector<Override> &changes) const {
+  const Values section = around->root().instance("Analysis", name);
   const bool grid = section.choice("Type") == analyses::grid_type;
   const std::string repeated =
-      grid ? analyses::repeated_analysis(section, root.instances("Analysis")) : name;
-  const auto keys =
-      grid ? analyses::read_grid(section, repeated) : std::vector<analyses::GridKey>{};
+      grid ? analyses::repeated_analysis(section, around->root().instances("Analysis")) : name;
+  const std::vector<std::string> names =
+      grid ? std::vector<std::string>{repeated, name} : std::vector<std::string>{name};
+  const auto parameters = analyses::with_constants(around, names)->with(changes);
+  const Values root = parameters->root();
+  const auto keys = grid ? analyses::read_grid(root.instance("Analysis", name), repeated)
+                         : std::vector<analyses::GridKey>{};
   return {.root = root,
           .analysis = name,
           .keys = keys,

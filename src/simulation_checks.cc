@@ -1,5 +1,6 @@
 // What a file asks for that no run could do, or that would end in years: refused before anything
 // runs.
+#include "analyses/constants.h"
 #include "common/error.h"
 #include "parameters/text.h"
 #include "reduction/body_file.h"
@@ -16,7 +17,7 @@ using parameters::Values;
 // Pictures of a motion would take the place of the mode shapes, or lie among the journals.
 void Simulation::refuse_file_names(const Job &job) const {
   const Values transient =
-      parameters_->root().instance("Analysis", job.repeated).subsection("Transient");
+      job.parameters->root().instance("Analysis", job.repeated).subsection("Transient");
   if ((job.name == "modes" || job.name == "journal" || job.name == "bodies") &&
       transient.given("Frames"))
     transient.reject("Frames", "Frames must not be set in an analysis with the name " + job.name +
@@ -54,7 +55,7 @@ void Simulation::check_cases(const Job &job) const {
 // A motion that would take years of computing is a mistake in a unit or an exponent.
 void Simulation::check_length(const Job &job, const analyses::Case &work) const {
   constexpr double most = 1e12; // steps, or periods of the highest natural frequency
-  const Values root = parameters_->root();
+  const Values root = job.parameters->root();
   const Values analysis = root.instance("Analysis", job.repeated);
   const Values transient = analysis.subsection("Transient");
   if (analysis.choice("Type") != "transient" || !transient.has("Duration"))
@@ -96,27 +97,35 @@ void Simulation::try_evaluated(const std::vector<Job> &jobs) const {
     throw InputError(refused);
 }
 
-// A grid and the sweep that it repeats must not change the same key.
+// A grid and the analysis that it repeats must not change the same key, nor what the key With of
+// one that is evaluated keeps constant.
 void Simulation::check_swept_key(const Job &job) const {
-  const Values root = parameters_->with(analyses::grid_overrides(job.keys, 0))->root();
+  const Values root = job.parameters->with(analyses::grid_overrides(job.keys, 0))->root();
   const auto analysis = analyses::create_analysis(root.instance("Analysis", job.repeated));
+  std::vector<std::string> changed;
   for (const std::string &path : analysis->changed_keys())
+    changed.push_back(parameters_->key_path(path));
+  if (const std::string evaluated = analysis->evaluated(); !evaluated.empty())
+    for (const auto &constant : analyses::read_constants(root.instance("Analysis", evaluated)))
+      changed.push_back(constant.path);
+  for (const std::string &target : changed)
     for (const GridKey &key : job.keys) {
-      const std::string swept = parameters_->key_path(path);
-      refuse_swept(job, key, swept);
+      refuse_swept(job, key, target);
       for (const GridKey &follower : key.followers)
-        refuse_swept(job, follower, swept);
+        refuse_swept(job, follower, target);
     }
 }
 
 void Simulation::refuse_swept(const Job &job, const GridKey &key, const std::string &swept) const {
-  if (key.target == swept)
-    parameters_->root()
-        .instance("Analysis", job.name)
-        .subsection("Parameter grid")
-        .instance("Key", key.name)
-        .reject("Path", "Path must not name the key that the analysis '" + job.repeated +
-                            "' changes itself.");
+  if (key.target != swept)
+    return;
+  const Values grid =
+      parameters_->root().instance("Analysis", job.name).subsection("Parameter grid");
+  const std::string problem =
+      " must not name a key that the analysis '" + job.repeated + "' changes itself.";
+  if (key.name.empty())
+    grid.reject("Cases", "Cases" + problem);
+  grid.instance("Key", key.name).reject("Path", "Path" + problem);
 }
 
 } // namespace vibroimpact

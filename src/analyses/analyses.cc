@@ -5,6 +5,7 @@
 #include "analyses/basin_shares.h"
 #include "analyses/basins.h"
 #include "analyses/bilinear/bilinear_approximation.h"
+#include "analyses/constants.h"
 #include "analyses/design/estimate.h"
 #include "analyses/design/isolator_design.h"
 #include "analyses/design/optimise.h"
@@ -18,7 +19,7 @@
 #include "analyses/orbit_locus.h"
 #include "analyses/periodic_orbit.h"
 #include "analyses/recorders.h"
-#include "analyses/response.h"
+#include "analyses/steady_state.h"
 #include "analyses/stepped_sweep.h"
 #include "analyses/transient.h"
 
@@ -41,7 +42,7 @@ constexpr Entry entries[] = {
     {"stepped sweep", SteppedSweep::declare, SteppedSweep::create, true},
     {"frequency response", FrequencyResponse::declare, FrequencyResponse::create},
     {"bilinear approximation", BilinearApproximation::declare, BilinearApproximation::create},
-    {"response", Response::declare, Response::create, true},
+    {"steady state", SteadyState::declare, SteadyState::create, true},
     {"branch", OrbitBranch::declare, OrbitBranch::create, true},
     {"harmonic balance", BalanceBranch::declare, BalanceBranch::create},
     {"locus", OrbitLocus::declare, OrbitLocus::create, true},
@@ -67,6 +68,7 @@ void declare_analyses(parameters::Section &root) {
     types.emplace_back(entry.type);
   types.emplace_back(grid_type);
   analysis.choice("Type", "transient", types, "What is computed.");
+  declare_constants(analysis);
   declare_selection(analysis, "all");
   declare_recorders(analysis);
   for (const Entry &entry : entries)

@@ -2,7 +2,7 @@
 
 #include "analyses/channels.h"
 #include "analyses/fields.h"
-#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/extreme_values.h"
 #include "continuation/harmonic_series.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Field amplitudes(const std::string &path, const RowVector &series) {
 
 void add_channel(const std::string &path, const std::string &meaning, const RowVector &series,
                  const RowVector &left, PointResult &row) {
-  const ExcursionLabels labels(
+  const ExtremeValueLabels labels(
       {.path = path, .kind = "displacement", .unit = "m", .meaning = meaning, .curve = {}});
   add_range(row, labels, range_of(series));
   row.fields.push_back(amplitudes(path, series));

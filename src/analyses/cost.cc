@@ -16,7 +16,7 @@ constexpr std::size_t points_at_a_place = 5; // measured, behind the one that be
 constexpr std::size_t most_places = 60;
 constexpr std::size_t least_places = 8;
 constexpr double good_enough = 0.05; // relative standard error
-constexpr double least_told = 0.01;  // [s]
+constexpr double least_reported = 0.01;  // [s]
 
 /// The steps first ... last of a line, the others being left out, and the time each takes.
 class TriedSteps : public LineContext {
@@ -224,8 +224,8 @@ std::string short_number(double seconds) {
 std::string Cost::sentence() const {
   std::ostringstream text;
   text << points << (points == 1 ? " point, " : " points, ");
-  if (!at_least && seconds + 2 * error < least_told)
-    text << "less than " << least_told;
+  if (!at_least && seconds + 2 * error < least_reported)
+    text << "less than " << least_reported;
   else
     text << (at_least ? "more than " : "about ") << short_number(seconds);
   text << " s of computing on one core";

@@ -1,5 +1,6 @@
 #include "analyses/grid.h"
 
+#include "analyses/case_table.h"
 #include "parameters/text.h"
 
 #include <boost/algorithm/string/replace.hpp>
@@ -43,8 +44,8 @@ GridKey read_key(const parameters::Values &key) {
 
 void attach_follower(const parameters::Values &key, const std::string &name,
                      const std::vector<std::string> &leaders, std::vector<GridKey> &keys) {
-  key.require_known("Follows", key.text("Follows"), leaders);
-  const auto found = std::find(leaders.begin(), leaders.end(), key.text("Follows"));
+  key.require_known("Tied to", key.text("Tied to"), leaders);
+  const auto found = std::find(leaders.begin(), leaders.end(), key.text("Tied to"));
   GridKey &leader = keys[static_cast<std::size_t>(found - leaders.begin())];
   GridKey follower = read_key(key);
   follower.name = name;
@@ -59,16 +60,23 @@ void attach_follower(const parameters::Values &key, const std::string &name,
 void check_changed_key(const parameters::Values &key, const std::string &target,
                        const std::string &repeated, const std::string &owner,
                        std::vector<std::string> &taken) {
+  check_changed_key(key, "Path", target, repeated, owner, taken);
+}
+
+void check_changed_key(const parameters::Values &section, const std::string &name,
+                       const std::string &target, const std::string &repeated,
+                       const std::string &owner, std::vector<std::string> &taken) {
   const std::string own = "Analysis " + repeated + "/";
   const bool reaches = target.starts_with("Analysis ")
                            ? target.starts_with(own) && target != own + "Type"
                            : !target.starts_with("Derived ");
   static const std::vector<std::string> fixed{"Title", "Analyses", "File folder", "File checksums"};
   if (!reaches || std::find(fixed.begin(), fixed.end(), target) != fixed.end())
-    key.reject("Path", "Path must name a key that changes the model or the analysis '" + repeated +
-                           "', which the " + owner + " repeats, other than its Type.");
+    section.reject(name, name + " must name a key that changes the model or the analysis '" +
+                             repeated + "', which the " + owner + " repeats, other than its Type.");
   if (std::find(taken.begin(), taken.end(), target) != taken.end())
-    key.reject("Path", "Path must not name a key that another Key of this " + owner + " changes.");
+    section.reject(name, name + " must not name a key that another Key of this " + owner +
+                             " or the key With of an analysis changes.");
   taken.push_back(target);
 }
 
@@ -76,7 +84,7 @@ void declare_grid_keys(parameters::Section &section, const std::string &kind,
                        const std::string &sentence) {
   using namespace parameters;
   section.named_subsection(kind, sentence)
-      .text("Follows", "",
+      .text("Tied to", "",
             "Name of another " + kind +
                 ": the two change together, so that this one must have as many values and adds no "
                 "axis of its own.")
@@ -92,6 +100,7 @@ void declare_grid(parameters::Section &analysis) {
   parameters::Section &grid = analysis.subsection(
       section_name, "Repeats another analysis at every combination of the values of some keys.");
   grid.text("Repeat", "", "Name of the analysis to repeat.");
+  declare_case_table(grid);
   declare_grid_keys(grid, "Key", "A key that takes several values; the last one varies fastest.");
 }
 
@@ -101,13 +110,13 @@ std::vector<GridKey> read_grid_keys(const parameters::Values &section, const std
   std::vector<GridKey> keys;
   std::vector<std::string> leaders;
   for (const std::string &name : section.instances(kind))
-    if (!section.instance(kind, name).has("Follows")) {
+    if (!section.instance(kind, name).has("Tied to")) {
       keys.push_back(read_key(section.instance(kind, name)));
       keys.back().name = name;
       leaders.push_back(name);
     }
   for (const std::string &name : section.instances(kind))
-    if (const parameters::Values key = section.instance(kind, name); key.has("Follows"))
+    if (const parameters::Values key = section.instance(kind, name); key.has("Tied to"))
       attach_follower(key, name, leaders, keys);
   double cases = 1; // whose product may be larger than any integer
   for (const GridKey &key : keys)
@@ -124,12 +133,29 @@ std::vector<GridKey> read_grid_keys(const parameters::Values &section, const std
   return keys;
 }
 
-std::vector<GridKey> read_grid(const parameters::Values &analysis, const std::string &repeated) {
+namespace {
+
+std::vector<GridKey> read_table(const parameters::Values &grid, const std::string &repeated,
+                                std::vector<std::string> &taken) {
+  if (!grid.instances("Key").empty())
+    grid.reject("Cases", "Cases must not be set when there are sections Key.");
+  const GridKey key = read_case_table(grid);
+  check_changed_key(grid, "Cases", key.target, repeated, "grid", taken);
+  for (const GridKey &follower : key.followers)
+    check_changed_key(grid, "Cases", follower.target, repeated, "grid", taken);
+  return {key};
+}
+
+} // namespace
+
+std::vector<GridKey> read_grid(const parameters::Values &analysis, const std::string &repeated,
+                               std::vector<std::string> taken) {
   const parameters::Values grid = analysis.subsection(section_name);
-  std::vector<std::string> taken;
+  if (grid.has("Cases"))
+    return read_table(grid, repeated, taken);
   std::vector<GridKey> keys = read_grid_keys(grid, "Key", repeated, "grid", taken);
   if (keys.empty())
-    grid.reject_section("a parameter grid needs at least one subsection Key NAME.");
+    grid.reject_section("a parameter grid needs Cases or at least one subsection Key NAME.");
   return keys;
 }
 

@@ -37,14 +37,19 @@ std::vector<GridKey> read_grid_keys(const parameters::Values &section, const std
 void check_changed_key(const parameters::Values &key, const std::string &target,
                        const std::string &repeated, const std::string &owner,
                        std::vector<std::string> &taken);
+/// The same for the path that stands in another key of a section.
+void check_changed_key(const parameters::Values &section, const std::string &name,
+                       const std::string &target, const std::string &repeated,
+                       const std::string &owner, std::vector<std::string> &taken);
 
 /// Paths of all keys, followers included.
 std::vector<std::string> grid_paths(const std::vector<GridKey> &keys);
 
 /// Keys of a `parameter grid` section that repeats the analysis `repeated`, in the order of the
-/// file. InputError when there are none, when two change the same key, or when one changes nothing
-/// that the repeated analysis reads.
-std::vector<GridKey> read_grid(const parameters::Values &analysis, const std::string &repeated);
+/// file. InputError when there are none, when two change the same key or one of `taken`, or when
+/// one changes nothing that the repeated analysis reads.
+std::vector<GridKey> read_grid(const parameters::Values &analysis, const std::string &repeated,
+                               std::vector<std::string> taken = {});
 /// Name of the analysis that the grid repeats.
 std::string repeated_analysis(const parameters::Values &analysis,
                               const std::vector<std::string> &known);

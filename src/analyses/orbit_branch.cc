@@ -45,7 +45,7 @@ std::shared_ptr<const Analysis> OrbitBranch::create(const parameters::Values &an
                     .continuation = read_continuation(values, parameter),
                     .levels = values.integer("Switching levels"),
                     .excitation = values.text("Excitation"),
-                    .recorders = read_recorders(analysis, {"excursions", "impacts"})};
+                    .recorders = read_recorders(analysis, {"extreme values", "impacts"})};
   return std::make_shared<OrbitBranch>(std::move(settings));
 }
 

@@ -88,7 +88,7 @@ std::shared_ptr<const Analysis> OrbitLocus::create(const parameters::Values &ana
                     .continuation = read_steps(values),
                     .levels = values.integer("Switching levels"),
                     .excitation = values.text("Excitation"),
-                    .recorders = read_recorders(analysis, {"excursions", "impacts"})};
+                    .recorders = read_recorders(analysis, {"extreme values", "impacts"})};
   for (const char *name : key_sections) {
     const parameters::Values key = values.subsection(name);
     settings.keys.push_back(read_key_range(key));

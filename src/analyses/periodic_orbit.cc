@@ -31,7 +31,7 @@ std::shared_ptr<const Analysis> PeriodicOrbit::create(const parameters::Values &
   return std::make_shared<PeriodicOrbit>(
       Settings{.start = read_orbit_start(values),
                .excitation = values.text("Excitation"),
-               .recorders = read_recorders(analysis, {"excursions", "impacts"}),
+               .recorders = read_recorders(analysis, {"extreme values", "impacts"}),
                .keys = read_orbit_keys(values)});
 }
 

@@ -1,7 +1,7 @@
 #include "analyses/recorders.h"
 
 #include "analyses/recorders/energy.h"
-#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/extreme_values.h"
 #include "analyses/recorders/forces.h"
 #include "analyses/recorders/history.h"
 #include "analyses/recorders/impacts.h"
@@ -21,7 +21,8 @@ namespace vibroimpact::analyses {
 namespace {
 
 constexpr RecorderKind kinds[] = {
-    {"excursions", "extreme values", Excursions::declare, Excursions::create},
+    {"extreme values", "smallest and largest values", ExtremeValues::declare,
+     ExtremeValues::create},
     {"statistics", "means and root mean squares", Statistics::declare, Statistics::create},
     {"impacts", "figures of the impacts", Impacts::declare, Impacts::create},
     {"stresses", "largest von Mises stresses", Stresses::declare, Stresses::create},
@@ -57,7 +58,7 @@ void declare_recorders(parameters::Section &analysis) {
     list += (list.empty() ? "" : ", ") + std::string(kind.name) + " (" + kind.description + ")";
   analysis.names("Record", "",
                  "What is kept of the recorded window: " + list +
-                     ", or none. Empty means excursions and impacts, and none in a transient "
+                     ", or none. Empty means extreme values and impacts, and none in a transient "
                      "analysis, which has its histories.");
   for (const RecorderKind &kind : kinds)
     kind.declare(analysis);
@@ -79,7 +80,7 @@ std::vector<RecorderFactory> read_recorders(const parameters::Values &analysis,
 
 std::vector<RecorderFactory> default_recorders() {
   return {[](const System &system) {
-            return std::make_unique<Excursions>(ObservedSelection{}, system);
+            return std::make_unique<ExtremeValues>(ObservedSelection{}, system);
           },
           [](const System &system) { return std::make_unique<Impacts>(system); }};
 }

@@ -62,20 +62,20 @@ public:
       : counters_(counters), progress_(progress) {}
 
   void count() override {
-    ++untold_;
+    ++unreported_;
     if (Clock::now() - last_told_ >= std::chrono::milliseconds(100))
-      tell();
+      report();
   }
 
   void note_share(double share) override {
     if (Clock::now() - last_told_ >= std::chrono::milliseconds(100))
-      tell(share);
+      report(share);
   }
 
-  void tell(double share = 0) {
-    const long before = counters_.add(points_done, untold_);
-    progress_.update(static_cast<std::size_t>(before + untold_), share);
-    untold_ = 0;
+  void report(double share = 0) {
+    const long before = counters_.add(points_done, unreported_);
+    progress_.update(static_cast<std::size_t>(before + unreported_), share);
+    unreported_ = 0;
     last_told_ = Clock::now();
   }
 
@@ -91,22 +91,22 @@ private:
   };
   SharedCounters &counters_;
   Progress &progress_;
-  long untold_ = 0;
+  long unreported_ = 0;
   Clock::time_point last_told_{};
 };
 
 // A rank that is done early waits here without burning its core, rank 0 with the progress in view.
 void wait_for_all(PointCounter &counter, MPI_Comm communicator) {
-  counter.tell();
+  counter.report();
   MPI_Request request = MPI_REQUEST_NULL;
   MPI_Ibarrier(communicator, &request);
   int done = 0;
   for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); done == 0;
        MPI_Test(&request, &done, MPI_STATUS_IGNORE)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    counter.tell();
+    counter.report();
   }
-  counter.tell(); // what the last rank told just before it came here
+  counter.report(); // what the last rank reported just before it came here
 }
 
 // Numbers that make up a physical state.

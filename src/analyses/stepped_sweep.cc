@@ -146,7 +146,7 @@ std::shared_ptr<const Analysis> SteppedSweep::create(const parameters::Values &a
                     .excitation = values.text("Excitation"),
                     .jump_tolerance = values.quantity("Jump tolerance"),
                     .jump_threshold = values.quantity("Jump threshold"),
-                    .recorders = read_recorders(analysis, {"excursions", "impacts"})};
+                    .recorders = read_recorders(analysis, {"extreme values", "impacts"})};
   if (settings.jump_tolerance > 0 && settings.directions == Directions::independent)
     values.reject("Jump tolerance", "0 with Start = initial conditions: only a state that is "
                                     "carried over can jump.");

@@ -1,6 +1,7 @@
 #include "analyses/system.h"
 
 #include "common/error.h"
+#include "contact/contact_sections.h"
 #include "model/connection.h"
 #include "model/excitation.h"
 #include "model/rotor_parameters.h"
@@ -70,7 +71,8 @@ System build_system(const parameters::Values &root, const parameters::Values &an
                          model);
   model::add_connections(root, model);
   model::add_rotors(root, model);
-  const std::vector<std::string> contacts = listed_instances(root, "Contacts", "Contact");
+  const std::vector<std::string> contacts =
+      contact::contact_names(root, listed_instances(root, "Contacts", "Contact"));
   ContactSet contact_set =
       contact::read_contacts(root, selected(analysis, "Active contacts", contacts), model);
   const std::vector<std::string> conditions =

@@ -1,13 +1,13 @@
 #include "contact/laws.h"
 
+#include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/laws/newton_restitution.h"
-#include "contact/laws/piecewise_stop.h"
-#include "contact/laws/relaxing_stop.h"
 #include "contact/laws/tsuji.h"
 
 #include <stdexcept>
@@ -24,6 +24,9 @@ struct LawEntry {
   /// Of laws with a key Stiffness: with another stiffness than that of the section.
   std::shared_ptr<const ContactLaw> (*create_with)(const parameters::Values &contact,
                                                    double stiffness) = nullptr;
+  /// Of laws with a key Effective mass: with this one unless the section gives another.
+  std::shared_ptr<const ContactLaw> (*create_of_mass)(const parameters::Values &contact,
+                                                      double effective_mass) = nullptr;
 };
 
 constexpr LawEntry laws[] = {
@@ -31,12 +34,13 @@ constexpr LawEntry laws[] = {
      LinearPenalty::create_with},
     {"kelvin-voigt", "Kelvin-Voigt", KelvinVoigt::declare, KelvinVoigt::create,
      KelvinVoigt::create_with},
-    {"relaxing stop", "Relaxing stop", RelaxingStop::declare, RelaxingStop::create},
-    {"piecewise stop", "Piecewise stop", PiecewiseStop::declare, PiecewiseStop::create,
-     PiecewiseStop::create_with},
+    {"kelvin-voigt bumper", "Kelvin-Voigt bumper", KelvinVoigtBumper::declare,
+     KelvinVoigtBumper::create},
+    {"bilinear stop", "Bilinear stop", BilinearStop::declare, BilinearStop::create,
+     BilinearStop::create_with},
     {"hertz", "Hertz", Hertz::declare, Hertz::create},
     {"hunt-crossley", "Hunt-Crossley", HuntCrossley::declare, HuntCrossley::create},
-    {"tsuji", "Tsuji", Tsuji::declare, Tsuji::create},
+    {"tsuji", "Tsuji", Tsuji::declare, Tsuji::create, nullptr, Tsuji::create_of_mass},
     {"kuwabara-kono", "Kuwabara-Kono", KuwabaraKono::declare, KuwabaraKono::create},
     {"newton restitution", "Newton restitution", NewtonRestitution::declare,
      NewtonRestitution::create},
@@ -64,6 +68,13 @@ void declare_contact_laws(parameters::Section &contact) {
 
 std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &contact) {
   return chosen_law(contact).create(contact);
+}
+
+std::shared_ptr<const ContactLaw> create_contact_law_of_mass(const parameters::Values &contact,
+                                                             double effective_mass) {
+  const LawEntry &law = chosen_law(contact);
+  return law.create_of_mass == nullptr ? law.create(contact)
+                                       : law.create_of_mass(contact, effective_mass);
 }
 
 std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &contact,

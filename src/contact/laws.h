@@ -15,6 +15,10 @@ void declare_contact_laws(parameters::Section &contact);
 
 /// The law a contact section chooses. Throws InputError.
 std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &contact);
+/// The same of two sides with this effective mass [kg], for laws that want one and are given none.
+/// Throws InputError.
+std::shared_ptr<const ContactLaw> create_contact_law_of_mass(const parameters::Values &contact,
+                                                             double effective_mass);
 /// The same with this stiffness [N/m]. Throws InputError for laws without a key Stiffness.
 std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &contact,
                                                      double stiffness);

@@ -1,5 +1,6 @@
 // The sections "Contact NAME" of a parameter file and what they stand for.
 #include "contact/contact_group.h"
+#include "contact/contact_sections.h"
 #include "contact/contact_set.h"
 #include "contact/laws.h"
 #include "contact/local_flexibility.h"
@@ -35,12 +36,30 @@ std::shared_ptr<const ContactLaw> law_by_fraction(const Values &contact, const s
   return create_contact_law(contact, contact.quantity("Stiffness fraction") / flexibility->whole);
 }
 
+/// 1 / (w M^-1 w^T) [kg], which is m_a m_b / (m_a + m_b), or m_a at a stop, where both sides are
+/// lumped masses. None where a side is flexible, for it grows with the modes left out there, or
+/// where rotors couple the masses.
+std::optional<double> lumped_mass(const Meeting &meeting, const model::Projection &gap,
+                                  const Model &model) {
+  const auto lumped = [&](const model::PointReference &point) {
+    return model.bodies()[point.body]->type == "lumped";
+  };
+  const double inverse = (gap.row.cwiseAbs2() * model.mass().cwiseInverse()).value();
+  if (!lumped(meeting.a) || (meeting.b && !lumped(*meeting.b)) || !model.rotors().empty() ||
+      inverse == 0)
+    return std::nullopt;
+  return 1 / inverse;
+}
+
 /// Makes the contacts of one section; those without a stiffness fraction share one law.
 class ContactMaker {
 public:
-  ContactMaker(const Values &contact, const Model &model) : contact_(contact), model_(model) {
+  ContactMaker(const Values &contact, const Model &model,
+               const std::optional<double> &effective_mass = {})
+      : contact_(contact), model_(model) {
     if (!contact.has("Stiffness fraction"))
-      law_ = create_contact_law(contact);
+      law_ = effective_mass ? create_contact_law_of_mass(contact, *effective_mass)
+                            : create_contact_law(contact);
   }
 
   ContactPair pair(const std::string &name, const Meeting &meeting,
@@ -66,21 +85,32 @@ private:
   std::shared_ptr<const ContactLaw> law_;
 };
 
-Meeting single_meeting(const Values &contact, const model::Sides &sides, const Model &model) {
-  Meeting meeting{.normal = model::read_direction(contact, "Direction"),
-                  .clearance = read_clearance(contact)};
+// Zero less a component, for a component of zero has no sign then.
+Vector3 read_normal(const ContactSection &contact) {
+  const Vector3 direction = model::read_direction(contact.values, "Direction");
+  return contact.mirrored ? Vector3(Vector3::Zero() - direction) : direction;
+}
+
+Meeting single_meeting(const ContactSection &contact, const model::Sides &sides,
+                       const Model &model) {
+  Meeting meeting{.normal = read_normal(contact), .clearance = read_clearance(contact.values)};
   model.find_point(sides.a, meeting.a);
   if (model::PointReference b; model.find_point(sides.b, b))
     meeting.b = b;
   return meeting;
 }
 
-ContactPair read_contact(const Values &contact, const std::string &name, const Model &model) {
+ContactPair read_contact(const ContactSection &section, const std::string &name,
+                         const Model &model) {
+  const Values &contact = section.values;
   refuse_pairing_keys(contact);
   const model::Sides sides = model::read_sides(contact, {model::side_stop, side_base}, model);
-  const Meeting meeting = single_meeting(contact, sides, model);
+  const Meeting meeting = single_meeting(section, sides, model);
+  const std::string fixed = meeting.b ? std::string() : sides.b;
+  const model::Projection gap =
+      model::relative_displacement(meeting.a, meeting.b, fixed != side_base, meeting.normal, model);
   ContactPair pair =
-      ContactMaker(contact, model).pair(name, meeting, meeting.b ? std::string() : sides.b);
+      ContactMaker(contact, model, lumped_mass(meeting, gap, model)).pair(name, meeting, fixed);
   if (pair.gap.row.isZero(0))
     contact.reject("Direction", "a direction along which at least one of the two sides can move.");
   return pair;
@@ -133,6 +163,7 @@ void declare_contacts(parameters::Section &root) {
           "Says that a negative clearance is meant: the two sides press on each other at rest.")
       .choice("Initial penetration", "refuse", {"refuse", "accept"},
               "What to do when a motion starts with the two sides overlapping.");
+  declare_mirror(contact);
   declare_pairing(contact);
   contact
       .quantity("Stiffness fraction", "", dimension::none, range::positive, "",
@@ -154,11 +185,11 @@ ContactSet read_contacts(const parameters::Values &root, const std::vector<std::
   std::vector<ContactPair> pairs;
   std::vector<ContactGroup> groups;
   for (const std::string &name : names) {
-    const Values contact = root.instance("Contact", name);
-    if (contact.choice("Pairing") == "points")
+    const ContactSection contact = contact_section(root, name);
+    if (contact.values.choice("Pairing") == "points")
       pairs.push_back(read_contact(contact, name, model));
     else
-      groups.push_back(read_group(contact, name, model, pairs));
+      groups.push_back(read_group(contact.values, name, model, pairs));
   }
   return ContactSet(std::move(pairs), std::move(groups));
 }

@@ -28,7 +28,7 @@ AxisNames::AxisNames(const std::vector<Axis> &axes, const std::vector<analyses::
   };
   for (std::size_t a = 0; a < axes.size(); ++a)
     for (const std::string &name : wanted[a])
-      if (unambiguous(name) && !holds(names_[a], name))
+      if (!name.empty() && unambiguous(name) && !holds(names_[a], name))
         names_[a].push_back(name);
 }
 

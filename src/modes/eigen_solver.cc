@@ -16,7 +16,7 @@ using Eigensolver = structure::petsc::Object<EPS, EPSDestroy>;
 constexpr double tolerance = 1e-12;
 constexpr int most_restarts = 1000;
 
-// Parallel MUMPS reports the signs of its root front only when told to, and spectrum slicing makes
+// Parallel MUMPS reports the signs of its root front only when asked to, and spectrum slicing makes
 // its solvers inside SLEPc, out of reach of MatMumpsSetIcntl. The user's own option goes first.
 void default_option(const char *name, const char *value) {
   PetscBool given = PETSC_FALSE;

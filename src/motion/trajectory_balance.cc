@@ -1,4 +1,4 @@
-// The energy balance of a motion, and what is told of its accuracy.
+// The energy balance of a motion, and what is reported of its accuracy.
 #include "motion/trajectory.h"
 
 #include <algorithm>

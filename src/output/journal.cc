@@ -29,7 +29,7 @@ uLong checksum(uLong before, std::string_view bytes) {
   return ::crc32_z(before, reinterpret_cast<const Bytef *>(bytes.data()), bytes.size());
 }
 
-/// The length takes part, so that a stretch of zeros is no valid record.
+/// The length takes part, so that a run of zeros is no valid record.
 uLong checksum_of_length(std::uint64_t length) {
   return checksum(0, {reinterpret_cast<const char *>(&length), length_size});
 }

@@ -2,12 +2,8 @@
 
 #include "parameters/text.h"
 
-// Without this Boost 1.74 prints a message about its own use of the placeholders.
-#define BOOST_BIND_GLOBAL_PLACEHOLDERS
-#include <boost/property_tree/json_parser.hpp>
 #include <deal.II/base/parameter_handler.h>
 
-#include <iterator>
 #include <sstream>
 
 namespace vibroimpact::parameters {
@@ -33,60 +29,37 @@ std::string message_of(const dealii::ExceptionBase &error) {
   return normalised(text.str());
 }
 
-using JsonTree = boost::property_tree::ptree;
-
-bool is_section(const Node &node, const std::string &name) {
-  if (node.find_subsection(name) != nullptr)
-    return true;
-  const Section *kind = kind_of(*node.declared, name);
-  return kind != nullptr && node.find_value(name) == nullptr;
-}
-
-const Node &section_below(const Node &node, const std::string &name) {
+const Node *section_below(const Node &node, const std::string &name) {
   if (const Node *fixed = node.find_subsection(name))
-    return *fixed;
-  const std::string &kind = kind_of(*node.declared, name)->name();
-  return *node.find_instance(kind, name.substr(kind.size() + 1));
+    return fixed;
+  const Section *kind = kind_of(*node.declared, name);
+  return kind == nullptr || name == kind->name()
+             ? nullptr
+             : node.find_instance(kind->name(), name.substr(kind->name().size() + 1));
 }
 
-/// deal.II takes an empty object for a key.
-void remove_empty_sections(JsonTree &object, const Node &node) {
-  for (auto child = object.begin(); child != object.end();) {
-    if (is_section(node, child->first))
-      remove_empty_sections(child->second, section_below(node, child->first));
-    const bool is_empty = child->second.empty() && is_section(node, child->first);
-    child = is_empty ? object.erase(child) : std::next(child);
-  }
-}
-
-void parse_json(const std::string &text, const Node &root, dealii::ParameterHandler &handler) {
-  JsonTree tree;
-  std::istringstream stream(text);
-  boost::property_tree::read_json(stream, tree);
-  remove_empty_sections(tree, root);
-  std::stringstream without_empty_sections;
-  boost::property_tree::write_json(without_empty_sections, tree);
-  handler.parse_input_from_json(without_empty_sections);
-}
-
-void parse(const ScannedFile &file, const Node &root, dealii::ParameterHandler &handler) {
-  const std::string &name = file.root.origin.source;
-  try {
-    if (file.root.origin.kind == Origin::Kind::json)
-      parse_json(file.text, root, handler);
+/// In deal.II's language, without comments and continued lines. What may be either in JSON, an
+/// empty entry, is what the tree took it for.
+std::string prm_text(const ScannedEntry &section, const Node &node) {
+  std::string text;
+  for (const ScannedEntry &entry : section.entries)
+    if (const Node *below = section_below(node, entry.name))
+      text += "subsection " + entry.name + "\n" + prm_text(entry, *below) + "end\n";
     else
-      handler.parse_input_from_string(file.text);
-  } catch (const dealii::ExceptionBase &error) {
-    refuse_place({.source = name}, {}, message_of(error));
-  }
+      text += "set " + entry.name + " = " + entry.value + "\n";
+  return text;
 }
 
 } // namespace
 
-void parse_with_dealii(const ScannedFile &file, Node &root) {
+void parse_with_dealii(const ScannedEntry &file, Node &root) {
   dealii::ParameterHandler handler;
   declare(root, handler);
-  parse(file, root, handler);
+  try {
+    handler.parse_input_from_string(prm_text(file, root));
+  } catch (const dealii::ExceptionBase &error) {
+    refuse_place({.source = file.origin.source}, {}, message_of(error));
+  }
   for_each_node(root, [&](Node &node) {
     for (Value &value : node.values)
       value.text = normalised(handler.get(node.path, value.key->name));

@@ -5,8 +5,8 @@
 
 namespace vibroimpact::parameters {
 
-/// Declares every key of the tree, its named subsections included, parses the scanned text and
+/// Declares every key of the tree, its named subsections included, parses the scanned file and
 /// puts the values found into the tree. Throws InputError.
-void parse_with_dealii(const ScannedFile &file, Node &root);
+void parse_with_dealii(const ScannedEntry &file, Node &root);
 
 } // namespace vibroimpact::parameters

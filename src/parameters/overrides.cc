@@ -10,14 +10,6 @@ namespace {
 
 const std::string variables_prefix = "Variables/";
 
-std::vector<std::string> path_parts(const std::string &path) {
-  std::vector<std::string> parts;
-  std::istringstream stream(path);
-  for (std::string part; std::getline(stream, part, '/');)
-    parts.push_back(normalised(part));
-  return parts;
-}
-
 /// Follows a path from the root, noting every section it enters.
 class PathWalker {
 public:
@@ -92,6 +84,14 @@ private:
 };
 
 } // namespace
+
+std::vector<std::string> path_parts(const std::string &path) {
+  std::vector<std::string> parts;
+  std::istringstream stream(path);
+  for (std::string part; std::getline(stream, part, '/');)
+    parts.push_back(normalised(part));
+  return parts;
+}
 
 Origin override_origin(const Override &replacement) {
   return {.kind = Origin::Kind::override, .source = replacement.origin + " " + replacement.path};

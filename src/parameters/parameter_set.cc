@@ -1,6 +1,7 @@
 #include "common/log.h"
 #include "parameters/check_value.h"
 #include "parameters/echo.h"
+#include "parameters/like.h"
 #include "parameters/official_parse.h"
 #include "parameters/overrides.h"
 #include "parameters/parameter_data.h"
@@ -58,12 +59,14 @@ void rename_option(const Pending &pending) {
     }
 }
 
-void check(const Pending &pending, const VariableTable &variables) {
+void check(const Pending &pending, const VariableTable &variables, FormerNames &former_names) {
+  const std::vector<std::string> path = path_of(pending);
   rename_option(pending);
+  former_names.rename_options(*pending.value, path);
   try {
     check_value(*pending.value, variables);
   } catch (const Refused &refused) {
-    refuse_value(pending.value->origin, path_of(pending), pending.value->text, refused.what());
+    refuse_value(pending.value->origin, path, pending.value->text, refused.what());
   }
 }
 
@@ -78,7 +81,8 @@ std::vector<Pending> values_where(Node &root, const std::function<bool(const Val
 }
 
 /// In file order, so that the first error of the file is the one reported; overrides come last.
-void check_in_order(std::vector<Pending> pending, const VariableTable &variables) {
+void check_in_order(std::vector<Pending> pending, const VariableTable &variables,
+                    FormerNames &former_names) {
   const auto rank = [](const Pending &item) {
     const Origin &origin = item.value->origin;
     return std::pair(origin.kind == Origin::Kind::override, origin.order);
@@ -86,7 +90,7 @@ void check_in_order(std::vector<Pending> pending, const VariableTable &variables
   std::stable_sort(pending.begin(), pending.end(),
                    [&](const Pending &a, const Pending &b) { return rank(a) < rank(b); });
   for (const Pending &item : pending)
-    check(item, variables);
+    check(item, variables, former_names);
 }
 
 /// What overrides have changed in a tree.
@@ -134,6 +138,12 @@ Changes replace_texts(Node &root, std::vector<VariableDefinition> &definitions,
   return changes;
 }
 
+std::vector<Override> with_present_paths(std::vector<Override> overrides, FormerNames &names) {
+  for (Override &replacement : overrides)
+    replacement.path = names.present_path(replacement.path, override_origin(replacement).source);
+  return overrides;
+}
+
 bool is_json(const std::string &file) {
   const std::string suffix = std::filesystem::path(file).extension().string();
   if (suffix != ".prm" && suffix != ".json")
@@ -158,17 +168,21 @@ std::shared_ptr<const ParameterSet> ParameterSet::parse(std::shared_ptr<const Se
                                                         const std::string &name, bool json,
                                                         const std::vector<Override> &overrides) {
   check_defaults(*declarations);
-  const ScannedFile scanned = json ? scan_json(text, name) : scan_prm(text, name);
+  ScannedEntry scanned = json ? scan_json(text, name) : scan_prm(text, name);
   auto data = std::make_shared<Data>();
+  data->former_names = std::make_shared<FormerNames>(*declarations);
+  data->former_names->rename(scanned);
+  take_over_entries(scanned, *declarations);
   data->file = name;
-  data->root = build_tree(*declarations, scanned.root);
+  data->root = build_tree(*declarations, scanned);
   parse_with_dealii(scanned, data->root);
   data->declarations = std::move(declarations);
   if (const Value *variables = std::as_const(data->root).find_value("Variables"))
     data->definitions = read_definitions(*variables);
-  replace_texts(data->root, data->definitions, overrides);
+  replace_texts(data->root, data->definitions, with_present_paths(overrides, *data->former_names));
   data->variables = evaluate_variables(data->definitions);
-  check_in_order(values_where(data->root, [](const Value &) { return true; }), data->variables);
+  check_in_order(values_where(data->root, [](const Value &) { return true; }), data->variables,
+                 *data->former_names);
   return std::make_shared<const ParameterSet>(std::move(data));
 }
 
@@ -180,7 +194,7 @@ std::shared_ptr<const ParameterSet> ParameterSet::with(const std::vector<Overrid
   else if (!changes.variables.empty())
     data->variables = evaluate_variables(data->definitions, data_->variables, changes.variables);
   const auto is_outdated = [&](const Value &value) { return outdated(value, changes); };
-  check_in_order(values_where(data->root, is_outdated), data->variables);
+  check_in_order(values_where(data->root, is_outdated), data->variables, *data->former_names);
   return std::make_shared<const ParameterSet>(std::move(data));
 }
 

@@ -89,15 +89,12 @@ private:
 
 } // namespace
 
-ScannedFile scan_json(const std::string &text, const std::string &name) {
+ScannedEntry scan_json(const std::string &text, const std::string &name) {
   const Tree tree = parsed(text, name);
-  ScannedFile file;
-  file.root.origin = {.kind = Origin::Kind::json, .source = name};
+  ScannedEntry file{.origin = {.kind = Origin::Kind::json, .source = name}};
   if (!tree.data().empty() || (!tree.empty() && tree.front().first.empty()))
-    refuse_place(file.root.origin, {},
-                 "the file must hold one object: { \"KEY\": \"VALUE\", ... }");
-  JsonScanner(name).scan_object(tree, file.root);
-  file.text = text;
+    refuse_place(file.origin, {}, "the file must hold one object: { \"KEY\": \"VALUE\", ... }");
+  JsonScanner(name).scan_object(tree, file);
   return file;
 }
 

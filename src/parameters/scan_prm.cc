@@ -69,11 +69,11 @@ private:
 /// One set of nested entries, filled from a file and those it includes.
 class PrmScanner {
 public:
-  ScannedFile scan(const std::string &text, const std::string &name) {
-    result_.root.origin.source = name;
-    open_.push_back(&result_.root);
+  ScannedEntry scan(const std::string &text, const std::string &name) {
+    root_.origin.source = name;
+    open_.push_back(&root_);
     scan_file(text, name);
-    return std::move(result_);
+    return std::move(root_);
   }
 
 private:
@@ -120,7 +120,6 @@ private:
     open_.back()->entries.push_back(std::move(section));
     open_.push_back(&open_.back()->entries.back());
     path_.push_back(name);
-    result_.text += "subsection " + name + "\n";
   }
 
   void end_section(const Line &line, std::size_t depth) {
@@ -128,7 +127,6 @@ private:
       refuse_place(origin_of(line), {}, "this 'end' closes nothing: no subsection is open here");
     open_.pop_back();
     path_.pop_back();
-    result_.text += "end\n";
   }
 
   void set_key(const std::string &assignment, const Line &line) {
@@ -140,7 +138,6 @@ private:
     if (key.name.empty())
       refuse_place(key.origin, path_, "a key is missing between 'set' and '='");
     key.marked_as_default = line.comment == default_mark;
-    result_.text += "set " + key.name + " = " + key.value + "\n";
     open_.back()->entries.push_back(std::move(key));
   }
 
@@ -149,14 +146,24 @@ private:
     const std::string name = (folder / file).string();
     const Origin here = origin_of(line);
     for (const std::string &open : files_)
-      if (std::filesystem::path(open).lexically_normal() ==
-          std::filesystem::path(name).lexically_normal())
-        refuse_place(here, {}, "'include " + file + "': the file includes itself");
+      if (same_file(open, name))
+        refuse_place(here, {}, "the file includes itself: " + chain(name));
     constexpr std::size_t longest_chain = 50;
     if (files_.size() == longest_chain)
       refuse_place(here, {}, "files include each other more than 50 deep");
+    if (std::error_code ignored; files_.size() > 1 && !std::filesystem::exists(name, ignored))
+      refuse_place(here, {},
+                   "the file '" + name + "' does not exist; it is included by way of " +
+                       chain(name));
     scan_file(file_content(name, here), name);
   }
+
+  static bool same_file(const std::filesystem::path &a, const std::filesystem::path &b) {
+    return a.lexically_normal() == b.lexically_normal();
+  }
+
+  /// "a.prm -> b.prm -> LAST"
+  std::string chain(const std::string &last) const { return join(files_, " -> ") + " -> " + last; }
 
   [[noreturn]] void refuse_line(const std::string &word, const Line &line) {
     std::string problem = "'" + line.text + "' cannot be read";
@@ -172,7 +179,7 @@ private:
     refuse_place(origin_of(line), path_, problem);
   }
 
-  ScannedFile result_{};
+  ScannedEntry root_{};
   std::vector<ScannedEntry *> open_; ///< entries are appended only to the innermost open one
   std::vector<std::string> path_;
   std::vector<std::string> files_; ///< from the outermost to the one being read
@@ -181,7 +188,7 @@ private:
 
 } // namespace
 
-ScannedFile scan_prm(const std::string &text, const std::string &name) {
+ScannedEntry scan_prm(const std::string &text, const std::string &name) {
   return PrmScanner().scan(text, name);
 }
 

@@ -18,17 +18,12 @@ struct ScannedEntry {
   std::vector<ScannedEntry> entries{}; ///< of a section, in file order
 };
 
-struct ScannedFile {
-  ScannedEntry root;
-  std::string text; ///< for deal.II's parser: includes and continued lines resolved, no comments
-};
+/// The whole file as one section, in deal.II's language; an included file is looked for beside the
+/// one that includes it. `name` stands for the file in messages. Throws InputError.
+ScannedEntry scan_prm(const std::string &text, const std::string &name);
 
-/// deal.II's language; an included file is looked for beside the one that includes it. `name`
-/// stands for the file in messages. Throws InputError.
-ScannedFile scan_prm(const std::string &text, const std::string &name);
-
-/// Nested objects; every value is a string, number or boolean. Throws InputError.
-ScannedFile scan_json(const std::string &text, const std::string &name);
+/// The same from nested objects; every value is a string, number or boolean. Throws InputError.
+ScannedEntry scan_json(const std::string &text, const std::string &name);
 
 /// The content of a file; throws InputError at `origin` if it cannot be read.
 std::string file_content(const std::string &file, const Origin &origin);

@@ -228,6 +228,10 @@ std::string unknown_key(const Section &section, const std::string &name) {
   Path known;
   for (const Key &key : section.keys())
     known.push_back(key.name);
+  if (name == "Like")
+    return "Like must only be set in the file, in a section with a name of its own: subsection "
+           "KIND "
+           "NAME";
   const std::string problem = "there is no key '" + name + "' here";
   if (const std::string near = suggestion(name, known); !near.empty())
     return problem + near;

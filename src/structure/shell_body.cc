@@ -133,7 +133,7 @@ void add_shell_elements(BodyModel &model, const ShellDefinition &definition) {
     } catch (const DefinitionError &error) { // of the beam's own sections, which are keys here
       throw DefinitionError("Stiffener", stiffener.name, error.key(), error.problem());
     }
-  // Lines that carry no beam only told where the groups are.
+  // Lines that carry no beam only say where the groups are.
   std::vector<std::array<int, 2>> lines;
   for (const int beam : beams)
     lines.push_back(model.mesh.lines[beam]);

@@ -1,7 +1,7 @@
 // What the lines of a basin have in common is made once.
 #include "analyses/basins.h"
 
-#include "contact/laws/piecewise_stop.h"
+#include "contact/laws/bilinear_stop.h"
 #include "support/points.h"
 #include "support/recorded_windows.h"
 
@@ -16,7 +16,7 @@ System isolator(const std::vector<parameters::Override> &overrides) {
   model.add_force("push",
                   std::make_shared<model::Harmonic>(model::Given::displacement, 0.52, 1.3, 0), {},
                   Vector3::UnitX());
-  const auto law = std::make_shared<contact::PiecewiseStop>(2, 2 * 0.2);
+  const auto law = std::make_shared<contact::BilinearStop>(2, 2 * 0.2);
   contact::ContactPair right = testing::contact_along_x(model, "mass.head", "", 1, law);
   right.accept_initial_penetration = true;
   contact::ContactPair left = right;

@@ -1,11 +1,11 @@
 // Impact figures of a mass that flies to and fro between two stops, in closed form.
 #include "analyses/recorders/energy.h"
-#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/extreme_values.h"
 #include "analyses/recorders/impacts.h"
 #include "analyses/recorders/statistics.h"
 #include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
-#include "contact/laws/relaxing_stop.h"
 #include "support/recorded_windows.h"
 
 #include <gtest/gtest.h>
@@ -105,7 +105,7 @@ TEST(ImpactRecorderTest, TheMeanForceIsTheImpulseOverTime) {
 TEST(ImpactRecorderTest, AccelerationsJustAfterTouchCount) {
   const double constant = 4 * std::sqrt(stop * mass); // twice critical
   const System system = between_stops(std::make_shared<KelvinVoigt>(stop, constant));
-  const PointResult result = recorded<Excursions>(
+  const PointResult result = recorded<ExtremeValues>(
       system, Window{.start = 0, .end = 1.5 * clearance / speed}, ObservedSelection{});
   EXPECT_NEAR(value_of(result, "point/ball.head/acceleration_x/minimum"), -constant * speed / mass,
               1e-6 * constant * speed / mass);
@@ -130,8 +130,8 @@ TEST(ImpactRecorderTest, TheStopTakesWhatTheMassLoses) {
 
 TEST(ImpactRecorderTest, TheStopsEndMovesWithTheMass) {
   const System system =
-      between_stops(std::make_shared<RelaxingStop>(stop, 0.3 * std::sqrt(stop * mass)));
-  const PointResult result = recorded<Excursions>(
+      between_stops(std::make_shared<KelvinVoigtBumper>(stop, 0.3 * std::sqrt(stop * mass)));
+  const PointResult result = recorded<ExtremeValues>(
       system, Window{.start = 0, .end = 1.5 * clearance / speed}, ObservedSelection{});
   const double reach = value_of(result, "point/ball.head/displacement_x/maximum");
   EXPECT_GT(reach, clearance);

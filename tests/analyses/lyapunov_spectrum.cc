@@ -1,9 +1,9 @@
 // All Lyapunov exponents of motions with known answers, and their sum against the divergence.
 #include "analyses/recorders/lyapunov.h"
 #include "analyses/window_recording.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/laws/newton_restitution.h"
-#include "contact/laws/relaxing_stop.h"
 #include "support/lumped_models.h"
 #include "support/recording.h"
 
@@ -100,7 +100,7 @@ TEST(LyapunovSpectrumTest, OfTheDampedOscillator) {
 // stiffness over damping constant.
 TEST(LyapunovSpectrumTest, OfRealRoots) {
   const Oscillator free{.zeta = 1.5,
-                        .stop = std::make_shared<RelaxingStop>(0.9, 1),
+                        .stop = std::make_shared<KelvinVoigtBumper>(0.9, 1),
                         .clearance = 50,
                         .displacement = 1};
   const Found found = exponents(free, 0.5, 1, 0, 40);
@@ -148,7 +148,7 @@ TEST(LyapunovSpectrumTest, OfABumperThatIsTouched) {
   const Oscillator impacting{.zeta = 0.1,
                              .amplitude = 1,
                              .omega = 1.2,
-                             .stop = std::make_shared<RelaxingStop>(1, 1),
+                             .stop = std::make_shared<KelvinVoigtBumper>(1, 1),
                              .clearance = 0.3};
   const Found found = exponents(impacting, 0, impacting.period(), 20, 20);
   ASSERT_EQ(found.spectrum().size(), 3u);

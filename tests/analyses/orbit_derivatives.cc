@@ -5,7 +5,7 @@
 #include "analyses/periodic_orbit.h"
 
 #include "common/error.h"
-#include "contact/laws/piecewise_stop.h"
+#include "contact/laws/bilinear_stop.h"
 #include "support/points.h"
 #include "support/recorded_windows.h"
 
@@ -30,7 +30,7 @@ System isolator(const Isolator &of) {
       "push",
       std::make_shared<model::Harmonic>(model::Given::displacement, of.amplitude, of.lambda, 0), {},
       Vector3::UnitX());
-  const auto law = std::make_shared<contact::PiecewiseStop>(of.stop, 0.4);
+  const auto law = std::make_shared<contact::BilinearStop>(of.stop, 0.4);
   contact::ContactPair right = testing::contact_along_x(model, "block.head", "", of.clearance, law);
   contact::ContactPair left = right;
   right.name = "right";

@@ -160,12 +160,12 @@ INSTANTIATE_TEST_SUITE_P(
              4000},
         Case{"Kelvin-Voigt, largest force at first touch",
              [](double k) { return std::make_shared<contact::KelvinVoigt>(k, 150); }, 4000},
-        Case{"relaxing stop",
-             [](double k) { return std::make_shared<contact::RelaxingStop>(k, 60); }, 4000},
-        Case{"piecewise stop",
-             [](double k) { return std::make_shared<contact::PiecewiseStop>(k, 20); }, 4000},
-        Case{"piecewise stop, shaken",
-             [](double k) { return std::make_shared<contact::PiecewiseStop>(k, 20); }, 4000, true},
+        Case{"Kelvin-Voigt bumper",
+             [](double k) { return std::make_shared<contact::KelvinVoigtBumper>(k, 60); }, 4000},
+        Case{"bilinear stop",
+             [](double k) { return std::make_shared<contact::BilinearStop>(k, 20); }, 4000},
+        Case{"bilinear stop, shaken",
+             [](double k) { return std::make_shared<contact::BilinearStop>(k, 20); }, 4000, true},
         Case{"Hertz",
              [](double k) {
                return std::make_shared<contact::Hertz>(contact::HertzConstants{.stiffness = k});

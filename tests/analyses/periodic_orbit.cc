@@ -3,7 +3,7 @@
 #include "analyses/periodic_orbit.h"
 
 #include "common/error.h"
-#include "contact/laws/piecewise_stop.h"
+#include "contact/laws/bilinear_stop.h"
 #include "support/recorded_windows.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ System isolator(double lambda, double velocity = 0) {
   model.add_force("push",
                   std::make_shared<model::Harmonic>(model::Given::displacement, 0.52, lambda, 0),
                   {}, Vector3::UnitX());
-  const auto law = std::make_shared<contact::PiecewiseStop>(2, 0.4);
+  const auto law = std::make_shared<contact::BilinearStop>(2, 0.4);
   contact::ContactPair right = testing::contact_along_x(model, "block.head", "", 1, law);
   contact::ContactPair left = right;
   right.name = "right";

@@ -1,13 +1,13 @@
-// The same window recorded in closed form and step by step: the same excursions,
+// The same window recorded in closed form and step by step: the same extreme values,
 // impacts and energies.
-#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/extreme_values.h"
 #include "analyses/recorders/impacts.h"
+#include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/laws/newton_restitution.h"
-#include "contact/laws/piecewise_stop.h"
-#include "contact/laws/relaxing_stop.h"
 #include "support/recorded_windows.h"
 #include "support/recording.h"
 
@@ -55,7 +55,7 @@ Recorded record(const System &system, double frequency, bool by_steps) {
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   trajectory.advance(5 * period);
   WindowRecording recording(
-      {[](const System &s) { return std::make_unique<Excursions>(ObservedSelection{}, s); },
+      {[](const System &s) { return std::make_unique<ExtremeValues>(ObservedSelection{}, s); },
        [](const System &s) { return std::make_unique<Impacts>(s); }},
       system);
   testing::Nobody nobody;
@@ -108,8 +108,8 @@ void compare(const std::shared_ptr<const ContactLaw> &law, double frequency) {
 TEST(RecordedExactlyTest, AreTheSteppedOnes) {
   for (const auto &law : std::vector<std::shared_ptr<const ContactLaw>>{
            std::make_shared<LinearPenalty>(20), std::make_shared<KelvinVoigt>(5, 0.4),
-           std::make_shared<PiecewiseStop>(8, 0.5), std::make_shared<RelaxingStop>(10, 1),
-           std::make_shared<RelaxingStop>(0.5, 1),
+           std::make_shared<BilinearStop>(8, 0.5), std::make_shared<KelvinVoigtBumper>(10, 1),
+           std::make_shared<KelvinVoigtBumper>(0.5, 1),
            std::make_shared<Hertz>(HertzConstants{.stiffness = 50, .exponent = 1.5}),
            std::make_shared<NewtonRestitution>(0.6)})
     for (const double frequency : {0.3, 0.8, 1.2, 1.5, 2.1, 4.0})
@@ -155,7 +155,7 @@ TEST(RecordedExactlyTest, ReachFromContactToContact) {
 // One recorder that must see steps makes them for all; recorders of extreme values need none.
 TEST(RecordedExactlyTest, OneRecorderThatNeedsStepsMakesThemForAll) {
   const System system = between_stops(std::make_shared<LinearPenalty>(20), 1.2);
-  const Excursions excursions(ObservedSelection{}, system);
+  const ExtremeValues extremes(ObservedSelection{}, system);
   Observers none({});
   testing::Nobody nobody;
   Observers one({&nobody});

@@ -3,7 +3,7 @@
 #include "analyses/observed_signal.h"
 #include "analyses/recorders.h"
 #include "contact/laws/hunt_crossley.h"
-#include "contact/laws/relaxing_stop.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "support/recorded_windows.h"
 
 #include <gtest/gtest.h>
@@ -18,12 +18,12 @@ namespace {
 
 using namespace contact;
 
-// A block on a shaken base between a relaxing stop and one that remembers its approach speed, with
-// a connection to the base.
+// A block on a shaken base between a Kelvin-Voigt bumper and one that remembers its approach speed,
+// with a connection to the base.
 System busy_system() {
   model::Model model = testing::linked_block();
   ContactPair right = testing::contact_along_x(model, "block.head", "", 0.005,
-                                               std::make_shared<RelaxingStop>(50, 3));
+                                               std::make_shared<KelvinVoigtBumper>(50, 3));
   right.name = "right";
   ContactPair left = testing::contact_along_x(
       model, "block.head", "", 0.005,
@@ -36,7 +36,7 @@ System busy_system() {
 PointResult all_recorded() {
   auto root = std::make_shared<parameters::Section>("file", "A file.");
   declare_recorders(*root);
-  const std::string names = "excursions, statistics, impacts, energy, forces, quasi static, "
+  const std::string names = "extreme values, statistics, impacts, energy, forces, quasi static, "
                             "history, section, regime, lyapunov, spectrum";
   const auto set =
       parameters::ParameterSet::parse(root, "set Record = " + names + "\n", "test.prm", false);

@@ -31,7 +31,7 @@ WindowRecording all_recorders(const System &system) {
   auto root = std::make_shared<parameters::Section>("file", "A file.");
   declare_recorders(*root);
   const std::string text = R"(
-set Record = excursions, statistics, impacts, energy, forces, quasi static, history, section, \
+set Record = extreme values, statistics, impacts, energy, forces, quasi static, history, section, \
              regime, lyapunov, spectrum, wavelet, spectrogram
 subsection Section
   set Contact onsets = all
@@ -46,7 +46,7 @@ subsection Wavelet
   set Instants          = 10
 end
 subsection Spectrogram
-  set Stretch           = 1 s
+  set Interval          = 1 s
   set Highest frequency = 5 Hz
   set Sampling interval = 0.02 s
   set Instants          = 10

@@ -3,7 +3,7 @@
 #include "analyses/recorders.h"
 
 #include "analyses/recorders/energy.h"
-#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/extreme_values.h"
 #include "analyses/recorders/forces.h"
 #include "analyses/recorders/history.h"
 #include "analyses/recorders/quasi_static.h"
@@ -67,8 +67,9 @@ System shaken() {
 
 Window three_periods() { return periods_window(0, 2 * pi / omega, 3); }
 
-TEST(RecordersTest, ExcursionsOfASine) {
-  const PointResult result = recorded<Excursions>(pushed(), three_periods(), ObservedSelection{});
+TEST(RecordersTest, ExtremeValuesOfASine) {
+  const PointResult result =
+      recorded<ExtremeValues>(pushed(), three_periods(), ObservedSelection{});
   const double amplitude = force / std::abs(impedance);
   const double mean = offset / stiffness;
   EXPECT_NEAR(value_of(result, displacement + "/peak_to_peak"), 2 * amplitude, 1e-10);
@@ -81,8 +82,9 @@ TEST(RecordersTest, ExcursionsOfASine) {
   EXPECT_FALSE(has_field(result, "point/block.head/absolute_displacement_x/maximum"));
 }
 
-TEST(RecordersTest, ExcursionsInSpaceWhereTheBaseMoves) {
-  const PointResult result = recorded<Excursions>(shaken(), three_periods(), ObservedSelection{});
+TEST(RecordersTest, ExtremeValuesInSpaceWhereTheBaseMoves) {
+  const PointResult result =
+      recorded<ExtremeValues>(shaken(), three_periods(), ObservedSelection{});
   const double amplitude = std::abs(Complex(stiffness, omega * damping) / impedance) * base;
   EXPECT_NEAR(value_of(result, "point/block.head/absolute_displacement_x/maximum"), amplitude,
               1e-10);
@@ -94,7 +96,7 @@ TEST(RecordersTest, OnlyWhatIsSelectedIsStored) {
                testing::single_mass("other", mass, stiffness, damping)});
   const System system = testing::system_of(std::move(model));
   const ObservedSelection selection{.points = {"other.head"}, .kinds = {"velocity"}};
-  for (const PointResult &result : {recorded<Excursions>(system, three_periods(), selection),
+  for (const PointResult &result : {recorded<ExtremeValues>(system, three_periods(), selection),
                                     recorded<Statistics>(system, three_periods(), selection)}) {
     ASSERT_FALSE(result.fields.empty());
     for (const Field &field : result.fields)

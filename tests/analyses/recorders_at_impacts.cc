@@ -1,5 +1,5 @@
 // What recorders tell of rigid impacts, where velocities jump: a free block between two stops.
-#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/extreme_values.h"
 #include "analyses/recorders/impacts.h"
 #include "analyses/recorders/section.h"
 #include "support/recorded_windows.h"
@@ -89,9 +89,9 @@ TEST(RecordersAtImpactsTest, SpeedsAndImpulses) {
   EXPECT_NEAR(value_of(result, "contact/left/impulse/mean"), 0.75 * mass, 1e-9);
 }
 
-TEST(RecordersAtImpactsTest, ExcursionsOfVelocitiesThatJump) {
+TEST(RecordersAtImpactsTest, ExtremeValuesOfVelocitiesThatJump) {
   const PointResult result =
-      recorded<Excursions>(between_stops(), Window{.end = 1}, ObservedSelection{});
+      recorded<ExtremeValues>(between_stops(), Window{.end = 1}, ObservedSelection{});
   EXPECT_NEAR(value_of(result, "point/block.head/velocity_x/maximum"), 1, 1e-12);
   EXPECT_NEAR(value_of(result, "point/block.head/velocity_x/minimum"), -0.5, 1e-12);
   EXPECT_NEAR(value_of(result, "point/block.head/displacement_x/minimum"), -clearance, 1e-12);

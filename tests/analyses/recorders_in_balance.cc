@@ -1,6 +1,6 @@
 // What different recorders tell of one motion fits together: momentum, velocities and impulses over
 // a window that is no whole number of periods, on a shaken floor, against a stop, with a dashpot.
-#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/extreme_values.h"
 #include "analyses/recorders/forces.h"
 #include "analyses/recorders/impacts.h"
 #include "analyses/recorders/statistics.h"
@@ -89,7 +89,7 @@ TEST(RecordersInBalanceTest, ImpactsAddUpToTheForceOnTheStop) {
   const System system = shaken_block();
   const PointResult impacts = recorded<Impacts>(system, window);
   const PointResult motion = recorded<Statistics>(system, window, ObservedSelection{});
-  const PointResult extremes = recorded<Excursions>(system, window, ObservedSelection{});
+  const PointResult extremes = recorded<ExtremeValues>(system, window, ObservedSelection{});
   const std::string stop = "contact/heads/";
   const double count = value_of(impacts, stop + "impacts");
   EXPECT_GT(count, 2);

@@ -5,8 +5,8 @@
 #include "analyses/recorders/section.h"
 #include "analyses/recorders/spectrum.h"
 #include "analyses/window_recording.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
-#include "contact/laws/relaxing_stop.h"
 #include "support/lumped_models.h"
 #include "support/recording.h"
 
@@ -181,10 +181,10 @@ TEST(RecordersOfCharacterTest, AnExponentWithinTheThresholdIsNone) {
 TEST(RecordersOfCharacterTest, AnInternalStateAtRestBesideOneThatMoves) {
   const Forced forced{.zeta = 0.1, .amplitude = 1, .omega = 1.65};
   System system = forced.system();
-  ContactPair hit =
-      contact_along_x(system.model, "block.head", "", 0.3, std::make_shared<RelaxingStop>(30, 5));
-  ContactPair far =
-      contact_along_x(system.model, "block.head", "", 50, std::make_shared<RelaxingStop>(1, 1000));
+  ContactPair hit = contact_along_x(system.model, "block.head", "", 0.3,
+                                    std::make_shared<KelvinVoigtBumper>(30, 5));
+  ContactPair far = contact_along_x(system.model, "block.head", "", 50,
+                                    std::make_shared<KelvinVoigtBumper>(1, 1000));
   far.name = "far";
   system.contacts = ContactSet({hit, far});
   Trajectory trajectory(system.model, system.contacts, system.integration);

@@ -27,7 +27,7 @@ System oscillator(double lambda, double mu, double f, Stops stops) {
   System system = testing::isolator_system(lambda, mu, f);
   if (stops == Stops::right)
     system.contacts = contact::ContactSet({testing::contact_along_x(
-        system.model, "block.head", "", 1, std::make_shared<contact::PiecewiseStop>(mu, 0.0))});
+        system.model, "block.head", "", 1, std::make_shared<contact::BilinearStop>(mu, 0.0))});
   return system;
 }
 

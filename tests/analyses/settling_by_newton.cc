@@ -2,10 +2,10 @@
 #include "analyses/settling.h"
 
 #include "analyses/steadiness.h"
+#include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/laws/newton_restitution.h"
-#include "contact/laws/piecewise_stop.h"
 #include "model/ramped_harmonic.h"
 #include "support/recorded_windows.h"
 
@@ -64,7 +64,7 @@ struct Oscillator {
 
 Oscillator isolator(double lambda, double mu = 2) {
   Oscillator isolator(1, 0.02, 0.52, lambda);
-  isolator.stop(1, std::make_shared<contact::PiecewiseStop>(mu, 0.4), true);
+  isolator.stop(1, std::make_shared<contact::BilinearStop>(mu, 0.4), true);
   return isolator;
 }
 

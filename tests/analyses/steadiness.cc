@@ -52,7 +52,7 @@ TEST(SteadinessTest, WhatGrowsIsNotSteady) {
   EXPECT_EQ(first_steady(growing, 1, 1000).first, -1);
 }
 
-// The longest stretch of periods without an approach.
+// The longest run of periods without an approach.
 template <class State> long longest_without_approach(State state, long longest, int most) {
   Steadiness steadiness(Vector::Ones(state(0).size()), longest, 0);
   long found = 0;

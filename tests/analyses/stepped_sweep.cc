@@ -4,7 +4,7 @@
 #include "analyses/stepped_sweep.h"
 
 #include "common/error.h"
-#include "contact/laws/piecewise_stop.h"
+#include "contact/laws/bilinear_stop.h"
 #include "support/lumped_models.h"
 #include "support/points.h"
 
@@ -27,7 +27,7 @@ System isolator(double lambda) {
   Model model({testing::single_mass("mass", 1, 1, 2 * 0.01)});
   model.add_force("push", std::make_shared<Harmonic>(Given::displacement, 0.52, lambda, 0), {},
                   Vector3::UnitX());
-  const auto law = std::make_shared<PiecewiseStop>(2, 2 * 0.2);
+  const auto law = std::make_shared<BilinearStop>(2, 2 * 0.2);
   ContactPair right = testing::contact_along_x(model, "mass.head", "", 1, law);
   ContactPair left = right;
   right.name = "right";

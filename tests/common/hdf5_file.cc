@@ -128,7 +128,7 @@ TEST_F(Hdf5FileTest, ErrorsAreNotPrinted) {
 }
 
 // The library must not learn of it: whatever is written after the disk is full, the program lives,
-// and the first reason is told when the file is to be complete.
+// and the first reason is given when the file is to be complete.
 TEST_F(Hdf5FileTest, GoesOnWithAFullDiskUpToTheEnd) {
   std::filesystem::create_symlink("/dev/full", name);
   for (const bool completed : {true, false}) {

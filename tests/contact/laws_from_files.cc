@@ -36,9 +36,9 @@ constexpr double hertzian_force = 1e10 * 1e-6; // at u
 
 TEST(LawsFromFilesTest, SpringsAndDashpots) {
   EXPECT_NEAR(force(*law_of("linear penalty", "Linear penalty", spring), u, v), 8, 1e-12);
-  for (const auto &[name, section] :
-       {std::pair{"kelvin-voigt", "Kelvin-Voigt"}, std::pair{"relaxing stop", "Relaxing stop"},
-        std::pair{"piecewise stop", "Piecewise stop"}})
+  for (const auto &[name, section] : {std::pair{"kelvin-voigt", "Kelvin-Voigt"},
+                                      std::pair{"kelvin-voigt bumper", "Kelvin-Voigt bumper"},
+                                      std::pair{"bilinear stop", "Bilinear stop"}})
     EXPECT_NEAR(force(*law_of(name, section, spring + dashpot), u, v, {u}), 8 + 48, 1e-12) << name;
 }
 

@@ -1,12 +1,12 @@
 // The error of an impact by the modes that are left out, known before any motion.
 #include "contact/truncation.h"
+#include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/laws/newton_restitution.h"
-#include "contact/laws/piecewise_stop.h"
-#include "contact/laws/relaxing_stop.h"
 #include "contact/laws/tsuji.h"
 #include "reduction/beam_bodies.h"
 #include "support/lumped_models.h"
@@ -103,9 +103,9 @@ TEST(Truncation, TheExponentIsThatOfTheLaw) {
   EXPECT_NEAR(power(error(std::make_shared<KuwabaraKono>(1e9, 1e-6))), 0.6, 1e-12);
   EXPECT_NEAR(power(error(std::make_shared<LinearPenalty>(very_stiff))), 0.5, 1e-4);
   EXPECT_NEAR(power(error(std::make_shared<KelvinVoigt>(very_stiff, 3.0))), 0.5, 1e-4);
-  EXPECT_NEAR(power(error(std::make_shared<RelaxingStop>(very_stiff, 3.0))), 0.5, 1e-4);
-  EXPECT_NEAR(power(error(std::make_shared<PiecewiseStop>(very_stiff, 3.0))), 0.5, 1e-4);
-  EXPECT_TRUE(std::isnan(error(std::make_shared<PiecewiseStop>(0, 3.0)))) << "no elastic force";
+  EXPECT_NEAR(power(error(std::make_shared<KelvinVoigtBumper>(very_stiff, 3.0))), 0.5, 1e-4);
+  EXPECT_NEAR(power(error(std::make_shared<BilinearStop>(very_stiff, 3.0))), 0.5, 1e-4);
+  EXPECT_TRUE(std::isnan(error(std::make_shared<BilinearStop>(0, 3.0)))) << "no elastic force";
 }
 
 TEST(Truncation, LumpedBodiesLackNothing) {

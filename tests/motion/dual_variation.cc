@@ -1,13 +1,13 @@
 // The variation of motions, by state and by keys, against a second program in dual numbers that
 // forms neither Jacobians nor saltations: two masses on a moving base, one of which meets a stop,
 // for each law, linear and with a cubic spring between them.
+#include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/linear_penalty.h"
-#include "contact/laws/piecewise_stop.h"
-#include "contact/laws/relaxing_stop.h"
 #include "contact/laws/tsuji.h"
 #include "motion/variation/linearised_motion.h"
 #include "support/dual_laws.h"
@@ -42,10 +42,10 @@ std::shared_ptr<const ContactLaw> make_law(const std::string &name, double k, do
     return std::make_shared<LinearPenalty>(k);
   if (name == "kelvin-voigt")
     return std::make_shared<KelvinVoigt>(k, c);
-  if (name == "piecewise stop")
-    return std::make_shared<PiecewiseStop>(k, c);
-  if (name == "relaxing stop")
-    return std::make_shared<RelaxingStop>(k, c);
+  if (name == "bilinear stop")
+    return std::make_shared<BilinearStop>(k, c);
+  if (name == "kelvin-voigt bumper")
+    return std::make_shared<KelvinVoigtBumper>(k, c);
   if (name == "hertz")
     return std::make_shared<Hertz>(HertzConstants{.stiffness = k});
   if (name == "hunt-crossley")
@@ -233,9 +233,9 @@ INSTANTIATE_TEST_SUITE_P(
     Laws, DualVariationTest,
     ::testing::Combine(::testing::Values(Law{"linear penalty", 2000, 0},
                                          Law{"kelvin-voigt", 2000, 8},
-                                         Law{"piecewise stop", 500, 12},
-                                         Law{"relaxing stop", 2000, 15, true}, Law{"hertz", 2e4, 0},
-                                         Law{"hunt-crossley", 2e4, 0.5},
+                                         Law{"bilinear stop", 500, 12},
+                                         Law{"kelvin-voigt bumper", 2000, 15, true},
+                                         Law{"hertz", 2e4, 0}, Law{"hunt-crossley", 2e4, 0.5},
                                          Law{"hunt-crossley of the approach speed", 2e4, 0.4, true},
                                          Law{"tsuji", 2e4, 20}, Law{"kuwabara-kono", 2e4, 2e-3},
                                          Law{"newton restitution", 1, 0.7},

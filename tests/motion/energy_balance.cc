@@ -1,7 +1,7 @@
 // The energy balance of linear phases, however fast the damping of a contact eats the speed.
+#include "contact/laws/bilinear_stop.h"
 #include "contact/laws/kelvin_voigt.h"
-#include "contact/laws/piecewise_stop.h"
-#include "contact/laws/relaxing_stop.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "model/piecewise_function.h"
 #include "motion/trajectory.h"
 #include "support/lumped_models.h"
@@ -43,8 +43,8 @@ TEST(EnergyBalanceTest, ClosesHoweverStrongTheDamping) {
       const double damping = 2 * ratio * std::sqrt(stiffness);
       for (const auto &law : std::vector<std::shared_ptr<const ContactLaw>>{
                std::make_shared<KelvinVoigt>(stiffness, damping),
-               std::make_shared<PiecewiseStop>(stiffness, damping),
-               std::make_shared<RelaxingStop>(stiffness, damping)}) {
+               std::make_shared<BilinearStop>(stiffness, damping),
+               std::make_shared<KelvinVoigtBumper>(stiffness, damping)}) {
         const Accuracy accuracy = shaken(law, tolerance);
         EXPECT_GT(accuracy.events, 0);
         EXPECT_LT(accuracy.energy_residual, 1e-10)
@@ -86,7 +86,7 @@ TEST(EnergyBalanceTest, ADecayThatIsOverSetsNoSteps) {
     model.add_gravity("weight", make_constant(Given::displacement, gravity), {0}, Vector3::UnitX());
     const ContactSet contacts(
         {contact_along_x(model, "ball.head", "", 0.3,
-                         std::make_shared<RelaxingStop>(stiffness, stiffness / recovery))});
+                         std::make_shared<KelvinVoigtBumper>(stiffness, stiffness / recovery))});
     Trajectory trajectory(model, contacts, Settings{});
     Nobody nobody;
     trajectory.start(0, Vector::Zero(1), Vector::Zero(1));

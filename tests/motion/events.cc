@@ -1,7 +1,7 @@
 // When contacts change: an interval of time owns the changes at its end and not those at its
 // start, and changes at the same instant all happen, once.
+#include "contact/laws/bilinear_stop.h"
 #include "contact/laws/linear_penalty.h"
-#include "contact/laws/piecewise_stop.h"
 #include "support/rigid_contacts.h"
 
 #include <gtest/gtest.h>
@@ -102,7 +102,7 @@ TEST(EventsTest, ComesBackHoweverSlow) {
 
 TEST(EventsTest, ChangesAtTheSameInstant) {
   const Model model({single_mass("a", 1, 100, 0), single_mass("b", 1, 100, 0)});
-  const auto law = std::make_shared<PiecewiseStop>(900, 5);
+  const auto law = std::make_shared<BilinearStop>(900, 5);
   ContactPair first = contact_along_x(model, "a.head", "", 0.5, law);
   ContactPair second = contact_along_x(model, "b.head", "", 0.5, law);
   ContactPair third = first; // two stops side by side

@@ -3,7 +3,7 @@
 #include "motion/steps/high_order_stepper.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
-#include "contact/laws/relaxing_stop.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/tsuji.h"
 #include "motion/event/impact_log.h"
 #include "motion/steps/time_transformation.h"
@@ -299,7 +299,7 @@ TEST(HighOrderStepperTest, ADecayThatIsOverBoundsNoStep) {
         {testing::contact_along_x(model, "mass.head", "", 0, std::make_shared<Hertz>(constants)),
          testing::contact_along_x(
              model, "mass.head", "", 1,
-             std::make_shared<RelaxingStop>(stiffness, stiffness / recovery))});
+             std::make_shared<KelvinVoigtBumper>(stiffness, stiffness / recovery))});
     Trajectory trajectory(model, contacts, {.relative_tolerance = 1e-10});
     trajectory.start({.time = 0, .physical = testing::vector_of({1e-4, 0.1, compression})});
     trajectory.advance(2e-3);

@@ -1,4 +1,4 @@
-// Contacts that change at one instant, and impacts too small to be told apart, against closed
+// Contacts that change at one instant, and impacts too small to be resolved, against closed
 // forms: which of their modes holds is a matter of rounding there, and the motion must not depend
 // on it.
 #include "contact/laws/hunt_crossley.h"

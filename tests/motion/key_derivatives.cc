@@ -2,8 +2,8 @@
 #include "common/error.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
-#include "contact/laws/relaxing_stop.h"
 #include "contact/laws/tsuji.h"
 #include "model/pulse.h"
 #include "motion/variation/linearised_motion.h"
@@ -225,7 +225,7 @@ Parts bumpers(double stiffness, double clearance) {
   parts.model.add_base_motion("shake", force_of(0.05, 7), {0}, Vector3::UnitX());
   parts.contacts =
       ContactSet({stop_on_base(parts.model, "block.head", clearance,
-                               std::make_shared<contact::RelaxingStop>(stiffness, 9))});
+                               std::make_shared<contact::KelvinVoigtBumper>(stiffness, 9))});
   return parts;
 }
 

@@ -1,7 +1,7 @@
 // Exact motions of linear phases against closed forms: free and forced oscillators with every kind
 // of damping, resonance, defective systems, internal states.
-#include "contact/laws/piecewise_stop.h"
-#include "contact/laws/relaxing_stop.h"
+#include "contact/laws/bilinear_stop.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "model/piecewise_function.h"
 #include "motion/exact/exact_phases.h"
 #include "motion/trajectory.h"
@@ -122,13 +122,14 @@ TEST(LinearPhaseTest, ForcedResponseDoesNotDependOnTheSteps) {
   }
 }
 
-// Two kinds of stop at once on one mass; a compressed relaxing stop recovers by exp(-k t / c).
+// Two kinds of stop at once on one mass; a compressed Kelvin-Voigt bumper recovers by exp(-k t /
+// c).
 TEST(LinearPhaseTest, SeveralContactsWithInternalStates) {
   const Model model({single_mass("block", 1, 100, 0.5)});
   ContactPair relaxing =
-      contact_along_x(model, "block.head", "", 1.0, std::make_shared<RelaxingStop>(50, 5));
+      contact_along_x(model, "block.head", "", 1.0, std::make_shared<KelvinVoigtBumper>(50, 5));
   ContactPair spring =
-      contact_along_x(model, "block.head", "", -0.02, std::make_shared<PiecewiseStop>(300, 1.5));
+      contact_along_x(model, "block.head", "", -0.02, std::make_shared<BilinearStop>(300, 1.5));
   spring.accept_initial_penetration = true;
   const ContactSet contacts({relaxing, spring});
   Trajectory trajectory(model, contacts, {});
@@ -144,12 +145,12 @@ TEST(LinearPhaseTest, SeveralContactsWithInternalStates) {
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-10);
 }
 
-// While a relaxing stop is pushed in, its compression follows the mass: an eigenvalue of zero,
-// which the constant of the clearance does not drive, so that the response to it is a rest.
+// While a Kelvin-Voigt bumper is pushed in, its compression follows the mass: an eigenvalue of
+// zero, which the constant of the clearance does not drive, so that the response to it is a rest.
 TEST(LinearPhaseTest, ConstantThatDoesNotDriveAModeAtRest) {
   const Model model({single_mass("block", 1, 1, 0.2)});
   const ContactSet contacts(
-      {contact_along_x(model, "block.head", "", 0.25, std::make_shared<RelaxingStop>(5, 1))});
+      {contact_along_x(model, "block.head", "", 0.25, std::make_shared<KelvinVoigtBumper>(5, 1))});
   Equations equations(model, contacts);
   equations.set_mode(0, 1);
   ExactPhases phases(equations, Settings{});
@@ -191,8 +192,8 @@ TEST(LinearPhaseTest, DenseOutputKeepsTheTolerance) {
     Projection along_;
   };
   const Model model({single_mass("block", 1, 400, 2)});
-  const ContactSet contacts(
-      {contact_along_x(model, "block.head", "", 10.0, std::make_shared<RelaxingStop>(1500, 5))});
+  const ContactSet contacts({contact_along_x(model, "block.head", "", 10.0,
+                                             std::make_shared<KelvinVoigtBumper>(1500, 5))});
   for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-12}) {
     Settings settings;
     settings.relative_tolerance = tolerance;
@@ -215,7 +216,7 @@ TEST(LinearPhaseTest, DenseOutputKeepsTheTolerance) {
 // the length of free flight overflow. The touch is found, observed or not.
 TEST(LinearPhaseTest, FreeMassBetweenStopsThatRelaxAlike) {
   const Model model({single_mass("block", 3, 0, 0)});
-  const auto stop = std::make_shared<RelaxingStop>(3e5, 285);
+  const auto stop = std::make_shared<KelvinVoigtBumper>(3e5, 285);
   ContactPair right = contact_along_x(model, "block.head", "", 0.01, stop);
   ContactPair left = right;
   left.gap.row *= -1;
@@ -250,7 +251,7 @@ TEST(LinearPhaseTest, AChangeToAPhaseOfMoreGroups) {
   model.add_force("force", std::make_shared<Harmonic>(Given::displacement, 20, 7, 0),
                   {.body = 0, .point = 0}, Vector3::UnitX());
   const ContactSet contacts(
-      {contact_along_x(model, "block0.head", "", 0.05, std::make_shared<PiecewiseStop>(1e3, 1e3))});
+      {contact_along_x(model, "block0.head", "", 0.05, std::make_shared<BilinearStop>(1e3, 1e3))});
   Vector end[2];
   for (const bool exact : {true, false}) {
     Settings settings;

@@ -1,9 +1,9 @@
 // Sweeps of a mass between two stops by exact propagation and by the Runge-Kutta method: the same
 // contacts, the same states. Near grazing too, and when nobody watches.
 #include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/laws/newton_restitution.h"
-#include "contact/laws/relaxing_stop.h"
 #include "motion/event/impact_log.h"
 #include "motion/trajectory.h"
 #include "support/lumped_models.h"
@@ -69,7 +69,7 @@ void compare(const std::shared_ptr<const ContactLaw> &law, double clearance, dou
 TEST(MethodsAgreeTest, OverASweep) {
   for (const auto &law : std::vector<std::shared_ptr<const ContactLaw>>{
            std::make_shared<LinearPenalty>(20), std::make_shared<KelvinVoigt>(5, 0.4),
-           std::make_shared<RelaxingStop>(10, 1), std::make_shared<RelaxingStop>(0.5, 1)})
+           std::make_shared<KelvinVoigtBumper>(10, 1), std::make_shared<KelvinVoigtBumper>(0.5, 1)})
     for (int i = 0; i <= 12; ++i)
       compare(law, 0.4, 0.5 + 0.1 * i);
 }

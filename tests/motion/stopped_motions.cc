@@ -1,7 +1,7 @@
 // A signal ends a single motion, however long it is and by whatever way it advances.
 #include "common/signals.h"
+#include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hertz.h"
-#include "contact/laws/piecewise_stop.h"
 #include "support/rigid_contacts.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ struct Shaken {
   Trajectory trajectory;
 };
 
-const std::shared_ptr<const ContactLaw> linear = std::make_shared<PiecewiseStop>(4, 0.3);
+const std::shared_ptr<const ContactLaw> linear = std::make_shared<BilinearStop>(4, 0.3);
 const std::shared_ptr<const ContactLaw> nonlinear =
     std::make_shared<Hertz>(HertzConstants{.stiffness = 10});
 

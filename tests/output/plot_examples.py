@@ -24,7 +24,7 @@ subsection Analysis family
       set Values = 1 mm, 2 mm, 2 mm
     end
     subsection Key base
-      set Follows = gap
+      set Tied to = gap
       set Path    = Variables/base
       set Values  = 5 mm, 5 mm, 6 mm
     end
@@ -133,7 +133,7 @@ def write_receptances(writer):
 
 def write_orbits(writer):
     """Over lambda: x = lambda cos, the contact closed where x > lambda / 2: twice in the record."""
-    writer.analysis("orbits", "response", [("Variables.lambda", LAMBDA, "1")], ["Variables/lambda"])
+    writer.analysis("orbits", "steady state", [("Variables.lambda", LAMBDA, "1")], ["Variables/lambda"])
     time = np.linspace(0, 2, 401)
     position = LAMBDA[:, None] * np.sin(2 * np.pi * time)
     gap = LAMBDA[:, None] / 2 - position
@@ -168,7 +168,7 @@ def write_run(writer):
 
 def write_plane(writer):
     """A grid of two keys and what is derived from it."""
-    writer.analysis("plane", "response",
+    writer.analysis("plane", "steady state",
                     [("Variables.lambda", LAMBDA, "1"), ("Variables.delta0", DELTA, "m")],
                     ["Variables/lambda", "Variables/delta0"])
     value = LAMBDA[:, None] + 10 * DELTA

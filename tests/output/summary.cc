@@ -117,7 +117,7 @@ TEST(Summary, PointsThatWereNotSteadyAreCounted) {
   for (std::size_t i = 0; i < 2; ++i)
     points[i].fields.push_back({.label = Label("steady", "1", ""), .values = {i * 1.0}});
   PointTotals totals;
-  EXPECT_EQ(analysis_summary({"a", "response", {}}, sequence(points), totals).text(),
+  EXPECT_EQ(analysis_summary({"a", "steady state", {}}, sequence(points), totals).text(),
             "analysis.a.unsettled_points = 1 [1]\n");
   EXPECT_NE(totals.unsettled().find("1 of 3 points"), std::string::npos);
   EXPECT_EQ(totals.failures(), "");

@@ -210,9 +210,10 @@ TEST(BrokenFiles, missing_file_wrong_suffix_and_folder) {
 }
 
 TEST(BrokenFiles, a_file_that_includes_itself) {
-  const std::string file = testing::TempDir() + "/circle.prm";
+  const std::string file = (std::filesystem::path(testing::TempDir()) / "circle.prm").string();
   std::ofstream(file) << "set Title = a\ninclude circle.prm\n";
-  EXPECT_EQ(read_error(file), file + ":2\n  'include circle.prm': the file includes itself.");
+  EXPECT_EQ(read_error(file),
+            file + ":2\n  the file includes itself: " + file + " -> " + file + ".");
 }
 
 TEST(BrokenFiles, a_message_carries_no_stack_trace) {

@@ -3,7 +3,7 @@
 #include "periodic/contact_memory.h"
 
 #include "contact/laws/hunt_crossley.h"
-#include "contact/laws/relaxing_stop.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "forced_models.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ std::vector<Index> idle_at(const std::shared_ptr<const contact::ContactLaw> &law
 TEST(ContactMemoryTest, OnlyWhatNothingSees) {
   EXPECT_EQ(idle_at(remembering(), vector_of({0, 0, 0.3})), std::vector<Index>{2});
   EXPECT_TRUE(idle_at(remembering(), vector_of({0.11, 0, 0.3})).empty());
-  const auto relaxing = std::make_shared<contact::RelaxingStop>(40.0, 1.0);
+  const auto relaxing = std::make_shared<contact::KelvinVoigtBumper>(40.0, 1.0);
   EXPECT_TRUE(idle_at(relaxing, vector_of({0, 0, 0.01})).empty());
 }
 

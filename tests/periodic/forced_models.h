@@ -1,7 +1,7 @@
 // Forced oscillators with stops, for tests of periodic motions.
 #pragma once
 
-#include "contact/laws/piecewise_stop.h"
+#include "contact/laws/bilinear_stop.h"
 #include "periodic/orbit.h"
 #include "support/rigid_contacts.h"
 
@@ -51,7 +51,7 @@ inline Oscillator isolator(double lambda, double mu = 2, double f = 0.52, double
                            double zeta1 = 0.2) {
   Oscillator isolator = oscillator(1, 1, 2 * zeta0);
   isolator.push(f, lambda);
-  const auto law = std::make_shared<contact::PiecewiseStop>(mu, 2 * zeta1);
+  const auto law = std::make_shared<contact::BilinearStop>(mu, 2 * zeta1);
   isolator.stop({{1.0, law}}, {{1.0, law}});
   return isolator;
 }

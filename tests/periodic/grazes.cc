@@ -3,7 +3,7 @@
 #include "periodic/graze_extension.h"
 
 #include "contact/laws/kelvin_voigt.h"
-#include "contact/laws/relaxing_stop.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "family.h"
 #include "periodic/guard_minima.h"
 
@@ -217,7 +217,8 @@ TEST(GrazesTest, DerivativesWhereAMovingStopGrazesSoonAfterTheSection) {
 TEST(GrazesTest, CornerBehindAGraze) {
   const double w = 0.8, k = 2, c = 0.7;
   const std::shared_ptr<const contact::ContactLaw> laws[] = {
-      std::make_shared<contact::KelvinVoigt>(k, c), std::make_shared<contact::RelaxingStop>(k, c)};
+      std::make_shared<contact::KelvinVoigt>(k, c),
+      std::make_shared<contact::KelvinVoigtBumper>(k, c)};
   for (const auto &law : laws) {
     Family family([&](double a) { return with_stop(a, w, law); }, false);
     OrbitProblem problem(family, 2, Vector::Ones(3 + law->n_internal()));

@@ -3,13 +3,13 @@
 #include "periodic/harmonic_contact.h"
 
 #include "common/error.h"
+#include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/linear_penalty.h"
-#include "contact/laws/piecewise_stop.h"
-#include "contact/laws/relaxing_stop.h"
 #include "contact/laws/tsuji.h"
 #include "continuation/harmonic_series.h"
 
@@ -145,9 +145,9 @@ INSTANTIATE_TEST_SUITE_P(
     of, HarmonicContactsTable,
     ::testing::Values(
         Case{"linear_penalty", std::make_shared<contact::LinearPenalty>(30)},
-        Case{"piecewise_stop", std::make_shared<contact::PiecewiseStop>(30, 2)},
+        Case{"bilinear_stop", std::make_shared<contact::BilinearStop>(30, 2)},
         Case{"kelvin_voigt", std::make_shared<contact::KelvinVoigt>(30, 4)},
-        Case{"relaxing_stop", std::make_shared<contact::RelaxingStop>(30, 20)},
+        Case{"kelvin_voigt_bumper", std::make_shared<contact::KelvinVoigtBumper>(30, 20)},
         Case{"hertz", std::make_shared<contact::Hertz>(hertz()), 1e-4},
         Case{"hunt_crossley", contact::HuntCrossley::with_dissipation(hertz(), 0.4), 1e-4},
         Case{"hunt_crossley_of_each_impact",

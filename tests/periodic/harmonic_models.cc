@@ -3,8 +3,8 @@
 #include "periodic/harmonic_model.h"
 
 #include "common/error.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
-#include "contact/laws/relaxing_stop.h"
 #include "continuation/branch.h"
 #include "continuation/harmonic_series.h"
 #include "forced_models.h"
@@ -157,15 +157,15 @@ TEST(HarmonicModelsTest, MovingBaseConstantLoadAndHigherHarmonic) {
   model.push(1, 15, 0.7);
   model.model.add_force("weight", model::make_constant(model::Given::displacement, 1.5), {},
                         Vector3::UnitX());
-  model.stop({{0.1, std::make_shared<contact::PiecewiseStop>(30, 0.5)}});
+  model.stop({{0.1, std::make_shared<contact::BilinearStop>(30, 0.5)}});
   ForcedMap forced(model, false);
   expect_exact(model, 5, 39, 2); // a jump
 }
 
-TEST(HarmonicModelsTest, RelaxingStop) {
+TEST(HarmonicModelsTest, KelvinVoigtBumper) {
   Oscillator model = oscillator(1, 40, 0.8);
   model.push(3, 5, 0.4);
-  model.stop({{0.1, std::make_shared<contact::RelaxingStop>(30, 12)}});
+  model.stop({{0.1, std::make_shared<contact::KelvinVoigtBumper>(30, 12)}});
   expect_exact(model, 5, 39, 2); // a jump
 }
 

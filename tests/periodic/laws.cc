@@ -3,9 +3,9 @@
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/linear_penalty.h"
-#include "contact/laws/relaxing_stop.h"
 #include "contact/laws/tsuji.h"
 #include "forced_models.h"
 
@@ -68,8 +68,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Case{"linear penalty", std::make_shared<contact::LinearPenalty>(4000)},
         Case{"Kelvin-Voigt", std::make_shared<contact::KelvinVoigt>(4000, 20)},
-        Case{"relaxing stop", std::make_shared<contact::RelaxingStop>(4000, 60)},
-        Case{"piecewise stop", std::make_shared<contact::PiecewiseStop>(4000, 20)},
+        Case{"kelvin-voigt bumper", std::make_shared<contact::KelvinVoigtBumper>(4000, 60)},
+        Case{"bilinear stop", std::make_shared<contact::BilinearStop>(4000, 20)},
         Case{"Hertz", std::make_shared<contact::Hertz>(contact::HertzConstants{.stiffness = 4e4}),
              1e-9},
         Case{"Hunt-Crossley",

@@ -1,7 +1,7 @@
 // Which models are symmetric, and what the half-period map of those says.
 #include "periodic/symmetry.h"
 
-#include "contact/laws/relaxing_stop.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "forced_models.h"
 #include "model/piecewise_function.h"
 
@@ -10,8 +10,8 @@
 namespace vibroimpact::periodic {
 namespace {
 
-using contact::PiecewiseStop;
-using contact::RelaxingStop;
+using contact::BilinearStop;
+using contact::KelvinVoigtBumper;
 using testing::ForcedMap;
 using testing::isolator;
 using testing::Oscillator;
@@ -23,8 +23,8 @@ bool has_symmetry(const Oscillator &model) { return ForcedMap(model).map.symmetr
 Oscillator between_stops(double right, double left, double stiffness, double other_stiffness) {
   Oscillator model = oscillator(1, 1, 0.02);
   model.push(0.52, 1.3);
-  model.stop({{right, std::make_shared<PiecewiseStop>(stiffness, 0.4)}},
-             {{left, std::make_shared<PiecewiseStop>(other_stiffness, 0.4)}});
+  model.stop({{right, std::make_shared<BilinearStop>(stiffness, 0.4)}},
+             {{left, std::make_shared<BilinearStop>(other_stiffness, 0.4)}});
   return model;
 }
 
@@ -35,7 +35,7 @@ TEST(SymmetryTest, EqualStopsOnBothSides) {
   Oscillator one_sided = oscillator(1, 1, 0.02);
   one_sided.push(0.52, 1.3);
   EXPECT_TRUE(has_symmetry(one_sided));
-  one_sided.stop({{1, std::make_shared<PiecewiseStop>(2, 0.4)}});
+  one_sided.stop({{1, std::make_shared<BilinearStop>(2, 0.4)}});
   EXPECT_FALSE(has_symmetry(one_sided));
 }
 
@@ -46,7 +46,7 @@ TEST(SymmetryTest, StopsThatMoveAgainstTheBase) {
     shaken.model.add_base_motion(
         "shake", std::make_shared<model::Harmonic>(model::Given::displacement, 0.4, 1.3, 0), {0},
         Vector3::UnitX());
-    const auto law = std::make_shared<PiecewiseStop>(2, 0.4);
+    const auto law = std::make_shared<BilinearStop>(2, 0.4);
     shaken.stop({{1, law}}, {{1, law}});
     std::vector<contact::ContactPair> pairs = shaken.contacts.pairs();
     ASSERT_NE(pairs[0].gap.base_coefficients.at(0), 0);
@@ -74,7 +74,7 @@ TEST(SymmetryTest, OddForcing) {
 TEST(SymmetryTest, HalfMapTwiceIsTheMapOfThePeriod) {
   Oscillator bumpers = oscillator(1, 1, 0.2);
   bumpers.push(1, 1.2);
-  const auto law = std::make_shared<RelaxingStop>(1.0, 1.0);
+  const auto law = std::make_shared<KelvinVoigtBumper>(1.0, 1.0);
   bumpers.stop({{0.4, law}}, {{0.4, law}});
   ForcedMap forced(bumpers);
   ASSERT_TRUE(forced.map.symmetric());
@@ -114,7 +114,7 @@ Oscillator pair_of(double second_mass, double phase) {
 }
 
 void put_walls(Oscillator &pair, double first, double second) {
-  const auto law = std::make_shared<RelaxingStop>(1.0, 1.0);
+  const auto law = std::make_shared<KelvinVoigtBumper>(1.0, 1.0);
   pair.contacts =
       contact::ContactSet({testing::contact_along_x(pair.model, "one.head", "", first, law),
                            testing::contact_along_x(pair.model, "two.head", "", second, law)});
@@ -149,7 +149,7 @@ TEST(SymmetryTest, EqualBodiesThatExchangeTheirParts) {
 // Pushed together they exchange their parts with the opposite sign: the contact between them is its
 // own partner.
 TEST(SymmetryTest, EqualBodiesThatStrikeEachOther) {
-  const auto law = std::make_shared<RelaxingStop>(1.0, 1.0);
+  const auto law = std::make_shared<KelvinVoigtBumper>(1.0, 1.0);
   for (const double phase : {0.0, 1.0}) {
     Oscillator pair = pair_of(1, phase);
     pair.contacts = contact::ContactSet(

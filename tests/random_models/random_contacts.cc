@@ -36,8 +36,9 @@ struct Law {
 const Law laws[] = {
     {"linear penalty", "Linear penalty", spring},
     {"kelvin-voigt", "Kelvin-Voigt", [](Draw &d) { return spring_and_dashpot(d, -2, 1); }},
-    {"relaxing stop", "Relaxing stop", [](Draw &d) { return spring_and_dashpot(d, -1, 3); }},
-    {"piecewise stop", "Piecewise stop", [](Draw &d) { return spring_and_dashpot(d, -2, 1); }},
+    {"kelvin-voigt bumper", "Kelvin-Voigt bumper",
+     [](Draw &d) { return spring_and_dashpot(d, -1, 3); }},
+    {"bilinear stop", "Bilinear stop", [](Draw &d) { return spring_and_dashpot(d, -2, 1); }},
     {"hertz", "Hertz", [](Draw &d) { return hertz(d, 9); }},
     {"hunt-crossley", "Hunt-Crossley", hunt_crossley},
     {"tsuji", "Tsuji", tsuji},

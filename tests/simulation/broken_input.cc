@@ -283,7 +283,7 @@ const Broken cases[] = {
     {"a follower of the key's own path",
      "      set Values = 1 mm, 2 mm\n    end",
      "      set Values = 1 mm, 2 mm\n    end\n    subsection Key again\n"
-     "      set Path = Contact/heads/Clearance\n      set Follows = clearance\n"
+     "      set Path = Contact/heads/Clearance\n      set Tied to = clearance\n"
      "      set Values = 3 mm, 4 mm\n    end",
      {"test.prm:", "Key again / Path", "another Key"}},
     {"grid over the type",

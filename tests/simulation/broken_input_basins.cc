@@ -112,7 +112,7 @@ TEST(BrokenInputBasinsTest, KeysThatChangeMoreThanStarts) {
 }
 
 TEST(BrokenInputBasinsTest, Keys) {
-  expect_message(basins, "set Type = basins", "set Type = basins\n  set Record = excursions",
+  expect_message(basins, "set Type = basins", "set Type = basins\n  set Record = extreme values",
                  {"Record", "no recorders"});
   expect_message(basins, "  subsection Basins", "  subsection Basins\n    set Most periods = 0",
                  {"Most periods = 0"});
@@ -131,10 +131,10 @@ TEST(BrokenInputBasinsTest, Keys) {
 }
 
 TEST(BrokenInputBasinsTest, Interpolation) {
-  const std::string relaxing = changed(
-      changed(basins, "linear penalty", "relaxing stop"),
-      "subsection Linear penalty\n    set Stiffness = 100 kN/m",
-      "subsection Relaxing stop\n    set Stiffness = 100 kN/m\n    set Damping constant = 1 N s/m");
+  const std::string relaxing = changed(changed(basins, "linear penalty", "kelvin-voigt bumper"),
+                                       "subsection Linear penalty\n    set Stiffness = 100 kN/m",
+                                       "subsection Kelvin-Voigt bumper\n    set Stiffness = 100 "
+                                       "kN/m\n    set Damping constant = 1 N s/m");
   EXPECT_EQ(message_of(relaxing), "");
   expect_message(relaxing, "  subsection Basins",
                  "  subsection Basins\n    set Method = interpolation",

@@ -60,7 +60,7 @@ subsection Analysis response
     set Sampling interval = 10 ms
   end
   subsection Spectrogram
-    set Stretch = 1 s
+    set Interval = 1 s
     set Highest frequency = 20 Hz
     set Sampling interval = 10 ms
   end
@@ -118,8 +118,8 @@ TEST(BrokenInputCharacterTest, Wavelet) {
 }
 
 TEST(BrokenInputCharacterTest, Spectrogram) {
-  expect_message("Stretch = 1 s", "Stretch = 20 ms", "Stretch", "four sampling intervals");
-  expect_message("    set Stretch = 1 s\n", "", "Stretch", "must be given");
+  expect_message("Interval = 1 s", "Interval = 20 ms", "Interval", "four sampling intervals");
+  expect_message("    set Interval = 1 s\n", "", "Interval", "must be given");
 }
 
 } // namespace

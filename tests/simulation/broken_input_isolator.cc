@@ -24,8 +24,8 @@ subsection Contact up
   set Between = isolator.mass, stop
   set Direction = y
   set Clearance = d * 1 mm
-  set Law = piecewise stop
-  subsection Piecewise stop
+  set Law = bilinear stop
+  subsection Bilinear stop
     set Stiffness = k1 * 1 N/m
     set Damping constant = 16 N s/m
   end
@@ -34,8 +34,8 @@ subsection Contact down
   set Between = isolator.mass, stop
   set Direction = -y
   set Clearance = d * 0.001 m
-  set Law = piecewise stop
-  subsection Piecewise stop
+  set Law = bilinear stop
+  subsection Bilinear stop
     set Stiffness = k1 * 1 N/m
     set Damping constant = 16 N s/m
   end
@@ -189,7 +189,7 @@ TEST(BrokenInputIsolatorTest, TheKeysChangeTheStopsAndNothingElse) {
 TEST(BrokenInputIsolatorTest, TheRepeatedAnalysisIsABranchOverTheFrequency) {
   const std::string file = changed(in_metres, "  subsection Isolator design\n", exact);
   const std::string other =
-      message_of(changed(file, "  set Type = branch\n", "  set Type = response\n"));
+      message_of(changed(file, "  set Type = branch\n", "  set Type = steady state\n"));
   EXPECT_NE(other.find("of the type branch"), std::string::npos) << other;
   const std::string over = message_of(
       changed(file, "    set First frequency = 10 rad/s\n    set Last frequency = 80",
@@ -202,10 +202,10 @@ TEST(BrokenInputIsolatorTest, TheRepeatedBranchRecordsDisplacements) {
   const auto with = [&](const std::string &lines) {
     return message_of(changed(file, "  set Type = branch\n", "  set Type = branch\n" + lines));
   };
-  EXPECT_EQ(with("set Record = impacts, excursions\n"), "");
+  EXPECT_EQ(with("set Record = impacts, extreme values\n"), "");
   for (const char *lines :
-       {"set Record = impacts\n", "subsection Excursions\nset Quantities = velocity\nend\n"})
-    EXPECT_NE(with(lines).find("records the excursions of displacements"), std::string::npos)
+       {"set Record = impacts\n", "subsection Extreme values\nset Quantities = velocity\nend\n"})
+    EXPECT_NE(with(lines).find("records extreme values of displacements"), std::string::npos)
         << with(lines);
 }
 

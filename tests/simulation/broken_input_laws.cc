@@ -53,14 +53,14 @@ const std::vector<Sample> samples = {
     set Damping constant = 160 N s/m
   end)",
      {"Stiffness = 80 kN/m"}},
-    {"relaxing stop",
-     R"(  subsection Relaxing stop
+    {"kelvin-voigt bumper",
+     R"(  subsection Kelvin-Voigt bumper
     set Stiffness = 80 kN/m
     set Damping constant = 160 N s/m
   end)",
      {"Stiffness = 80 kN/m", "Damping constant = 160 N s/m"}},
-    {"piecewise stop",
-     R"(  subsection Piecewise stop
+    {"bilinear stop",
+     R"(  subsection Bilinear stop
     set Stiffness = 80 kN/m
     set Damping constant = 160 N s/m
   end)",
@@ -71,7 +71,7 @@ const std::vector<Sample> samples = {
     set Restitution coefficient = 0.8
     set Effective mass = 2 kg
   end)",
-     {"Effective mass = 2 kg", "Restitution coefficient = 0.8"}},
+     {"Restitution coefficient = 0.8"}},
     {"kuwabara-kono",
      R"(  subsection Kuwabara-Kono
     set Stiffness = 1e10 N/m^1.5

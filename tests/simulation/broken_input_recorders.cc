@@ -24,13 +24,13 @@ subsection Excitation ground
   set Frequency = 3 Hz
 end
 subsection Analysis answer
-  set Type = response
-  set Record = excursions, statistics, impacts, energy, forces, quasi static, history
-  subsection Response
+  set Type = steady state
+  set Record = extreme values, statistics, impacts, energy, forces, quasi static, history
+  subsection Steady state
     set Settling cycles = 20
     set Recorded cycles = 2
   end
-  subsection Excursions
+  subsection Extreme values
     set Points = block.head
     set Quantities = displacement, acceleration
   end
@@ -51,9 +51,9 @@ TEST(BrokenInputRecordersTest, TheSoundFileIsAccepted) { EXPECT_EQ(message_of(so
 
 TEST(BrokenInputRecordersTest, NamesOfRecorders) {
   expect_message("statistics,", "statistic,", {"Record", "statistic", "statistics"});
-  expect_message("statistics,", "excursions,", {"Record", "listed twice"});
+  expect_message("statistics,", "extreme values,", {"Record", "listed twice"});
   expect_message("statistics,", "none,", {"Record", "none"});
-  expect_message("Type = response", "Type = modal", {"Record", "no recorders"});
+  expect_message("Type = steady state", "Type = modal", {"Record", "no recorders"});
 }
 
 TEST(BrokenInputRecordersTest, WhatIsWatched) {

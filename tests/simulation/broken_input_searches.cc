@@ -26,7 +26,7 @@ subsection Excitation shaker
   set Frequency = 3 Hz
 end
 subsection Analysis steady
-  set Type = response
+  set Type = steady state
 end
 subsection Derived amplitude
   set From = steady
@@ -206,7 +206,8 @@ end
 )";
   const std::string message = message_of(sound + grid);
   EXPECT_NE(message.find("changes itself"), std::string::npos) << message;
-  const std::string swept = changed(sound, "  set Type = response\n", R"(  set Type = stepped sweep
+  const std::string swept =
+      changed(sound, "  set Type = steady state\n", R"(  set Type = stepped sweep
   subsection Stepped sweep
     set Parameter = Variables/k
     set First = 1

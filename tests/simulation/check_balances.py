@@ -33,7 +33,7 @@ end
 subsection Analysis stiffness
   set Type = harmonic balance
   subsection Harmonic balance
-    set Parameter = Contact/right/Piecewise stop/Stiffness
+    set Parameter = Contact/right/Bilinear stop/Stiffness
     set First = 1 N/m
     set Last = 3 N/m
     set Guess = GUESS

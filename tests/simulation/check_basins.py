@@ -88,8 +88,8 @@ subsection Analysis random
   end
 end
 subsection Analysis settled
-  set Type = response
-  subsection Response
+  set Type = steady state
+  subsection Steady state
     set Settling cycles = 500
     set Steadiness tolerance = 1e-9
     set Recorded cycles = 1

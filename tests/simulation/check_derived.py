@@ -24,8 +24,8 @@ subsection Contact right
   set Between = oscillator.mass, base
   set Direction = x
   set Clearance = gap * 1 m
-  set Law = relaxing stop
-  subsection Relaxing stop
+  set Law = kelvin-voigt bumper
+  subsection Kelvin-Voigt bumper
     set Stiffness = stiffness * 1 N/m
     set Damping constant = 1 N s/m
   end
@@ -34,8 +34,8 @@ subsection Contact left
   set Between = oscillator.mass, base
   set Direction = -x
   set Clearance = gap * 1 m
-  set Law = relaxing stop
-  subsection Relaxing stop
+  set Law = kelvin-voigt bumper
+  subsection Kelvin-Voigt bumper
     set Stiffness = stiffness * 1 N/m
     set Damping constant = 1 N s/m
   end
@@ -47,8 +47,8 @@ subsection Excitation ground
 end
 subsection Analysis curve
   set Type = stepped sweep
-  set Record = excursions
-  subsection Excursions
+  set Record = extreme values
+  subsection Extreme values
     set Quantities = displacement
   end
   subsection Stepped sweep

@@ -36,8 +36,8 @@ subsection Excitation push
   set Frequency = 1.5 Hz
 end
 subsection Analysis one
-  set Type = response
-  subsection Response
+  set Type = steady state
+  subsection Steady state
     set Settling cycles = 20
     set Recorded cycles = 5
   end

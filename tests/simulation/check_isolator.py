@@ -26,8 +26,8 @@ subsection Contact up
   set Between = isolator.mass, stop
   set Direction = y
   set Clearance = d * 1 m
-  set Law = piecewise stop
-  subsection Piecewise stop
+  set Law = bilinear stop
+  subsection Bilinear stop
     set Stiffness = k1 * 1 N/m
     set Damping constant = c1 * 1 N s/m
   end
@@ -36,8 +36,8 @@ subsection Contact down
   set Between = isolator.mass, stop
   set Direction = -y
   set Clearance = d * 1 m
-  set Law = piecewise stop
-  subsection Piecewise stop
+  set Law = bilinear stop
+  subsection Bilinear stop
     set Stiffness = k1 * 1 N/m
     set Damping constant = c1 * 1 N s/m
   end
@@ -51,7 +51,7 @@ subsection Excitation force
 end
 subsection Analysis curve
   set Type = branch
-  set Record = excursions
+  set Record = extreme values
   subsection Branch
     set First frequency = 18 rad/s
     set Last frequency = 60 rad/s

@@ -35,8 +35,8 @@ subsection Excitation push
 end
 set Analyses = cases
 subsection Analysis one
-  set Type = response
-  subsection Response
+  set Type = steady state
+  subsection Steady state
     set Settling cycles = 20
     set Recorded cycles = 5
   end
@@ -127,7 +127,7 @@ end
 
     def test_points_that_did_not_settle_are_told(self):
         self.write()
-        out, text = self.run_to("settled", 0, "--set", "Analysis/one/Response/Settling cycles=900")
+        out, text = self.run_to("settled", 0, "--set", "Analysis/one/Steady state/Settling cycles=900")
         self.assertNotIn("steady", text)
         self.assertNotIn("unsettled", (out / "summary.txt").read_text())
         out, text = self.run_to("short", 0)

@@ -27,7 +27,7 @@ subsection Analysis folds
 end
 subsection Analysis grazes
   set Type = locus
-  set Record = excursions, impacts
+  set Record = extreme values, impacts
   subsection Locus
     set Kinds = graze
     subsection First key

@@ -115,7 +115,7 @@ subsection Integration
 end
 subsection Analysis start
   set Type   = transient
-  set Record = excursions
+  set Record = extreme values
   subsection Transient
     set Duration          = 0.5 s
     set Sampling interval = 1 ms

@@ -73,7 +73,7 @@ subsection Analysis one
     set Duration = 100 s
     set Sampling interval = 50 s
   end
-  subsection Response
+  subsection Steady state
     set Settling cycles = 1
     set Recorded cycles = 1
   end
@@ -90,7 +90,7 @@ subsection Analysis cases
 end
 """
 ENDLESS = {"transient": ("Analysis/one/Transient/Duration", "100 s, 4e7 s"),
-           "response": ("Analysis/one/Response/Settling cycles", "5, 1000000000")}
+           "steady state": ("Analysis/one/Steady state/Settling cycles", "5, 1000000000")}
 OBEDIENT = 10  # seconds
 
 
@@ -135,7 +135,7 @@ class Signals(ProgramRuns):
     def knocking(self, kind):
         path, values = ENDLESS[kind]
         text = KNOCKING.replace("TYPE", kind).replace("PATH", path).replace("VALUES", values)
-        if kind == "response":
+        if kind == "steady state":
             text = text.replace("set Settling cycles = 1\n",
                                 "set Minimum settling cycles = 0\n"
                                 "    set Steadiness tolerance = 0\n    set Settling cycles = 1\n")
@@ -189,7 +189,7 @@ class Signals(ProgramRuns):
         self.stop_and_resume(ENDLESS, 1, (signal.SIGTERM, signal.SIGINT))
 
     def test_a_motion_on_two_ranks_ends_and_goes_on(self):
-        self.stop_and_resume(["response"], 2, (signal.SIGTERM,))
+        self.stop_and_resume(["steady state"], 2, (signal.SIGTERM,))
 
     def test_a_check_ends_by_itself_and_by_a_signal(self):
         files = [self.knocking(kind) for kind in ENDLESS]

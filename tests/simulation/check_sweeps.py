@@ -75,7 +75,7 @@ subsection Analysis shifted
       set Values = 1.1 rad/s, 1.2 rad/s
     end
     subsection Key last
-      set Follows = first
+      set Tied to = first
       set Path = Analysis/one/Stepped sweep/Last frequency
       set Values = 1.1 rad/s, 1.2 rad/s
     end

@@ -8,9 +8,9 @@ subsection Contact NAME
   set Between = mass.head
   set Direction = DIRECTION
   set Clearance = 1 m
-  set Law = piecewise stop
+  set Law = bilinear stop
   KEYS
-  subsection Piecewise stop
+  subsection Bilinear stop
     set Stiffness = STIFFNESS
     set Damping constant = 0.4 N s/m
   end

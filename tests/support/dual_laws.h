@@ -48,7 +48,7 @@ inline std::vector<DualMode> while_pushing(DualFunction force, const DualFunctio
 
 inline Dual third_half(const Dual &root) { return root * root * root * root * root * root; }
 
-inline std::vector<DualMode> relaxing_stop(const DualLaw &law) {
+inline std::vector<DualMode> kelvin_voigt_bumper(const DualLaw &law) {
   const Dual k = law.stiffness, c = law.loss;
   const DualFunction force = [=](const DualLocal &x) { return -(k * x.gap + c * x.gap_rate); };
   const DualFunction recovery = [=](const DualLocal &x) { return -(k / c * x.internal); };
@@ -103,11 +103,11 @@ inline std::vector<DualMode> dual_modes(const std::string &name, const DualLaw &
     return while_overlapping([=](const DualLocal &x) { return -(k * x.gap); }, false);
   if (name == "kelvin-voigt")
     return kelvin_voigt(law);
-  if (name == "piecewise stop")
+  if (name == "bilinear stop")
     return while_overlapping([=](const DualLocal &x) { return -(k * x.gap + c * x.gap_rate); },
                              false);
-  if (name == "relaxing stop")
-    return relaxing_stop(law);
+  if (name == "kelvin-voigt bumper")
+    return kelvin_voigt_bumper(law);
   if (name == "hertz")
     return while_overlapping([=](const DualLocal &x) { return k * third_half(x.root); }, true);
   if (name == "hunt-crossley")

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyses/analysis.h"
-#include "contact/laws/piecewise_stop.h"
+#include "contact/laws/bilinear_stop.h"
 #include "support/recorded_windows.h"
 
 namespace vibroimpact::testing {
@@ -13,7 +13,7 @@ inline analyses::System isolator_system(double lambda, double mu, double f = 0.5
   model.add_force("push",
                   std::make_shared<model::Harmonic>(model::Given::displacement, f, lambda, 0), {},
                   Vector3::UnitX());
-  const auto law = std::make_shared<contact::PiecewiseStop>(mu, 0.4);
+  const auto law = std::make_shared<contact::BilinearStop>(mu, 0.4);
   contact::ContactPair right = contact_along_x(model, "block.head", "", 1, law);
   contact::ContactPair left = right;
   right.name = "right";

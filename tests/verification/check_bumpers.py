@@ -73,7 +73,7 @@ def best(table):
     for gap, stiffness, wanted, paper in BEST:
         analysis = table.run("bumpers.prm", f"bumper-best-{gap}", "Analyses=upward",
                              f"Variables/delta0={gap}", f"Variables/lambda={stiffness}",
-                             "Analysis/upward/Excursions/Quantities="
+                             "Analysis/upward/Extreme values/Quantities="
                              "displacement, acceleration, gap, normal_force",
                              f"{section}First frequency={wanted[0] - 0.1} rad/s",
                              f"{section}Last frequency={wanted[0] + 0.1} rad/s",

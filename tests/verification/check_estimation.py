@@ -90,7 +90,7 @@ subsection Analysis {name}
       set Values = {listed}
     end
     subsection Key second
-      set Follows = first
+      set Tied to = first
       set Path = Analysis/fit/Estimate/Data second/File
       set Values = {listed}
     end

@@ -28,7 +28,7 @@ FORCES = [f"contact/{side}/normal_force/maximum" for side in ("left", "right")]
 
 def figures(study, name, values, overrides):
     motion = study.run("vibro-impact-absorber.prm", name, "Analyses=motion",
-                       "Analysis/motion/Record=excursions",
+                       "Analysis/motion/Record=extreme values",
                        *(f"Variables/{key}={value}" for key, value in values.items()),
                        *overrides)["analysis/motion"]
     return [[motion[path][0, 0] for path in group] for group in (EXCURSIONS, FORCES)]

@@ -72,7 +72,7 @@ def signed(difference, absolute):
 
 
 def arguments_of_checks():
-    """The parser of what every check is told."""
+    """The parser of what every check is given."""
     parser = argparse.ArgumentParser()
     parser.add_argument("program", help="the vibroimpact program")
     parser.add_argument("source", type=pathlib.Path, help="folder of the source")

@@ -81,7 +81,7 @@ def draw(axes, layout: Layout, values: np.ndarray, case) -> None:
 
 
 def distinct_count(y: np.ndarray) -> int:
-    """Points that are told apart in the figure; a periodic motion passes few places."""
+    """Points that are distinguished in the figure; a periodic motion passes few places."""
     known = y[np.isfinite(y)]
     step = max(np.ptp(known), 1e-300) / 500 if known.size else 1.0
     return sum(np.unique(np.round(row[np.isfinite(row)] / step)).size for row in y)

@@ -86,7 +86,7 @@ def draw(axes, base: Layout, key, shown) -> list[Line2D]:
 
 def names(base: Analysis) -> list[str]:
     """Of the overlays; those of other results that share theirs with the branch or another overlay
-    are told apart by as much of their folder as that takes."""
+    are distinguished by as much of their folder as that takes."""
     shared = [[other for other in (base, *base.overlays)
                if other.name == overlay.name and other.file != overlay.file]
               for overlay in base.overlays]

@@ -74,26 +74,49 @@ def value_of(node, names: dict):
     raise SyntaxError("no expression")
 
 
+def contact_section(parameters: dict, contact: str) -> tuple[dict, float]:
+    """The section of a contact, and -1 if the contact is its mirror image, else 1."""
+    if f"Contact {contact}" in parameters:
+        return parameters[f"Contact {contact}"], 1.0
+    for name, section in parameters.items():
+        if name.startswith("Contact ") and section.get("Mirrored as") == contact:
+            return section, -1.0
+    return {}, 1.0
+
+
 def contact_sides(parameters: dict, contact: str) -> list[str]:
     """Points BODY.POINT that a contact joins: two, or one at a stop."""
-    between = parameters.get(f"Contact {contact}", {}).get("Between", "")
+    between = contact_section(parameters, contact)[0].get("Between", "")
     return [side.strip() for side in between.split(",") if "." in side]
 
 
 def direction_of(parameters: dict, contact: str):
     """Axis and sign of a contact normal along an axis: ("x", -1); None for another direction."""
-    text = parameters.get(f"Contact {contact}", {}).get("Direction", "x")
-    match = re.fullmatch(r"([-+]?)([xyz])", text.replace(" ", ""))
-    return (match[2], -1.0 if match[1] == "-" else 1.0) if match else None
+    section, sign = contact_section(parameters, contact)
+    match = re.fullmatch(r"([-+]?)([xyz])", section.get("Direction", "x").replace(" ", ""))
+    return (match[2], -sign if match[1] == "-" else sign) if match else None
+
+
+def case_columns(table: str) -> list[tuple[str, list[str]]]:
+    """Path and texts of values, with their unit, of each key of "PATH [UNIT], PATH; 1, 2; ..."."""
+    rows = [[cell.strip() for cell in row.split(",")] for row in table.split(";") if row.strip()]
+    columns = []
+    for head, *values in zip(*rows):
+        path, _, unit = head.partition("[")
+        unit = unit.rstrip("] ")
+        columns.append((path.strip(), [f"{value} {unit}".strip() for value in values]))
+    return columns
 
 
 def followers(parameters: dict, analysis: str, path: str) -> list[tuple[str, list[str]]]:
     """Keys that change together with the swept key `path` of a grid: path and texts of values."""
     grid = parameters.get(f"Analysis {analysis}", {}).get("Parameter grid", {})
+    if grid.get("Cases"):
+        return case_columns(grid["Cases"])[1:]
     keys = {name[4:]: section for name, section in grid.items() if name.startswith("Key ")}
     leaders = [name for name, key in keys.items() if key.get("Path") == path]
     return [
         (key["Path"], [value.strip() for value in key["Values"].split(",")])
         for key in keys.values()
-        if key.get("Follows") in leaders and key.get("Follows") and key.get("Values")
+        if key.get("Tied to") in leaders and key.get("Tied to") and key.get("Values")
     ]

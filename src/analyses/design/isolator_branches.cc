@@ -33,8 +33,9 @@ bool among(const std::string &name, const std::vector<std::string> &names) {
 // Without the key Record a branch records them too.
 bool records_displacements(const Values &branch) {
   const std::vector<std::string> recorded = branch.names("Record");
-  const std::vector<std::string> quantities = branch.subsection("Excursions").names("Quantities");
-  return (recorded.empty() || among("excursions", recorded)) &&
+  const std::vector<std::string> quantities =
+      branch.subsection("Extreme values").names("Quantities");
+  return (recorded.empty() || among("extreme values", recorded)) &&
          (among("all", quantities) || among("displacement", quantities));
 }
 
@@ -86,7 +87,8 @@ void IsolatorBranches::declare(parameters::Section &section) {
   section
       .text("Repeat", "",
             "Name of an analysis of the type branch over the frequency, which records the "
-            "excursions; with it the folds are also found exactly. Empty means by averaging alone.")
+            "extreme values; with it the folds are also found exactly. Empty means by averaging "
+            "alone.")
       .text("Stiffness key", "",
             "With Repeat: key whose value in SI is the stiffness of the stops, as for --set: "
             "Variables/stop_stiffness.")
@@ -108,7 +110,7 @@ IsolatorBranches::IsolatorBranches(const Values &section) {
   if (repeated.subsection("Branch").has("Parameter"))
     section.reject("Repeat", "a branch over the frequency, without the key Parameter.");
   if (!records_displacements(repeated))
-    section.reject("Repeat", "a branch that records the excursions of displacements.");
+    section.reject("Repeat", "a branch that records extreme values of displacements.");
   stiffness_ = read_key(section, "Stiffness key", "");
   clearance_ = read_key(section, "Clearance key", stiffness_.path);
 }

@@ -39,14 +39,14 @@ double load_amplitude(const model::Source &source) {
 }
 
 bool is_stop(const contact::ContactPair &pair) {
-  return pair.side_b == "stop" && pair.law->name() == "piecewise stop";
+  return pair.side_b == "stop" && pair.law->name() == "bilinear stop";
 }
 
 bool equal(double one, double other) { return std::abs(one - other) <= 1e-9 * std::abs(one); }
 
 void check_stops(const contact::ContactSet &contacts) {
   if (contacts.size() != 2 || !is_stop(contacts.pairs()[0]) || !is_stop(contacts.pairs()[1]))
-    refuse("two contacts with stops, of the law piecewise stop.");
+    refuse("two contacts with stops, of the law bilinear stop.");
   const contact::ContactPair &one = contacts.pairs()[0], &other = contacts.pairs()[1];
   if (!equal(one.gap.row[0], -other.gap.row[0]))
     refuse("its two stops on opposite sides; " + one.name + " and " + other.name + " are not.");

@@ -8,7 +8,7 @@
 
 namespace vibroimpact::analyses {
 
-/// One mass on a spring and a dashpot under a harmonic force, between two equal piecewise stops.
+/// One mass on a spring and a dashpot under a harmonic force, between two equal bilinear stops.
 struct IsolatorSystem {
   double mass = 0;           ///< m [kg]
   double stiffness = 0;      ///< k_0 [N/m]

@@ -5,7 +5,7 @@
 // on the base to the applied force where a single force varies in time.
 #pragma once
 
-#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/extreme_values.h"
 #include "analyses/recorders/statistics.h"
 
 namespace vibroimpact::analyses {
@@ -28,7 +28,7 @@ private:
   struct ObservedForce {
     explicit ObservedForce(ObservedQuantity observed);
     ObservedQuantity quantity;
-    ExcursionLabels range_labels;
+    ExtremeValueLabels range_labels;
     AverageLabels average_labels;
     motion::ValueRange range{};
     TimeAverage average{};

@@ -49,7 +49,7 @@ double hertz(const parameters::Values &values, const std::string &key) {
   return values.quantity(key) / (2 * std::numbers::pi);
 }
 
-// Above the Nyquist frequency nothing can be told apart.
+// Above the Nyquist frequency nothing can be resolved.
 void require_sampling(const parameters::Values &values, double highest) {
   values.require("Sampling interval");
   if (values.quantity("Sampling interval") * highest > 0.5)
@@ -157,29 +157,29 @@ void WaveletRecorder::add_fields(PointResult &result) const {
 void SpectrogramRecorder::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      spectrogram_section, "Amplitude spectra of short stretches of the motion (Hann window) over "
+      spectrogram_section, "Amplitude spectra of short intervals of the motion (Hann window) over "
                            "frequency and time.");
   declare_signals(section);
   section
-      .quantity("Stretch", "", dimension::time, range::positive, "",
-                "Length of a stretch; lines are its reciprocal apart.")
+      .quantity("Interval", "", dimension::time, range::positive, "",
+                "Length of an interval; lines are its reciprocal apart.")
       .quantity("Highest frequency", "", dimension::frequency, range::positive, "",
                 "Highest frequency of the result.")
       .quantity("Sampling interval", "", dimension::time, range::positive, "",
                 "Interval of the samples that are transformed.")
       .integer("Instants", "500", Range{.lower = 2, .upper = 1e7}, "",
-               "Number of stretches, spread equally over the window.");
+               "Number of intervals, spread equally over the window.");
 }
 
 RecorderFactory SpectrogramRecorder::create(const parameters::Values &analysis) {
   const parameters::Values values = analysis.subsection(spectrogram_section);
-  values.require("Stretch");
+  values.require("Interval");
   values.require("Highest frequency");
   const double highest = hertz(values, "Highest frequency");
   require_sampling(values, highest);
-  if (values.quantity("Stretch") < 4 * values.quantity("Sampling interval"))
-    values.reject("Stretch", "at least four sampling intervals.");
-  const SpectrogramSettings settings{.window = values.quantity("Stretch"),
+  if (values.quantity("Interval") < 4 * values.quantity("Sampling interval"))
+    values.reject("Interval", "at least four sampling intervals.");
+  const SpectrogramSettings settings{.window = values.quantity("Interval"),
                                      .interval = values.quantity("Sampling interval"),
                                      .highest_frequency = highest,
                                      .instants = values.integer("Instants")};

@@ -37,12 +37,16 @@ void Tsuji::declare(parameters::Section &contact) {
                 "Restitution that two free bodies of the effective mass show.")
       .quantity(
           "Effective mass", "", dimension::mass, range::positive, "m",
-          "Mass that meets at the contact, m_a m_b / (m_a + m_b) of two free bodies; the modal "
-          "analysis reports that of flexible ones.");
+          "Mass that meets at the contact, m_a m_b / (m_a + m_b) of two free bodies. It follows "
+          "from the model where both sides are lumped masses, stops or the base; of flexible "
+          "bodies "
+          "it must be given, and the modal analysis reports what it is with the modes kept.");
 }
 
-std::shared_ptr<const ContactLaw> Tsuji::create(const parameters::Values &contact) {
-  const parameters::Values law = contact.subsection(section_name);
+namespace {
+
+// With alpha, or with that of the restitution coefficient.
+std::shared_ptr<const ContactLaw> with_mass(const parameters::Values &law, double mass) {
   const double stiffness = read_hertz_constants(law, 1.5).stiffness;
   if (law.has("Damping coefficient") == law.has("Restitution coefficient"))
     law.reject("Damping coefficient",
@@ -50,9 +54,24 @@ std::shared_ptr<const ContactLaw> Tsuji::create(const parameters::Values &contac
   const double alpha = law.has("Damping coefficient")
                            ? law.quantity("Damping coefficient")
                            : tsuji_damping(law.quantity("Restitution coefficient"));
-  law.require("Effective mass");
-  return std::make_shared<Tsuji>(stiffness,
-                                 alpha * std::sqrt(law.quantity("Effective mass") * stiffness));
+  return std::make_shared<Tsuji>(stiffness, alpha * std::sqrt(mass * stiffness));
+}
+
+} // namespace
+
+std::shared_ptr<const ContactLaw> Tsuji::create(const parameters::Values &contact) {
+  const parameters::Values law = contact.subsection(section_name);
+  if (!law.has("Effective mass"))
+    law.reject_section("Effective mass must be given where a side of the contact belongs "
+                       "to a body that is not lumped, or where there are rotors.");
+  return with_mass(law, law.quantity("Effective mass"));
+}
+
+std::shared_ptr<const ContactLaw> Tsuji::create_of_mass(const parameters::Values &contact,
+                                                        double effective_mass) {
+  const parameters::Values law = contact.subsection(section_name);
+  return with_mass(law,
+                   law.has("Effective mass") ? law.quantity("Effective mass") : effective_mass);
 }
 
 void Tsuji::evaluate(int mode, const LocalState &state, LawResponse &response) const {

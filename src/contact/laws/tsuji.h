@@ -33,6 +33,9 @@ public:
 
   static void declare(parameters::Section &contact);
   static std::shared_ptr<const ContactLaw> create(const parameters::Values &contact);
+  /// Of two sides with this effective mass [kg]; the key has the last word.
+  static std::shared_ptr<const ContactLaw> create_of_mass(const parameters::Values &contact,
+                                                          double effective_mass);
 
   std::string name() const override { return "tsuji"; }
   int initial_mode(const LocalState &state) const override { return open_or_contact(state); }

@@ -204,7 +204,7 @@ void FallSearch::divide(const Piece &whole) {
   for (long divisions = 0; count > 0; ++divisions) {
     if (divisions > most_divisions)
       throw NumericalError(
-          "a contact change could not be told from none by any division of the step");
+          "a contact change could not be distinguished from none by any division of the step");
     const Piece piece = stack[--count];
     const Finding finding = examine(piece);
     if (finding == Finding::unknown) {

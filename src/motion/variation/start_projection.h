@@ -6,8 +6,8 @@
 //   d_q <- d_q - M^-1 W^T (W M^-1 W^T)^-1 (W d_q + d gap/dp),   d_v likewise with the gap rates
 //
 // An internal state that follows the gap in the mode at the start, z = R(gap) with z' = dR/dt (the
-// compression of a relaxing stop in contact), has no deviation of its own: d_z = R_x d + dR/dp.
-// Without that the map of a period would have a false multiplier 1.
+// compression of a Kelvin-Voigt bumper in contact), has no deviation of its own: d_z = R_x d +
+// dR/dp. Without that the map of a period would have a false multiplier 1.
 #pragma once
 
 #include "motion/variation/key_tangent.h"

@@ -1,4 +1,4 @@
-#include "analyses/response.h"
+#include "analyses/steady_state.h"
 
 #include "analyses/fields.h"
 #include "analyses/motion_progress.h"
@@ -15,7 +15,7 @@ using motion::Trajectory;
 
 namespace {
 
-constexpr const char *section_name = "Response";
+constexpr const char *section_name = "Steady state";
 
 void refuse_both(const parameters::Values &values, const char *time, const char *cycles) {
   if (values.has(time) && values.given(cycles))
@@ -24,7 +24,7 @@ void refuse_both(const parameters::Values &values, const char *time, const char 
 
 } // namespace
 
-void Response::declare(parameters::Section &analysis) {
+void SteadyState::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
       section_name, "One motion from the initial conditions: settles, then is recorded.");
@@ -40,24 +40,24 @@ void Response::declare(parameters::Section &analysis) {
             "Excitation whose period counts cycles; empty when there is only one with a period.");
 }
 
-std::shared_ptr<const Analysis> Response::create(const parameters::Values &analysis) {
+std::shared_ptr<const Analysis> SteadyState::create(const parameters::Values &analysis) {
   const parameters::Values values = analysis.subsection(section_name);
   refuse_both(values, "Settling time", "Settling cycles");
   refuse_both(values, "Settling time", "Minimum settling cycles");
   refuse_both(values, "Recorded time", "Recorded cycles");
   const bool by_time = values.has("Settling time");
-  return std::make_shared<Response>(
+  return std::make_shared<SteadyState>(
       Settings{.settling = read_settling(values),
                .settling_time = by_time ? values.quantity("Settling time") : 0,
                .by_time = by_time,
                .cycles = values.integer("Recorded cycles"),
                .recorded_time = values.has("Recorded time") ? values.quantity("Recorded time") : 0,
                .excitation = values.text("Excitation"),
-               .recorders = read_recorders(analysis, {"excursions", "impacts"})});
+               .recorders = read_recorders(analysis, {"extreme values", "impacts"})});
 }
 
 // Of the excitation that counts the cycles; 0 when none is needed.
-double Response::period(const System &system) const {
+double SteadyState::period(const System &system) const {
   if (!settings_.needs_period())
     return 0;
   std::vector<double> periods;
@@ -69,13 +69,14 @@ double Response::period(const System &system) const {
     return periods[0];
   if (!settings_.excitation.empty())
     throw InputError("The excitation " + settings_.excitation +
-                     " that counts the cycles of the response is not active or has no period.");
-  throw InputError("A response that counts cycles needs one excitation with a period, or the key "
-                   "Excitation that says which of several counts; without one give Settling time "
-                   "and Recorded time.");
+                     " that counts the cycles of the steady state is not active or has no period.");
+  throw InputError(
+      "A steady state that counts cycles needs one excitation with a period, or the key "
+      "Excitation that says which of several counts; without one give Settling time "
+      "and Recorded time.");
 }
 
-void Response::check(const System &system) const {
+void SteadyState::check(const System &system) const {
   period(system);
   Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
@@ -83,8 +84,8 @@ void Response::check(const System &system) const {
 }
 
 // The motion that is not recorded is the whole but for the window: `share` of the work at most.
-SettledMotion Response::settle_motion(const System &system, Trajectory &trajectory, double period,
-                                      double share, LineContext &context) const {
+SettledMotion SteadyState::settle_motion(const System &system, Trajectory &trajectory,
+                                         double period, double share, LineContext &context) const {
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   if (!settings_.by_time)
     return Settler(trajectory)(
@@ -101,20 +102,20 @@ SettledMotion Response::settle_motion(const System &system, Trajectory &trajecto
   return {};
 }
 
-double Response::settling_share(double period) const {
+double SteadyState::settling_share(double period) const {
   const double settling = settings_.by_time
                               ? settings_.settling_time
                               : static_cast<double>(settings_.settling.maximum) * period;
   return settling / (settling + window(0, period).end);
 }
 
-Window Response::window(double start, double period) const {
+Window SteadyState::window(double start, double period) const {
   return settings_.recorded_time > 0
              ? Window{.start = start, .end = start + settings_.recorded_time}
              : periods_window(start, period, settings_.cycles);
 }
 
-PointResult Response::compute(const System &system, LineContext &context) const {
+PointResult SteadyState::compute(const System &system, LineContext &context) const {
   const double cycle = period(system);
   const double share = settling_share(cycle);
   Trajectory trajectory(system.model, system.contacts, system.integration);
@@ -136,7 +137,7 @@ PointResult Response::compute(const System &system, LineContext &context) const 
   return result;
 }
 
-void Response::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
+void SteadyState::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
   run_single_point(context, [&] { return compute(system, context); });
 }
 

@@ -1,5 +1,6 @@
-// Relaxing stop: a massless spring and dashpot whose free end is pushed in by the mass, let go when
-// it would have to be pulled, and then creeps back by itself (Stefani, De Angelis & Andreaus 2022).
+// Kelvin-Voigt bumper: a massless spring and dashpot whose free end is pushed in by the mass, let
+// go when it would have to be pulled, and then creeps back by itself (Stefani, De Angelis &
+// Andreaus 2022).
 //
 //   F = k z + c z'             z  compression of the stop [m], z' its rate [m/s]
 //                              k  stiffness [N/m], c > 0 damping constant [N s/m]
@@ -27,15 +28,15 @@
 
 namespace vibroimpact::contact {
 
-class RelaxingStop : public ContactLaw {
+class KelvinVoigtBumper : public ContactLaw {
 public:
   /// stiffness > 0 [N/m], damping_constant > 0 [N s/m]
-  RelaxingStop(double stiffness, double damping_constant);
+  KelvinVoigtBumper(double stiffness, double damping_constant);
 
   static void declare(parameters::Section &contact);
   static std::shared_ptr<const ContactLaw> create(const parameters::Values &contact);
 
-  std::string name() const override { return "relaxing stop"; }
+  std::string name() const override { return "kelvin-voigt bumper"; }
   std::vector<InternalState> internal_states() const override;
   int initial_mode(const LocalState &state) const override;
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;

@@ -1,5 +1,5 @@
 // A mass on a stop that may pull is a damped oscillator for half a damped period.
-#include "contact/laws/piecewise_stop.h"
+#include "contact/laws/bilinear_stop.h"
 #include "motion/event/impact_log.h"
 #include "motion/trajectory.h"
 #include "support/law_checks.h"
@@ -27,7 +27,7 @@ struct Outcome {
 Outcome run(double contact_stiffness, double damping, double duration) {
   const model::Model model({testing::single_mass("block", mass, 0, 0)});
   const ContactSet contacts({testing::contact_along_x(
-      model, "block.head", "", 0, std::make_shared<PiecewiseStop>(contact_stiffness, damping))});
+      model, "block.head", "", 0, std::make_shared<BilinearStop>(contact_stiffness, damping))});
   Trajectory trajectory(model, contacts, Settings{});
   ImpactLog log(contacts, 0);
   testing::GuardWatch guards;
@@ -38,7 +38,7 @@ Outcome run(double contact_stiffness, double damping, double duration) {
   return {log.impacts(0), -trajectory.state()[0], -trajectory.state()[1]};
 }
 
-TEST(PiecewiseStopTest, AFreeMassLeavesAfterHalfADampedPeriod) {
+TEST(BilinearStopTest, AFreeMassLeavesAfterHalfADampedPeriod) {
   const double frequency = std::sqrt(stiffness / mass);
   for (const double z : {0.0, 0.05, 0.4, 0.9}) {
     const Outcome out = run(stiffness, 2 * z * std::sqrt(stiffness * mass), 0.5);
@@ -52,7 +52,7 @@ TEST(PiecewiseStopTest, AFreeMassLeavesAfterHalfADampedPeriod) {
 }
 
 // Overdamped, the mass creeps back and never leaves: u = v sinh(b t) exp(-z w t) / b.
-TEST(PiecewiseStopTest, OverdampedItNeverLetsGo) {
+TEST(BilinearStopTest, OverdampedItNeverLetsGo) {
   const double z = 1.25;
   const double frequency = std::sqrt(stiffness / mass);
   const Outcome out = run(stiffness, 2 * z * std::sqrt(stiffness * mass), 0.02);
@@ -61,21 +61,21 @@ TEST(PiecewiseStopTest, OverdampedItNeverLetsGo) {
   EXPECT_NEAR(out.gap, -speed * std::sinh(b * 0.02) * std::exp(-z * frequency * 0.02) / b, 1e-11);
 }
 
-TEST(PiecewiseStopTest, ADashpotAloneStopsTheMassWithinItsStroke) {
+TEST(BilinearStopTest, ADashpotAloneStopsTheMassWithinItsStroke) {
   const double damping = 200;
   const Outcome out = run(0, damping, 0.3);
   EXPECT_NEAR(out.gap, -speed * mass / damping, 1e-9);
   EXPECT_NEAR(out.gap_rate, 0, 1e-9);
 }
 
-TEST(PiecewiseStopTest, PullsWhereTheDashpotIsStronger) {
-  const PiecewiseStop law(8e4, 200);
+TEST(BilinearStopTest, PullsWhereTheDashpotIsStronger) {
+  const BilinearStop law(8e4, 200);
   EXPECT_DOUBLE_EQ(testing::response_of(law, {.mode = 1, .gap = -1e-3, .gap_rate = 3}).force, -520);
   EXPECT_EQ(testing::response_of(law, {.mode = 0, .gap = 1e-3, .gap_rate = 3}).force, 0);
 }
 
-TEST(PiecewiseStopTest, DerivativesPowerAndAffineForm) {
-  const PiecewiseStop law(8e4, 200);
+TEST(BilinearStopTest, DerivativesPowerAndAffineForm) {
+  const BilinearStop law(8e4, 200);
   for (const int mode : {0, 1})
     for (const double rate : {-0.3, 0.4})
       testing::check_law(law, {.mode = mode, .gap = mode == 0 ? 1e-3 : -1e-3, .gap_rate = rate});

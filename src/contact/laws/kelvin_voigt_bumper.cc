@@ -1,4 +1,4 @@
-#include "contact/laws/relaxing_stop.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@ namespace vibroimpact::contact {
 
 namespace {
 
-constexpr const char *section_name = "Relaxing stop";
+constexpr const char *section_name = "Kelvin-Voigt bumper";
 enum : int { open = 0, contact = 1, leaving = 2 };
 
 std::vector<Mode> make_modes(double stiffness, double damping_constant) {
@@ -28,11 +28,11 @@ std::vector<Mode> make_modes(double stiffness, double damping_constant) {
 
 } // namespace
 
-RelaxingStop::RelaxingStop(double stiffness, double damping_constant)
+KelvinVoigtBumper::KelvinVoigtBumper(double stiffness, double damping_constant)
     : ContactLaw(make_modes(stiffness, damping_constant), {0.0}), stiffness_(stiffness),
       damping_constant_(damping_constant) {}
 
-void RelaxingStop::declare(parameters::Section &contact_section) {
+void KelvinVoigtBumper::declare(parameters::Section &contact_section) {
   using namespace parameters;
   contact_section
       .subsection(section_name,
@@ -45,15 +45,16 @@ void RelaxingStop::declare(parameters::Section &contact_section) {
                 "c / k.");
 }
 
-std::shared_ptr<const ContactLaw> RelaxingStop::create(const parameters::Values &contact_values) {
+std::shared_ptr<const ContactLaw>
+KelvinVoigtBumper::create(const parameters::Values &contact_values) {
   const parameters::Values law = contact_values.subsection(section_name);
   law.require("Stiffness");
   law.require("Damping constant");
-  return std::make_shared<RelaxingStop>(law.quantity("Stiffness"),
-                                        law.quantity("Damping constant"));
+  return std::make_shared<KelvinVoigtBumper>(law.quantity("Stiffness"),
+                                             law.quantity("Damping constant"));
 }
 
-std::vector<InternalState> RelaxingStop::internal_states() const {
+std::vector<InternalState> KelvinVoigtBumper::internal_states() const {
   return {{.name = "stop_deformation",
            .unit = "m",
            .description =
@@ -64,7 +65,7 @@ std::vector<InternalState> RelaxingStop::internal_states() const {
 // A motion may go on from within a contact or from a release, where the distance gap + z is zero up
 // to the error of the integration. A stop that is overlapped without being compressed so far is
 // taken over by the guard of "open", which sets z.
-int RelaxingStop::initial_mode(const LocalState &state) const {
+int KelvinVoigtBumper::initial_mode(const LocalState &state) const {
   constexpr double integration_error = 1e-9; // relative
   const double compression = state.internal[0];
   if (compression <= 0 || std::abs(state.gap + compression) > integration_error * compression)
@@ -72,7 +73,7 @@ int RelaxingStop::initial_mode(const LocalState &state) const {
   return stiffness_ * state.gap + damping_constant_ * state.gap_rate < 0 ? contact : leaving;
 }
 
-void RelaxingStop::evaluate(int mode, const LocalState &state, LawResponse &response) const {
+void KelvinVoigtBumper::evaluate(int mode, const LocalState &state, LawResponse &response) const {
   const bool pushed = mode == contact;
   const double compression = pushed ? -state.gap : state.internal[0];
   const double recovery = stiffness_ / damping_constant_;

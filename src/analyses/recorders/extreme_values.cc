@@ -1,4 +1,4 @@
-#include "analyses/recorders/excursions.h"
+#include "analyses/recorders/extreme_values.h"
 
 #include "analyses/fields.h"
 #include "motion/event/impact_log.h"
@@ -11,10 +11,10 @@ using motion::ValueRange;
 
 namespace {
 
-constexpr const char *section_name = "Excursions";
+constexpr const char *section_name = "Extreme values";
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-void add_bounds(PointResult &result, const ExcursionLabels &labels, const ValueRange &range) {
+void add_bounds(PointResult &result, const ExtremeValueLabels &labels, const ValueRange &range) {
   const bool seen = range.maximum >= range.minimum;
   result.fields.push_back(scalar_field(labels.minimum, seen ? range.minimum : nan));
   result.fields.push_back(scalar_field(labels.maximum, seen ? range.maximum : nan));
@@ -22,7 +22,7 @@ void add_bounds(PointResult &result, const ExcursionLabels &labels, const ValueR
 
 } // namespace
 
-ExcursionLabels::ExcursionLabels(const ObservedQuantity &quantity)
+ExtremeValueLabels::ExtremeValueLabels(const ObservedQuantity &quantity)
     : peak_to_peak(quantity.path + "/peak_to_peak", quantity.unit,
                    "largest minus smallest value in the recorded window"),
       amplitude(quantity.path + "/amplitude", quantity.unit,
@@ -34,14 +34,14 @@ ExcursionLabels::ExcursionLabels(const ObservedQuantity &quantity)
       maximum(quantity.path + "/maximum", quantity.unit,
               "largest value in the recorded window, " + quantity.meaning) {}
 
-void add_range(PointResult &result, const ExcursionLabels &labels, const ValueRange &range) {
+void add_range(PointResult &result, const ExtremeValueLabels &labels, const ValueRange &range) {
   result.fields.push_back(scalar_field(labels.peak_to_peak, range.peak_to_peak()));
   result.fields.push_back(scalar_field(labels.amplitude, range.peak_to_peak() / 2));
   result.fields.push_back(scalar_field(labels.largest, range.peak()));
   add_bounds(result, labels, range);
 }
 
-Excursions::Excursions(const ObservedSelection &selection, const System &system)
+ExtremeValues::ExtremeValues(const ObservedSelection &selection, const System &system)
     : contacts_(system.contacts), quantities_(observed_quantities(selection, system)),
       labels_(quantities_.begin(), quantities_.end()), ranges_(quantities_.size()) {
   for (const ObservedQuantity &quantity : quantities_)
@@ -54,27 +54,27 @@ Excursions::Excursions(const ObservedSelection &selection, const System &system)
   forces_.resize(contacts_.size());
 }
 
-void Excursions::declare(parameters::Section &analysis) {
+void ExtremeValues::declare(parameters::Section &analysis) {
   declare_selection_of_quantities(
       analysis.subsection(section_name, "The recorder of extreme values."));
 }
 
-RecorderFactory Excursions::create(const parameters::Values &analysis) {
+RecorderFactory ExtremeValues::create(const parameters::Values &analysis) {
   const parameters::Values section = analysis.subsection(section_name);
   const ObservedSelection selection = read_selection_of_quantities(section);
   return [section, selection](const System &system) {
     check_points(selection, system, section);
-    return std::make_unique<Excursions>(selection, system);
+    return std::make_unique<ExtremeValues>(selection, system);
   };
 }
 
-void Excursions::begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) {
+void ExtremeValues::begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) {
   std::fill(ranges_.begin(), ranges_.end(), ValueRange{});
   // A contact that stays open has the largest force zero.
   std::fill(forces_.begin(), forces_.end(), ValueRange{.minimum = 0, .maximum = 0});
 }
 
-void Excursions::step(const motion::StepView &view) {
+void ExtremeValues::step(const motion::StepView &view) {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     ranges_[i].include(quantities_[i].curve(view));
   for (std::size_t c = 0; c < forces_.size(); ++c)
@@ -82,8 +82,8 @@ void Excursions::step(const motion::StepView &view) {
       forces_[c].include(motion::peak_force(view, c));
 }
 
-void Excursions::add_forms(const motion::Equations &equations,
-                           std::vector<motion::MonitoredForm> &forms) {
+void ExtremeValues::add_forms(const motion::Equations &equations,
+                              std::vector<motion::MonitoredForm> &forms) {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     forms.push_back(quantities_[i].form(equations, ranges_[i]));
   for (std::size_t c = 0; c < forces_.size(); ++c)
@@ -91,7 +91,7 @@ void Excursions::add_forms(const motion::Equations &equations,
       forms.push_back(motion::monitored_contact(equations, c, mode.affine->force, forces_[c]));
 }
 
-void Excursions::add_fields(PointResult &result) const {
+void ExtremeValues::add_fields(PointResult &result) const {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     if (quantities_[i].kind == "gap")
       add_bounds(result, labels_[i], ranges_[i]);

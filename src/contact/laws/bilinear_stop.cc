@@ -1,20 +1,20 @@
-#include "contact/laws/piecewise_stop.h"
+#include "contact/laws/bilinear_stop.h"
 
 #include "contact/laws/given_stiffness.h"
 
 namespace vibroimpact::contact {
 
 namespace {
-constexpr const char *section_name = "Piecewise stop";
+constexpr const char *section_name = "Bilinear stop";
 } // namespace
 
-PiecewiseStop::PiecewiseStop(double stiffness, double damping_constant)
+BilinearStop::BilinearStop(double stiffness, double damping_constant)
     : ContactLaw(
           open_and_contact(AffineLaw{.force = {.gap = -stiffness, .gap_rate = -damping_constant}}),
           {}),
       stiffness_(stiffness), damping_constant_(damping_constant) {}
 
-void PiecewiseStop::declare(parameters::Section &contact) {
+void BilinearStop::declare(parameters::Section &contact) {
   using namespace parameters;
   contact
       .subsection(section_name,
@@ -26,21 +26,21 @@ void PiecewiseStop::declare(parameters::Section &contact) {
                 "Contact force per unit penetration rate.");
 }
 
-std::shared_ptr<const ContactLaw> PiecewiseStop::create(const parameters::Values &contact) {
+std::shared_ptr<const ContactLaw> BilinearStop::create(const parameters::Values &contact) {
   const parameters::Values law = contact.subsection(section_name);
   law.require("Stiffness");
-  return std::make_shared<PiecewiseStop>(law.quantity("Stiffness"),
-                                         law.quantity("Damping constant"));
+  return std::make_shared<BilinearStop>(law.quantity("Stiffness"),
+                                        law.quantity("Damping constant"));
 }
 
-std::shared_ptr<const ContactLaw> PiecewiseStop::create_with(const parameters::Values &contact,
-                                                             double stiffness) {
+std::shared_ptr<const ContactLaw> BilinearStop::create_with(const parameters::Values &contact,
+                                                            double stiffness) {
   const parameters::Values law = contact.subsection(section_name);
   refuse_stiffness(law);
-  return std::make_shared<PiecewiseStop>(stiffness, law.quantity("Damping constant"));
+  return std::make_shared<BilinearStop>(stiffness, law.quantity("Damping constant"));
 }
 
-void PiecewiseStop::evaluate(int mode, const LocalState &state, LawResponse &response) const {
+void BilinearStop::evaluate(int mode, const LocalState &state, LawResponse &response) const {
   const double stiffness = mode == 1 ? stiffness_ : 0;
   const double damping_constant = mode == 1 ? damping_constant_ : 0;
   response.force = -stiffness * state.gap - damping_constant * state.gap_rate;
@@ -51,7 +51,7 @@ void PiecewiseStop::evaluate(int mode, const LocalState &state, LawResponse &res
 }
 
 // A dashpot alone has no elastic force.
-std::optional<ElasticForce> PiecewiseStop::elastic_force() const {
+std::optional<ElasticForce> BilinearStop::elastic_force() const {
   if (stiffness_ == 0)
     return std::nullopt;
   return ElasticForce{.stiffness = stiffness_, .exponent = 1};

@@ -1,4 +1,4 @@
-// Piecewise stop: a spring and a dashpot that are there while the two points overlap and not
+// Bilinear stop: a spring and a dashpot that are there while the two points overlap and not
 // otherwise. Nothing cuts tension off.
 //
 //   F = k u + c u'             u  penetration [m], u' its rate [m/s]
@@ -18,10 +18,10 @@
 
 namespace vibroimpact::contact {
 
-class PiecewiseStop : public ContactLaw {
+class BilinearStop : public ContactLaw {
 public:
   /// stiffness >= 0 [N/m], damping_constant >= 0 [N s/m]
-  PiecewiseStop(double stiffness, double damping_constant);
+  BilinearStop(double stiffness, double damping_constant);
 
   static void declare(parameters::Section &contact);
   static std::shared_ptr<const ContactLaw> create(const parameters::Values &contact);
@@ -29,7 +29,7 @@ public:
   static std::shared_ptr<const ContactLaw> create_with(const parameters::Values &contact,
                                                        double stiffness);
 
-  std::string name() const override { return "piecewise stop"; }
+  std::string name() const override { return "bilinear stop"; }
   int initial_mode(const LocalState &state) const override { return open_or_contact(state); }
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
   std::optional<ElasticForce> elastic_force() const override;

@@ -1,5 +1,5 @@
-// Response: one motion from the initial conditions that settles and is then recorded, by periods of
-// an excitation or by time. Whether it became steady is told; it need not.
+// Steady state: one motion from the initial conditions that settles and is then recorded, by
+// periods of an excitation or by time. Whether it became steady is a result; it need not.
 #pragma once
 
 #include "analyses/analysis.h"
@@ -8,7 +8,7 @@
 
 namespace vibroimpact::analyses {
 
-class Response : public Analysis {
+class SteadyState : public Analysis {
 public:
   struct Settings {
     SettlingRule settling;    ///< when settling_time is 0
@@ -21,12 +21,12 @@ public:
 
     bool needs_period() const { return !by_time || recorded_time == 0; }
   };
-  explicit Response(Settings settings) : settings_(std::move(settings)) {}
+  explicit SteadyState(Settings settings) : settings_(std::move(settings)) {}
 
   static void declare(parameters::Section &analysis);
   static std::shared_ptr<const Analysis> create(const parameters::Values &analysis);
 
-  std::string type() const override { return "response"; }
+  std::string type() const override { return "steady state"; }
   std::vector<Axis> axes() const override { return {}; }
   void check(const System &system) const override;
   void run_line(std::size_t line, System &system, LineContext &context) const override;

@@ -1,5 +1,5 @@
 // One motion that settles and is recorded: by cycles, by time, and what it needs for that.
-#include "analyses/response.h"
+#include "analyses/steady_state.h"
 
 #include "common/error.h"
 #include "support/recorded_windows.h"
@@ -40,15 +40,15 @@ System oscillator(double factor = 1, double frequency = omega) {
   return testing::system_of(std::move(model));
 }
 
-Response::Settings by_cycles(long longest) {
+SteadyState::Settings by_cycles(long longest) {
   return {.settling = {.minimum = 5, .maximum = longest, .tolerance = 1e-6, .longest_multiple = 4},
           .cycles = 3,
           .excitation = {}};
 }
 
-PointResult run(const Response::Settings &settings, System system) {
+PointResult run(const SteadyState::Settings &settings, System system) {
   OnePoint point;
-  Response(settings).run_line(0, system, point);
+  SteadyState(settings).run_line(0, system, point);
   return point.result;
 }
 
@@ -58,7 +58,7 @@ double amplitude() {
 
 const std::string excursion = "point/block.head/displacement_x/peak_to_peak";
 
-TEST(ResponseTest, SettlesByCyclesUntilItIsSteady) {
+TEST(SteadyStateTest, SettlesByCyclesUntilItIsSteady) {
   const PointResult result = run(by_cycles(500), oscillator());
   EXPECT_EQ(value_of(result, "steady"), 1);
   EXPECT_EQ(value_of(result, "period_multiple"), 1);
@@ -66,8 +66,8 @@ TEST(ResponseTest, SettlesByCyclesUntilItIsSteady) {
   EXPECT_NEAR(value_of(result, excursion), 2 * amplitude(), 3e-6 * amplitude());
 }
 
-TEST(ResponseTest, GoesStraightToThePeriodicMotion) {
-  Response::Settings settings = by_cycles(500);
+TEST(SteadyStateTest, GoesStraightToThePeriodicMotion) {
+  SteadyState::Settings settings = by_cycles(500);
   settings.settling.newton_after = 2;
   const PointResult result = run(settings, oscillator(0.1));
   EXPECT_EQ(value_of(result, "steady"), 1);
@@ -78,7 +78,7 @@ TEST(ResponseTest, GoesStraightToThePeriodicMotion) {
   EXPECT_NEAR(value_of(result, excursion), 2 * high, 1e-9 * high);
 }
 
-TEST(ResponseTest, RecordsWhatIsNotSteadyAsWell) {
+TEST(SteadyStateTest, RecordsWhatIsNotSteadyAsWell) {
   const PointResult result = run(by_cycles(6), oscillator(0.01));
   EXPECT_EQ(value_of(result, "steady"), 0);
   EXPECT_EQ(value_of(result, "settling_cycles"), 6);
@@ -87,8 +87,8 @@ TEST(ResponseTest, RecordsWhatIsNotSteadyAsWell) {
 
 // From rest, x = A Im(exp(i w t)) less its own start as a free motion: the largest value of the
 // first instants comes from that, not from the steady motion.
-TEST(ResponseTest, SettlesAndRecordsByTime) {
-  Response::Settings settings;
+TEST(SteadyStateTest, SettlesAndRecordsByTime) {
+  SteadyState::Settings settings;
   settings.by_time = true;
   settings.settling_time = 10;
   settings.recorded_time = 4 * pi / omega;
@@ -100,23 +100,23 @@ TEST(ResponseTest, SettlesAndRecordsByTime) {
               0.05 * force * omega * 1e-6 / (6 * mass));
 }
 
-TEST(ResponseTest, CyclesNeedAPeriod) {
+TEST(SteadyStateTest, CyclesNeedAPeriod) {
   System system = oscillator();
   system.model.add_force("more", std::make_shared<Harmonic>(Given::displacement, 1, 2, 0), {},
                          Vector3::UnitX());
-  Response::Settings settings = by_cycles(10);
-  EXPECT_THROW(Response(settings).check(system), InputError);
+  SteadyState::Settings settings = by_cycles(10);
+  EXPECT_THROW(SteadyState(settings).check(system), InputError);
   settings.excitation = "pull";
-  EXPECT_THROW(Response(settings).check(system), InputError);
+  EXPECT_THROW(SteadyState(settings).check(system), InputError);
   settings.excitation = "more";
-  EXPECT_NO_THROW(Response(settings).check(system));
+  EXPECT_NO_THROW(SteadyState(settings).check(system));
 }
 
-TEST(ResponseTest, AKnownPointIsNotComputedAgain) {
+TEST(SteadyStateTest, AKnownPointIsNotComputedAgain) {
   OnePoint point;
   point.known = true;
   System system = oscillator();
-  Response(by_cycles(10)).run_line(0, system, point);
+  SteadyState(by_cycles(10)).run_line(0, system, point);
   EXPECT_TRUE(point.skipped);
 }
 

@@ -11,17 +11,18 @@ namespace vibroimpact::analyses {
 
 /// PATH/peak_to_peak, /amplitude (half of it), /largest (of the absolute value), /minimum, /maximum
 /// of a quantity.
-struct ExcursionLabels {
-  explicit ExcursionLabels(const ObservedQuantity &quantity);
+struct ExtremeValueLabels {
+  explicit ExtremeValueLabels(const ObservedQuantity &quantity);
   Label peak_to_peak, amplitude, largest, minimum, maximum;
 };
 
 /// All five as scalar fields.
-void add_range(PointResult &result, const ExcursionLabels &labels, const motion::ValueRange &range);
+void add_range(PointResult &result, const ExtremeValueLabels &labels,
+               const motion::ValueRange &range);
 
-class Excursions : public Recorder, private motion::OutputMonitor {
+class ExtremeValues : public Recorder, private motion::OutputMonitor {
 public:
-  Excursions(const ObservedSelection &selection, const System &system);
+  ExtremeValues(const ObservedSelection &selection, const System &system);
 
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
@@ -40,7 +41,7 @@ private:
 
   const contact::ContactSet &contacts_;
   std::vector<ObservedQuantity> quantities_;
-  std::vector<ExcursionLabels> labels_;
+  std::vector<ExtremeValueLabels> labels_;
   std::vector<motion::ValueRange> ranges_;
   std::vector<Label> force_labels_;        ///< per contact; empty when not observed
   std::vector<motion::ValueRange> forces_; ///< the same

@@ -1,5 +1,5 @@
 // A stop with a compression of its own: pushed in, let go, hit again before it has recovered.
-#include "contact/laws/relaxing_stop.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "motion/event/impact_log.h"
 #include "motion/system/equilibrium.h"
 #include "motion/trajectory.h"
@@ -21,12 +21,12 @@ constexpr double mass = 2;
 constexpr double stiffness = 8e4;
 constexpr double speed = 0.5;
 
-TEST(RelaxingStopTest, AFreeMassLeavesLikeFromKelvinVoigtAndTheStopRecovers) {
+TEST(KelvinVoigtBumperTest, AFreeMassLeavesLikeFromKelvinVoigtAndTheStopRecovers) {
   for (const double x : {0.05, 0.4, 0.9}) {
     const double damping = 2 * x * std::sqrt(stiffness * mass);
     const Model model({testing::single_mass("block", mass, 0, 0)});
     const ContactSet contacts({testing::contact_along_x(
-        model, "block.head", "", 1e-3, std::make_shared<RelaxingStop>(stiffness, damping))});
+        model, "block.head", "", 1e-3, std::make_shared<KelvinVoigtBumper>(stiffness, damping))});
     Trajectory trajectory(model, contacts, Settings{});
     ImpactLog log(contacts, 0);
     testing::GuardWatch guards;
@@ -50,11 +50,11 @@ TEST(RelaxingStopTest, AFreeMassLeavesLikeFromKelvinVoigtAndTheStopRecovers) {
 }
 
 // The stop is still pushed in when the mass returns: contact begins where gap + z is zero.
-TEST(RelaxingStopTest, IsHitAgainBeforeItHasRecovered) {
+TEST(KelvinVoigtBumperTest, IsHitAgainBeforeItHasRecovered) {
   const double damping = 4e4; // recovers with 0.5 s
   const Model model({testing::single_mass("block", mass, 400, 0)});
   const ContactSet contacts({testing::contact_along_x(
-      model, "block.head", "", 0, std::make_shared<RelaxingStop>(stiffness, damping))});
+      model, "block.head", "", 0, std::make_shared<KelvinVoigtBumper>(stiffness, damping))});
   Trajectory trajectory(model, contacts, Settings{});
   struct Touches : Observer {
     std::vector<double> distance, compression;
@@ -81,7 +81,7 @@ TEST(RelaxingStopTest, IsHitAgainBeforeItHasRecovered) {
 // exp(-t/tau), tau = c/k; a push against the stop slows the mass by a. With s = t/tau the distance
 // between them is tau v (s - b s^2 / 2 - 1 + exp(-s)), b = a tau / v: for b = 0.9 the stop catches
 // up a mass that still moves away.
-TEST(RelaxingStopTest, CatchesUpAMassThatStillMovesAway) {
+TEST(KelvinVoigtBumperTest, CatchesUpAMassThatStillMovesAway) {
   constexpr double compression = 0.5, k = 100, c = 10, tau = c / k, v = compression / tau;
   const double push = 0.9 * v / tau;
   double before = 0.1;
@@ -92,8 +92,8 @@ TEST(RelaxingStopTest, CatchesUpAMassThatStillMovesAway) {
   }
   Model model({testing::single_mass("block", 1, 0, 0)});
   model.add_force("push", make_constant(Given::displacement, push), {}, Vector3::UnitX());
-  const ContactSet contacts(
-      {testing::contact_along_x(model, "block.head", "", 0, std::make_shared<RelaxingStop>(k, c))});
+  const ContactSet contacts({testing::contact_along_x(model, "block.head", "", 0,
+                                                      std::make_shared<KelvinVoigtBumper>(k, c))});
   Trajectory trajectory(model, contacts, Settings{});
   testing::Events events;
   trajectory.start({.time = 0, .physical = Vector3(compression, -v, compression)});
@@ -106,16 +106,16 @@ TEST(RelaxingStopTest, CatchesUpAMassThatStillMovesAway) {
   EXPECT_GT(meeting->gap_rate, 0.5 * v);
 }
 
-TEST(RelaxingStopTest, DerivativesPowerAndAffineForm) {
-  const RelaxingStop law(8e4, 200);
+TEST(KelvinVoigtBumperTest, DerivativesPowerAndAffineForm) {
+  const KelvinVoigtBumper law(8e4, 200);
   for (const int mode : {0, 1, 2})
     for (const double rate : {-0.3, 0.4})
       testing::check_law(law, {.mode = mode, .gap = -1e-3, .gap_rate = rate, .internal = {1.5e-3}});
 }
 
 // Where a motion goes on: in contact, just let go, and away from the stop.
-TEST(RelaxingStopTest, InitialModes) {
-  const RelaxingStop law(8e4, 200);
+TEST(KelvinVoigtBumperTest, InitialModes) {
+  const KelvinVoigtBumper law(8e4, 200);
   const auto mode = [&law](double gap, double rate, double compression) {
     const std::vector<double> internal = {compression};
     return law.initial_mode({.gap = gap, .gap_rate = rate, .internal = internal});
@@ -132,10 +132,10 @@ TEST(RelaxingStopTest, InitialModes) {
 }
 
 // Pressed against the stop from the start: at rest where spring and stop balance, z is the overlap.
-TEST(RelaxingStopTest, PressedFromTheStart) {
+TEST(KelvinVoigtBumperTest, PressedFromTheStart) {
   const Model model({testing::single_mass("block", mass, 2e4, 0)});
   ContactPair pair = testing::contact_along_x(model, "block.head", "", -1e-3,
-                                              std::make_shared<RelaxingStop>(stiffness, 200));
+                                              std::make_shared<KelvinVoigtBumper>(stiffness, 200));
   pair.accept_initial_penetration = true;
   const ContactSet contacts({pair});
   Trajectory trajectory(model, contacts, Settings{});
@@ -149,16 +149,16 @@ TEST(RelaxingStopTest, PressedFromTheStart) {
 }
 
 // A load presses the mass into the stop: 2e4 q + 8e4 (q - 1 mm) = 60 N.
-TEST(RelaxingStopTest, CarriesAStaticLoad) {
+TEST(KelvinVoigtBumperTest, CarriesAStaticLoad) {
   const Model model({testing::single_mass("block", mass, 2e4, 0)});
   const ContactSet contacts({testing::contact_along_x(
-      model, "block.head", "", 1e-3, std::make_shared<RelaxingStop>(stiffness, 200))});
+      model, "block.head", "", 1e-3, std::make_shared<KelvinVoigtBumper>(stiffness, 200))});
   const Equilibrium found = static_equilibrium(model, contacts, Vector::Constant(1, 60.0));
   EXPECT_NEAR(found.displacement[0], 1.4e-3, 1e-15);
 }
 
-TEST(RelaxingStopTest, NamesItsState) {
-  const RelaxingStop law(8e4, 200);
+TEST(KelvinVoigtBumperTest, NamesItsState) {
+  const KelvinVoigtBumper law(8e4, 200);
   ASSERT_EQ(law.internal_states().size(), 1u);
   EXPECT_EQ(law.internal_states()[0].name, "stop_deformation");
   EXPECT_EQ(law.internal_states()[0].unit, "m");

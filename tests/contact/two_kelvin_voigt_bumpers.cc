@@ -1,8 +1,8 @@
-// A damped oscillator between two relaxing stops under harmonic base acceleration: steady
+// A damped oscillator between two Kelvin-Voigt bumpers under harmonic base acceleration: steady
 // excursions against reference values of independent solvers, over clearances from 0.7 to 0 of the
 // largest free displacement. All quantities are dimensionless: mass, stiffness and largest free
 // amplitude are 1.
-#include "contact/laws/relaxing_stop.h"
+#include "contact/laws/kelvin_voigt_bumper.h"
 #include "motion/event/impact_log.h"
 #include "motion/trajectory.h"
 #include "support/lumped_models.h"
@@ -78,7 +78,7 @@ void check(const Point &point) {
       std::make_shared<Harmonic>(Given::displacement, -ground_acceleration(), point.frequency, 0),
       head, Vector3::UnitX());
   const auto law =
-      std::make_shared<RelaxingStop>(point.stiffness, 2 * damping_ratio * stop_damping);
+      std::make_shared<KelvinVoigtBumper>(point.stiffness, 2 * damping_ratio * stop_damping);
   ContactPair right = testing::contact_along_x(model, "mass.head", "", point.clearance, law);
   ContactPair left = right;
   left.gap.row *= -1;
@@ -110,7 +110,7 @@ void check(const Point &point) {
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-7) << where;
 }
 
-TEST(TwoRelaxingStopsTest, SteadyExcursionsAgreeWithReferenceValues) {
+TEST(TwoKelvinVoigtBumpersTest, SteadyExcursionsAgreeWithReferenceValues) {
   check({0.7, 2, 1.05, 1.2355375, 0.7971071, 0.4572763, 0.0971071});
   check({0.7, 0.1, 1.02, 1.3055934, 0.8882803, 0.4308399, 0.1882803});
   check({0.4, 1, 0.9, 0.7525876, 0.4879760, 0.3000629, 0.0879760});
@@ -121,7 +121,7 @@ TEST(TwoRelaxingStopsTest, SteadyExcursionsAgreeWithReferenceValues) {
 }
 
 // The mass rests between two stops that touch it from the start.
-TEST(TwoRelaxingStopsTest, WithoutClearance) {
+TEST(TwoKelvinVoigtBumpersTest, WithoutClearance) {
   check({0, 1, 1.4188, 0.4075957, 0.1573106, 0.2768695, 0.1573106});
 }
 
