@@ -101,7 +101,7 @@ def split(sheet: Sheet) -> Sheet:
 
 
 def of_points(analysis: Analysis, root: str, separate: bool) -> list[Sheet]:
-    """Excursions, averages, transmissibility and harmonic response of all points together, or of
+    """Extreme values, averages, transmissibility and harmonic response of all points together, or of
     each by itself."""
     points = analysis.members(f"{root}point")
     quantities = list(dict.fromkeys(
