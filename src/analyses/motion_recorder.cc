@@ -118,7 +118,9 @@ FrameRecorder::FrameRecorder(const System &system, std::vector<double> instants)
   const auto frames = static_cast<Index>(instants_.size());
   for (const auto &body : model_.bodies()) {
     motion_.coordinates.emplace_back(Matrix::Zero(frames, body->size()));
+    motion_.velocities.emplace_back(Matrix::Zero(frames, body->size()));
     motion_.base_displacement.emplace_back(Matrix::Zero(frames, 3));
+    motion_.base_velocity.emplace_back(Matrix::Zero(frames, 3));
   }
   if (!instants_.empty())
     for (const contact::ContactPair &pair : system.contacts.pairs())
@@ -152,20 +154,30 @@ Motion FrameRecorder::motion(const motion::ImpactLog &log) const {
   return motion;
 }
 
-void FrameRecorder::step(const StepView &view) {
-  const std::size_t last = end_of_step(instants_, next_, view.end());
+void FrameRecorder::sample_coordinates(const StepView &view, std::size_t last) {
   for (std::size_t b = 0; b < model_.bodies().size() && last > next_; ++b)
     for (Index j = 0; j < model_.bodies()[b]->size(); ++j) {
       const Bernstein coordinate = view.coordinate(model_.offset(b) + j);
-      for (std::size_t i = next_; i < last; ++i)
-        motion_.coordinates[b](static_cast<Index>(i), j) = coordinate(position(view, instants_[i]));
+      const Bernstein rate = coordinate.derivative();
+      for (std::size_t i = next_; i < last; ++i) {
+        const double tau = position(view, instants_[i]);
+        motion_.coordinates[b](static_cast<Index>(i), j) = coordinate(tau);
+        motion_.velocities[b](static_cast<Index>(i), j) = rate(tau) / view.length();
+      }
     }
+}
+
+void FrameRecorder::step(const StepView &view) {
+  const std::size_t last = end_of_step(instants_, next_, view.end());
+  sample_coordinates(view, last);
   sample_contacts(view, last);
   for (std::size_t i = next_; i < last; ++i) {
     motion_.time.push_back(instants_[i]);
-    for (std::size_t b = 0; b < model_.bodies().size(); ++b)
-      motion_.base_displacement[b].row(static_cast<Index>(i)) =
-          model_.base_displacement(b, instants_[i]).transpose();
+    const auto row = static_cast<Index>(i);
+    for (std::size_t b = 0; b < model_.bodies().size(); ++b) {
+      motion_.base_displacement[b].row(row) = model_.base_displacement(b, instants_[i]).transpose();
+      motion_.base_velocity[b].row(row) = model_.base_velocity(b, instants_[i]).transpose();
+    }
   }
   next_ = last;
 }

@@ -41,8 +41,8 @@ private:
   std::vector<ContactSeries> contact_series_;
 };
 
-/// Modal coordinates of all bodies, gaps and forces of all contacts at given instants, for the
-/// expansion to the mesh.
+/// Modal coordinates of all bodies and their rates, gaps and forces of all contacts at given
+/// instants, for the expansion to the mesh.
 class FrameRecorder : public motion::Observer {
 public:
   FrameRecorder(const System &system, std::vector<double> instants);
@@ -52,6 +52,7 @@ public:
   Motion motion(const motion::ImpactLog &log) const;
 
 private:
+  void sample_coordinates(const motion::StepView &view, std::size_t last);
   void sample_contacts(const motion::StepView &view, std::size_t last);
 
   const model::Model &model_;

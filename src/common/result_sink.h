@@ -69,6 +69,8 @@ struct Motion {
   std::vector<double> time;              ///< [s]
   std::vector<Matrix> coordinates;       ///< per body: time x coordinate
   std::vector<Matrix> base_displacement; ///< per body: time x 3 [m]
+  std::vector<Matrix> velocities{};      ///< per body: time x coordinate, rates of the coordinates
+  std::vector<Matrix> base_velocity{};   ///< per body: time x 3 [m/s]
   std::vector<ContactTrace> contacts{};
 };
 

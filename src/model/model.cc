@@ -315,6 +315,14 @@ Vector3 Model::base_displacement(std::size_t body, double time) const {
   return displacement;
 }
 
+Vector3 Model::base_velocity(std::size_t body, double time) const {
+  Vector3 velocity = Vector3::Zero();
+  for (std::size_t k = 0; k < sources_.size(); ++k)
+    if (!carried_[k][body].isZero(0))
+      velocity += sources_[k].function->rate(time) * carried_[k][body];
+  return velocity;
+}
+
 double Model::highest_frequency() const {
   double highest = (stiffness_.diagonal.array() / mass_.array()).max(0.0).sqrt().maxCoeff();
   highest = std::max(highest, rotors_.highest_frequency());

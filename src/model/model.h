@@ -155,6 +155,8 @@ public:
 
   /// Base displacement of a body at a time: 3 components [m].
   Vector3 base_displacement(std::size_t body, double time) const;
+  /// Its rate [m/s].
+  Vector3 base_velocity(std::size_t body, double time) const;
 
   /// Acceleration of the base less gravity at each rotor's point, along its two directions: 2 per
   /// rotor [m/s^2].

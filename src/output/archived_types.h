@@ -58,10 +58,12 @@ void serialize(Archive &archive, vibroimpact::Motion &motion, unsigned version) 
   archive &motion.time &motion.coordinates &motion.base_displacement;
   if (version > 0) // earlier journals have none
     archive &motion.contacts;
+  if (version > 1)
+    archive &motion.velocities &motion.base_velocity;
 }
 
 } // namespace boost::serialization
 
-BOOST_CLASS_VERSION(vibroimpact::Motion, 1)
+BOOST_CLASS_VERSION(vibroimpact::Motion, 2)
 BOOST_SERIALIZATION_SPLIT_FREE(vibroimpact::Field)
 BOOST_SERIALIZATION_SPLIT_FREE(vibroimpact::SummaryLine)

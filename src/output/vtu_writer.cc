@@ -2,146 +2,27 @@
 
 #include "common/durable_file.h"
 #include "common/signals.h"
-#include "output/beam_curve.h"
+#include "output/vtu_patches.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <deal.II/base/data_out_base.h>
-#include <deal.II/grid/reference_cell.h>
-#include <fstream>
-#include <tuple>
 #include <utility>
 
 namespace vibroimpact::output {
 
 namespace {
 
-using dealii::DataOutBase::Patch;
 using reduction::Recovery;
 using reduction::ReducedBody;
 
-constexpr unsigned line_subdivisions = 4;
-constexpr double mode_amplitude = 0.1; // of the body's size, or in rad
-
-/// Three displacements, three rotations, the number of the body.
-constexpr unsigned n_components = 7;
-/// Behind them, where contacts touch a mesh: three of the force, the gap, the peak of the force.
-constexpr unsigned n_contact_components = 5;
-using ContactValues = Eigen::Matrix<float, n_contact_components, Eigen::Dynamic>;
+constexpr double mode_amplitude = 0.1;  // of the body's size, or in rad
+constexpr double stop_half_side = 0.01; // of the body's size
 
 std::string numbered(const std::string &format, std::size_t number) {
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), format.c_str(), number);
   return text.data();
-}
-
-dealii::Point<3> to_point(const Vector3 &position) {
-  return {position.x(), position.y(), position.z()};
-}
-
-void set_column(dealii::Table<2, float> &data, unsigned column, const Vector6 &motion,
-                std::size_t body_number) {
-  for (unsigned component = 0; component < 6; ++component)
-    data(component, column) = static_cast<float>(motion[component]);
-  data(6, column) = static_cast<float>(body_number);
-}
-
-/// A column for each node of a mesh; no columns at all without contacts on meshes.
-void set_contact(dealii::Table<2, float> &data, unsigned column, const ContactValues &contact,
-                 int node) {
-  for (unsigned component = 0; component < n_contact_components && contact.cols() > 0; ++component)
-    data(n_components + component, column) = contact(component, node);
-}
-
-unsigned components_with(const ContactValues &contact) {
-  return n_components + (contact.cols() > 0 ? n_contact_components : 0);
-}
-
-/// One patch for each beam element; `motion` holds six values for each node.
-void add_lines(const Recovery &recovery, const Vector &motion, std::size_t body_number,
-               const ContactValues &contact, std::vector<Patch<1, 3>> &patches) {
-  for (const auto &[a, b] : recovery.lines) {
-    Patch<1, 3> patch;
-    patch.vertices[0] = to_point(recovery.nodes.col(a));
-    patch.vertices[1] = to_point(recovery.nodes.col(b));
-    patch.reference_cell = dealii::ReferenceCells::Line;
-    patch.n_subdivisions = line_subdivisions;
-    patch.patch_index = static_cast<unsigned>(patches.size());
-    patch.data.reinit(components_with(contact), line_subdivisions + 1);
-    set_contact(patch.data, 0, contact, a);
-    set_contact(patch.data, line_subdivisions, contact, b);
-    for (unsigned i = 0; i <= line_subdivisions; ++i)
-      set_column(patch.data, i,
-                 beam_curve(recovery.nodes.col(a), recovery.nodes.col(b),
-                            motion.segment<6>(Index{6} * a), motion.segment<6>(Index{6} * b),
-                            static_cast<double>(i) / line_subdivisions),
-                 body_number);
-    patches.push_back(std::move(patch));
-  }
-}
-
-/// One patch for each shell element.
-void add_surfaces(const Recovery &recovery, const Vector &motion, std::size_t body_number,
-                  const ContactValues &contact, std::vector<Patch<2, 3>> &patches) {
-  for (const auto &nodes : recovery.surfaces) {
-    const bool triangle = nodes[3] < 0;
-    // deal.II numbers the corners of a quadrilateral line by line, not around it.
-    const std::array<int, 4> order = {nodes[0], nodes[1], triangle ? nodes[2] : nodes[3], nodes[2]};
-    Patch<2, 3> patch;
-    patch.reference_cell =
-        triangle ? dealii::ReferenceCells::Triangle : dealii::ReferenceCells::Quadrilateral;
-    patch.patch_index = static_cast<unsigned>(patches.size());
-    const unsigned corners = triangle ? 3 : 4;
-    patch.data.reinit(components_with(contact), corners);
-    for (unsigned i = 0; i < corners; ++i) {
-      patch.vertices[i] = to_point(recovery.nodes.col(order[i]));
-      set_column(patch.data, i, motion.segment<6>(Index{6} * order[i]), body_number);
-      set_contact(patch.data, i, contact, order[i]);
-    }
-    patches.push_back(std::move(patch));
-  }
-}
-
-void add_points(const ReducedBody &body, const Vector &coordinates, const Vector3 &base,
-                std::size_t body_number, std::vector<Patch<0, 3>> &patches) {
-  for (const reduction::BodyPoint &point : body.points) {
-    Patch<0, 3> patch;
-    patch.vertices[0] = to_point(point.position);
-    patch.patch_index = static_cast<unsigned>(patches.size());
-    patch.data.reinit(n_components, 1);
-    Vector6 motion = point.rows * coordinates;
-    motion.head<3>() += base;
-    set_column(patch.data, 0, motion, body_number);
-    patches.push_back(std::move(patch));
-  }
-}
-
-template <int dimension>
-void write_patches(const std::filesystem::path &file,
-                   const std::vector<Patch<dimension, 3>> &patches) {
-  using namespace dealii::DataComponentInterpretation;
-  std::vector<std::string> names = {"displacement", "displacement", "displacement", "rotation",
-                                    "rotation",     "rotation",     "body"};
-  std::vector<std::tuple<unsigned, unsigned, std::string, DataComponentInterpretation>> vectors = {
-      {0, 2, "displacement", component_is_part_of_vector},
-      {3, 5, "rotation", component_is_part_of_vector}};
-  if (patches.front().data.n_rows() > n_components) {
-    names.insert(names.end(), {"contact_force", "contact_force", "contact_force", "contact_gap",
-                               "peak_contact_force"});
-    vectors.emplace_back(n_components, n_components + 2, "contact_force",
-                         component_is_part_of_vector);
-  }
-  dealii::DataOutBase::VtkFlags flags;
-  flags.write_higher_order_cells = false;
-  flags.print_date_and_time = false; // the same result, the same file
-  // The best compression was a third of all time of a large shell, for files 8 % smaller.
-  flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
-  std::ofstream stream(file, std::ios::binary);
-  dealii::DataOutBase::write_vtu(patches, names, vectors, flags, stream);
-  stream.close();
-  if (!stream)
-    fail_with_reason(file, "write");
 }
 
 struct Frame {
@@ -181,19 +62,45 @@ double mode_scale(const Vector &mode, double body_size) {
   return only_twists ? mode_amplitude / rotation : mode_amplitude * body_size / displacement;
 }
 
+/// Lines and surfaces of the bodies at an instant.
+struct Meshes {
+  Patches<1> lines;
+  Patches<2> surfaces;
+  PointData line_data, surface_data;
+};
+
+PointData both(PointData a, const PointData &b) {
+  a.velocity = a.velocity || b.velocity;
+  a.contact = a.contact || b.contact;
+  a.von_mises = std::max(a.von_mises, b.von_mises);
+  return a;
+}
+
+Meshes meshes_of(const std::vector<BodyShape> &shapes) {
+  Meshes meshes;
+  for (const BodyShape &shape : shapes) {
+    meshes.line_data = both(meshes.line_data, shape.line_data());
+    meshes.surface_data = both(meshes.surface_data, shape.surface_data());
+  }
+  for (const BodyShape &shape : shapes) {
+    add_lines(shape, meshes.line_data, meshes.lines);
+    add_surfaces(shape, meshes.surface_data, meshes.surfaces);
+  }
+  return meshes;
+}
+
 /// Lines to NAME.vtu, or to NAME-lines.vtu when there are surfaces, which then take NAME.vtu; the
 /// names of the files.
 std::vector<std::string> write_mesh(RunFolder &folder, const std::string &name,
-                                    const std::vector<Patch<1, 3>> &lines,
-                                    const std::vector<Patch<2, 3>> &surfaces) {
+                                    const Meshes &meshes) {
   std::vector<std::string> files;
-  if (!surfaces.empty()) {
+  if (!meshes.surfaces.empty()) {
     files.push_back(name + ".vtu");
-    write_patches(folder.claim(files.back()), surfaces);
+    write_patches(folder.claim(files.back()), meshes.surface_data, meshes.surfaces);
   }
-  if (!lines.empty()) {
-    files.push_back(name + (surfaces.empty() ? ".vtu" : "-lines.vtu"));
-    write_patches(folder.claim(files.back()), lines);
+  if (!meshes.lines.empty()) {
+    files.push_back(name + (meshes.surfaces.empty() ? ".vtu" : "-lines.vtu"));
+    write_patches(folder.claim(files.back()), meshes.line_data, meshes.lines);
   }
   return files;
 }
@@ -201,11 +108,9 @@ std::vector<std::string> write_mesh(RunFolder &folder, const std::string &name,
 std::vector<std::string> write_shape(RunFolder &folder, const std::string &name,
                                      const Recovery &recovery, const Vector &motion,
                                      std::size_t body_number) {
-  std::vector<Patch<1, 3>> lines;
-  std::vector<Patch<2, 3>> surfaces;
-  add_lines(recovery, motion, body_number, {}, lines);
-  add_surfaces(recovery, motion, body_number, {}, surfaces);
-  return write_mesh(folder, name, lines, surfaces);
+  return write_mesh(
+      folder, name,
+      meshes_of({BodyShape{.recovery = &recovery, .number = body_number, .motion = motion}}));
 }
 
 void write_modes_of(RunFolder &folder, const ReducedBody &body, std::size_t body_number,
@@ -242,6 +147,7 @@ std::vector<Frame> merged_by_time(std::vector<Frame> frames) {
   return merged;
 }
 
+/// Shapes times coordinates, moved with the base.
 Vector node_motion(const Recovery &recovery, const Vector &coordinates, const Vector3 &base) {
   Vector motion = recovery.shapes * coordinates;
   for (Index node = 0; node < recovery.nodes.cols(); ++node)
@@ -249,60 +155,117 @@ Vector node_motion(const Recovery &recovery, const Vector &coordinates, const Ve
   return motion;
 }
 
-bool touches_mesh(const Motion &motion) {
-  return std::any_of(motion.contacts.begin(), motion.contacts.end(),
-                     [](const ContactTrace &trace) { return !trace.nodes.empty(); });
+/// A motion at one instant.
+class Instant {
+public:
+  Instant(const std::vector<ReducedBody> &bodies, const Motion &motion, std::size_t number)
+      : bodies_(bodies), motion_(motion), number_(number), row_(static_cast<Index>(number)) {}
+
+  double time() const { return motion_.time[number_]; }
+
+  std::vector<BodyShape> shapes() const {
+    std::vector<BodyShape> shapes;
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+      if (!bodies_[b].recovery.empty())
+        shapes.push_back(shape(b));
+    return shapes;
+  }
+
+  Patches<0> lumped_points() const {
+    Patches<0> points;
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+      if (bodies_[b].recovery.empty())
+        for (const reduction::BodyPoint &point : bodies_[b].points) {
+          const Vector6 moved = point_motion(point, motion_.coordinates[b], base(b));
+          const Vector6 velocity =
+              has_velocity() ? point_motion(point, motion_.velocities[b], base_velocity(b))
+                             : Vector6(Vector6::Zero());
+          add_point(point.position, moved, has_velocity() ? &velocity : nullptr, b + 1, points);
+        }
+    return points;
+  }
+
+  /// Nodes of meshes that the shapes leave in place: the ground moves as they do.
+  Patches<0> supports() const {
+    Patches<0> points;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const Recovery &recovery = bodies_[b].recovery;
+      Vector6 moved = Vector6::Zero();
+      moved.head<3>() = base(b);
+      for (Index node = 0; node < recovery.nodes.cols(); ++node)
+        if (recovery.shapes.middleRows(6 * node, 3).isZero(0))
+          add_point(recovery.nodes.col(node), moved, nullptr, b + 1, points);
+    }
+    return points;
+  }
+
+  Patches<2> stops(const std::vector<BodyShape> &shapes) const {
+    std::vector<Vector> moved(bodies_.size());
+    double size = 0;
+    for (const BodyShape &shape : shapes) {
+      moved[shape.number - 1] = shape.motion;
+      size = std::max(size, size_of(shape.recovery->nodes));
+    }
+    Patches<2> faces;
+    for (const StopFace &face : stop_faces(bodies_, motion_, moved, number_))
+      add_stop(face, stop_half_side * size, faces);
+    return faces;
+  }
+
+private:
+  bool has_velocity() const { return !motion_.velocities.empty(); }
+  Vector3 base(std::size_t body) const { return motion_.base_displacement[body].row(row_); }
+  Vector3 base_velocity(std::size_t body) const { return motion_.base_velocity[body].row(row_); }
+
+  Vector6 point_motion(const reduction::BodyPoint &point, const Matrix &coordinates,
+                       const Vector3 &base) const {
+    Vector6 motion = point.rows * coordinates.row(row_).transpose();
+    motion.head<3>() += base;
+    return motion;
+  }
+
+  BodyShape shape(std::size_t body) const {
+    const Recovery &recovery = bodies_[body].recovery;
+    const Vector coordinates = motion_.coordinates[body].row(row_);
+    BodyShape shape{.recovery = &recovery,
+                    .number = body + 1,
+                    .motion = node_motion(recovery, coordinates, base(body))};
+    if (has_velocity())
+      shape.velocity =
+          node_motion(recovery, motion_.velocities[body].row(row_), base_velocity(body));
+    shape.contact = contact_fields(motion_, body, recovery.nodes.cols(), number_);
+    if (!recovery.line_stress.empty())
+      shape.line_stress = recovery.line_stress.rows * coordinates;
+    if (!recovery.surface_stress.empty())
+      shape.surface_stress = recovery.surface_stress.rows * coordinates;
+    return shape;
+  }
+
+  const std::vector<ReducedBody> &bodies_;
+  const Motion &motion_;
+  std::size_t number_;
+  Index row_;
+};
+
+template <int dimension>
+void add_part(RunFolder &folder, const std::string &file, const PointData &data,
+              const Patches<dimension> &patches, Frame &frame) {
+  if (patches.empty())
+    return;
+  write_patches(folder.claim(file), data, patches);
+  frame.files.push_back(file);
 }
 
-/// What the contacts do to the nodes of a body. A node of several contacts has the sum of their
-/// forces, the smallest of their gaps and the largest of their peaks.
-ContactValues contact_values(const Motion &motion, std::size_t body, Index nodes,
-                             std::size_t instant) {
-  ContactValues values;
-  if (!touches_mesh(motion))
-    return values;
-  values.setZero(n_contact_components, nodes);
-  std::vector<bool> touched(static_cast<std::size_t>(nodes));
-  for (const ContactTrace &trace : motion.contacts)
-    for (const TouchedNode &at : trace.nodes) {
-      if (at.body != body)
-        continue;
-      auto column = values.col(at.node);
-      const auto gap = static_cast<float>(trace.gap[instant]);
-      column.head<3>() += (trace.force[instant] * at.push).cast<float>();
-      column[3] = touched[at.node] ? std::min(column[3], gap) : gap;
-      column[4] = std::max(column[4], static_cast<float>(trace.peak_force[instant]));
-      touched[at.node] = true;
-    }
-  return values;
-}
-
-Frame write_frame(RunFolder &folder, const std::string &name,
-                  const std::vector<ReducedBody> &bodies, const Motion &motion,
-                  std::size_t instant) {
-  std::vector<Patch<1, 3>> lines;
-  std::vector<Patch<2, 3>> surfaces;
-  std::vector<Patch<0, 3>> points;
-  const auto row = static_cast<Index>(instant);
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Vector coordinates = motion.coordinates[b].row(row);
-    const Vector3 base = motion.base_displacement[b].row(row);
-    if (bodies[b].recovery.empty()) {
-      add_points(bodies[b], coordinates, base, b + 1, points);
-      continue;
-    }
-    const Vector moved = node_motion(bodies[b].recovery, coordinates, base);
-    const ContactValues contact =
-        contact_values(motion, b, bodies[b].recovery.nodes.cols(), instant);
-    add_lines(bodies[b].recovery, moved, b + 1, contact, lines);
-    add_surfaces(bodies[b].recovery, moved, b + 1, contact, surfaces);
-  }
-  Frame frame{motion.time[instant],
-              write_mesh(folder, name + numbered("/frame-%05zu", instant + 1), lines, surfaces)};
-  if (!points.empty()) {
-    frame.files.push_back(name + numbered("/lumped-%05zu.vtu", instant + 1));
-    write_patches(folder.claim(frame.files.back()), points);
-  }
+Frame write_frame(RunFolder &folder, const std::string &name, const Instant &instant,
+                  std::size_t number, bool has_velocity) {
+  const std::vector<BodyShape> shapes = instant.shapes();
+  Frame frame{instant.time(),
+              write_mesh(folder, name + numbered("/frame-%05zu", number), meshes_of(shapes))};
+  add_part(folder, name + numbered("/lumped-%05zu.vtu", number), {.velocity = has_velocity},
+           instant.lumped_points(), frame);
+  add_part(folder, name + numbered("/stops-%05zu.vtu", number), {.contact = true},
+           instant.stops(shapes), frame);
+  add_part(folder, name + numbered("/supports-%05zu.vtu", number), {}, instant.supports(), frame);
   return frame;
 }
 
@@ -322,7 +285,8 @@ void write_motion_files(RunFolder &folder, const std::string &name,
                         const std::vector<ReducedBody> &bodies, const Motion &motion) {
   std::vector<Frame> frames;
   for (std::size_t instant = 0; instant < motion.time.size() && !stop_requested(); ++instant)
-    frames.push_back(write_frame(folder, name, bodies, motion, instant));
+    frames.push_back(write_frame(folder, name, Instant(bodies, motion, instant), instant + 1,
+                                 !motion.velocities.empty()));
   if (!stop_requested())
     write_pvd(folder.claim(name + ".pvd"), frames);
 }

@@ -20,14 +20,20 @@ namespace vibroimpact::output {
 /// body. Throws std::runtime_error.
 void write_mode_files(RunFolder &folder, const std::vector<reduction::ReducedBody> &bodies);
 
-/// Rank 0. NAME/frame-00001.vtu (and frame-00001-lines.vtu beside shells) ... and NAME.pvd with the
-/// instants of `motion`: displacement [m] and rotation [rad] of all bodies with a mesh, base motion
-/// included, and the number of the body
-/// ("body", from 1). Where contacts touch a mesh, also the force on each node ("contact_force",
-/// [N]), the gap there ("contact_gap", [m]; 0 at nodes without a contact), and the largest force up
-/// to then ("peak_contact_force", [N]). Lumped bodies are points in NAME/lumped-00001.vtu ...; each
-/// point of such a body is one. A run that is to stop leaves the rest and NAME.pvd to the one that
-/// goes on.
+/// Rank 0. NAME.pvd lists the instants of `motion`, each of which has up to five files:
+/// - NAME/frame-00001.vtu (and frame-00001-lines.vtu beside shells): all bodies with a mesh, base
+///   motion included. Displacement [m], rotation [rad], velocity [m/s] and the number of the body
+///   ("body", from 1). Von Mises stress of the motion [Pa], that of static loads not included: of
+///   shells in the middle of each element, the larger of both faces and each of them; of beams the
+///   largest of the extreme fibres. Where contacts touch a mesh, the force on each node
+///   ("contact_force", [N]), the gap ("contact_gap", [m]; 0 at nodes without a contact), the
+///   largest force up to then ("peak_contact_force", [N]), and "contact_state": 0 at nodes without
+///   a contact, 1 while no force acts, 2 while one does.
+/// - NAME/lumped-00001.vtu: a point for each point of a lumped body.
+/// - NAME/stops-00001.vtu: a square for each node that can meet something other than a mesh; its
+///   displacement includes the clearance (see StopFace).
+/// - NAME/supports-00001.vtu: the nodes that no motion of their body displaces.
+/// A run that is to stop leaves the rest and NAME.pvd to the one that goes on.
 void write_motion_files(RunFolder &folder, const std::string &name,
                         const std::vector<reduction::ReducedBody> &bodies, const Motion &motion);
 

@@ -3,6 +3,7 @@
 #include "parameters/text.h"
 #include "parameters/units.h"
 
+#include <cctype>
 #include <sstream>
 
 namespace vibroimpact::parameters {
@@ -26,15 +27,21 @@ std::string code_list(const std::vector<std::string> &words) {
   return join(parts, ", ");
 }
 
+/// An empty default says nothing; those keys whose sentence says so must be given.
+std::string default_of(const Key &key) {
+  if (key.default_value.empty() && key.sentence.find("Must be given") != std::string::npos)
+    return "**required**";
+  return code(key.default_value);
+}
+
 void write_table(const Section &section, std::ostream &out) {
   if (section.keys().empty())
     return;
   out << "\n| Key | Default | Unit | Range / options | Symbol | Meaning |\n"
       << "|---|---|---|---|---|---|\n";
   for (const Key &key : section.keys())
-    out << "| " << code(key.name) << " | " << code(key.default_value) << " | "
-        << escaped(unit_or_kind(key)) << " | "
-        << (key.options.empty() ? escaped(limits(key)) : code_list(key.options)) << " | "
+    out << "| " << code(key.name) << " | " << default_of(key) << " | " << escaped(unit_or_kind(key))
+        << " | " << (key.options.empty() ? escaped(limits(key)) : code_list(key.options)) << " | "
         << escaped(key.symbol) << " | " << escaped(key.sentence) << " |\n";
 }
 
@@ -53,6 +60,35 @@ void write_sections(const Section &section, const std::string &path, int depth, 
     write_section(*subsection, path + subsection->name(), depth, out);
   for (const auto &kind : section.named_subsections())
     write_section(*kind, path + kind->name() + " NAME", depth, out);
+}
+
+/// To the heading of a section: as the pages of GitHub name it.
+std::string link_to(const std::string &title, const std::string &shown) {
+  std::string anchor;
+  for (const char c : title)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (c == ' ' || c == '-')
+      anchor += '-';
+  return "[" + shown + "](#" + anchor + ")";
+}
+
+/// One line for each section of the file, with the sections in it.
+void write_contents(const Section &declarations, std::ostream &out) {
+  const auto line = [&out](const Section &section, const std::string &title) {
+    std::vector<std::string> inner;
+    for (const auto &subsection : section.subsections())
+      inner.push_back(link_to(title + " / " + subsection->name(), subsection->name()));
+    for (const auto &kind : section.named_subsections())
+      inner.push_back(link_to(title + " / " + kind->name() + " NAME", kind->name() + " NAME"));
+    out << "- " << link_to(title, title) << (inner.empty() ? "" : ": ") << join(inner, ", ")
+        << "\n";
+  };
+  out << "\nSections:\n\n";
+  for (const auto &subsection : declarations.subsections())
+    line(*subsection, subsection->name());
+  for (const auto &kind : declarations.named_subsections())
+    line(*kind, kind->name() + " NAME");
 }
 
 void write_numbers_help(std::ostream &out) {
@@ -103,6 +139,7 @@ std::string print_markdown(const Section &declarations) {
   if (!declarations.sentence().empty())
     out << "\n" << declarations.sentence() << "\n";
   write_numbers_help(out);
+  write_contents(declarations, out);
   write_table(declarations, out);
   write_sections(declarations, "", 2, out);
   return out.str();

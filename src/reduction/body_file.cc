@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little, "the format is little-
 
 namespace {
 
-const std::string title = "vibroimpact reduced body 4";
+const std::string title = "vibroimpact reduced body 5";
 
 class Writer {
 public:
@@ -101,6 +101,25 @@ Matrix surface_matrix(const std::vector<std::array<int, 4>> &surfaces) {
   return matrix;
 }
 
+/// Places are counted by doubles, exact up to 2^53.
+Matrix place_matrix(const std::vector<int> &first) {
+  return Eigen::Map<const Eigen::VectorXi>(first.data(), static_cast<Index>(first.size()))
+      .cast<double>();
+}
+
+void write(Writer &out, const CellStress &stress) {
+  out.matrix("stress", stress.rows);
+  out.matrix("places", place_matrix(stress.first));
+}
+
+CellStress read_stress(Reader &in) {
+  CellStress stress{.rows = in.matrix("stress"), .first = {}};
+  const Matrix places = in.matrix("places");
+  for (const double place : places.reshaped())
+    stress.first.push_back(static_cast<int>(place));
+  return stress;
+}
+
 void write(Writer &out, const ReducedBody &body) {
   out.text("name", body.name);
   out.text("type", body.type);
@@ -128,6 +147,8 @@ void write(Writer &out, const ReducedBody &body) {
   out.matrix("surfaces", surface_matrix(body.recovery.surfaces));
   out.matrix("shapes", body.recovery.shapes);
   out.matrix("static_displacement", body.recovery.static_displacement);
+  write(out, body.recovery.line_stress);
+  write(out, body.recovery.surface_stress);
 }
 
 ReducedBody read(Reader &in) {
@@ -168,6 +189,8 @@ ReducedBody read(Reader &in) {
   }
   body.recovery.shapes = in.matrix("shapes");
   body.recovery.static_displacement = in.matrix("static_displacement");
+  body.recovery.line_stress = read_stress(in);
+  body.recovery.surface_stress = read_stress(in);
   return body;
 }
 

@@ -4,6 +4,7 @@
 #include "common/stages.h"
 #include "reduction/basis.h"
 #include "reduction/body_file.h"
+#include "reduction/element_stress.h"
 #include "reduction/lumped_body.h"
 #include "reduction/point_response.h"
 #include "reduction/rotor_body.h"
@@ -92,32 +93,6 @@ structure::BodyModel build(const BodyDefinition &definition) {
                                                         : structure::build_frame(definition.beam);
 }
 
-/// Stress per unit coordinate in the elements that meet at a node, see BodyPoint.
-Matrix stress_at(const structure::BodyModel &model, int node, const Matrix &shapes) {
-  std::vector<Matrix> parts;
-  Index rows = 0;
-  for (const auto &element : model.elements) {
-    const auto nodes = element->nodes();
-    const auto place = std::find(nodes.begin(), nodes.end(), node);
-    if (place == nodes.end())
-      continue;
-    const Matrix stress = element->stress(static_cast<int>(place - nodes.begin()));
-    Matrix own(6 * static_cast<Index>(nodes.size()), shapes.cols());
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      own.middleRows(static_cast<Index>(6 * i), 6) = shapes.middleRows(Index{6} * nodes[i], 6);
-    if (stress.rows() > 0)
-      parts.emplace_back(stress * own);
-    rows += stress.rows();
-  }
-  Matrix all(rows, shapes.cols());
-  rows = 0;
-  for (const Matrix &part : parts) {
-    all.middleRows(rows, part.rows()) = part;
-    rows += part.rows();
-  }
-  return all;
-}
-
 void add_points(const structure::BodyModel &model, const Matrix &shapes,
                 const PointResponse &response, ReducedBody &body) {
   for (std::size_t p = 0; p < model.points.size(); ++p) {
@@ -128,7 +103,7 @@ void add_points(const structure::BodyModel &model, const Matrix &shapes,
                     .rows = shapes.middleRows(row, 6),
                     .interface = named.interface,
                     .node = named.node};
-    point.stress = stress_at(model, named.node, shapes);
+    point.stress = stress_at_node(model, named.node, shapes);
     if (response.deflection.size() > 0)
       point.static_displacement = response.deflection.segment(row, 6);
     if (!response.flexibility.empty())
@@ -173,6 +148,8 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
       free_rows(assembled.free, basis.shapes).transpose() * assembled.base_inertia;
   add_points(assembled.model, basis.shapes, response, body);
   body.recovery = recovery(assembled.model.mesh, std::move(basis.shapes));
+  body.recovery.line_stress = line_stress(assembled.model, body.recovery.shapes);
+  body.recovery.surface_stress = surface_stress(assembled.model, body.recovery.shapes);
   body.recovery.static_displacement = response.deflection;
   body.total_mass.setConstant(assembled.model.total_mass());
   body.eigen_residual = std::move(basis.error_bounds);

@@ -40,6 +40,15 @@ struct BodyPoint {
   Matrix stress{};
 };
 
+/// Plane stress in the elements of each cell per unit coordinate: three rows, two direct stresses
+/// and the shear stress, for each place that is looked at [Pa].
+struct CellStress {
+  Matrix rows{};          ///< 3k x n for k places
+  std::vector<int> first; ///< each cell's first place, then k
+
+  bool empty() const { return rows.rows() == 0; }
+};
+
 /// Nodes, cells and mode shapes, to expand coordinates to the mesh.
 struct Recovery {
   Matrix nodes;                          ///< 3 x N, undeformed positions [m]
@@ -49,6 +58,11 @@ struct Recovery {
   Matrix shapes; ///< 6N x n: rows 6 i + component of node i
   /// 6N, displacement of the mesh under the body's loads [m, rad]; empty without loads.
   Vector static_displacement{};
+  /// The extreme fibres at the first node, then as many at the second; none where the cross-section
+  /// has no known shape.
+  CellStress line_stress{};
+  /// In the middle of an element: the face that its normal points to, then the other.
+  CellStress surface_stress{};
 
   bool empty() const { return lines.empty() && surfaces.empty(); }
 };

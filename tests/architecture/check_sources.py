@@ -29,9 +29,9 @@ GENERATED = {"version.h"}
 
 # What is known in few places only: a pattern of the include, the files that may have it, the reason.
 FENCES = [
-    (r"deal\.II/base/", r"parameters/|structure/|output/vtu_writer\.|program\.cc|run_information\.cc",
+    (r"deal\.II/base/", r"parameters/|structure/|output/vtu_|program\.cc|run_information\.cc",
      "deal.II's base belongs to structure/, parameters/, the VTU writer and the program's start"),
-    (r"deal\.II/(?!base/)", r"structure/|output/vtu_writer\.",
+    (r"deal\.II/(?!base/)", r"structure/|output/vtu_",
      "deal.II belongs to structure/ and the VTU writer"),
     (r"slepcversion\.h", r"modes/|run_information\.cc", "SLEPc belongs to modes/"),
     (r"slepc(?!version)", r"modes/", "SLEPc belongs to modes/"),

@@ -82,13 +82,15 @@ TEST_F(VtuWriter, MotionShowsMeshesAndLumpedPoints) {
   const PointResult release = testing::transient_example().points[0];
   write_motion_files(folder, "release", testing::example_bodies(), release.motion[0]);
   const std::vector<Entry> entries = pvd_entries(path / "release.pvd");
-  ASSERT_EQ(entries.size(), 6U);
-  EXPECT_EQ(entries[2].file, "release/frame-00002.vtu");
-  EXPECT_EQ(entries[3].file, "release/lumped-00002.vtu");
-  EXPECT_EQ(entries[2].time, 0.01);
-  EXPECT_EQ(entries[3].time, 0.01);
-  EXPECT_EQ(attribute_of_piece(path / entries[2].file, "NumberOfCells"), 2 * 12 * 4);
-  EXPECT_EQ(attribute_of_piece(path / entries[3].file, "NumberOfPoints"), 1);
+  ASSERT_EQ(entries.size(), 9U);
+  const std::vector<std::string> parts = {"frame", "lumped", "supports"};
+  for (std::size_t part = 0; part < 3; ++part) {
+    EXPECT_EQ(entries[3 + part].file, "release/" + parts[part] + "-00002.vtu");
+    EXPECT_EQ(entries[3 + part].time, 0.01);
+  }
+  EXPECT_EQ(attribute_of_piece(path / entries[3].file, "NumberOfCells"), 2 * 12 * 4);
+  EXPECT_EQ(attribute_of_piece(path / entries[4].file, "NumberOfPoints"), 1);
+  EXPECT_EQ(attribute_of_piece(path / entries[5].file, "NumberOfPoints"), 2); // clamped ends
   for (const Entry &entry : entries)
     EXPECT_EQ(point_arrays(path / entry.file), expected_arrays) << entry.file;
 }
@@ -144,9 +146,36 @@ TEST_F(VtuWriter, ContactsAreFieldsOfTheMotion) {
   EXPECT_EQ(arrays_of("none"), expected_arrays) << "no side of the contact is on a mesh";
   motion.contacts[0].nodes.push_back({.body = 0, .node = 3, .push = Vector3::UnitZ()});
   std::map<std::string, int> arrays = expected_arrays;
-  arrays.insert({{"contact_force", 3}, {"contact_gap", 1}, {"peak_contact_force", 1}});
+  arrays.insert(
+      {{"contact_force", 3}, {"contact_gap", 1}, {"peak_contact_force", 1}, {"contact_state", 1}});
   EXPECT_EQ(arrays_of("touched"), arrays);
   EXPECT_EQ(point_arrays(path / "touched/frame-00001-lines.vtu"), arrays);
+  EXPECT_EQ(point_arrays(path / "touched/stops-00001.vtu"), arrays);
+  EXPECT_EQ(attribute_of_piece(path / "touched/stops-00001.vtu", "NumberOfCells"), 1);
+  motion.contacts[0].nodes.push_back({.body = 0, .node = 4, .push = -Vector3::UnitZ()});
+  arrays_of("between meshes");
+  EXPECT_FALSE(fs::exists(path / "between meshes/stops-00001.vtu"));
+}
+
+TEST_F(VtuWriter, VelocityAndStressAreFieldsWhereTheyAreKnown) {
+  Motion motion;
+  motion.time = {0};
+  motion.coordinates = motion.velocities = {Matrix::Zero(1, 1)};
+  motion.base_displacement = motion.base_velocity = {Matrix::Zero(1, 3)};
+  std::map<std::string, int> arrays = expected_arrays;
+  arrays.insert({"velocity", 3});
+  write_motion_files(folder, "moving", {small_shell()}, motion);
+  EXPECT_EQ(point_arrays(path / "moving/frame-00001.vtu"), arrays);
+  ReducedBody body = small_shell();
+  body.recovery.surface_stress = {.rows = Matrix::Zero(12, 1), .first = {0, 2, 4}};
+  write_motion_files(folder, "surfaces", {body}, motion);
+  EXPECT_EQ(point_arrays(path / "surfaces/frame-00001-lines.vtu"), arrays);
+  body.recovery.line_stress = {.rows = Matrix::Zero(12, 1), .first = {0, 4}};
+  arrays.insert({"von_mises_stress", 1});
+  write_motion_files(folder, "both", {body}, motion);
+  EXPECT_EQ(point_arrays(path / "both/frame-00001-lines.vtu"), arrays);
+  arrays.insert({{"von_mises_stress_first_face", 1}, {"von_mises_stress_second_face", 1}});
+  EXPECT_EQ(point_arrays(path / "both/frame-00001.vtu"), arrays);
 }
 
 TEST_F(VtuWriter, IndexIsCountedFromOne) {

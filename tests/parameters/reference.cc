@@ -44,6 +44,24 @@ Inner.
   EXPECT_NE(text.find("\n| `Variables` |"), std::string::npos);
 }
 
+TEST(Reference, markdown_has_contents_and_marks_what_must_be_given) {
+  Section file("Reference", "");
+  Section &stop = file.named_subsection("Stop", "");
+  stop.quantity("Gap", "", dimension::length, range::positive, "g", "Of the sides. Must be given.")
+      .quantity("Limit", "", dimension::length, range::positive, "", "Empty means none.");
+  stop.subsection("Kelvin-Voigt", "");
+  stop.named_subsection("Side", "");
+  file.subsection("Integration", "");
+  const std::string text = print_declarations(file, "markdown");
+  EXPECT_NE(
+      text.find("\n- [Integration](#integration)\n- [Stop NAME](#stop-name): "
+                "[Kelvin-Voigt](#stop-name--kelvin-voigt), [Side NAME](#stop-name--side-name)\n"),
+      std::string::npos)
+      << text;
+  EXPECT_NE(text.find("| `Gap` | **required** | m |"), std::string::npos) << text;
+  EXPECT_NE(text.find("| `Limit` |  | m |"), std::string::npos) << text;
+}
+
 TEST(Reference, prm_holds_all_defaults_and_can_be_read) {
   const std::string text = print_declarations(*sample_declarations(), "prm");
   const auto set = parse_prm(text);

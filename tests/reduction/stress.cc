@@ -75,7 +75,52 @@ double stress_in_the_middle(int elements, CellShape shape) {
   return von_mises(body, "middle", q / mass_per_area);
 }
 
+/// Stress of both faces of each shell element, six rows, and the middles of the elements.
+struct Faces {
+  Matrix stress; // 6 x elements
+  Matrix middle; // 3 x elements
+};
+
+Faces faces_of(const ReducedBody &body, const Vector &q) {
+  const auto &surfaces = body.recovery.surfaces;
+  const Vector stress = body.recovery.surface_stress.rows * q;
+  Faces faces{stress.reshaped(6, stress.size() / 6), Matrix::Zero(3, stress.size() / 6)};
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const Index corners = surfaces[i][3] < 0 ? 3 : 4;
+    for (Index k = 0; k < corners; ++k)
+      faces.middle.col(static_cast<Index>(i)) +=
+          body.recovery.nodes.col(surfaces[i][static_cast<std::size_t>(k)]) / corners;
+  }
+  return faces;
+}
+
+/// Largest von Mises stress at the first (0) or second end (1) of a line.
+double von_mises_of_line(const ReducedBody &body, std::size_t line, Index end, const Vector &q) {
+  const CellStress &places = body.recovery.line_stress;
+  const Vector stress = places.rows * q;
+  const Index half = 3 * (places.first[line + 1] - places.first[line]) / 2;
+  const Vector own = stress.segment(3 * places.first[line] + end * half, half);
+  double largest = 0;
+  for (Index row = 0; row < half; row += 3)
+    largest = std::max(largest, std::hypot(own[row], std::sqrt(3) * own[row + 2]));
+  return largest;
+}
+
 } // namespace
+
+// Along the whole beam: M c / I with M = F (L - x) at both ends of each of the four elements.
+TEST(Stress, LinesOfACantileverUnderATipForce) {
+  const ReducedBody body = clamped(bar());
+  const double modulus = width * thickness * thickness / 6;
+  const Vector q = pushed(body, 2);
+  ASSERT_EQ(body.recovery.line_stress.first.size(), 5U);
+  for (std::size_t line = 0; line < 4; ++line)
+    for (const Index end : {0, 1}) {
+      const double arm = 2 - 0.5 * static_cast<double>(line + static_cast<std::size_t>(end));
+      EXPECT_NEAR(von_mises_of_line(body, line, end, q) * modulus, arm, 1e-6) << line << " " << end;
+    }
+  EXPECT_TRUE(body.recovery.surface_stress.empty());
+}
 
 // M c / I with M = F (L - x), in either plane.
 TEST(Stress, CantileverUnderATipForce) {
@@ -154,5 +199,44 @@ TEST(Stress, PlateInItsOwnPlane) {
         (body.point("low").rows.row(0) + body.point("high").rows.row(0)).transpose();
     const Vector q = (both.array() / body.stiffness.array()).matrix() / 2;
     EXPECT_NEAR(von_mises(body, "here", q) * 0.01, 1, 1e-6);
+    const Faces faces = faces_of(body, q);
+    ASSERT_EQ(faces.stress.cols(), shape == CellShape::quadrilateral ? 4 : 8);
+    for (Index i = 0; i < faces.stress.cols(); ++i)
+      for (const Index face : {0, 3}) {
+        const auto s = faces.stress.col(i).segment(face, 3); // invariants: axes are the element's
+        EXPECT_NEAR((s[0] + s[1]) * 0.01, 1, 1e-6);
+        EXPECT_NEAR((s[0] * s[1] - s[2] * s[2]) * 1e-4, 0, 1e-6);
+      }
+  }
+}
+
+// Kirchhoff's plate in its first mode w = sin(pi x / a) sin(pi y / a): on a face
+// s_x + s_y = E t / (2 (1 - nu)) (w_xx + w_yy), and the opposite on the other.
+TEST(Stress, FacesOfAPlateInItsFirstMode) {
+  constexpr int n = 24;
+  constexpr double side = 10, thick = 0.05, nu = 0.3, young = 200e9;
+  for (const CellShape shape : {CellShape::quadrilateral, CellShape::triangle}) {
+    BodyDefinition definition;
+    definition.type = BodyDefinition::Type::shell;
+    definition.shell = simply_supported_plate(n, shape);
+    definition.selection.number = 1;
+    const ReducedBody body = reduce(definition, MPI_COMM_WORLD);
+    const double height = body.recovery.shapes.reshaped(6, body.recovery.nodes.cols())
+                              .row(2)
+                              .array()
+                              .abs()
+                              .maxCoeff(); // in the middle
+    const Faces faces = faces_of(body, Vector::Constant(1, 1 / height));
+    const double expected = young * thick / (2 * (1 - nu)) * 2 * std::pow(M_PI / side, 2);
+    double worst = 0;
+    for (Index i = 0; i < faces.stress.cols(); ++i) {
+      const Vector3 at = faces.middle.col(i);
+      const double form = std::sin(M_PI * at.x() / side) * std::sin(M_PI * at.y() / side);
+      const double first = faces.stress.col(i).head(2).sum();
+      const double second = faces.stress.col(i).segment(3, 2).sum();
+      EXPECT_NEAR(first, -second, 1e-6 * expected);
+      worst = std::max(worst, std::abs(std::abs(first) / expected - form));
+    }
+    EXPECT_LT(worst, shape == CellShape::quadrilateral ? 0.01 : 0.03);
   }
 }

@@ -1,0 +1,124 @@
+#include "output/vtu_patches.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vibroimpact::output {
+namespace {
+
+using reduction::Recovery;
+
+/// A beam element of 2 m along x.
+Recovery beam() {
+  Recovery recovery;
+  recovery.nodes = Matrix::Zero(3, 2);
+  recovery.nodes(0, 1) = 2;
+  recovery.lines = {{0, 1}};
+  return recovery;
+}
+
+/// Values of the rows from `first` on, at one point.
+std::vector<float> values(const dealii::Table<2, float> &data, unsigned first, unsigned count,
+                          unsigned point) {
+  std::vector<float> found;
+  for (unsigned row = first; row < first + count; ++row)
+    found.push_back(data(row, point));
+  return found;
+}
+
+using Values = std::vector<float>;
+
+TEST(VtuPatches, NamesAndVectorsFollowTheOrderOfTheData) {
+  const PointData data{.velocity = true, .contact = true, .von_mises = 3};
+  ASSERT_EQ(data.names().size(), data.size());
+  EXPECT_EQ(data.names()[7], "velocity");
+  EXPECT_EQ(data.names()[15], "contact_state");
+  EXPECT_EQ(data.names()[18], "von_mises_stress_second_face");
+  ASSERT_EQ(data.vectors().size(), 4U);
+  EXPECT_EQ(std::get<0>(data.vectors()[3]), 10U);
+  EXPECT_EQ(std::get<1>(data.vectors()[3]), 12U);
+  EXPECT_EQ(std::get<2>(data.vectors()[3]), "contact_force");
+}
+
+// The second node moves by 1 m along y without turning: y^2 (3 - 2 x) of a cubic with flat ends.
+TEST(VtuPatches, VelocityOfABeamIsThatOfItsBendingLine) {
+  const Recovery recovery = beam();
+  BodyShape shape{.recovery = &recovery, .number = 3, .motion = Vector::Zero(12)};
+  shape.velocity = Vector::Zero(12);
+  shape.velocity[7] = 1;
+  Patches<1> patches;
+  add_lines(shape, shape.line_data(), patches);
+  for (unsigned i = 0; i <= 4; ++i) {
+    const double t = i / 4.0;
+    EXPECT_EQ(values(patches[0].data, 6, 1, i), Values{3});
+    EXPECT_FLOAT_EQ(patches[0].data(8, i), static_cast<float>(t * t * (3 - 2 * t)));
+  }
+}
+
+// Two fibres: bending of +-1 Pa at the first node that vanishes at the second, and a shear stress.
+TEST(VtuPatches, StressOfABeamIsLinearAlongItsElements) {
+  Recovery recovery = beam();
+  recovery.line_stress = {.rows = Matrix::Zero(12, 1), .first = {0, 4}};
+  BodyShape shape{.recovery = &recovery, .motion = Vector::Zero(12)};
+  shape.line_stress = Vector::Zero(12);
+  shape.line_stress[0] = 1;
+  shape.line_stress[3] = -1;
+  shape.line_stress[2] = shape.line_stress[8] = 0.5; // of the first fibre, at both ends
+  Patches<1> patches;
+  add_lines(shape, shape.line_data(), patches);
+  for (unsigned i = 0; i <= 4; ++i)
+    EXPECT_FLOAT_EQ(patches[0].data(7, i),
+                    static_cast<float>(std::sqrt(std::pow(1 - i / 4.0, 2) + 0.75)));
+}
+
+TEST(VtuPatches, StressOfUnknownSectionsIsNoNumber) {
+  Recovery recovery = beam();
+  recovery.line_stress.first = {0, 0};
+  BodyShape shape{.recovery = &recovery, .motion = Vector::Zero(12)};
+  Patches<1> patches;
+  add_lines(shape, {.von_mises = 1}, patches);
+  EXPECT_TRUE(std::isnan(patches[0].data(7, 2)));
+}
+
+// First face: s = (3, 0, 0); second: a pure shear of 2, von Mises 2 sqrt(3).
+TEST(VtuPatches, ShellsHaveTheStressOfBothFacesAndTheLarger) {
+  Recovery recovery;
+  recovery.nodes = Matrix::Zero(3, 3);
+  recovery.nodes(0, 1) = recovery.nodes(1, 2) = 1;
+  recovery.surfaces = {{0, 1, 2, -1}};
+  recovery.surface_stress = {.rows = Matrix::Zero(6, 1), .first = {0, 2}};
+  BodyShape shape{.recovery = &recovery, .motion = Vector::Zero(18)};
+  shape.surface_stress = (Vector(6) << 3, 0, 0, 0, 0, 2).finished();
+  Patches<2> patches;
+  add_surfaces(shape, shape.surface_data(), patches);
+  const auto shear = static_cast<float>(2 * std::sqrt(3));
+  for (unsigned corner = 0; corner < 3; ++corner)
+    EXPECT_EQ(values(patches[0].data, 7, 3, corner), (Values{shear, 3, shear}));
+}
+
+TEST(VtuPatches, VonMisesStressOfPlaneStress) {
+  EXPECT_DOUBLE_EQ(largest_von_mises((Vector(3) << 5, 5, 0).finished()), 5);
+  EXPECT_DOUBLE_EQ(largest_von_mises((Vector(3) << 5, -5, 0).finished()), 5 * std::sqrt(3));
+  EXPECT_DOUBLE_EQ(largest_von_mises((Vector(6) << 0, 0, 1, -4, 0, 0).finished()), 4);
+}
+
+TEST(VtuPatches, StopsAreSquaresAcrossTheirNormal) {
+  const StopFace face{.place = Vector3(1, 2, 3),
+                      .normal = Vector3(0.6, 0, 0.8),
+                      .displacement = Vector3(0, 0, 0.5),
+                      .contact = Eigen::Matrix<float, 6, 1>::Constant(7)};
+  Patches<2> patches;
+  add_stop(face, 0.1, patches);
+  for (unsigned corner = 0; corner < 4; ++corner) {
+    const auto &vertex = patches[0].vertices[corner];
+    const Vector3 from = Vector3(vertex[0], vertex[1], vertex[2]) - face.place;
+    EXPECT_NEAR(from.dot(face.normal), 0, 1e-15);
+    EXPECT_NEAR(from.norm(), 0.1 * std::sqrt(2), 1e-15);
+    EXPECT_EQ(values(patches[0].data, 0, 7, corner), (Values{0, 0, 0.5, 0, 0, 0, 0}));
+    EXPECT_EQ(values(patches[0].data, 7, 6, corner), Values(6, 7));
+  }
+}
+
+} // namespace
+} // namespace vibroimpact::output
