@@ -92,7 +92,9 @@ def show_motion(source, view, factor=None, field=None):
     display.PointSize, display.RenderPointsAsSpheres = 7, 1
     coloured(display, field, view)
     tubes = simple.Tube(registrationName="Beams", Input=surfaces, Radius=TUBE * size, NumberofSides=12)
-    coloured(simple.Show(tubes, view), field, view)
+    tubes.UpdatePipeline()
+    if tubes.GetDataInformation().GetNumberOfCells() > 0:
+        coloured(simple.Show(tubes, view), field, view)
     show_forces(warped, size, view)
     return warped
 
@@ -110,9 +112,9 @@ def parse():
 
 
 def draw_picture(options):
+    simple.LoadPalette("WhiteBackground")
     view = simple.CreateView("RenderView")
-    view.ViewSize, view.Background, view.UseColorPaletteForBackground = [1100, 800], [1, 1, 1], 0
-    view.OrientationAxesLabelColor = [0, 0, 0]
+    view.ViewSize = [1100, 800]
     source = simple.PVDReader(FileName=options.motion)
     warped = show_motion(source, view, options.factor, options.field)
     view.ViewTime = source.TimestepValues[options.instant - 1]

@@ -29,9 +29,11 @@ std::string code_list(const std::vector<std::string> &words) {
 
 /// An empty default says nothing; those keys whose sentence says so must be given.
 std::string default_of(const Key &key) {
-  if (key.default_value.empty() && key.sentence.find("Must be given") != std::string::npos)
-    return "**required**";
-  return code(key.default_value);
+  const auto says = [&key](const char *words) {
+    return key.sentence.find(words) != std::string::npos;
+  };
+  const bool required = says("Must be given.") || says("Must be given;");
+  return required && key.default_value.empty() ? "**required**" : code(key.default_value);
 }
 
 void write_table(const Section &section, std::ostream &out) {

@@ -12,7 +12,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
+from matplotlib.colors import Normalize, to_rgb
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from .errors import ResultError
@@ -23,7 +23,8 @@ SHOWN = 0.1  # largest displacement of the picture relative to the size of the b
 COLOURS = 64
 MAP = "viridis"
 CONTACT = "#C8102E"
-STOP = "#8C8C8C"
+STOP = "#6E6E6E"
+SURFACE = 0.85  # opacity of shells, behind which their stops stand
 TITLES = {"displacement": ("Displacement", "m"), "velocity": ("Velocity", "m/s"),
           "von_mises_stress": ("Von Mises stress", "Pa"),
           "von_mises_stress_first_face": ("Von Mises stress, first face", "Pa"),
@@ -117,7 +118,7 @@ class Picture:
         self.colours = ScalarMappable(Normalize(0, max(np.nanmax(every) / self.scale.factor, 1e-300)), MAP)
         self.figure = plt.figure(figsize=style.size, dpi=style.dpi, layout="none")
         self.axes = self.figure.add_axes([-0.02, -0.12, 0.9, 1.2], projection="3d", azim=style.view[0],
-                                         elev=style.view[1])
+                                         elev=style.view[1], computed_zorder=False)
         bar = self.figure.add_axes([0.87, 0.25, 0.02, 0.5])
         self.figure.colorbar(self.colours, cax=bar, label=self.scale.label(title))
         self.set_limits(motion)
@@ -149,28 +150,29 @@ class Picture:
             if len(cells):
                 self.draw_cells(places[cells], values[cells].mean(axis=1))
         if not mesh.cells:
-            self.axes.scatter(*places.T, s=60, c=self.colours.to_rgba(values), depthshade=False)
+            self.axes.scatter(*places.T, s=60, c=self.colours.to_rgba(values), depthshade=False, zorder=2)
         if "contact_force" in mesh.data:
             touched = places[np.linalg.norm(mesh.data["contact_force"], axis=1) > 0]
-            self.axes.scatter(*touched.T, s=22, c=CONTACT, depthshade=False)
+            self.axes.scatter(*touched.T, s=22, c=CONTACT, depthshade=False, zorder=3)
 
     def draw_cells(self, places: np.ndarray, values: np.ndarray) -> None:
         colours = self.colours.to_rgba(values)
         if places.shape[1] == 2:
-            self.axes.add_collection3d(Line3DCollection(places, colors=colours, linewidths=4))
+            self.axes.add_collection3d(Line3DCollection(places, colors=colours, linewidths=4, zorder=2))
         else:
             self.axes.add_collection3d(Poly3DCollection(places, facecolors=colours, edgecolors=colours,
-                                                        linewidths=0.3))
+                                                        linewidths=0.3, alpha=SURFACE, zorder=2))
 
     def draw_stops(self, mesh: Mesh) -> None:
         acting = mesh.data["contact_state"] > 1.5
         places = mesh.moved(self.factor)
         cells = np.array(mesh.cells)
         colours = [CONTACT if acting[cell[0]] else STOP for cell in cells]
-        self.axes.add_collection3d(Poly3DCollection(places[cells], facecolors=colours, edgecolors=colours))
+        self.axes.add_collection3d(Poly3DCollection(places[cells], facecolors=colours, edgecolors=colours,
+                                                    zorder=1))
 
     def draw_supports(self, mesh: Mesh) -> None:
-        self.axes.scatter(*mesh.moved(self.factor).T, s=6, c=STOP, marker="^", depthshade=False)
+        self.axes.scatter(*mesh.moved(self.factor).T, s=3, c=STOP, marker="^", depthshade=False, zorder=1)
 
 
 def write(images: list[np.ndarray], file: Path, rate: float) -> None:
@@ -178,12 +180,17 @@ def write(images: list[np.ndarray], file: Path, rate: float) -> None:
     from PIL import Image  # comes with Matplotlib
 
     pictures = [Image.fromarray(image) for image in images]
-    sample = Image.fromarray(np.concatenate(images[:: max(1, len(images) // 6)]))
+    sample = Image.fromarray(np.concatenate([*images[:: max(1, len(images) // 6)], patch(images[0].shape)]))
     palette = sample.quantize(COLOURS, dither=Image.Dither.NONE)
     flat = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
     for picture in flat:
         picture.putpalette(with_white_ground(picture))
     flat[0].save(file, save_all=True, append_images=flat[1:], duration=round(1000 / rate), loop=0, optimize=True)
+
+
+def patch(shape) -> np.ndarray:
+    """Red enough for the palette to have it, although few points are red."""
+    return np.full((shape[0] // 10, *shape[1:]), np.round(255 * np.array(to_rgb(CONTACT))), dtype=np.uint8)
 
 
 def with_white_ground(picture) -> list[int]:

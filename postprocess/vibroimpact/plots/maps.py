@@ -144,10 +144,11 @@ def draw_map(shown: Map, overlays: list[Derived], scale, ends=()):
     figure, (axes,) = style.panels(1, height=3.6)
     x, y = (coordinates(analysis, axis) / axis_scale(analysis, axis).factor for axis in shown.axes)
     values = np.ma.masked_invalid(shown.values / scale.factor)
-    levels = MaxNLocator(LEVELS).tick_values(*(ends or (values.min(), values.max())))
+    levels = MaxNLocator(LEVELS).tick_values(*(ends or ends_of(values)))
     filled = axes.contourf(x, y, values.T, levels, cmap=style.SEQUENCE, extend="both" if ends else "neither")
-    lines = axes.contour(x, y, values.T, levels, colors="white", linewidths=0.4, alpha=0.7)
-    axes.clabel(lines, levels[::2], fontsize=7, fmt="%g")
+    if varies(values):
+        lines = axes.contour(x, y, values.T, levels, colors="white", linewidths=0.4, alpha=0.7)
+        axes.clabel(lines, levels[::2], fontsize=7, fmt="%g")
     figure.colorbar(filled, ax=axes, label=scale.label(shown.label.replace("\n", " ")), pad=0.015)
     label_plane(axes, analysis, shown.axes)
     axes.set_title(shown.title.strip(", "))
@@ -156,6 +157,19 @@ def draw_map(shown: Map, overlays: list[Derived], scale, ends=()):
     if handles:
         style.legend_below(axes, handles)
     return figure
+
+
+def varies(values) -> bool:
+    """By more than rounding."""
+    return np.ptp(values) > 1e-9 * np.abs(values).max()
+
+
+def ends_of(values) -> tuple[float, float]:
+    """Of the colours; around values that are all the same."""
+    if varies(values):
+        return values.min(), values.max()
+    room = 0.05 * abs(values.max()) or 1.0
+    return values.min() - room, values.max() + room
 
 
 def label_plane(axes, analysis: Analysis, names) -> None:
