@@ -16,8 +16,8 @@ import time
 
 # Fewer points, evaluations and periods: every kind of analysis and figure is still there.
 SHORTER = {
-    "absorber-design": ["Analyses=bounded", "Analysis/motion/Response/Settling cycles=20",
-                        "Analysis/motion/Response/Recorded cycles=10",
+    "absorber-design": ["Analyses=bounded", "Analysis/motion/Steady state/Settling cycles=20",
+                        "Analysis/motion/Steady state/Recorded cycles=10",
                         "Analysis/bounded/Optimise/Most evaluations=8"],
     "bilinear-oscillator": ["Analyses=modes, motions"],
     "bumper-design": ["Analyses=best", "Analysis/curve/Stepped sweep/Points=11",
@@ -37,7 +37,7 @@ SHORTER = {
     "isolator-basins": ["Analyses=plane", "Analysis/plane/Basins/First axis/Cells=20",
                         "Analysis/plane/Basins/Second axis/Cells=20"],
     "vibro-impact-absorber": ["Analyses=linear, close_motion", "Analysis/linear/Stepped sweep/Settling cycles=50",
-                              "Analysis/close_motion/Response/Settling cycles=50"],
+                              "Analysis/close_motion/Steady state/Settling cycles=50"],
 }
 
 
