@@ -1,5 +1,5 @@
 """What tests of whole runs share: a folder for each test, and the program started in it, on one or
-more ranks. Usage of such a test: check_NAME.py PROGRAM MPIEXEC
+more ranks. Usage of such a test: check_NAME.py PROGRAM MPIEXEC [PART/PARTS]
 """
 import os
 import pathlib
@@ -79,6 +79,16 @@ class ProgramRuns(InAFolder):
         self.assertEqual(datasets(out), datasets(whole))
 
 
+def tests_of(suite):
+    """Of a suite of suites, one by one."""
+    for test in suite:
+        yield from tests_of(test) if isinstance(test, unittest.TestSuite) else [test]
+
+
 def main():
+    """All tests of the script, or of its parts one: "2/5" runs the second of five, and so on."""
     os.environ.setdefault("OMPI_MCA_rmaps_base_oversubscribe", "1")
-    unittest.main(argv=sys.argv[:1])
+    part, parts = map(int, sys.argv[3].split("/")) if len(sys.argv) > 3 else (1, 1)
+    every = list(tests_of(unittest.defaultTestLoader.loadTestsFromModule(sys.modules["__main__"])))
+    done = unittest.TextTestRunner().run(unittest.TestSuite(every[part - 1::parts]))
+    sys.exit(not (done.wasSuccessful() and done.testsRun > 0))
