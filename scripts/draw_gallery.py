@@ -90,9 +90,9 @@ def draw(gallery: Gallery, wanted: list[Picture], places: Places, with_long: boo
         batches = defaultdict(list)
         for picture in wanted:
             if picture.run == name:
-                batches[picture.system, tuple(picture.options)].append(picture)
-        for (system, options), pictures in batches.items():
-            code |= plot(name, system, options, pictures, places)
+                batches[tuple(picture.options)].append(picture)
+        for options, pictures in batches.items():
+            code |= plot(name, options, pictures, places)
     return code
 
 
@@ -105,13 +105,11 @@ def execute(name: str, run: Run, places: Places) -> int:
     return done.returncode
 
 
-def plot(run: str, system: str, options, pictures, places: Places) -> int:
+def plot(run: str, options, pictures, places: Places) -> int:
     """All pictures with the same options in one call; they get their names afterwards."""
     results = places.output / run
-    sections = SOURCE / "params" / "figures" / f"{system}.prm"
     with tempfile.TemporaryDirectory() as folder:
         command = [places.build / "vibroimpact-plot", results, "--output", folder, "--dpi", DPI]
-        command += ["--sections", sections] if sections.is_file() else []
         for picture in pictures:
             command += ["--figure", picture.figure]
         code = subprocess.run([*command, *placed(options)], check=False,

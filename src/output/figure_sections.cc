@@ -68,6 +68,9 @@ void declare_figures(Section &root) {
       .text("Reference label", "",
             "Name of this curve in the legend; empty means that of the "
             "analysis.")
+      .text("Names", "",
+            "Of several quantities along Vertical, in the legend, separated by commas; empty means "
+            "names that are made up.")
       .boolean(
           "Joined", "true",
           "Are the points of a curve joined? Values of motions that do not repeat stand better "

@@ -128,8 +128,8 @@ def spoil(content, kinds, choose):
 
 
 def referred_files(content):
-    """Meshes and records that a parameter file names, as written."""
-    return [name for name in re.findall(rb"set (?:Mesh|File)\s*= *(\S+)", content)]
+    """Meshes, records and included files that a parameter file names, as written."""
+    return [name for name in re.findall(rb"(?:set (?:Mesh|File)\s*=|\ninclude) *(\S+)", content)]
 
 
 def mutant(sources, seed, kinds=tuple(PARAMETERS), change=lambda content: content):
