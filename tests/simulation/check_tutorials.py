@@ -92,7 +92,8 @@ def is_there(line, shown):
 if __name__ == "__main__":
     PROGRAM, SOURCE = (pathlib.Path(value).resolve() for value in sys.argv[1:3])
     PAGES = [pathlib.Path(value) for value in sys.argv[3:]] or [
-        SOURCE / "docs" / "tutorials" / name for name in ("first-model.md", "fit-a-sweep.md", "choose-a-stop.md")]
+        SOURCE / "docs" / "tutorials" / name for name in (
+            "first-model.md", "sections.md", "fit-a-sweep.md", "choose-a-stop.md")]
     FOUND = [line for page in PAGES for line in run(PROGRAM, SOURCE, page)]
     print("\n".join(FOUND) or "all commands ran, all lines are there")
     sys.exit(1 if FOUND else 0)
