@@ -60,7 +60,8 @@ std::string length(double value) {
 void refuse(const Values &contact, const std::vector<const char *> &keys) {
   for (const char *key : keys)
     if (contact.given(key))
-      contact.reject(key, "left out with Pairing = " + contact.choice("Pairing") + ".");
+      contact.reject(key, std::string(key) +
+                              " must not be set when Pairing = " + contact.choice("Pairing") + ".");
 }
 
 bool joining(const Values &contact) { return contact.choice("Normal") == "joining line"; }
@@ -71,8 +72,9 @@ PairSearch read_search(const Values &contact) {
   if (!search.joining)
     search.direction = model::read_direction(contact, "Direction");
   if (contact.has("Reach") && search.joining)
-    contact.reject("Reach", "left out with Normal = joining line, where Search radius bounds the "
-                            "whole distance.");
+    contact.reject(
+        "Reach", "Reach must not be set when Normal = joining line, where Search radius bounds the "
+                 "whole distance.");
   if (contact.has("Reach"))
     search.reach = contact.quantity("Reach");
   return search;
@@ -151,9 +153,11 @@ Meeting meeting_of(const Values &contact, const Side &a, const Side &b, const No
 
 Meetings between_interfaces(const Values &contact, const Model &model) {
   if (contact.has("Clearance") && contact.given("Offset"))
-    contact.reject("Offset", "left out where Clearance is given, which then counts for all pairs.");
+    contact.reject(
+        "Offset",
+        "Offset must not be set when Clearance is given, which then counts for all pairs.");
   if (contact.given("Direction") && joining(contact))
-    contact.reject("Direction", "left out with Normal = joining line.");
+    contact.reject("Direction", "Direction must not be set when Normal = joining line.");
   const model::Sides sides = model::read_sides(contact, {}, interface_names(model), interface_form);
   const Side a = side_of(sides.a, model);
   const Side b = side_of(sides.b, model);

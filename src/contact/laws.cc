@@ -81,8 +81,9 @@ std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &c
                                                      double stiffness) {
   const LawEntry &law = chosen_law(contact);
   if (law.create_with == nullptr)
-    contact.reject("Stiffness fraction", "left out with Law = " + std::string(law.name) +
-                                             ", which has no key Stiffness that it could replace.");
+    contact.reject("Stiffness fraction",
+                   "Stiffness fraction must not be set when Law = " + std::string(law.name) +
+                       ", which has no key Stiffness that it could replace.");
   return law.create_with(contact, stiffness);
 }
 

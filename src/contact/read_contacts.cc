@@ -19,8 +19,9 @@ double read_clearance(const Values &contact) {
   contact.require("Clearance");
   const double clearance = contact.quantity("Clearance");
   if (clearance < 0 && !contact.boolean("Prestressed"))
-    contact.reject("Clearance", "zero or more; a negative clearance is a prestress and needs "
-                                "Prestressed = true.");
+    contact.reject("Clearance",
+                   "Clearance must be zero or more; a negative clearance is a prestress and needs "
+                   "Prestressed = true.");
   return clearance;
 }
 
@@ -30,7 +31,9 @@ std::shared_ptr<const ContactLaw> law_by_fraction(const Values &contact, const s
   const auto flexibility = local_flexibility(meeting.a, meeting.b, meeting.normal, model);
   if (!flexibility)
     contact.reject("Stiffness fraction",
-                   "left out where there is no static stiffness to take it of: contact " + name +
+                   "Stiffness fraction must not be set where there is no static stiffness to take "
+                   "it of: contact " +
+                       name +
                        " is between points that do not give way, or on a body that no support "
                        "holds. Give the law's own Stiffness.");
   return create_contact_law(contact, contact.quantity("Stiffness fraction") / flexibility->whole);
@@ -112,7 +115,9 @@ ContactPair read_contact(const ContactSection &section, const std::string &name,
   ContactPair pair =
       ContactMaker(contact, model, lumped_mass(meeting, gap, model)).pair(name, meeting, fixed);
   if (pair.gap.row.isZero(0))
-    contact.reject("Direction", "a direction along which at least one of the two sides can move.");
+    contact.reject(
+        "Direction",
+        "Direction must be a direction along which at least one of the two sides can move.");
   return pair;
 }
 
@@ -135,7 +140,8 @@ ContactGroup read_group(const Values &contact, const std::string &name, const Mo
     pairs.back().group = name;
   }
   if (group.count == 0)
-    contact.reject("Between", "interfaces with a node that can move along the normal.");
+    contact.reject("Between",
+                   "Between must be interfaces with a node that can move along the normal.");
   return group;
 }
 

@@ -15,7 +15,9 @@ Connection read_connection(const parameters::Values &section, const std::string 
   const Vector3 direction = read_direction(section, "Direction");
   const Projection elongation = relative_displacement(sides, direction, model);
   if (elongation.row.isZero(0))
-    section.reject("Direction", "a direction along which at least one of the two sides can move.");
+    section.reject(
+        "Direction",
+        "Direction must be a direction along which at least one of the two sides can move.");
   const Connection connection{.name = name,
                               .side_a = sides.a,
                               .side_b = sides.b,
@@ -24,7 +26,8 @@ Connection read_connection(const parameters::Values &section, const std::string 
                               .cubic_stiffness = section.quantity("Cubic stiffness"),
                               .damping = section.quantity("Damping")};
   if (connection.stiffness == 0 && connection.cubic_stiffness == 0 && connection.damping == 0)
-    section.reject_section("does nothing: give Stiffness, Cubic stiffness or Damping");
+    section.reject_section("Stiffness, Cubic stiffness or Damping must be given; without one the "
+                           "connection does nothing");
   return connection;
 }
 

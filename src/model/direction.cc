@@ -37,7 +37,7 @@ std::optional<Vector3> parse_direction(const std::string &text) {
 Vector3 read_direction(const parameters::Values &values, const std::string &key) {
   const std::optional<Vector3> direction = parse_direction(values.text(key));
   if (!direction)
-    values.reject(key, "a direction: x, y, z, -x, -y, -z or three numbers such as 1, 0, 1.");
+    values.reject(key, key + " must be x, y, z, -x, -y, -z or three numbers such as 1, 0, 1.");
   return *direction;
 }
 

@@ -39,10 +39,11 @@ HistoryContext read_context(const parameters::Values &root, const parameters::Va
 // Gravity is constant; its history need not be chosen.
 TimeFunctionPointer read_gravity(const parameters::Values &excitation) {
   if (excitation.given("History") && excitation.choice("History") != "constant")
-    excitation.reject("History", "gravity is constant; leave it out or choose constant");
+    excitation.reject("History",
+                      "History must be constant when Type = gravity, for gravity is constant");
   for (const char *key : {"Frequency", "Phase"})
     if (excitation.given(key))
-      excitation.reject(key, "is not used with Type = gravity");
+      excitation.reject(key, std::string(key) + " must not be set when Type = gravity");
   excitation.require("Amplitude");
   return make_constant(Given::displacement,
                        excitation.quantity_of("Amplitude", parameters::dimension::acceleration));

@@ -55,7 +55,7 @@ void refuse_unused_keys(const Values &excitation, const HistoryEntry &history) {
   for (const char *key : {"Amplitude", "Frequency", "Phase"})
     if (excitation.given(key) &&
         std::find(history.keys.begin(), history.keys.end(), key) == history.keys.end())
-      excitation.reject(key, std::string("is not used with History = ") + history.name);
+      excitation.reject(key, std::string(key) + " must not be set when History = " + history.name);
 }
 
 } // namespace

@@ -19,11 +19,11 @@ Vector unit_mode(const parameters::Values &condition, const ReducedBody &body,
                  const RowVector &row) {
   const long mode = condition.integer("Mode");
   if (mode > body.size())
-    condition.reject("Mode", "body " + body.name + " has " + std::to_string(body.size()) +
-                                 " coordinates; a number from 1 to that.");
+    condition.reject("Mode", "Mode must be from 1 to " + std::to_string(body.size()) +
+                                 ", the number of coordinates of body " + body.name + ".");
   if (std::abs(row[mode - 1]) < 1e-9 * row.cwiseAbs().maxCoeff() || row[mode - 1] == 0)
-    condition.reject("At",
-                     "a point that mode " + std::to_string(mode) + " moves along the direction.");
+    condition.reject("At", "At must be a point that mode " + std::to_string(mode) +
+                               " moves along the direction.");
   Vector shape = Vector::Zero(body.size());
   shape[mode - 1] = 1 / row[mode - 1];
   return shape;
@@ -59,10 +59,11 @@ EquilibriumStart equilibrium_start(const parameters::Values &root,
     if (here == EquilibriumStart::none)
       continue;
     if (start != EquilibriumStart::none)
-      condition.reject("Shape", "only one initial condition can be an equilibrium.");
+      condition.reject("Shape", "Shape must be an equilibrium in one initial condition only.");
     for (const char *unused : {"At", "Direction", "Displacement", "Velocity", "Mode"})
       if (condition.given(unused))
-        condition.reject(unused, "is not used with Shape = " + condition.choice("Shape"));
+        condition.reject(unused, std::string(unused) +
+                                     " must not be set when Shape = " + condition.choice("Shape"));
     start = here;
   }
   return start;

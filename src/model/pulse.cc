@@ -104,7 +104,7 @@ TimeFunctionPointer create_pulse(const parameters::Values &excitation,
   const double duration = pulse.quantity("Duration");
   const PulseShape shape = read_shape(pulse, context);
   if (pulse.has("Impulse") == excitation.has("Amplitude"))
-    pulse.reject("Impulse", "exactly one of Impulse and Amplitude (the peak) must be given");
+    pulse.reject("Impulse", "Impulse or Amplitude (the peak) must be given, and not both");
   parameters::Dimension integral = context.dimension;
   integral.time += 1;
   const double peak =

@@ -43,7 +43,7 @@ void add_rotor(const parameters::Values &body, std::size_t index, Model &model) 
   const Vector3 first = read_direction(rotor, "First direction");
   const Vector3 second = read_direction(rotor, "Second direction");
   if (std::abs(first.dot(second)) > 1e-12)
-    rotor.reject("Second direction", "a direction perpendicular to First direction.");
+    rotor.reject("Second direction", "Second direction must be perpendicular to First direction.");
   Rotor added{.name = model.bodies()[index]->name,
               .at = {},
               .angle = model.offset(index),

@@ -15,7 +15,7 @@ Sides read_sides(const parameters::Values &section, const std::vector<std::strin
   if (ends.size() != 2 || is_fixed(ends[0]))
     section.reject(
         "Between",
-        "two different " + form +
+        "Between must be two different " + form +
             (fixed.empty() ? "." : "; the second may be " + fixed[0] + " or " + fixed[1] + "."));
   known.insert(known.end(), fixed.begin(), fixed.end());
   for (const std::string &end : ends)

@@ -247,9 +247,9 @@ TimeFunctionPointer SineSweep::create(const parameters::Values &excitation,
   const SweepDefinition definition = read_sweep(excitation, context);
   const parameters::Values sweep = excitation.subsection("Sine sweep");
   if (definition.hold && definition.fade_out > 0)
-    sweep.reject("Fade-out", "is for After = stop only");
+    sweep.reject("Fade-out", "Fade-out must not be set when After = hold");
   if (definition.fade_in + definition.fade_out > definition.duration)
-    sweep.reject("Fade-in", "with Fade-out it must not be longer than Duration");
+    sweep.reject("Fade-in", "Fade-in and Fade-out together must not be longer than Duration");
   const bool jumps = context.moves_base && definition.given != Given::acceleration;
   if (jumps && !definition.hold && definition.fade_out == 0)
     sweep.reject("After", "a " + context.type +

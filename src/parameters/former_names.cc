@@ -85,10 +85,12 @@ void FormerNames::rename_options(Value &value, const std::vector<std::string> &p
     value.text = present_name(value.text, key.name, where);
   if (key.kind != KeyKind::names || value.text.empty())
     return;
-  std::vector<std::string> names = split_list(value.text);
-  for (std::string &name : names)
-    name = present_name(name, key.name, where);
-  value.text = join(names, ", ");
+  const std::vector<std::string> former = split_list(value.text);
+  std::vector<std::string> names;
+  for (const std::string &name : former)
+    names.push_back(present_name(name, key.name, where));
+  if (names != former)
+    value.text = join(names, ", ");
 }
 
 } // namespace vibroimpact::parameters

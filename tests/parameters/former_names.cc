@@ -92,11 +92,9 @@ TEST(FormerNames, the_echo_has_the_present_ones_and_no_warning_follows) {
 }
 
 TEST(FormerNames, of_both_names_of_a_key_only_one_may_stand) {
-  EXPECT_EQ(error_of([] {
-              read("subsection Analysis a\n  subsection Steady state\n    set Tied to = b\n    set "
-                   "Follows "
-                   "= c\n  end\nend\n");
-            }),
+  const std::string text = "subsection Analysis a\n  subsection Steady state\n    set Tied to = b\n"
+                           "    set Follows = c\n  end\nend\n";
+  EXPECT_EQ(error_of([&] { ParameterSet::parse(declarations(), text, "old.prm", false, {}); }),
             "old.prm:4: Analysis a / Steady state / Tied to = c\n  this key is set twice; first at "
             "old.prm:3.");
 }

@@ -70,7 +70,7 @@ TEST(BrokenInputExcitationTest, KeysThatAreMissingOrUnused) {
   expect_message(changed(sound, "  set Frequency = 3 Hz\n", ""),
                  {"Excitation shaker", "Frequency", "must be given"});
   expect_message(changed(sound, "= harmonic", "= constant"),
-                 {"Frequency", "is not used with History = constant"});
+                 {"Frequency", "Frequency must not be set when History = constant"});
   expect_message(changed(sound, "= harmonic", "= ramped harmonic"), {"Ramp", "Rate"});
   expect_message(changed(sound, "= harmonic", "= noise"), {"History", "noise", "sine sweep"});
   expect_message(changed(sound, "base acceleration", "gravity"),
