@@ -63,7 +63,7 @@ subsection Contact stop
 end
 subsection Analysis strikes
   set Type = transient
-  set Record = excursions
+  set Record = extreme values
   subsection Transient
     set Duration = 500 s
   end
