@@ -101,8 +101,9 @@ TEST(BrokenInputExcitationTest, Impulses) {
     return with(top + "set History = impulse\nsubsection Impulse\nset Duration = 1 ms\n" + keys +
                 "end\n");
   };
-  expect_message(impulse("", ""), {"Impulse", "exactly one of"});
-  expect_message(impulse("set Amplitude = 1\n", "set Impulse = 1 m/s\n"), {"exactly one of"});
+  expect_message(impulse("", ""), {"Impulse", "must be given, and not both"});
+  expect_message(impulse("set Amplitude = 1\n", "set Impulse = 1 m/s\n"),
+                 {"must be given, and not both"});
   expect_message(impulse("", "set Impulse = 1 N s\n"), {"Impulse / Impulse", "velocity"});
   expect_message(
       impulse("set Type = base velocity\nset Amplitude = 1\n", "set Shape = rectangular\n"),
@@ -141,7 +142,8 @@ TEST(BrokenInputExcitationTest, Records) {
   expect_message(record.text("", "", "none.csv"), {"Recorded", "File", "there is none at"});
   expect_message(record.text(""), {"Value column", "line 4 of the record has 'x'"});
   expect_message(record.text("set Value column = b\n"), {"Value column = b", "t, a"});
-  expect_message(record.text("", "set Amplitude = 1\n"), {"Amplitude", "is not used"});
+  expect_message(record.text("", "set Amplitude = 1\n"),
+                 {"Amplitude", "must not be set when History"});
   const RecordTest good("t,a\n0,1\n1,2\n2,3\n");
   EXPECT_EQ(message_of(good.text("set Unit = g0\nset Time unit = ms\n")), "");
   expect_message(good.text("set Unit = mm/s\n"), {"Unit = mm/s", "acceleration"});

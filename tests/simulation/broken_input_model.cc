@@ -91,11 +91,11 @@ TEST(BrokenInputModelTest, Rotors) {
 
 TEST(BrokenInputModelTest, Equilibria) {
   expect_message("set Shape = equilibrium", "set Shape = equilibrium\n  set Velocity = 1 m/s",
-                 {"Velocity", "not used"});
+                 {"Velocity", "must not be set when Shape"});
   expect_message("subsection Initial condition rest",
                  "subsection Initial condition other\n  set Shape = free equilibrium\nend\n"
                  "subsection Initial condition rest",
-                 {"Shape", "only one"});
+                 {"Shape", "one initial condition only"});
 }
 
 } // namespace
