@@ -247,7 +247,7 @@ TimeFunctionPointer SineSweep::create(const parameters::Values &excitation,
   const SweepDefinition definition = read_sweep(excitation, context);
   const parameters::Values sweep = excitation.subsection("Sine sweep");
   if (definition.hold && definition.fade_out > 0)
-    sweep.reject("Fade-out", "Fade-out must not be set when After = hold");
+    sweep.reject("Fade-out", "Fade-out must not be set when After = hold; it needs After = stop");
   if (definition.fade_in + definition.fade_out > definition.duration)
     sweep.reject("Fade-in", "Fade-in and Fade-out together must not be longer than Duration");
   const bool jumps = context.moves_base && definition.given != Given::acceleration;
