@@ -165,6 +165,11 @@ class Figures(unittest.TestCase):
         self.assertNotIn("-", [line.get_linestyle() for line in own])
         self.assertNotIn(":", [line.get_linestyle() for line in own])
 
+    def test_a_reference_that_was_not_run_is_left_out(self):
+        self.results.parameters["Figure curve"]["Reference"] = "other"
+        axes = self.figure("curve").axes[0]
+        self.assertNotIn("black", [line.get_color() for line in axes.get_lines()])
+
     def test_several_quantities_are_curves_with_names(self):
         section = self.results.parameters["Figure curve"]
         section["Vertical"]["Quantity"] = f"{AMPLITUDE}, - {AMPLITUDE}"

@@ -43,12 +43,14 @@ def figure(results: Results, name: str, section: dict):
 
 
 def analyses_of(results: Results, section: dict) -> list[Analysis]:
-    """The analysis and, where there is one, its reference, with the chosen points of both."""
-    names = [section["From"], *filter(None, [section.get("Reference", "")])]
+    """The analysis and, where the run has computed it, its reference, with the chosen points of both."""
+    there = [analysis.name for analysis in results.analyses()]
+    names = [section["From"], *[name for name in [section.get("Reference", "")] if name in there]]
     analyses = [results.analysis(name) for name in names]
     for request in filter(str.strip, section.get("Where", "").split(";")):
         axis = request.partition("=")[0].strip()
-        if not any(is_called(name, axis) for analysis in analyses for name in analysis.axes):
+        if not any(is_called(name, axis) for analysis in analyses for name in analysis.axes) \
+                and len(analyses) == 1 + bool(section.get("Reference", "")):
             raise ResultError(f"Where: {request.strip()}: {names[0]} has no such axis")
         choose(analyses[0], [request.strip()])
         for reference in analyses[1:]:
@@ -265,10 +267,13 @@ def map_figure(results: Results, section: dict):
 
 
 def overlays(results: Results, section: dict, analysis: Analysis, names) -> list:
-    """Derived curves of the plane: those listed in Curves, NAME or ANALYSIS:NAME, else all of the analysis."""
+    """Derived curves of the plane: those listed in Curves, NAME or ANALYSIS:NAME, of what the run has
+    computed; else all of the analysis."""
     found = []
     for wanted in several(section.get("Curves", "")):
         other, _, name = wanted.rpartition(":")
+        if other and other not in [computed.name for computed in results.analyses()]:
+            continue
         source = results.analysis(other) if other else analysis
         source.shown = analysis.shown
         found += [entry for entry in derived_of(source) if entry.name == name]
