@@ -111,8 +111,9 @@ LocusNode LocusWalk::next_node() {
   const double largest = settings_.largest_correction * step_;
   const Vector ahead = here_.u + step_ * here_.tangent;
   auto bound = bound_passed(ahead);
-  LocusNode next = bound ? at_bound(ahead, *bound, largest)
-                         : solve(ahead, here_.tangent, largest, Until::tolerance);
+  LocusNode next =
+      bound ? at_bound(ahead, *bound, largest)
+            : solve(path_ ? path_->beyond(step_) : ahead, here_.tangent, largest, Until::tolerance);
   if (next.tangent.dot(here_.tangent) < agreement)
     throw NumericalError("the tangent turns too far");
   closes_ = passes_start(next);
@@ -187,6 +188,7 @@ std::optional<LocusNode> LocusWalk::cusp_before(const LocusNode &next) const {
 
 void LocusWalk::accept(LocusNode next) {
   const double factor = next.iterations <= 3 ? 1.5 : 1;
+  path_.emplace(here_.u, here_.tangent, next.u, next.tangent);
   here_ = std::move(next);
   equation_->renew(here_.at.at, here_.chart);
   add(here_);
@@ -271,6 +273,7 @@ void LocusWalk::move_chart() {
     return std::pair(std::move(moved), std::move(tangents));
   });
   const double arclength = here_.arclength;
+  path_.reset();
   here_.chart = chart;
   here_.tangent = tangent.col(0).normalized();
   if (kind_ != LocusKind::graze)

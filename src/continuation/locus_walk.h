@@ -3,6 +3,9 @@
 
 #include "continuation/locus_equation.h"
 #include "continuation/newton.h"
+#include "continuation/piece.h"
+
+#include <optional>
 
 namespace vibroimpact::continuation {
 
@@ -57,6 +60,7 @@ private:
   std::unique_ptr<LocusEquation> equation_;
   Locus locus_;
   LocusNode here_, first_;
+  std::optional<Hermite> path_; ///< to here from the point before, in the same chart
   double step_;
   bool ended_ = false, turned_back_ = false, closes_ = false, bounded_ = false;
 };

@@ -17,7 +17,11 @@ class Hermite {
 public:
   Hermite(const Vector &begin, const Vector &begin_tangent, const Vector &end,
           const Vector &end_tangent);
-  Vector at(double share) const;                 ///< share of the chord
+  Vector at(double share) const; ///< share of the chord
+  /// A prediction of the curve's next point, in the hyperplane at the distance `step` along the
+  /// tangent at the end: the cubic led on, which is off by step^4; where that is far from the
+  /// tangent, off by step^2, the latter.
+  Vector beyond(double step) const;
   const Vector &chord() const { return chord_; } ///< of length 1
   double length() const { return length_; }
   /// One unknown's slopes over the share have one sign at both ends and another one in between.
