@@ -1,5 +1,6 @@
 #include "analyses/tangents/measure_tangents.h"
 
+#include "analyses/recorders/extreme_values.h"
 #include "analyses/tangents/impact_tangents.h"
 
 #include <algorithm>
@@ -178,17 +179,18 @@ void put(const std::string &name, double derivative, Measures &measures) {
 
 void Quantities::add_measures(const Requests &requests, Measures &measures) const {
   for (const auto &[i, largest, smallest] : places_) {
-    const std::string &path = quantities_[i].path;
     const double above = search_.largest[i].value, below = search_.smallest[i].value;
     const double range = std::max(above + below, std::max(std::abs(above), std::abs(below)));
     const bool sound =
         requests.is_of_motion(largest, 1, range) && requests.is_of_motion(smallest, -1, range);
     const double high = sound ? requests[largest] : none;
     const double low = sound ? requests[smallest] : none;
-    const Measures all{{path + "/maximum", high},
-                       {path + "/minimum", low},
-                       {path + "/peak_to_peak_excursion", high - low},
-                       {path + "/peak_excursion", above >= below ? high : 0 - low}};
+    const ExtremeValueLabels labels(quantities_[i]);
+    const Measures all{{labels.maximum.name(), high},
+                       {labels.minimum.name(), low},
+                       {labels.peak_to_peak.name(), high - low},
+                       {labels.amplitude.name(), (high - low) / 2},
+                       {labels.largest.name(), above >= below ? high : 0 - low}};
     for (const auto &[name, derivative] : all)
       if (sound)
         put(name, derivative, measures);
