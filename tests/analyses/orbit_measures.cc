@@ -1,8 +1,10 @@
 // Derivatives of what is recorded of periodic motions, against differences of periodic motions that
 // are found anew in tight tolerance: for every law, for impacts and rest without overlap, for a
 // stop that a moving base carries, and where neighbouring motions have other contact changes.
+#include "analyses/key_neighbours.h"
 #include "analyses/orbit_derivatives.h"
 #include "analyses/periodic_orbit.h"
+#include "analyses/tangents/measure_tangents.h"
 
 #include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hertz.h"
@@ -89,7 +91,19 @@ PointResult orbit(const Case &of, const Keys &keys, const OrbitStart &start,
 
 const OrbitStart settled{.settling = {.minimum = 40, .maximum = 400, .tolerance = 1e-6}};
 
-/// Of fourth order in the step.
+/// What the usual recorders see of one period.
+PointResult measures_of(const Case &of, const Keys &keys, const periodic::Orbit &orbit) {
+  const System system = system_of(of, keys);
+  periodic::ForcedSystem forced(system.model, system.contacts, system.integration, 0);
+  const double start = orbit.section.phase * forced.period();
+  WindowRecording recording(default_recorders(), system);
+  forced.trajectory().start({.time = start, .physical = orbit.point.state});
+  recording.run(periods_window(start, forced.period(), orbit.multiple()), forced.trajectory());
+  PointResult result;
+  recording.add_fields(result);
+  return result;
+}
+
 PointResult neighbour(const Case &of, Keys keys, const std::string &key, double step,
                       const std::vector<double> &state) {
   keys[key] += step;
@@ -136,6 +150,35 @@ TEST_P(OrbitMeasuresTable, agree_with_differences) {
       EXPECT_NEAR(field.values[0], exact, 1e-6 * size + noise) << field.name();
     }
   }
+}
+
+// None of them is left to differences of motions.
+TEST(OrbitMeasuresTest, all_extreme_values_and_impacts_are_known_in_closed_form) {
+  const Case of{.name = "bilinear stop",
+                .law = [](double k) { return std::make_shared<contact::BilinearStop>(k, 20); },
+                .constant = 4000};
+  const Keys keys = keys_of(of);
+  const System system = system_of(of, keys);
+  const SweptParameter clearance{.path = "clearance", .unit = "1", .values = {of.clearance}};
+  const auto neighbours = [&] {
+    return key_neighbours(clearance, of.clearance,
+                          [&](const std::vector<parameters::Override> &overrides) {
+                            Keys changed = keys;
+                            changed["clearance"] = std::stod(overrides[0].value);
+                            return system_of(of, changed);
+                          });
+  };
+  OrbitSearch search(system, 0, settled);
+  const periodic::Orbit orbit = search.run();
+  periodic::ForcedKey key = periodic::forced_key("clearance", search.forced(), neighbours());
+  const std::vector<RecorderFactory> recorders = default_recorders();
+  const auto tangents = measure_tangents(
+      {.system = system, .map = search.map(), .orbit = orbit, .recorders = recorders}, key,
+      neighbours(), Vector::Zero(search.map().size()));
+  const PointResult found = measures_of(of, keys, orbit);
+  for (const Field &field : found.fields)
+    if (field.unit() != "1")
+      EXPECT_TRUE(tangents.contains(field.name())) << field.name();
 }
 
 TEST(OrbitMeasuresTest, an_acceleration_that_the_motion_does_not_have_has_no_derivative) {
