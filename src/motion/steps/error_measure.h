@@ -30,6 +30,8 @@ public:
   void forget() { largest_turnover_ = 0; }
   /// A phase begins there.
   void begin(const EndPoint &start);
+  /// No step yet has had any energy: there is nothing to measure errors against.
+  bool at_rest() const { return largest_turnover_ == 0; }
   /// The measure of a step between these ends.
   void set_step(const EndPoint &start, const EndPoint &end);
   /// Error over tolerance, the largest of all, infinite where the end has energy from nowhere;

@@ -384,17 +384,26 @@ void HighOrderStepper::step(double limit) {
   const double free_step = std::min(wanted_step(left), limit - start_.time);
   double wanted =
       source_step_.limited(start_.time, free_step, measure_.source_tolerances(free_step));
+  const double first = wanted;
+  double before = 0;
   for (int i = 0; i < 100; ++i) {
     const double rest = limit - start_.time;
     // Two halves rather than a step and a sliver.
     const double end = rest <= wanted * (1 + 1e-9)
                            ? limit
                            : start_.time + (rest < 2 * wanted ? 0.5 * rest : wanted);
-    const double error =
+    double error =
         attempt(rooted ? TimeTransformation::since(phase_start_, start_.time, end)
                 : opens && end < start_.time + left && end - start_.time > nearness * left
                     ? TimeTransformation::until(start_.time + left, start_.time, end)
                     : TimeTransformation::even(start_.time, end));
+    // From rest under forces that begin as a power of time, all errors do so too, and relative to
+    // what a step reaches they are the same for steps of every length. They count against what the
+    // first wanted step would reach, that much more at least as it is longer.
+    if (measure_.at_rest() && i > 0 && error > 0.5 * before)
+      error *= (end - start_.time) / first;
+    else
+      before = error;
     if (error <= 1) {
       end_.time = end;
       accept(error);
