@@ -26,11 +26,12 @@ def sweeps(damping, method):
     """Arrays of all sweeps, over pairs and the points in the order in which they were computed."""
     gaps, stiffnesses, points, _ = cases[damping]
     pairs = list(itertools.product(gaps, stiffnesses))
-    grid, sweep = "Analysis gap_40/Parameter grid/Key", "Analysis curve/Stepped sweep"
+    sweep = "Analysis curve/Stepped sweep"
+    cases_of_grid = "; ".join(f"{gap}, {stiffness}" for gap, stiffness in pairs)
     results = table.run(
         "bumpers.prm", f"{method}-{damping}", "Analyses=gap_40", f"Variables/xi={damping}",
-        f"{grid} gap/Values={', '.join(str(gap) for gap, _ in pairs)}",
-        f"{grid} stiffness/Values={', '.join(str(stiffness) for _, stiffness in pairs)}",
+        "Analysis gap_40/With=",
+        f"Analysis gap_40/Parameter grid/Cases=Variables/delta0, Variables/lambda; {cases_of_grid}",
         f"{sweep}/First frequency=0.25 rad/s", f"{sweep}/Last frequency=5 rad/s",
         f"{sweep}/Spacing=logarithmic", f"{sweep}/Points={points}",
         f"{sweep}/Settling cycles=3000", f"{sweep}/Steadiness tolerance=1e-9",

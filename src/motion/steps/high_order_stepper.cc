@@ -25,17 +25,6 @@ constexpr double exponent = 1.0 / 8; // of the step's error and of the polynomia
 
 ConstVectorView view_of(const Vector &x) { return {x.data(), x.size()}; }
 
-double third_derivative(const ExponentialForm &form, double time) {
-  const double t = time - form.origin;
-  double sum = 0;
-  for (std::size_t j = form.polynomial.size(); j-- > 3;)
-    sum = sum * t + static_cast<double>(j * (j - 1) * (j - 2)) * form.polynomial[j];
-  for (const ExponentialForm::Term &term : form.terms)
-    sum += std::real(term.amplitude * term.exponent * term.exponent * term.exponent *
-                     std::exp(term.exponent * t));
-  return sum;
-}
-
 } // namespace
 
 HighOrderStepper::HighOrderStepper(const Equations &equations, const Settings &settings)

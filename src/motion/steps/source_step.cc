@@ -6,6 +6,19 @@
 
 namespace vibroimpact::motion {
 
+using model::ExponentialForm;
+
+double third_derivative(const ExponentialForm &form, double time) {
+  const double t = time - form.origin;
+  double sum = 0;
+  for (std::size_t j = form.polynomial.size(); j-- > 3;)
+    sum = sum * t + static_cast<double>(j * (j - 1) * (j - 2)) * form.polynomial[j];
+  for (const ExponentialForm::Term &term : form.terms)
+    sum += std::real(term.amplitude * term.exponent * term.exponent * term.exponent *
+                     std::exp(term.exponent * t));
+  return sum;
+}
+
 SourceStep::SourceStep(const Equations &equations) : equations_(equations) {
   for (std::size_t k = 0; k < equations.model().sources().size(); ++k) {
     const auto moved_by = [k](const contact::ContactPair &pair) {

@@ -6,6 +6,7 @@
 // the step, where (t - a)^3 (b - t)^3 is largest.
 #pragma once
 
+#include "model/exponential_form.h"
 #include "motion/system/equations.h"
 
 #include <vector>
@@ -28,5 +29,8 @@ private:
   const Equations &equations_;
   std::vector<std::size_t> moving_; ///< the sources that move a gap
 };
+
+/// Third derivative of a source, of its unit per s^3.
+double third_derivative(const model::ExponentialForm &form, double time);
 
 } // namespace vibroimpact::motion
