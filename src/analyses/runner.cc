@@ -63,12 +63,12 @@ public:
 
   void count() override {
     ++unreported_;
-    if (Clock::now() - last_told_ >= std::chrono::milliseconds(100))
+    if (Clock::now() - last_report_ >= std::chrono::milliseconds(100))
       report();
   }
 
   void note_share(double share) override {
-    if (Clock::now() - last_told_ >= std::chrono::milliseconds(100))
+    if (Clock::now() - last_report_ >= std::chrono::milliseconds(100))
       report(share);
   }
 
@@ -76,7 +76,7 @@ public:
     const long before = counters_.add(points_done, unreported_);
     progress_.update(static_cast<std::size_t>(before + unreported_), share);
     unreported_ = 0;
-    last_told_ = Clock::now();
+    last_report_ = Clock::now();
   }
 
 private:
@@ -92,7 +92,7 @@ private:
   SharedCounters &counters_;
   Progress &progress_;
   long unreported_ = 0;
-  Clock::time_point last_told_{};
+  Clock::time_point last_report_{};
 };
 
 // A rank that is done early waits here without burning its core, rank 0 with the progress in view.
