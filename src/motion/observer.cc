@@ -79,11 +79,20 @@ Bernstein StepView::velocity(const Projection &projection) const {
                                                                                   : by_rates;
 }
 
-// Likewise by the positions, the velocities, or at last the accelerations at the ends alone.
+// Likewise by the positions, the velocities, or at last the accelerations at the ends alone. Third
+// derivatives at the ends that change the acceleration by far more than it is are left out: a force
+// like u^(1/4) begins and ends with an infinite one. Where a step resolves the motion,
+// h |third| = |change of the acceleration| is twice as large as that at most.
 Bernstein StepView::acceleration(const Projection &projection) const {
-  const EndValues start = end_values(projection, equations_->layout(), *start_);
-  const EndValues end = end_values(projection, equations_->layout(), *end_);
+  EndValues start = end_values(projection, equations_->layout(), *start_);
+  EndValues end = end_values(projection, equations_->layout(), *end_);
   const double h = length();
+  constexpr std::size_t third = 3;
+  constexpr double most = 8;
+  if (start.count > third &&
+      h * std::max(std::abs(start.values[third]), std::abs(end.values[third])) >
+          most * std::max(std::abs(start.values[2]), std::abs(end.values[2])))
+    start.count = end.count = third;
   Bernstein by_positions =
       Bernstein::hermite(h, start.list(), end.list()).derivative().derivative();
   by_positions *= 1 / (h * h);
