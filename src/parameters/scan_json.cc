@@ -91,7 +91,7 @@ private:
 
 ScannedEntry scan_json(const std::string &text, const std::string &name) {
   const Tree tree = parsed(text, name);
-  ScannedEntry file{.origin = {.kind = Origin::Kind::json, .source = name}};
+  ScannedEntry file{.name = {}, .origin = {.kind = Origin::Kind::json, .source = name}};
   if (!tree.data().empty() || (!tree.empty() && tree.front().first.empty()))
     refuse_place(file.origin, {}, "the file must hold one object: { \"KEY\": \"VALUE\", ... }");
   JsonScanner(name).scan_object(tree, file);
