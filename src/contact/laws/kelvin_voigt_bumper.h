@@ -1,5 +1,5 @@
 // Kelvin-Voigt bumper: a massless spring and dashpot whose free end is pushed in by the mass, let
-// go when it would have to be pulled, and then creeps back by itself (Stefani, De Angelis &
+// go when it would have to be pulled, and then recovers by itself (Stefani, De Angelis &
 // Andreaus 2022).
 //
 //   F = k z + c z'             z  compression of the stop [m], z' its rate [m/s]
