@@ -182,7 +182,8 @@ def raise_error(done: subprocess.CompletedProcess) -> None:
         return
     if done.returncode == STOPPED:
         raise Stopped(done.stdout.strip().rpartition("\n")[2])
-    message = done.stderr.strip()
+    # Without /sys the library that looks for the processors remarks on that.
+    message = re.sub(r"^\[hwloc.*\n?", "", done.stderr, flags=re.MULTILINE).strip()
     if not message:  # the program gives a reason; what ends without one is not the program's input
         raise RunError(f"{done.args[0]} ended with code {done.returncode} and without a message\n"
                        + done.stdout.strip())

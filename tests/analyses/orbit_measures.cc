@@ -177,18 +177,20 @@ TEST(OrbitMeasuresTest, all_extreme_values_and_impacts_are_known_in_closed_form)
       neighbours(), Vector::Zero(search.map().size()));
   const PointResult found = measures_of(of, keys, orbit);
   for (const Field &field : found.fields)
-    if (field.unit() != "1")
-      EXPECT_TRUE(tangents.contains(field.name())) << field.name();
+    EXPECT_TRUE(field.unit() == "1" || tangents.contains(field.name())) << field.name();
 }
 
-TEST(OrbitMeasuresTest, an_acceleration_that_the_motion_does_not_have_has_no_derivative) {
+// Tsuji's force begins and ends with an infinite rate, of which no more than the force is recorded.
+TEST(OrbitMeasuresTest, AccelerationsBesideASteepForce) {
   const Case of{.name = "Tsuji",
                 .law = [](double k) { return std::make_shared<contact::Tsuji>(k, 40); },
                 .constant = 4e4};
   const PointResult found = orbit(of, keys_of(of), settled, {"amplitude"});
-  const std::string name = "point/block.head/acceleration_x/maximum";
-  ASSERT_GT(value_of(found, name), 2 * value_of(found, "contact/heads/peak_force/maximum"));
-  EXPECT_TRUE(std::isnan(value_of(found, "derivative/amplitude/" + name)));
+  const double force = value_of(found, "contact/heads/peak_force/maximum"); // of a mass of 1 kg
+  const double others = 40 * 0.3 + 0.8 * 1.5 + 3; // spring, dashpot, excitation at most
+  const std::string name = "point/block.head/acceleration_x/";
+  EXPECT_LT(value_of(found, name + "maximum"), force + others);
+  EXPECT_GT(value_of(found, name + "minimum"), -force - others);
   EXPECT_TRUE(std::isfinite(value_of(found, "derivative/amplitude/contact/heads/impulse/mean")));
 }
 
