@@ -3,8 +3,7 @@
 // list; random_models FOLDER --print SEED prints a model as a parameter file. FOLDER takes the
 // record.
 #include "random_models/judge_model.h"
-
-#include <slepcsys.h>
+#include "support/slepc_session.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -45,16 +44,9 @@ int main(int argc, char **argv) {
     std::cout << random_model({.seed = std::strtoull(argv[3], nullptr, 10)});
     return 0;
   }
-  char program[] = "random_models";
-  char skip[] = "-skip_petscrc";
-  char *arguments[] = {program, skip, nullptr};
-  int count = 2;
-  char **private_arguments = arguments;
-  if (SlepcInitialize(&count, &private_arguments, nullptr, nullptr) != 0)
-    return 1;
+  const SlepcSession session("random_models");
   write_record(folder + "/" + record_name);
   judge_all(folder, std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10),
             {argv + 4, argv + argc});
-  SlepcFinalize();
   return 0;
 }

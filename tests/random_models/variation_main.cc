@@ -4,8 +4,7 @@
 #include "random_models/random_model.h"
 #include "random_models/random_text.h"
 #include "random_models/random_variation.h"
-
-#include <slepcsys.h>
+#include "support/slepc_session.h"
 
 #include <algorithm>
 #include <iostream>
@@ -78,15 +77,7 @@ int main(int argc, char **argv) {
     return 1;
   const std::string folder = argv[1];
   const std::vector<std::uint64_t> seeds = seeds_of({argv + 2, argv + argc});
-  char program[] = "random_variations";
-  char skip[] = "-skip_petscrc";
-  char *arguments[] = {program, skip, nullptr};
-  int count = 2;
-  char **private_arguments = arguments;
-  if (SlepcInitialize(&count, &private_arguments, nullptr, nullptr) != 0)
-    return 1;
+  const SlepcSession session("random_variations");
   write_record(folder + "/" + record_name);
-  const bool good = judge_all(folder, seeds);
-  SlepcFinalize();
-  return good ? 0 : 1;
+  return judge_all(folder, seeds) ? 0 : 1;
 }
