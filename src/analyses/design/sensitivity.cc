@@ -60,9 +60,9 @@ std::vector<std::string> lines_of(const std::string &text) {
 } // namespace
 
 Sensitivity::Sensitivity(Settings settings)
-    : settings_(std::move(settings)),
-      design_(settings_.samples, static_cast<Index>(settings_.keys.size()),
-              static_cast<std::uint64_t>(settings_.seed)) {}
+    : settings_(std::move(settings)), design_{settings_.samples,
+                                              static_cast<Index>(settings_.keys.size()),
+                                              static_cast<std::uint64_t>(settings_.seed)} {}
 
 void Sensitivity::declare(parameters::Section &analysis) {
   using namespace parameters;

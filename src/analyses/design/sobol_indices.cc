@@ -65,28 +65,21 @@ Vector deviations(const Matrix &samples) {
 
 } // namespace
 
-SobolDesign::SobolDesign(std::size_t rows, Index arguments, std::uint64_t seed)
-    : rows_(rows), arguments_(arguments), a_(static_cast<Index>(rows), arguments),
-      b_(static_cast<Index>(rows), arguments) {
-  for (Index r = 0; r < a_.rows(); ++r) {
-    UniformNumbers random({seed, static_cast<std::uint64_t>(r)});
-    for (Matrix *matrix : {&a_, &b_})
-      for (Index j = 0; j < arguments; ++j)
-        (*matrix)(r, j) = random.next();
-  }
-}
-
-std::size_t SobolDesign::points() const { return rows_ * static_cast<std::size_t>(arguments_ + 2); }
+std::size_t SobolDesign::points() const { return rows * static_cast<std::size_t>(arguments + 2); }
 
 Vector SobolDesign::point(std::size_t number) const {
-  const auto row = static_cast<Index>(number) / (arguments_ + 2);
-  const auto column = static_cast<Index>(number) % (arguments_ + 2);
+  const auto row = static_cast<std::uint64_t>(number) / static_cast<std::uint64_t>(arguments + 2);
+  const auto column = static_cast<Index>(number) % (arguments + 2);
+  UniformNumbers random({seed, row});
+  Vector a(arguments), b(arguments);
+  for (Vector *of_row : {&a, &b})
+    for (Index j = 0; j < arguments; ++j)
+      (*of_row)[j] = random.next();
   if (column == 1)
-    return b_.row(row);
-  Vector point = a_.row(row);
+    return b;
   if (column > 1)
-    point[column - 2] = b_(row, column - 2);
-  return point;
+    a[column - 2] = b[column - 2];
+  return a;
 }
 
 SobolIndices sobol_indices(const std::vector<double> &values, Index arguments, std::uint64_t seed) {

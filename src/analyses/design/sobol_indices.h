@@ -17,19 +17,16 @@
 
 namespace vibroimpact::analyses {
 
-/// The sample points, in [0, 1].
-class SobolDesign {
-public:
-  SobolDesign(std::size_t rows, Index arguments, std::uint64_t seed);
+/// The sample points, in [0, 1]. Each row is drawn by itself, when it is asked for.
+struct SobolDesign {
+  std::size_t rows = 0;
+  Index arguments = 0;
+  std::uint64_t seed = 0;
+
   /// rows * (arguments + 2)
   std::size_t points() const;
   /// Row by row: of A, of B, of A_B^i for each argument.
   Vector point(std::size_t number) const;
-
-private:
-  std::size_t rows_;
-  Index arguments_;
-  Matrix a_, b_; ///< rows x arguments
 };
 
 struct SobolIndex {

@@ -22,7 +22,7 @@ std::vector<double> values_of(const Function &function, const SobolDesign &desig
 
 SobolIndices indices_of(const Function &function, Index arguments, std::size_t rows,
                         std::uint64_t seed = 1) {
-  return sobol_indices(values_of(function, SobolDesign(rows, arguments, seed)), arguments, seed);
+  return sobol_indices(values_of(function, {rows, arguments, seed}), arguments, seed);
 }
 
 // sin x1 + 7 sin^2 x2 + 0.1 x3^4 sin x1 on (-pi, pi)^3, whose variance is
@@ -85,7 +85,7 @@ TEST(SobolIndicesTest, OfASumTheSharesOfTheVariance) {
 }
 
 TEST(SobolIndicesTest, RowsWithAFailureAreLeftOut) {
-  const SobolDesign design(500, 2, 1);
+  const SobolDesign design{500, 2, 1};
   const Function function = [](const Vector &u) { return u[0] + u[1]; };
   std::vector<double> values = values_of(function, design);
   values[4 * 7 + 2] = std::numeric_limits<double>::quiet_NaN();
@@ -107,7 +107,7 @@ TEST(SobolIndicesTest, AConstantHasNoIndices) {
 
 // Of A_B^i the column i is that of B, all others are those of A.
 TEST(SobolIndicesTest, TheDesign) {
-  const SobolDesign design(3, 2, 5);
+  const SobolDesign design{3, 2, 5};
   EXPECT_EQ(design.points(), 12U);
   const Vector a = design.point(4), b = design.point(5);
   EXPECT_EQ(design.point(6), (Vector(2) << b[0], a[1]).finished());
