@@ -125,12 +125,8 @@ def absorber():
     sketch.clearance((193, 120), (284, 120), "D")
     sketch.words((420, 172), "barrier", anchor="middle", size=13)
     sketch.clearance((376, 120), (457, 120), "C − D", side=-1)
-    sketch.arrow((145, 40), (205, 40))
-    sketch.line((145, 48), (145, 30), colour=MOTION, width=0.8)
-    sketch.symbol((214, 38), "x_1,  P cos ωt", colour=MOTION, anchor="start")
-    sketch.arrow((345, 78), (400, 78))
-    sketch.line((345, 86), (345, 68), colour=MOTION, width=0.8)
-    sketch.symbol((408, 76), "x_2", colour=MOTION, anchor="start")
+    sketch.coordinate((145, 40), (205, 40), ((145, 48), (145, 30)), (214, 38), "x_1,  P cos ωt")
+    sketch.coordinate((345, 78), (400, 78), ((345, 86), (345, 68)), (408, 76), "x_2")
     return sketch
 
 
@@ -147,9 +143,7 @@ def rigid_stop():
     sketch.line((320, 60), (320, 126), colour=CONTACT, width=4)
     sketch.clearance((230, 92), (320, 92), "1", side=-1)
     sketch.symbol((346, 92), "e = 0.8", colour=CONTACT, anchor="start")
-    sketch.arrow((190, 34), (250, 34))
-    sketch.line((190, 46), (190, 26), colour=MOTION, width=0.8)
-    sketch.symbol((258, 32), "x,  A cos ωt", colour=MOTION, anchor="start")
+    sketch.coordinate((190, 34), (250, 34), ((190, 46), (190, 26)), (258, 32), "x,  A cos ωt")
     return sketch
 
 
@@ -171,9 +165,7 @@ def bilinear_oscillator():
     sketch.line((268, 88), (268, 122), colour=CONTACT, width=3)
     sketch.clearance((268, 122), (295, 122), "g_0", offset=6)
     for x, symbol in ((190, "x_1"), (330, "x_2")):
-        sketch.arrow((x, 42), (x + 50, 42))
-        sketch.line((x, 58), (x, 34), colour=MOTION, width=0.8)
-        sketch.symbol((x + 58, 40), symbol, colour=MOTION, anchor="start")
+        sketch.coordinate((x, 42), (x + 50, 42), ((x, 58), (x, 34)), (x + 58, 40), symbol)
     sketch.arrow((225, 206), (295, 206), both=True)
     sketch.symbol((260, 224), "x_0 = X_0 sin ωt", colour=MOTION)
     return sketch
@@ -212,12 +204,8 @@ def electromechanical():
     sketch.dashpot((340, 380), (340, 300), "b")
     sketch.line((60, 380), (380, 380), width=3)
     for x, y, symbol in ((35, 230, "y"), (35, 380, "y_z")):
-        sketch.arrow((x, y), (x, y - 46))
-        sketch.line((x - 8, y), (x + 22, y), colour=MOTION, width=0.8)
-        sketch.symbol((x - 6, y - 30), symbol, colour=MOTION, anchor="end")
-    sketch.arrow((400, 165), (400, 119))
-    sketch.line((342, 165), (408, 165), colour=MOTION, width=0.8)
-    sketch.symbol((408, 136), "y_t", colour=MOTION, anchor="start")
+        sketch.coordinate((x, y), (x, y - 46), ((x - 8, y), (x + 22, y)), (x - 6, y - 30), symbol, anchor="end")
+    sketch.coordinate((400, 165), (400, 119), ((342, 165), (408, 165)), (408, 136), "y_t")
     return sketch
 
 

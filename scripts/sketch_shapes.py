@@ -80,6 +80,12 @@ class Sketch:
         wings = [place(end, direction, across, -9, side) for side in (-3.5, 3.5)]
         self.path([wings[0], end, wings[1]], colour=colour, fill=colour, closed=True, width=0.5)
 
+    def coordinate(self, start, end, zero, centre, name, anchor="start") -> None:
+        """An arrow from a thin line between the two places `zero`, and its name."""
+        self.arrow(start, end)
+        self.line(*zero, colour=MOTION, width=0.8)
+        self.symbol(centre, name, colour=MOTION, anchor=anchor)
+
     # Parts of machines -------------------------------------------------------------------------------
 
     def ground(self, start, end) -> None:

@@ -17,10 +17,6 @@ subsection Body oscillator
     set Stiffness = 1 kN/m
   end
 end
-subsection Initial condition start
-  set At = oscillator.mass
-  set Displacement = 1 mm
-end
 subsection Analysis motion
   set Type = transient
   subsection Transient
