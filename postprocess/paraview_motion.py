@@ -1,15 +1,17 @@
-r"""Opens a recorded motion in ParaView: warped, coloured, beams as tubes, contact forces as arrows, stops and supports.
+r"""Opens a recorded motion in ParaView: warped, coloured, beams with their cross-sections, contact forces as arrows, stops
+and supports.
 
 As a macro: Macros / Import new macro..., choose this file; then open output/NAME/ANALYSIS.pvd, press Apply, and the
 macro's button. Without a window:
 
     xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
         pvpython paraview_motion.py output/NAME/ANALYSIS.pvd --picture FILE.png [--instant 51]
-            [--factor 60] [--field von_mises_stress] [--from X,Y,Z]
+            [--factor 60] [--field von_mises_stress] [--from X,Y,Z] [--opacity 0.4]
 
 The motion is warped such that the largest displacement is a tenth of the model's size, unless --factor says otherwise, and
-coloured by the von Mises stress where it is known, or else by the displacement, on one scale for all instants. Grey is
-what has no such value: stops, supports, cross-sections of unknown shape. A stop meets its node where the gap is zero, at
+coloured by the von Mises stress where it is known, or else by the displacement, on one scale for all instants; --from is
+the direction from the model to the eye. Grey is
+what has no such value: stops, supports, cross-sections given by constants. A stop meets its node where the gap is zero, at
 any factor. ParaView (Debian: paraview python3-paraview xvfb) is needed for this script alone.
 """
 
@@ -19,7 +21,6 @@ import sys
 from paraview import simple
 
 SHOWN = 0.1  # largest displacement relative to the size of the model
-TUBE = 0.006
 GREY = [0.55, 0.55, 0.55]
 RED = [0.78, 0.06, 0.18]
 TITLES = {"von_mises_stress": "von Mises stress in Pa", "displacement": "displacement in m", "velocity": "velocity in m/s",
@@ -69,7 +70,9 @@ def coloured(display, field, view):
 def show_forces(warped, size, view):
     if array(warped, "contact_force") is None:
         return
-    arrows = simple.Glyph(registrationName="Contact forces", Input=warped, GlyphType="Arrow")
+    bodies = simple.Threshold(registrationName="Bodies", Input=warped, Scalars=["POINTS", "body"],
+                              ThresholdMethod="Above Upper Threshold", UpperThreshold=0.5)  # stops belong to none
+    arrows = simple.Glyph(registrationName="Contact forces", Input=bodies, GlyphType="Arrow")
     arrows.OrientationArray = arrows.ScaleArray = ["POINTS", "contact_force"]
     largest = array(warped, "peak_contact_force").GetRange(-1)[1]
     arrows.ScaleFactor = size / 8 / largest if largest > 0 else 0.0
@@ -77,7 +80,7 @@ def show_forces(warped, size, view):
     plain(simple.Show(arrows, view), RED)
 
 
-def show_motion(source, view, factor=None, field=None):
+def show_motion(source, view, factor=None, field=None, opacity=1.0):
     """Adds everything to a view; returns what is warped."""
     factor = usual_factor(source) if factor is None else factor
     field = field or ("von_mises_stress" if array(source, "von_mises_stress") else "displacement")
@@ -89,12 +92,8 @@ def show_motion(source, view, factor=None, field=None):
     size = extent(warped)
     surfaces = simple.ExtractSurface(registrationName="Bodies, stops and supports", Input=warped)
     display = simple.Show(surfaces, view)
-    display.PointSize, display.RenderPointsAsSpheres = 7, 1
+    display.PointSize, display.RenderPointsAsSpheres, display.Opacity = 7, 1, opacity
     coloured(display, field, view)
-    tubes = simple.Tube(registrationName="Beams", Input=surfaces, Radius=TUBE * size, NumberofSides=12)
-    tubes.UpdatePipeline()
-    if tubes.GetDataInformation().GetNumberOfCells() > 0:
-        coloured(simple.Show(tubes, view), field, view)
     show_forces(warped, size, view)
     return warped
 
@@ -106,6 +105,7 @@ def parse():
     parser.add_argument("--instant", type=int, default=1, help="from 1")
     parser.add_argument("--factor", type=float)
     parser.add_argument("--field")
+    parser.add_argument("--opacity", type=float, default=1.0, help="of bodies, to see what stands behind")
     parser.add_argument("--from", dest="eye", default="-2,-4,1.5",
                         type=lambda text: [float(part) for part in text.split(",")])
     return parser.parse_args()
@@ -116,7 +116,7 @@ def draw_picture(options):
     view = simple.CreateView("RenderView")
     view.ViewSize = [1100, 800]
     source = simple.PVDReader(FileName=options.motion)
-    warped = show_motion(source, view, options.factor, options.field)
+    warped = show_motion(source, view, options.factor, options.field, options.opacity)
     view.ViewTime = source.TimestepValues[options.instant - 1]
     warped.UpdatePipeline(view.ViewTime)
     view.CameraViewUp, view.CameraFocalPoint, view.CameraPosition = [0, 0, 1], [0, 0, 0], options.eye

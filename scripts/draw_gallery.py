@@ -1,24 +1,27 @@
 """Runs what the pages of the gallery show and draws their pictures, as docs/gallery/pictures.txt lists them.
 
-Without names of systems all are drawn. Runs that take more than five minutes are made with --long only; --list
-names the pictures and draws nothing.
+Without names of systems all are drawn, as many runs at a time as there are processors. --list names the pictures and
+draws nothing, --draw-only draws from earlier runs.
 """
 
 import argparse
 import fnmatch
 import os
+import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from collections import defaultdict
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
 LIST = SOURCE / "docs" / "gallery" / "pictures.txt"
 DPI = "200"
-LONGEST = 300  # seconds of a run that needs no --long
 
 
 @dataclass
@@ -32,7 +35,8 @@ class Run:
 
 @dataclass
 class Picture:
-    """One picture of a figure of a run, with the options of vibroimpact-plot."""
+    """One picture of a figure of a run, with the options of vibroimpact-plot; the figure ANALYSIS.pvd is an
+    instant of a motion, drawn by ParaView with the options of paraview_motion.py."""
 
     system: str
     name: str
@@ -77,37 +81,55 @@ class Places:
     images: Path
 
 
-def draw(gallery: Gallery, wanted: list[Picture], places: Places, with_long: bool) -> int:
-    code = 0
-    for name in dict.fromkeys(picture.run for picture in wanted):
-        run = gallery.runs[name]
-        if run.seconds > LONGEST and not with_long:
-            print(f"{name}: takes {run.seconds / 60:.0f} minutes, left out without --long")
-            continue
-        if execute(name, run, places):
-            code = 1
-            continue
-        batches = defaultdict(list)
-        for picture in wanted:
-            if picture.run == name:
-                batches[tuple(picture.options)].append(picture)
-        for options, pictures in batches.items():
-            code |= plot(name, options, pictures, places)
-    return code
+def draw(gallery: Gallery, wanted: list[Picture], places: Places, options) -> int:
+    """Longest runs first, so that none is alone at the end."""
+    chosen = {name: gallery.runs[name] for name in dict.fromkeys(picture.run for picture in wanted)}
+    places.output.mkdir(parents=True, exist_ok=True)
+    places.images.mkdir(parents=True, exist_ok=True)
+
+    def run_and_draw(name: str) -> int:
+        if not options.draw_only and execute(name, chosen[name], places):
+            return 1
+        return draw_run(name, [picture for picture in wanted if picture.run == name], places)
+
+    with ThreadPoolExecutor(options.jobs) as workers:
+        return max(workers.map(run_and_draw, sorted(chosen, key=lambda name: -chosen[name].seconds)),
+                   default=0)
+
+
+def draw_run(name: str, pictures: list[Picture], places: Places) -> int:
+    batches = defaultdict(list)
+    for picture in pictures:
+        batches[tuple(picture.options)].append(picture)
+    return max(plot(name, options, batch, places) for options, batch in batches.items())
 
 
 def execute(name: str, run: Run, places: Places) -> int:
-    command = [places.build / "vibroimpact", SOURCE / run.file, "--output", places.output / name,
-               "--overwrite", *run.options]
-    done = subprocess.run(command, check=False, stdout=subprocess.DEVNULL)
-    print(f"{name}: {'done' if done.returncode == 0 else f'ended with code {done.returncode}'}",
-          flush=True)
+    begin = time.monotonic()
+    command = [places.build / "vibroimpact", parameters(name, run, places), "--output",
+               places.output / name, "--overwrite",
+               *[option.replace("SOURCE", str(SOURCE)) for option in run.options]]
+    done = subprocess.run(command, check=False, stdout=subprocess.DEVNULL, cwd=SOURCE)
+    print(f"{name}: {'done' if done.returncode == 0 else f'ended with code {done.returncode}'}"
+          f" after {time.monotonic() - begin:.0f} s", flush=True)
     return done.returncode
+
+
+def parameters(name: str, run: Run, places: Places) -> Path:
+    """The file of a run, or what a tutorial page says to write into one."""
+    file = SOURCE / run.file
+    if file.suffix != ".md":
+        return file
+    written = places.output / f"{name}.prm"
+    written.write_text(re.search(r"(?ms)^```prm\n(.*?)^```$", file.read_text())[1])
+    return written
 
 
 def plot(run: str, options, pictures, places: Places) -> int:
     """All pictures with the same options in one call; they get their names afterwards."""
     results = places.output / run
+    if pictures[0].figure.endswith(".pvd"):
+        return max(render(results / picture.figure, options, picture.name, places) for picture in pictures)
     with tempfile.TemporaryDirectory() as folder:
         command = [places.build / "vibroimpact-plot", results, "--output", folder, "--dpi", DPI]
         for picture in pictures:
@@ -126,6 +148,19 @@ def plot(run: str, options, pictures, places: Places) -> int:
     return code
 
 
+def render(motion: Path, options, name: str, places: Places) -> int:
+    """Without ParaView the picture stays as it is."""
+    if not all(map(shutil.which, ("pvpython", "xvfb-run"))):
+        print(f"  {name}: left as it is, ParaView is not installed")
+        return 0
+    command = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", "pvpython",
+               SOURCE / "postprocess" / "paraview_motion.py", motion, "--picture",
+               places.images / f"{name}.png", *options]
+    done = subprocess.run(command, check=False, capture_output=True, text=True)
+    print(f"  {name}" if done.returncode == 0 else f"  {name}: {done.stderr}", flush=True)
+    return done.returncode
+
+
 def placed(options) -> list:
     """Tables are named from docs/gallery/published."""
     return [LIST.parent / "published" / option if option.endswith(".csv") else option
@@ -136,7 +171,9 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="draw-gallery.sh", description=__doc__)
     parser.add_argument("systems", metavar="SYSTEM", nargs="*")
     parser.add_argument("--list", action="store_true")
-    parser.add_argument("--long", action="store_true")
+    parser.add_argument("--draw-only", action="store_true")
+    parser.add_argument("--jobs", metavar="N", type=int, default=os.cpu_count(),
+                        help="runs at a time (default: as many as processors)")
     parser.add_argument("--picture", metavar="PATTERN", default="*", help="only these")
     parser.add_argument("--images", type=Path, default=LIST.parent / "images")
     parser.add_argument("--build", type=Path, default=SOURCE / "build")
@@ -155,7 +192,7 @@ def main() -> int:
         return 0
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     places = Places(*[path.resolve() for path in (options.build, options.output, options.images)])
-    return draw(gallery, wanted, places, options.long)
+    return draw(gallery, wanted, places, options)
 
 
 if __name__ == "__main__":

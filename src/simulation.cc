@@ -19,6 +19,7 @@
 #include "output/result_files.h"
 #include "output/vtu_writer.h"
 #include "parameters/text.h"
+#include "reduction/beam_outlines.h"
 #include "reduction/body_file.h"
 #include "reduction/body_parameters.h"
 #include "reduction/reduce_body.h"
@@ -379,11 +380,16 @@ RunSummary Simulation::run(const RunOptions &options) {
   keep_bodies(folder);
   const std::vector<ContactFigures> contacts = contacts_of(all);
   std::vector<ReducedBody> reduced;
-  for (const auto &body : bodies(parameters_->root()))
+  output::Outlines outlines;
+  for (const auto &body : bodies(parameters_->root())) {
     reduced.push_back(*body);
+    outlines.push_back(reduction::beam_outlines(parameters_->root().instance("Body", body->name),
+                                                body->name, file_folder(), communicator_));
+  }
   output::FileSink sink(communicator_, folder,
                         run_information(parameters_->echo(), options.command_line, communicator_),
-                        reduced, std::chrono::seconds(60), std::move(derived), contacts);
+                        reduced, std::chrono::seconds(60), std::move(derived), contacts,
+                        std::move(outlines));
   int rank = 0;
   MPI_Comm_rank(communicator_, &rank);
   if (rank == 0)

@@ -34,10 +34,10 @@ bool same_axes(const AnalysisHeader &one, const AnalysisHeader &other) {
 FileSink::FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation information,
                    std::vector<ReducedBody> bodies, std::chrono::duration<double> rebuild_interval,
                    derived::DerivedQuantities derived,
-                   std::vector<contact::ContactFigures> contacts)
+                   std::vector<contact::ContactFigures> contacts, Outlines outlines)
     : communicator_(communicator), folder_(folder), information_(std::move(information)),
       bodies_(std::move(bodies)), derived_(std::move(derived)), contacts_(std::move(contacts)),
-      rebuild_interval_(rebuild_interval),
+      outlines_(std::move(outlines)), rebuild_interval_(rebuild_interval),
       next_rebuild_(Clock::now() + std::chrono::duration_cast<Clock::duration>(rebuild_interval)) {
   run_on_all_ranks(communicator_, [this] {
     record_writer_ = std::make_unique<RecordWriter>(folder_.journal_file(rank_in(communicator_)));
@@ -207,7 +207,8 @@ SummaryList FileSink::summary(const std::vector<StoredAnalysis> &analyses,
 void FileSink::write_motion(const StoredPoints &points) {
   points.visit([this](const PointResult &point) {
     for (const Motion &motion : point.motion)
-      write_motion_files(folder_, header_.name + index_suffix(point.index), bodies_, motion);
+      write_motion_files(folder_, header_.name + index_suffix(point.index), bodies_, outlines_,
+                         motion);
   });
 }
 

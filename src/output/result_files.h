@@ -22,13 +22,14 @@ namespace vibroimpact::output {
 class FileSink : public ResultSink {
 public:
   /// Collective. `folder` must live as long as the sink. While an analysis runs, rank 0 rebuilds
-  /// the files when this much time has passed since the last time. Throws std::runtime_error when
-  /// a journal cannot be opened.
+  /// the files when this much time has passed since the last time. `outlines`: see vtu_writer.h.
+  /// Throws std::runtime_error when a journal cannot be opened.
   FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation information,
            std::vector<reduction::ReducedBody> bodies,
            std::chrono::duration<double> rebuild_interval = std::chrono::seconds(60),
            derived::DerivedQuantities derived = {},
-           std::vector<contact::ContactFigures> contacts = {});
+           std::vector<contact::ContactFigures> contacts = {},
+           std::vector<std::vector<Matrix>> outlines = {});
 
   /// Throws std::logic_error when the analysis was begun before in this run, and InputError when a
   /// resumed folder holds the analysis with other axes.
@@ -77,8 +78,9 @@ private:
   std::vector<reduction::ReducedBody> bodies_;
   derived::DerivedQuantities derived_;
   std::vector<contact::ContactFigures> contacts_;
-  std::vector<std::string> problems_; ///< of derived quantities, on rank 0
-  std::string unwritten_;             ///< why the last files could not be written, on rank 0
+  std::vector<std::vector<Matrix>> outlines_; ///< of the cross-sections of each body
+  std::vector<std::string> problems_;         ///< of derived quantities, on rank 0
+  std::string unwritten_; ///< why the last files could not be written, on rank 0
   std::unique_ptr<RecordWriter> record_writer_;
   std::set<std::string> begun_;
   AnalysisHeader header_;

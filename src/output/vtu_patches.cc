@@ -147,6 +147,58 @@ void add_lines(const BodyShape &shape, const PointData &data, Patches<1> &patche
   }
 }
 
+namespace {
+
+/// Displacement and rotation of a place that a rotation r of the section moves by r x place.
+Vector6 moved_with_section(const Vector6 &node, const Vector3 &place) {
+  Vector6 moved = node;
+  moved.head<3>() += node.tail<3>().cross(place);
+  return moved;
+}
+
+void fill_section_point(const BodyShape &shape, const PointData &data, std::size_t line, int end,
+                        const Vector3 &place, unsigned corner, dealii::Table<2, float> &table) {
+  const Index row = Index{6} * shape.recovery->lines[line][static_cast<std::size_t>(end)];
+  Column column(table, corner);
+  column.add_all(moved_with_section(shape.motion.segment<6>(row), place));
+  column.add(static_cast<double>(shape.number));
+  if (data.velocity)
+    column.add_all(Vector3(moved_with_section(shape.velocity.segment<6>(row), place).head<3>()));
+  if (data.von_mises > 0)
+    column.add(shape.line_stress.size() == 0
+                   ? not_known
+                   : von_mises_along(shape.recovery->line_stress, shape.line_stress, line, end));
+}
+
+/// Between two neighbouring places of the outline, a and b.
+Patch<2, 3> section_side(const BodyShape &shape, const PointData &data, std::size_t line,
+                         const Vector3 &a, const Vector3 &b) {
+  Patch<2, 3> patch;
+  patch.reference_cell = dealii::ReferenceCells::Quadrilateral;
+  patch.data.reinit(data.size(), 4);
+  for (unsigned corner = 0; corner < 4; ++corner) {
+    const int end = corner < 2 ? 0 : 1;
+    const Vector3 &place = corner % 2 == 0 ? a : b;
+    const int node = shape.recovery->lines[line][static_cast<std::size_t>(end)];
+    patch.vertices[corner] = to_point(shape.recovery->nodes.col(node) + place);
+    fill_section_point(shape, data, line, end, place, corner, patch.data);
+  }
+  return patch;
+}
+
+} // namespace
+
+void add_sections(const BodyShape &shape, const PointData &data, Patches<2> &patches) {
+  for (std::size_t line = 0; line < shape.outlines.size(); ++line) {
+    const Matrix &outline = shape.outlines[line];
+    for (Index i = 0; i < outline.cols(); ++i) {
+      patches.push_back(
+          section_side(shape, data, line, outline.col(i), outline.col((i + 1) % outline.cols())));
+      patches.back().patch_index = static_cast<unsigned>(patches.size() - 1);
+    }
+  }
+}
+
 void add_surfaces(const BodyShape &shape, const PointData &data, Patches<2> &patches) {
   for (std::size_t surface = 0; surface < shape.recovery->surfaces.size(); ++surface) {
     const std::array<int, 4> &nodes = shape.recovery->surfaces[surface];

@@ -16,9 +16,11 @@ template <int dimension> using Patches = std::vector<dealii::DataOutBase::Patch<
 /// A body at an instant.
 struct BodyShape {
   const reduction::Recovery *recovery = nullptr;
-  std::size_t number = 1;  ///< from 1
-  Vector motion;           ///< 6N: displacements [m] and rotations [rad]
-  Vector velocity{};       ///< 6N [m/s, rad/s]; empty when not known
+  std::size_t number = 1; ///< from 1
+  Vector motion;          ///< 6N: displacements [m] and rotations [rad]
+  Vector velocity{};      ///< 6N [m/s, rad/s]; empty when not known
+  /// Around the cross-section of each of its lines, from the line [m]; empty: not drawn.
+  std::vector<Matrix> outlines{};
   ContactFields contact{}; ///< no columns when no contact touches a mesh
   Vector line_stress{};    ///< [Pa], rows as in Recovery::line_stress; empty when not known
   Vector surface_stress{}; ///< as in Recovery::surface_stress
@@ -30,6 +32,10 @@ struct BodyShape {
 /// Beam elements with their cubic bending shape. Stress is linear between the nodes of an element
 /// and NaN in elements where it is not known.
 void add_lines(const BodyShape &shape, const PointData &data, Patches<1> &patches);
+
+/// The sides of beam elements between the outlines of their ends, which stay plane: straight from
+/// node to node. Points have no contact values.
+void add_sections(const BodyShape &shape, const PointData &data, Patches<2> &patches);
 
 /// Shell elements by their corners, with one stress for an element.
 void add_surfaces(const BodyShape &shape, const PointData &data, Patches<2> &patches);

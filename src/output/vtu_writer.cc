@@ -66,7 +66,8 @@ double mode_scale(const Vector &mode, double body_size) {
 struct Meshes {
   Patches<1> lines;
   Patches<2> surfaces;
-  PointData line_data, surface_data;
+  Patches<2> sections; ///< the sides of beams
+  PointData line_data, surface_data, section_data;
 };
 
 PointData both(PointData a, const PointData &b) {
@@ -82,9 +83,12 @@ Meshes meshes_of(const std::vector<BodyShape> &shapes) {
     meshes.line_data = both(meshes.line_data, shape.line_data());
     meshes.surface_data = both(meshes.surface_data, shape.surface_data());
   }
+  meshes.section_data = meshes.line_data;
+  meshes.section_data.contact = false;
   for (const BodyShape &shape : shapes) {
     add_lines(shape, meshes.line_data, meshes.lines);
     add_surfaces(shape, meshes.surface_data, meshes.surfaces);
+    add_sections(shape, meshes.section_data, meshes.sections);
   }
   return meshes;
 }
@@ -158,8 +162,10 @@ Vector node_motion(const Recovery &recovery, const Vector &coordinates, const Ve
 /// A motion at one instant.
 class Instant {
 public:
-  Instant(const std::vector<ReducedBody> &bodies, const Motion &motion, std::size_t number)
-      : bodies_(bodies), motion_(motion), number_(number), row_(static_cast<Index>(number)) {}
+  Instant(const std::vector<ReducedBody> &bodies, const Outlines &outlines, const Motion &motion,
+          std::size_t number)
+      : bodies_(bodies), outlines_(outlines), motion_(motion), number_(number),
+        row_(static_cast<Index>(number)) {}
 
   double time() const { return motion_.time[number_]; }
 
@@ -233,6 +239,8 @@ private:
     if (has_velocity())
       shape.velocity =
           node_motion(recovery, motion_.velocities[body].row(row_), base_velocity(body));
+    if (!outlines_.empty())
+      shape.outlines = outlines_[body];
     shape.contact = contact_fields(motion_, body, recovery.nodes.cols(), number_);
     if (!recovery.line_stress.empty())
       shape.line_stress = recovery.line_stress.rows * coordinates;
@@ -242,6 +250,7 @@ private:
   }
 
   const std::vector<ReducedBody> &bodies_;
+  const Outlines &outlines_;
   const Motion &motion_;
   std::size_t number_;
   Index row_;
@@ -259,8 +268,10 @@ void add_part(RunFolder &folder, const std::string &file, const PointData &data,
 Frame write_frame(RunFolder &folder, const std::string &name, const Instant &instant,
                   std::size_t number, bool has_velocity) {
   const std::vector<BodyShape> shapes = instant.shapes();
-  Frame frame{instant.time(),
-              write_mesh(folder, name + numbered("/frame-%05zu", number), meshes_of(shapes))};
+  const Meshes meshes = meshes_of(shapes);
+  Frame frame{instant.time(), write_mesh(folder, name + numbered("/frame-%05zu", number), meshes)};
+  add_part(folder, name + numbered("/sections-%05zu.vtu", number), meshes.section_data,
+           meshes.sections, frame);
   add_part(folder, name + numbered("/lumped-%05zu.vtu", number), {.velocity = has_velocity},
            instant.lumped_points(), frame);
   add_part(folder, name + numbered("/stops-%05zu.vtu", number), {.contact = true},
@@ -282,11 +293,12 @@ void write_mode_files(RunFolder &folder, const std::vector<ReducedBody> &bodies)
 }
 
 void write_motion_files(RunFolder &folder, const std::string &name,
-                        const std::vector<ReducedBody> &bodies, const Motion &motion) {
+                        const std::vector<ReducedBody> &bodies, const Outlines &outlines,
+                        const Motion &motion) {
   std::vector<Frame> frames;
   for (std::size_t instant = 0; instant < motion.time.size() && !stop_requested(); ++instant)
-    frames.push_back(write_frame(folder, name, Instant(bodies, motion, instant), instant + 1,
-                                 !motion.velocities.empty()));
+    frames.push_back(write_frame(folder, name, Instant(bodies, outlines, motion, instant),
+                                 instant + 1, !motion.velocities.empty()));
   if (!stop_requested())
     write_pvd(folder.claim(name + ".pvd"), frames);
 }

@@ -20,7 +20,10 @@ namespace vibroimpact::output {
 /// body. Throws std::runtime_error.
 void write_mode_files(RunFolder &folder, const std::vector<reduction::ReducedBody> &bodies);
 
-/// Rank 0. NAME.pvd lists the instants of `motion`, each of which has up to five files:
+/// Of each body what reduction::beam_outlines() gives; empty: the sides of beams are not written.
+using Outlines = std::vector<std::vector<Matrix>>;
+
+/// Rank 0. NAME.pvd lists the instants of `motion`, each of which has up to six files:
 /// - NAME/frame-00001.vtu (and frame-00001-lines.vtu beside shells): all bodies with a mesh, base
 ///   motion included. Displacement [m], rotation [rad], velocity [m/s] and the number of the body
 ///   ("body", from 1). Von Mises stress of the motion [Pa], that of static loads not included: of
@@ -29,13 +32,17 @@ void write_mode_files(RunFolder &folder, const std::vector<reduction::ReducedBod
 ///   ("contact_force", [N]), the gap ("contact_gap", [m]; 0 at nodes without a contact), the
 ///   largest force up to then ("peak_contact_force", [N]), and "contact_state": 0 at nodes without
 ///   a contact, 1 while no force acts, 2 while one does.
+/// - NAME/sections-00001.vtu: the sides of the beam elements around their cross-sections; of
+/// sections
+///   given by their constants those of the rectangle with the same radii of gyration.
 /// - NAME/lumped-00001.vtu: a point for each point of a lumped body.
 /// - NAME/stops-00001.vtu: a square for each node that can meet something other than a mesh; its
 ///   displacement includes the clearance (see StopFace).
 /// - NAME/supports-00001.vtu: the nodes that no motion of their body displaces.
 /// A run that is to stop leaves the rest and NAME.pvd to the one that goes on.
 void write_motion_files(RunFolder &folder, const std::string &name,
-                        const std::vector<reduction::ReducedBody> &bodies, const Motion &motion);
+                        const std::vector<reduction::ReducedBody> &bodies, const Outlines &outlines,
+                        const Motion &motion);
 
 /// "-2-1-17" for the position of a point along the outer axes, counted from 1.
 std::string index_suffix(const std::vector<std::size_t> &index);

@@ -88,11 +88,6 @@ Matrix modal_damping(const Damping &damping, const AssembledBody &body, const Ve
   return diagonal((2 * ratio.array() * stiffness.array().sqrt()).matrix());
 }
 
-structure::BodyModel build(const BodyDefinition &definition) {
-  return definition.type == BodyDefinition::Type::shell ? structure::build_shell(definition.shell)
-                                                        : structure::build_frame(definition.beam);
-}
-
 void add_points(const structure::BodyModel &model, const Matrix &shapes,
                 const PointResponse &response, ReducedBody &body) {
   for (std::size_t p = 0; p < model.points.size(); ++p) {
@@ -127,7 +122,7 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
   Stages stages("body " + definition.name,
                 communicator != MPI_COMM_SELF && first_rank(communicator));
   stages.begin("mesh and matrices", false);
-  const AssembledBody assembled = structure::assemble(build(definition), communicator);
+  const AssembledBody assembled = structure::assemble(build_model(definition), communicator);
   const bool large = assembled.free.size >= large_body;
   stages.begin("modes of " + std::to_string(assembled.free.size) + " degrees of freedom", large);
   Basis basis = definition.reduction == BodyDefinition::Reduction::fixed_interface
@@ -158,6 +153,11 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
 }
 
 } // namespace
+
+structure::BodyModel build_model(const BodyDefinition &definition) {
+  return definition.type == BodyDefinition::Type::shell ? structure::build_shell(definition.shell)
+                                                        : structure::build_frame(definition.beam);
+}
 
 ReducedBody reduce(const BodyDefinition &definition, MPI_Comm communicator) {
   if (definition.type == BodyDefinition::Type::lumped)

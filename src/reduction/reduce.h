@@ -3,10 +3,14 @@
 
 #include "reduction/body_definition.h"
 #include "reduction/reduced_body.h"
+#include "structure/body_model.h"
 
 #include <mpi.h>
 
 namespace vibroimpact::reduction {
+
+/// Nodes and elements of a beam or shell. Throws structure::DefinitionError.
+structure::BodyModel build_model(const BodyDefinition &definition);
 
 /// Collective; every rank gets the same bytes. Throws structure::DefinitionError when the
 /// definition cannot be built, NumericalError when the eigen-solution fails.

@@ -102,13 +102,13 @@ BodyModel build_frame(const BeamDefinition &definition) {
   check_line_mesh(model.mesh);
   const BeamProperties properties =
       beam_properties(cross_section(definition.section), definition.material);
-  const auto fibres =
-      std::make_shared<const std::vector<Fibre>>(extreme_fibres(definition.section));
+  const auto places = std::make_shared<const SectionPlaces>(
+      SectionPlaces{extreme_fibres(definition.section), section_outline(definition.section)});
   for (const auto &line : model.mesh.lines)
     model.elements.push_back(std::make_shared<FrameElement>(
         line, properties,
         element_frame(model.mesh.nodes[line[0]], model.mesh.nodes[line[1]], definition.local_y),
-        Vector3::Zero(), fibres));
+        Vector3::Zero(), places));
   model.wave_speed = wave_speed(definition.material);
   complete(model, definition);
   for (const Load &load : definition.loads)

@@ -152,4 +152,33 @@ std::vector<Fibre> extreme_fibres(const SectionShape &shape) {
   return fibres_of_ring(shape);
 }
 
+namespace {
+
+std::vector<Eigen::Vector2d> corners(double width, double thickness) {
+  const double y = width / 2;
+  const double z = thickness / 2;
+  return {{-y, -z}, {y, -z}, {y, z}, {-y, z}};
+}
+
+std::vector<Eigen::Vector2d> circle(double radius) {
+  constexpr int count = 12;
+  std::vector<Eigen::Vector2d> places;
+  for (int i = 0; i < count; ++i)
+    places.emplace_back(radius * std::cos(2 * pi * i / count),
+                        radius * std::sin(2 * pi * i / count));
+  return places;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector2d> section_outline(const SectionShape &shape) {
+  const CrossSection section = cross_section(shape);
+  if (shape.kind == SectionShape::Kind::rectangle)
+    return corners(shape.width, shape.thickness);
+  if (shape.kind == SectionShape::Kind::given) // of a rectangle: I_z / A = width^2 / 12
+    return corners(std::sqrt(12 * section.second_moment_z / section.area),
+                   std::sqrt(12 * section.second_moment_y / section.area));
+  return circle(shape.diameter / 2);
+}
+
 } // namespace vibroimpact::structure

@@ -29,6 +29,17 @@ struct Fibre {
 /// section that is given by its constants. Throws DefinitionError like cross_section().
 std::vector<Fibre> extreme_fibres(const SectionShape &shape);
 
+/// Places around a cross-section, y and z of its local axes [m]: the corners of a rectangle, twelve
+/// places around a circle or tube, and for a section given by its constants the corners of the
+/// rectangle with the same radii of gyration. Throws DefinitionError like cross_section().
+std::vector<Eigen::Vector2d> section_outline(const SectionShape &shape);
+
+/// What an element asks of its cross-section beyond stiffness and inertia.
+struct SectionPlaces {
+  std::vector<Fibre> fibres; ///< where its stress is looked at
+  std::vector<Eigen::Vector2d> outline;
+};
+
 /// Stiffness and inertia of a beam per unit length.
 struct BeamProperties {
   double axial_stiffness = 0;     ///< E A [N]

@@ -35,6 +35,9 @@ public:
   /// and the shear stress, in axes of their own) for each place looked at [Pa]. None when it is not
   /// known.
   virtual Matrix stress(int node) const = 0;
+  /// Places around the cross-section of a beam, from the line of its nodes: 3 x k in global axes
+  /// [m]; none of a shell.
+  virtual Matrix outline() const { return {}; }
   /// Without lumped masses [kg].
   virtual double total_mass() const = 0;
 };

@@ -120,9 +120,9 @@ ElementMatrix mass_matrix(const BeamProperties &properties, const ElementFrame &
 
 FrameElement::FrameElement(const std::array<int, 2> &nodes, const BeamProperties &properties,
                            const ElementFrame &frame, const Vector3 &offset,
-                           std::shared_ptr<const std::vector<Fibre>> fibres)
+                           std::shared_ptr<const SectionPlaces> places)
     : nodes_(nodes), properties_(properties), frame_(frame), offset_(offset),
-      fibres_(std::move(fibres)) {}
+      places_(std::move(places)) {}
 
 ElementMatrix FrameElement::link() const {
   ElementMatrix link = ElementMatrix::Identity();
@@ -138,22 +138,34 @@ NodalMatrix FrameElement::stiffness() const {
 
 // The section faces along x at the second node, against it at the first.
 Matrix FrameElement::stress(int node) const {
-  if (!fibres_)
+  if (!places_)
     return {};
+  const std::vector<Fibre> &fibres = places_->fibres;
   const double face = node == 0 ? -1 : 1;
   const ElementMatrix forces = stiffness_matrix(properties_, frame_) * link();
   const Eigen::Matrix<double, 3, 12> force = face * frame_.axes * forces.middleRows<3>(6 * node);
   const Eigen::Matrix<double, 3, 12> moment =
       face * frame_.axes * forces.middleRows<3>(6 * node + 3);
-  Matrix rows = Matrix::Zero(3 * static_cast<Index>(fibres_->size()), 12);
-  for (std::size_t i = 0; i < fibres_->size(); ++i) {
-    const Fibre &fibre = (*fibres_)[i];
+  Matrix rows = Matrix::Zero(3 * static_cast<Index>(fibres.size()), 12);
+  for (std::size_t i = 0; i < fibres.size(); ++i) {
+    const Fibre &fibre = fibres[i];
     rows.row(static_cast<Index>(3 * i)) = fibre.by_axial_force * force.row(0) +
                                           fibre.by_moment_y * moment.row(1) +
                                           fibre.by_moment_z * moment.row(2);
     rows.row(static_cast<Index>(3 * i + 2)) = fibre.by_torque * moment.row(0);
   }
   return rows;
+}
+
+Matrix FrameElement::outline() const {
+  if (!places_)
+    return {};
+  Matrix around(3, static_cast<Index>(places_->outline.size()));
+  for (Index i = 0; i < around.cols(); ++i) {
+    const Eigen::Vector2d &place = places_->outline[static_cast<std::size_t>(i)];
+    around.col(i) = offset_ + frame_.axes.transpose() * Vector3(0, place.x(), place.y());
+  }
+  return around;
 }
 
 NodalMatrix FrameElement::mass() const {

@@ -47,10 +47,9 @@ ElementMatrix mass_matrix(const BeamProperties &properties, const ElementFrame &
 /// from a node to the axis [m], a rigid link, u_axis = u + theta x offset.
 class FrameElement : public Element {
 public:
-  /// `fibres`: where its stress is looked at.
   FrameElement(const std::array<int, 2> &nodes, const BeamProperties &properties,
                const ElementFrame &frame, const Vector3 &offset = Vector3::Zero(),
-               std::shared_ptr<const std::vector<Fibre>> fibres = {});
+               std::shared_ptr<const SectionPlaces> places = {});
 
   std::span<const int> nodes() const override { return nodes_; }
   NodalMatrix stiffness() const override;
@@ -58,6 +57,7 @@ public:
   NodalMatrix force(const Eigen::Ref<const Matrix> &stiffness, const NodalMatrix &u) const override;
   /// A fibre's direct stress along the beam (first row) and shear stress (third row).
   Matrix stress(int node) const override;
+  Matrix outline() const override;
   double total_mass() const override { return properties_.mass_per_length * frame_.length; }
 
 private:
@@ -67,7 +67,7 @@ private:
   BeamProperties properties_;
   ElementFrame frame_;
   Vector3 offset_;
-  std::shared_ptr<const std::vector<Fibre>> fibres_;
+  std::shared_ptr<const SectionPlaces> places_;
 };
 
 } // namespace vibroimpact::structure

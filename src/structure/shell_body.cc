@@ -90,14 +90,15 @@ void add_stiffener(BodyModel &model, const Stiffener &stiffener,
                    const std::vector<Vector3> &normals) {
   const BeamProperties properties =
       beam_properties(cross_section(stiffener.section), stiffener.material);
-  const auto fibres = std::make_shared<const std::vector<Fibre>>(extreme_fibres(stiffener.section));
+  const auto places = std::make_shared<const SectionPlaces>(
+      SectionPlaces{extreme_fibres(stiffener.section), section_outline(stiffener.section)});
   for (const int number : stiffener_lines(model.mesh, stiffener)) {
     const auto &line = model.mesh.lines[number];
     const ElementFrame frame = stiffener_frame(model.mesh, line, normals, stiffener);
     const Vector3 offset =
         frame.axes.transpose() * Vector3(0, stiffener.offset[0], stiffener.offset[1]);
     model.elements.push_back(
-        std::make_shared<FrameElement>(line, properties, frame, offset, fibres));
+        std::make_shared<FrameElement>(line, properties, frame, offset, places));
   }
 }
 

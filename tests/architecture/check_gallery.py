@@ -56,6 +56,15 @@ class List(unittest.TestCase):
         self.assertEqual({picture.run for picture in self.gallery.pictures},
                          set(self.gallery.runs))
 
+    def test_a_page_gives_the_parameters_that_it_says_to_write(self):
+        run = next(run for run in self.gallery.runs.values() if run.file.endswith(".md"))
+        with tempfile.TemporaryDirectory() as folder:
+            places = draw_gallery.Places(SOURCE, Path(folder), Path(folder))
+            text = draw_gallery.parameters("fit", run, places).read_text(encoding="utf-8")
+        page = (SOURCE / run.file).read_text(encoding="utf-8")
+        self.assertIn(f"```prm\n{text}```", page)
+        self.assertEqual(set(sections(text)) & {"Body first", "Analysis fit"}, {"Body first", "Analysis fit"})
+
     def test_every_section_figure_is_drawn(self):
         figures = {picture.figure for picture in self.gallery.pictures}
         for file in (SOURCE / "params" / "figures").glob("*.prm"):

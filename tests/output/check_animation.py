@@ -129,6 +129,16 @@ class Motion(unittest.TestCase):
                          "von_mises_stress")
         self.assertTrue(np.isnan(animation.magnitudes(plain, "von_mises_stress")).all())
 
+    def test_beams_with_sides_are_not_drawn_as_lines_too(self):
+        line = vtu.Mesh(SQUARE[:2].astype(float), [np.arange(2)], {"displacement": np.zeros((2, 3))})
+        def drawn(**sides):
+            instant = animation.Instant(0, {"frame": line, **sides})
+            picture = animation.Picture([instant], "displacement", 1.0, animation.Style())
+            picture.draw(instant)
+            return [type(artist).__name__ for artist in picture.axes.collections]
+        self.assertEqual(drawn(), ["Line3DCollection"])
+        self.assertEqual(drawn(sections=mesh(np.zeros((4, 3)))), ["Poly3DCollection"])
+
     def test_stops_on_which_a_force_acts_are_red(self):
         still = np.zeros((4, 3))
         def drawn(state):

@@ -421,7 +421,7 @@ class Labels(unittest.TestCase):
         for unit, value, factor, text in [
             ("m", 0.012, 1e-3, "mm"), ("m", 2.0, 1.0, "m"), ("N", 4500, 1e3, "kN"),
             ("m", 3e-6, 1e-6, "µm"), ("Hz", 3e-3, 1.0, "Hz"), ("1", 1e-9, 1.0, ""),
-            ("m/s^2", 4e3, 1.0, "m/s²"), ("N", 0.0, 1.0, "N"),
+            ("m/s^2", 4e3, 1.0, "m/s²"), ("N", 0.0, 1.0, "N"), ("s", 1700, 1.0, "s"),
         ]:
             scale = labels.scale_for(unit, [value, float("nan")])
             self.assertEqual((scale.factor, scale.unit), (factor, text))
@@ -429,6 +429,8 @@ class Labels(unittest.TestCase):
     def test_words(self):
         self.assertEqual(labels.quantity_label("displacement_x"), "Displacement $x$")
         self.assertEqual(labels.value_text(0.003, "m"), "3 mm")
+        self.assertEqual(labels.value_text(2.1e11, "1"), "2.1·10$^{11}$")
+        self.assertEqual(labels.powers_of_ten("2.1e-07, 0.3"), "2.1·10$^{-7}$, 0.3")
 
 
 class Labelled(unittest.TestCase):

@@ -72,6 +72,45 @@ TEST(VtuPatches, StressOfABeamIsLinearAlongItsElements) {
                     static_cast<float>(std::sqrt(std::pow(1 - i / 4.0, 2) + 0.75)));
 }
 
+// The second node turns by 0.1 rad about the beam and moves by 1 m along z: r x (0, y, z) = 0.1 (0,
+// -z, y).
+TEST(VtuPatches, SidesOfABeamMoveWithItsSections) {
+  const Recovery recovery = beam();
+  const Matrix outline = (Matrix(3, 3) << 0, 0, 0, -1, 1, 0, -1, -1, 2).finished();
+  BodyShape shape{.recovery = &recovery, .number = 2, .motion = Vector::Zero(12)};
+  shape.outlines = {outline};
+  shape.motion[6 + 2] = 1;
+  shape.motion[6 + 3] = 0.1;
+  Patches<2> patches;
+  add_sections(shape, {}, patches);
+  ASSERT_EQ(patches.size(), 3U);
+  for (unsigned side = 0; side < 3; ++side)
+    for (unsigned corner = 0; corner < 4; ++corner) {
+      const Vector3 place = outline.col((side + corner % 2) % 3);
+      const auto &vertex = patches[side].vertices[corner];
+      EXPECT_EQ(Vector3(vertex[0], vertex[1], vertex[2]),
+                place + (corner < 2 ? 0 : 2) * Vector3::UnitX());
+      const Values moved = corner < 2 ? Values{0, 0, 0, 0}
+                                      : Values{0, static_cast<float>(-0.1 * place.z()),
+                                               static_cast<float>(1 + 0.1 * place.y()), 0.1F};
+      EXPECT_EQ(values(patches[side].data, 0, 4, corner), moved);
+      EXPECT_EQ(values(patches[side].data, 6, 1, corner), Values{2});
+    }
+}
+
+// Bending of 1 Pa at the first node that vanishes at the second.
+TEST(VtuPatches, SidesOfABeamHaveTheStressOfItsEnds) {
+  Recovery recovery = beam();
+  recovery.line_stress = {.rows = Matrix::Zero(6, 1), .first = {0, 2}};
+  BodyShape shape{.recovery = &recovery, .motion = Vector::Zero(12)};
+  shape.outlines = {Matrix::Zero(3, 4)};
+  shape.line_stress = Vector::Unit(6, 0);
+  Patches<2> patches;
+  add_sections(shape, shape.line_data(), patches);
+  for (unsigned corner = 0; corner < 4; ++corner)
+    EXPECT_EQ(values(patches[3].data, 7, 1, corner), Values{corner < 2 ? 1.0F : 0.0F});
+}
+
 TEST(VtuPatches, StressOfUnknownSectionsIsNoNumber) {
   Recovery recovery = beam();
   recovery.line_stress.first = {0, 0};

@@ -80,7 +80,7 @@ TEST_F(VtuWriter, ModesHaveTheirFrequencyAsTime) {
 
 TEST_F(VtuWriter, MotionShowsMeshesAndLumpedPoints) {
   const PointResult release = testing::transient_example().points[0];
-  write_motion_files(folder, "release", testing::example_bodies(), release.motion[0]);
+  write_motion_files(folder, "release", testing::example_bodies(), {}, release.motion[0]);
   const std::vector<Entry> entries = pvd_entries(path / "release.pvd");
   ASSERT_EQ(entries.size(), 9U);
   const std::vector<std::string> parts = {"frame", "lumped", "supports"};
@@ -139,7 +139,7 @@ TEST_F(VtuWriter, ContactsAreFieldsOfTheMotion) {
   motion.coordinates = {Matrix::Zero(1, 1)};
   motion.base_displacement = {Matrix::Zero(1, 3)};
   const auto arrays_of = [&](const std::string &name) {
-    write_motion_files(folder, name, {small_shell()}, motion);
+    write_motion_files(folder, name, {small_shell()}, {}, motion);
     return point_arrays(path / name / "frame-00001.vtu");
   };
   motion.contacts.push_back({.nodes = {}, .gap = {0.1}, .force = {0}, .peak_force = {0}});
@@ -164,18 +164,35 @@ TEST_F(VtuWriter, VelocityAndStressAreFieldsWhereTheyAreKnown) {
   motion.base_displacement = motion.base_velocity = {Matrix::Zero(1, 3)};
   std::map<std::string, int> arrays = expected_arrays;
   arrays.insert({"velocity", 3});
-  write_motion_files(folder, "moving", {small_shell()}, motion);
+  write_motion_files(folder, "moving", {small_shell()}, {}, motion);
   EXPECT_EQ(point_arrays(path / "moving/frame-00001.vtu"), arrays);
   ReducedBody body = small_shell();
   body.recovery.surface_stress = {.rows = Matrix::Zero(12, 1), .first = {0, 2, 4}};
-  write_motion_files(folder, "surfaces", {body}, motion);
+  write_motion_files(folder, "surfaces", {body}, {}, motion);
   EXPECT_EQ(point_arrays(path / "surfaces/frame-00001-lines.vtu"), arrays);
   body.recovery.line_stress = {.rows = Matrix::Zero(12, 1), .first = {0, 4}};
   arrays.insert({"von_mises_stress", 1});
-  write_motion_files(folder, "both", {body}, motion);
+  write_motion_files(folder, "both", {body}, {}, motion);
   EXPECT_EQ(point_arrays(path / "both/frame-00001-lines.vtu"), arrays);
   arrays.insert({{"von_mises_stress_first_face", 1}, {"von_mises_stress_second_face", 1}});
   EXPECT_EQ(point_arrays(path / "both/frame-00001.vtu"), arrays);
+}
+
+TEST_F(VtuWriter, SidesOfBeamsAreAPartOfTheMotion) {
+  Motion motion;
+  motion.time = {0};
+  motion.coordinates = {Matrix::Zero(1, 1)};
+  motion.base_displacement = {Matrix::Zero(1, 3)};
+  motion.contacts.push_back({.nodes = {{.body = 0, .node = 3, .push = Vector3::UnitZ()}},
+                             .gap = {0.1},
+                             .force = {0},
+                             .peak_force = {0}});
+  write_motion_files(folder, "moving", {small_shell()}, {{Matrix::Zero(3, 4)}}, motion);
+  const std::vector<Entry> entries = pvd_entries(path / "moving.pvd");
+  ASSERT_GE(entries.size(), 3U);
+  EXPECT_EQ(entries[2].file, "moving/sections-00001.vtu");
+  EXPECT_EQ(attribute_of_piece(path / entries[2].file, "NumberOfCells"), 4);
+  EXPECT_EQ(point_arrays(path / entries[2].file), expected_arrays) << "no contact values";
 }
 
 TEST_F(VtuWriter, IndexIsCountedFromOne) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 using namespace vibroimpact;
@@ -18,6 +20,12 @@ std::string key_of(const SectionShape &shape) {
     return error.key();
   }
   return "";
+}
+
+/// Integral of z^2 over a rectangle around the origin, by the places of its corners.
+double second_moment_y(const std::vector<Eigen::Vector2d> &corners) {
+  const Eigen::Vector2d diagonal = corners[2] - corners[0];
+  return diagonal.x() * std::pow(diagonal.y(), 3) / 12;
 }
 
 } // namespace
@@ -81,4 +89,28 @@ TEST(CrossSection, MaterialOutOfRangeIsRefused) {
   EXPECT_THROW(beam_properties({1, 1, 1, 1}, {0, 0.3, 1}), DefinitionError);
   EXPECT_THROW(beam_properties({1, 1, 1, 1}, {1, 0.6, 1}), DefinitionError);
   EXPECT_THROW(beam_properties({1, 1, 1, 1}, {1, 0.3, -1}), DefinitionError);
+}
+
+TEST(CrossSection, OutlinesHaveTheDimensionsOfTheSection) {
+  const SectionShape bar{.width = 0.03, .thickness = 0.01};
+  EXPECT_NEAR(second_moment_y(section_outline(bar)), cross_section(bar).second_moment_y, 1e-22);
+  for (const SectionShape &round :
+       {SectionShape{.kind = Kind::circle, .diameter = 0.2},
+        SectionShape{.kind = Kind::tube, .diameter = 0.2, .wall_thickness = 0.01}}) {
+    const auto outline = section_outline(round);
+    EXPECT_EQ(outline.size(), 12U);
+    for (const auto &place : outline)
+      EXPECT_NEAR(place.norm(), 0.1, 1e-15);
+  }
+}
+
+// I_y / A = thickness^2 / 12 and I_z / A = width^2 / 12 of a rectangle.
+TEST(CrossSection, ASectionOfConstantsHasTheOutlineOfItsRadiiOfGyration) {
+  const auto outline = section_outline({.kind = Kind::given,
+                                        .area = 2,
+                                        .second_moment_y = 6,
+                                        .second_moment_z = 24,
+                                        .torsion_constant = 1});
+  EXPECT_NEAR(outline[2].x(), 6, 1e-14);
+  EXPECT_NEAR(outline[2].y(), 3, 1e-14);
 }

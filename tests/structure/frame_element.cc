@@ -155,3 +155,19 @@ TEST(FrameElement, ParallelOrZeroOrientationIsRefused) {
   EXPECT_THROW(element_frame(first, second, second - first), DefinitionError);
   EXPECT_THROW(element_frame(first, second, Vector3::Zero()), DefinitionError);
 }
+
+// An axis beside the line of the nodes: local y of a beam along x is global y, and the offset
+// counts in global axes.
+TEST(FrameElement, OutlineStandsAroundTheAxis) {
+  const SectionShape bar{.width = 0.06, .thickness = 0.02};
+  const auto places = std::make_shared<const SectionPlaces>(
+      SectionPlaces{extreme_fibres(bar), section_outline(bar)});
+  const ElementFrame along_x = element_frame(Vector3::Zero(), Vector3(2, 0, 0), {});
+  const Matrix outline =
+      FrameElement({0, 1}, properties(), along_x, Vector3(0, 0.1, 0.5), places).outline();
+  ASSERT_EQ(outline.cols(), 4);
+  EXPECT_NEAR(outline.row(1).minCoeff(), 0.07, 1e-15);
+  EXPECT_NEAR(outline.row(1).maxCoeff(), 0.13, 1e-15);
+  EXPECT_NEAR(outline.row(2).minCoeff(), 0.49, 1e-15);
+  EXPECT_NEAR(outline.row(2).maxCoeff(), 0.51, 1e-15);
+}

@@ -1,6 +1,6 @@
 """A motion as an animated picture (GIF), from the files that a run writes for ParaView.
 
-Shells and beams are drawn deformed and coloured; a red point is a node on which a contact force acts. Stops are drawn
+Shells and beams, with the sides around their cross-sections, are drawn deformed and coloured; a red point is a node on which a contact force acts. Stops are drawn
 where their faces are: node and stop meet where the gap is zero, whatever the displacements are multiplied with.
 """
 
@@ -24,7 +24,7 @@ COLOURS = 64
 MAP = "viridis"
 CONTACT = "#C8102E"
 STOP = "#6E6E6E"
-SURFACE = 0.85  # opacity of shells, behind which their stops stand
+SURFACE = 0.7  # opacity of shells, behind which their stops stand
 TITLES = {"displacement": ("Displacement", "m"), "velocity": ("Velocity", "m/s"),
           "von_mises_stress": ("Von Mises stress", "Pa"),
           "von_mises_stress_first_face": ("Von Mises stress, first face", "Pa"),
@@ -48,10 +48,10 @@ class Style:
 @dataclass(frozen=True)
 class Instant:
     time: float
-    parts: dict[str, Mesh]  # frame, frame lines, lumped, stops, supports
+    parts: dict[str, Mesh]  # frame, frame lines, sections, lumped, stops, supports
 
     def bodies(self) -> list[Mesh]:
-        return [mesh for name, mesh in self.parts.items() if name.startswith("frame") or name == "lumped"]
+        return [mesh for name, mesh in self.parts.items() if name not in ("stops", "supports")]
 
 
 def animate(results: Path, analysis: str, file: Path, style: Style) -> None:
@@ -112,6 +112,7 @@ class Picture:
         if field not in known:
             raise ResultError(f"there is no field {field}; there are: {', '.join(known)}")
         self.field, self.factor = field, factor
+        self.draws_lines = True  # where results have no sides of beams
         title, unit = TITLES[field]
         every = np.concatenate([magnitudes(mesh, field) for instant in motion for mesh in instant.bodies()])
         self.scale = scale_for(unit, every[np.isfinite(every)])
@@ -136,6 +137,7 @@ class Picture:
         for artist in [*self.axes.collections, *self.axes.lines, *self.figure.texts]:
             artist.remove()
         self.axes.set_axis_off()
+        self.draws_lines = "sections" not in instant.parts
         for name, mesh in instant.parts.items():
             getattr(self, {"stops": "draw_stops", "supports": "draw_supports"}.get(name, "draw_body"))(mesh)
         self.figure.text(0.03, 0.94, f"t = {instant.time:.4f} s,  displacements × {self.factor:.3g}", fontsize=9)
@@ -145,7 +147,7 @@ class Picture:
     def draw_body(self, mesh: Mesh) -> None:
         places = mesh.moved(self.factor)
         values = magnitudes(mesh, self.field) / self.scale.factor
-        for corners in (2, 3, 4):
+        for corners in (2, 3, 4) if self.draws_lines else (3, 4):
             cells = np.array([cell for cell in mesh.cells if len(cell) == corners])
             if len(cells):
                 self.draw_cells(places[cells], values[cells].mean(axis=1))

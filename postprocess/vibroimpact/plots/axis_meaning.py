@@ -11,12 +11,13 @@ from .labels import Scale
 class Meaning:
     """Values in `unit` are divided by `scale.factor`; columns may have one of the `names`, or the last
     parts of one: "displacement_x/amplitude" of "point/first.mass/displacement_x/amplitude"; one called
-    as the `label` has the numbers that stand at the axis."""
+    as the `label` has the numbers that stand at the axis, which begin at `start` in `unit`."""
 
     names: tuple[str, ...]
     unit: str
     scale: Scale
     label: str = ""
+    start: float = 0.0
 
     def is_called(self, column: str) -> bool:
         return any(name.lower() == column.lower() or name.lower().endswith("/" + column.lower())
@@ -25,11 +26,14 @@ class Meaning:
 
 @dataclass(frozen=True)
 class Panel:
-    """`members`: for each axis of a family its name, unit, and the colour of each value."""
+    """`members`: for each axis of a family its name, unit, and the colour of each value. `place`: the
+    axes of the analysis and the values in SI for which the panel stands; a row with another value of one is
+    not drawn into it."""
 
     x: Meaning
     y: Meaning
     members: list[tuple[Meaning, dict]] = field(default_factory=list)
+    place: list[tuple[Meaning, float]] = field(default_factory=list)
 
 
 def note(axes, panel: Panel) -> None:

@@ -11,7 +11,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from . import style
-from .labels import key_label, scale_for
+from .axis_meaning import Meaning, Panel, note
+from .labels import Scale, key_label
 from .layout import axis_name, axis_scale, describe, kept
 from .results import Analysis, Results
 
@@ -52,6 +53,8 @@ def image(analysis: Analysis, case: dict):
     mark_attractors(axes, analysis, index, (first, second))
     for name, put in ((first, axes.set_xlabel), (second, axes.set_ylabel)):
         put(axis_scale(analysis, name).label(key_label(name.replace(".", "/"))))
+    note(axes, Panel(*[Meaning((name,), analysis.read(name).unit, axis_scale(analysis, name))
+                       for name in (first, second)]))
     if case:
         axes.set_title(describe(analysis, case))
     style.legend_beside(axes, handles(marks))
@@ -119,6 +122,8 @@ def stack(analysis: Analysis):
     axes.set_xlim(x[0], x[-1])
     axes.set_ylabel("Share of the starts")
     axes.set_xlabel(scale.label(axis_name(analysis, name)))
+    note(axes, Panel(Meaning((name,), analysis.read(name).unit, scale),
+                     Meaning(("attractors/share",), "1", Scale(1.0, ""))))
     found = [layer for layer, height in zip(layers, [*heights, rest]) if np.any(height > 0)]
     style.legend_beside(axes, found)
     return figure

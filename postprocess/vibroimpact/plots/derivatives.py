@@ -10,7 +10,7 @@ import numpy as np
 
 from . import style
 from .labels import key_label, words
-from .layout import describe, kept
+from .layout import title_of, kept
 from .results import Analysis, Results
 
 MOST_CASES = 8
@@ -54,7 +54,7 @@ def bars(analysis: Analysis, case: dict, keys: list[str]):
     axes.axvline(0, color="black", lw=0.5)
     axes.set_xlabel("Relative change for a relative change of the key")
     if case:
-        axes.set_title(describe(analysis, case))
+        axes.set_title(title_of(analysis, case))
     style.legend_below(axes, axes.get_legend_handles_labels()[0])
     return figure
 

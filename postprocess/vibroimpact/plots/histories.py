@@ -8,8 +8,9 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from . import style
-from .labels import quantity_label, scale_for
-from .layout import layout_of, places
+from .axis_meaning import Meaning, Panel, note
+from .labels import Scale, quantity_label, scale_for
+from .layout import layout_of, place_of, places
 from .motions import Motion, bases, contact_intervals, contacts_of
 from .results import Analysis, Results
 
@@ -59,7 +60,11 @@ def history(motion: Motion, rows: dict[str, list[str]]):
     scale = scale_for("s", time - start)
     colours = colours_of(motion, [path for paths in rows.values() for path in paths])
     for axes, paths in zip(panels, rows.values()):
-        draw_row(axes, motion, paths, (time - start) / scale.factor, recent, colours)
+        shown = draw_row(axes, motion, paths, (time - start) / scale.factor, recent, colours)
+        note(axes, Panel(
+            Meaning(("time",), "s", scale, start=start),
+            Meaning(tuple(motion.base + path for path in paths), motion.unit(paths[0]), shown),
+            place=place_of(motion.analysis, motion.place)))
     handles = [Line2D([], [], color=colour, label=name) for name, colour in colours.items()]
     handles += shade(panels, motion, time, start, scale)
     panels[0].set_title(title(motion))
@@ -87,7 +92,7 @@ def contact_colour(number: int) -> str:
     return style.CONTACT_COLOURS[number % len(style.CONTACT_COLOURS)]
 
 
-def draw_row(axes, motion: Motion, paths, time, recent, colours) -> None:
+def draw_row(axes, motion: Motion, paths, time, recent, colours) -> Scale:
     signals = [motion.signal(path)[recent] for path in paths]
     scale = scale_for(motion.unit(paths[0]), *signals)
     for path, signal in zip(paths, signals):
@@ -96,6 +101,7 @@ def draw_row(axes, motion: Motion, paths, time, recent, colours) -> None:
     label = "contact force" if quantity == ["normal_force"] else quantity_label(quantity[-1])
     axes.set_ylabel(scale.label(label[0].upper() + label[1:]))
     axes.margins(x=0)
+    return scale
 
 
 def shade(panels, motion: Motion, time, start: float, scale) -> list[Patch]:

@@ -13,7 +13,7 @@ import numpy as np
 from . import style
 from .axis_meaning import Meaning, Panel, note
 from .cases import cases, name_of_grid
-from .labels import Scale, scale_for
+from .labels import Scale, scale_for, typeset
 from .results import Analysis, Results
 
 SETS = dict(zip(["exact", "corrected", "printed"], style.COLOURS))
@@ -146,7 +146,7 @@ def damping_factor_over_speed(sheet: Sheet):
         axes.loglog(sheet.identified(f"{name}/approach_speed"),
                     sheet.identified(f"{name}/damping_factor"), "o", color=colour, label=name)
     unit = sheet.analysis.read(sheet.path("exact/damping_factor")).unit
-    axes.set(xlabel="Approach speed $v_c$ (m/s)", ylabel=f"Damping factor $\\mu$ ({unit})",
+    axes.set(xlabel="Approach speed $v_c$ (m/s)", ylabel=f"Damping factor $\\mu$ ({typeset(unit)})",
              title=f"Contact {sheet.contact}")
     style.legend_beside(axes)
     return figure
@@ -183,7 +183,7 @@ def within(time: np.ndarray, start: float, duration: float) -> np.ndarray:
 
 def restitution_map(sheet: Sheet):
     """e over impulse and peak force, one panel for each set; dots are the impacts."""
-    figure, panels = plt.subplots(1, len(SETS), figsize=(style.WIDTH * 1.5, 3), sharey=True)
+    figure, panels = plt.subplots(1, len(SETS), figsize=(style.WIDTH, 2.4), sharey=True)
     impulse = sheet.analysis.read(sheet.path("impulse_axis"))
     force = sheet.analysis.read(sheet.path("peak_force_axis"))
     x, y = scale_for(impulse.unit, impulse.values), scale_for(force.unit, force.values)

@@ -34,7 +34,8 @@ def scale_for(unit: str, *arrays) -> Scale:
         return Scale(1.0, typeset(unit))
     largest = max((np.nanmax(np.abs(a), initial=0.0) for a in map(finite, arrays)), default=0.0)
     # A picture of 0.9995 m to 1.0005 m should not say 1000 mm at its upper end.
-    fitting = [prefix for prefix in PREFIXES if prefix[0] <= largest * 1.0000001]
+    fitting = [prefix for prefix in PREFIXES if prefix[0] <= largest * 1.0000001
+               and (unit != "s" or prefix[0] <= 1)]
     factor, letter = fitting[-1] if fitting and largest > 0 else (1.0, "")
     return Scale(factor, letter + typeset(unit))
 
@@ -69,7 +70,12 @@ def value_text(value, unit: str) -> str:
     if isinstance(value, str):
         return value
     scale = scale_for(unit, [value])
-    return f"{float(value) / scale.factor:.4g} {scale.unit}".strip()
+    return f"{powers_of_ten(f'{float(value) / scale.factor:.4g}')} {scale.unit}".strip()
+
+
+def powers_of_ten(text: str) -> str:
+    """2.1·10^11 of 2.1e+11, typeset."""
+    return re.sub(r"(?<=\d)[eE]\+?(-?)0*(\d+)", r"·10$^{\1\2}$", text)
 
 
 GREEK = {"alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda",

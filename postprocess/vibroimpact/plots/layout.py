@@ -11,7 +11,7 @@ import numpy as np
 
 from . import style
 from .axis_meaning import Meaning
-from .labels import key_label, scale_for, value_text
+from .labels import Scale, key_label, powers_of_ten, scale_for, value_text
 from .parameters_text import followers
 from .results import Analysis, Array
 
@@ -82,6 +82,21 @@ class Layout:
         return values[tuple(index + own)]
 
 
+def place_of(analysis: Analysis, place: Place) -> list[tuple[Meaning, float]]:
+    """The numbers of a point along the axes, for rows of a table that belong to it."""
+    found = []
+    for name, number in place.index.items():
+        axis = analysis.read(name)
+        if axis.values.dtype.kind == "f":
+            found.append((Meaning(names_of(analysis, name), axis.unit, Scale(1.0, "")),
+                          float(axis.values[number])))
+    return found
+
+
+def names_of(analysis: Analysis, axis: str) -> tuple[str, ...]:
+    return (axis, *([grid_key(analysis, axis)] if axis in analysis.grid_axes else []))
+
+
 def family_of(layout: Layout) -> list[tuple[Meaning, dict]]:
     """Colours of the values of a family over one axis, for points that are drawn over it."""
     if len(layout.family) != 1:
@@ -89,8 +104,7 @@ def family_of(layout: Layout) -> list[tuple[Meaning, dict]]:
     name = layout.family[0]
     axis = layout.analysis.read(name)
     known = {axis.values[case.index[name]]: case.colour for case in layout.cases()}
-    names = (name, *([grid_key(layout.analysis, name)] if name in layout.analysis.grid_axes else []))
-    return [(Meaning(names, axis.unit, axis_scale(layout.analysis, name)), known)]
+    return [(Meaning(names_of(layout.analysis, name), axis.unit, axis_scale(layout.analysis, name)), known)]
 
 
 def kept(analysis: Analysis, axis: str) -> list[int]:
@@ -144,7 +158,7 @@ def axis_name(analysis: Analysis, axis: str) -> str:
 
 
 def repeats(analysis: Analysis, axis: str) -> bool:
-    values = list(analysis.read(axis).values)
+    values = list(analysis.read(axis).values[kept(analysis, axis)])
     return len(set(values)) < len(values)
 
 
@@ -155,7 +169,7 @@ def describe(analysis: Analysis, index: dict) -> str:
         coordinate = analysis.read(axis)
         parts.append(point_text(analysis, axis, coordinate.values[number]))
         if repeats(analysis, axis):
-            parts += [values[number] for _, values in following(analysis, axis)]
+            parts += [powers_of_ten(values[number]) for _, values in following(analysis, axis)]
     return ", ".join(parts)
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from .labels import quantity_label, words
 from .results import Analysis
 
@@ -68,7 +70,7 @@ def sheets(analysis: Analysis, root: str, separate: bool) -> list[Sheet]:
     for name in analysis.members(f"{root}contact"):
         found += of_contact(analysis, f"{root}contact/{name}", name)
     found.append(Sheet("energy", "", [Panel("Energy per period", there(analysis, ENERGY, root))]))
-    found.append(rows_sheet(analysis, "regime", "", root, REGIME))
+    found.append(rows_sheet(analysis, "regime", "", root, regime_rows(analysis, root)))
     derived = [] if root or analysis.type == "frequency response" else analysis.members("derived")
     found += [Sheet(f"derived-{name}", "", [Panel(quantity_label(name), [(f"derived/{name}", "")])])
               for name in derived if analysis.has(f"derived/{name}")
@@ -90,6 +92,13 @@ def rows_sheet(analysis: Analysis, name: str, title: str, root: str, rows) -> Sh
     """A panel for each of the fields that are there."""
     return Sheet(name, title, [Panel(label, [(path, "")])
                                for path, label in there(analysis, rows, root)])
+
+
+def regime_rows(analysis: Analysis, root: str):
+    """Without the number of periods where no motion repeats itself."""
+    multiple = f"{root}regime/period_multiple"
+    repeats = analysis.has(multiple) and np.any(analysis.read(multiple).values > 0)
+    return [row for row in REGIME if repeats or row[0] != "regime/period_multiple"]
 
 
 def split(sheet: Sheet) -> Sheet:

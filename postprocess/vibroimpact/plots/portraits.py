@@ -8,10 +8,11 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from . import style
+from .axis_meaning import Meaning, Panel, note
 from .bifurcation import point_size
 from .cycles import direction_handles
 from .labels import quantity_label, scale_for
-from .layout import layout_of, places
+from .layout import layout_of, place_of, places
 from .motions import Motion, bases
 from .results import Analysis, Results
 from .sections import Section, sections_of
@@ -84,13 +85,17 @@ def section_points(analysis: Analysis, section: Section, point: str, axis: str, 
 
 
 def prepared(analysis: Analysis, axis: str, groups: list[str], share: bool = True):
-    """Figure, panels with their places, and a function that draws SI values into one of them."""
+    """Figure, panels with their places, and a function that draws SI values into one of them. With two
+    groups the motion of one against the other is shown."""
     entries = places(analysis)
     figure, panels = style.panel_grid(len(entries), share=share)
-    scales = []
+    scales, meanings = [], []
     for quantity in ("displacement", "velocity"):
-        arrays = [analysis.read(f"{group}/{quantity}_{axis}") for group in groups]
+        paths = [f"{group}/{quantity}_{axis}" for group in groups]
+        arrays = [analysis.read(path) for path in paths]
         scales.append(scale_for(arrays[0].unit, *[array.values for array in arrays]))
+        meanings.append(Meaning((paths[0],) if len(paths) == 1 else
+                                (f"relative_{quantity}_{axis}",), arrays[0].unit, scales[-1]))
 
     def draw(axes, x, y, **look):
         axes.plot(x / scales[0].factor, y / scales[1].factor, **look)
@@ -99,6 +104,7 @@ def prepared(analysis: Analysis, axis: str, groups: list[str], share: bool = Tru
                      scales[1].label(quantity_label(f"velocity_{axis}")))
     for axes, place in zip(panels, entries):
         style.panel_title(axes, place.text, panels)
+        note(axes, Panel(*meanings, place=place_of(analysis, place)))
     return figure, list(zip(panels, entries)), draw
 
 

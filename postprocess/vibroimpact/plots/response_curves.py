@@ -77,6 +77,8 @@ def draw_panel(axes, layout: Layout, panel: Panel, colours: dict) -> None:
 def adapt_axis(axes, path: str, largest: float) -> None:
     """Names for characters, whole numbers for counts, decades for orders."""
     if path.endswith("regime/class"):
+        for line in axes.get_lines():  # a class is not joined with the next one
+            line.set(linestyle="", marker=line.get_marker() if line.get_marker() != "None" else "o")
         axes.set_yticks(range(len(CHARACTERS)), CHARACTERS)
         axes.set_ylim(-0.4, len(CHARACTERS) - 0.6)
     elif path.endswith("period_multiple"):

@@ -8,9 +8,10 @@ import numpy as np
 from matplotlib.colors import LogNorm
 
 from . import style
+from .axis_meaning import Meaning, Panel, note
 from .cycles import direction_handles
 from .labels import quantity_label, scale_for
-from .layout import Layout, axis_name, layout_of, places
+from .layout import Layout, axis_name, layout_of, place_of, places
 from .results import Analysis, Results
 
 DECADES = 4  # below the largest amplitude that are shown
@@ -64,6 +65,8 @@ def spectra(analysis: Analysis, root: str, path: str):
             if number == 0:
                 draw_orders(axes, x / across.factor, n)
         style.panel_title(axes, place.text, panels, pad=12)
+        note(axes, Panel(Meaning(("frequency",), "Hz", across), Meaning((path,), amplitude.unit, scale),
+                         place=place_of(analysis, place)))
         axes.set_yscale("log")
     largest = np.nanmax(amplitude.values) / scale.factor
     panels[0].set_ylim(largest / 10**DECADES, 2 * largest)
@@ -106,6 +109,9 @@ def spectrogram(layout: Layout, root: str, path: str, case, direction: str):
     axes.set_xlabel(layout.scale.label(axis_name(analysis, layout.along)))
     axes.set_ylabel(across.label("Frequency"))
     axes.set_title(", ".join(filter(None, [what(path), case.text, direction])))
+    swept = analysis.read(layout.along).unit
+    note(axes, Panel(Meaning((layout.along,), swept, layout.scale),
+                     Meaning((f"{root}spectrum/frequency",), "Hz", across)))
     return figure
 
 

@@ -138,7 +138,9 @@ def panel_title(axes, text: str, panels, **look) -> None:
     """A title that stays above its own panel of a grid."""
     columns = max(panel.get_subplotspec().colspan.stop for panel in panels)
     text = re.sub(r" (?==)|(?<==) |(?<=\d) (?=[^\W\d])", "\N{NO-BREAK SPACE}", text)
-    axes.set_title(textwrap.fill(text, [60, 36, 24][min(columns, 3) - 1]), **look)
+    width = [60, 36, 24][min(columns, 3) - 1]
+    shown = re.sub(r"[$\\{}_^]", "", text)
+    axes.set_title(text if len(shown) <= width else textwrap.fill(text, width), **look)
 
 
 def upper_right(panels):

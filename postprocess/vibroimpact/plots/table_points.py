@@ -132,7 +132,7 @@ def draw(figure, name: str, table: Table) -> int:
             look = dict(LOOKS[table.look])
             if look["linestyle"] == "":
                 look["marker"] = MARKERS[number % len(MARKERS)]
-            rows = rows & np.isfinite(x) & np.isfinite(y)
+            rows = rows & at_place(table, panel) & np.isfinite(x) & np.isfinite(y)
             for colour, part in members(table, panel, rows):
                 line = axes.plot(x[part], y[part], color=colour, label="_points", **look)[0]
                 handles.setdefault(text, line)
@@ -151,7 +151,17 @@ def column(table: Table, meaning: Meaning):
     found = [name for name in table.columns if meaning.is_called(name)]
     if not found:
         return None
-    return table.columns[found[0]] / hertz(meaning) / meaning.scale.factor
+    return (table.columns[found[0]] / hertz(meaning) - meaning.start) / meaning.scale.factor
+
+
+def at_place(table: Table, panel: Panel) -> np.ndarray:
+    """Rows that belong to the values of the axes for which a panel stands."""
+    chosen = np.ones(len(next(iter(table.columns.values()))), bool)
+    for meaning, value in panel.place:
+        values = column(table, meaning)
+        if values is not None:
+            chosen &= np.abs(values - value) <= NEAR * abs(value) + 1e-12
+    return chosen
 
 
 def hertz(meaning: Meaning) -> float:
@@ -189,8 +199,9 @@ def members(table: Table, panel: Panel, rows):
 
 
 def explain(figure, handles: dict) -> None:
-    """Further entries of the legend of the first panel."""
-    axes = figure.axes[0]
+    """Further entries of the legend, or one beside the first row of panels."""
+    panels = [axes for axes in figure.axes if panel_of(axes)]
+    axes = next((axes for axes in panels if axes.get_legend()), style.upper_right(panels))
     legend = axes.get_legend()
     lines = [*(legend.legendHandles if legend else [])]
     texts = [text.get_text() for text in (legend.get_texts() if legend else [])]

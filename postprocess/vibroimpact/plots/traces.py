@@ -68,8 +68,8 @@ def draw(axes, shown: Trace, colour, swapped: bool = False, **look) -> None:
     if alone.any():
         plot(shown.along[alone], line[alone], linestyle="", marker=".", markersize=2.5)
     if shown.loose.any():
-        plot(shown.along[shown.loose], shown.values[shown.loose], linestyle="", marker="o",
-             fillstyle="none", markersize=2.6, markeredgewidth=0.7)
+        plot(shown.along[shown.loose], shown.values[shown.loose], linestyle="",
+             marker=look.get("marker", "o"), fillstyle="none", markersize=2.6, markeredgewidth=0.7)
     for a, b, at in shown.jumps if look.get("linestyle") else []:
         plot([shown.along[a], at, at, shown.along[b]],
              [shown.values[a], shown.values[a], shown.values[b], shown.values[b]],

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from . import style
+from .axis_meaning import Meaning, Panel, note
 from .cases import cases, explain
 from .histories import shade
 from .labels import key_label, quantity_label, scale_for, value_text
@@ -114,6 +115,7 @@ def histories(analysis: Analysis, rows: list[tuple[str, str]], title: str, peaks
         if not marked or shows_contacts(analysis, path):
             draw(axes, analysis, time, field, time_scale, scale)
         axes.set_ylabel(scale.label(label))
+        note(axes, Panel(Meaning(("time",), time.unit, time_scale), Meaning((path,), field.unit, scale)))
     panels[0].set_title(title)
     panels[-1].set_xlabel(time_scale.label("Time"))
     explain(figure, panels, analysis, cases(analysis), handles)
@@ -238,6 +240,8 @@ def phase_portrait(analysis: Analysis, point: str, displacement: str, velocity: 
     x_scale, y_scale = scale_for(x.unit, x.values), scale_for(y.unit, y.values)
     figure, (axes,) = style.panels(1, height=3.6)
     draw(axes, analysis, x, y, x_scale, y_scale)
+    note(axes, Panel(*[Meaning((f"point/{point}/{quantity}",), array.unit, scale) for quantity, array, scale
+                       in ((displacement, x, x_scale), (velocity, y, y_scale))]))
     axes.set_xlabel(x_scale.label(quantity_label(displacement)))
     axes.set_ylabel(y_scale.label(quantity_label(velocity)))
     axes.set_title(f"Point {point}")
