@@ -12,7 +12,7 @@ del sys.argv[1:]
 sys.dont_write_bytecode = True
 sys.path[:0] = [str(PROGRAM.parent), str(Path(__file__).resolve().parent)]
 
-from vibroimpact.plots import style  # noqa: E402
+from vibroimpact.plots import searches, style  # noqa: E402
 from vibroimpact.plots.figure_list import figures  # noqa: E402
 from vibroimpact.plots.results import Results  # noqa: E402
 
@@ -97,6 +97,15 @@ class SearchFigures(unittest.TestCase):
         self.addCleanup(plt.close, "all")
         return {name: draw() for analysis in results.analyses()
                 for name, draw in figures(results, analysis)}
+
+    def test_an_objective_goes_by_its_symbol(self):
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        write(folder, 1)
+        analysis = self.enterContext(Results(folder)).analysis("search")
+        analysis.attributes = lambda _: {"description": "eta_peak, smallest"}
+        self.assertEqual(searches.objective_name(analysis), "eta peak")
+        analysis.parameters = {"Derived eta_peak": {"Symbol": r"$\eta^*$"}}
+        self.assertEqual(searches.objective_name(analysis), r"$\eta^*$")
 
     def test_names(self):
         self.assertEqual(set(self.draw()), {"search-history", "search-plane", "fit-fit-sweep", "fit-history",

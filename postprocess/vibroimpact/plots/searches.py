@@ -101,8 +101,8 @@ def dots(axes, number, values, meets, colour) -> None:
 def objective_name(analysis: Analysis, path: str = "objective") -> str:
     if path != "objective":
         return quantity_label(path)
-    name = str(analysis.attributes(path).get("description", path))
-    return words(name.split(",")[0].rsplit("/", 1)[-1])
+    name = str(analysis.attributes(path).get("description", path)).split(",")[0].rsplit("/", 1)[-1]
+    return analysis.symbol(name) if f"Derived {name}" in analysis.parameters else words(name)
 
 
 def handles(colours, objective, meets, tried):
