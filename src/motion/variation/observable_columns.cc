@@ -13,6 +13,18 @@ constexpr double last_term = 1e-17;   // of rows of length 1
 constexpr double largest_term = 100;  // beyond, the sum loses digits
 constexpr double independent = 1e-15; // of the largest direction
 constexpr double worth_it = 0.6;      // of the columns
+constexpr double least_scale = 1e-3;  // of the largest one of displacements, of velocities
+
+// A mode with a node at every point that matters moves these by rounding alone, and its scale says
+// so. The basis mixes columns: divided by such a scale, rounding of that mode would count in all.
+Vector balanced(const Equations &equations, Vector scale) {
+  const StateLayout &layout = equations.layout();
+  for (const Index first : {Index{0}, layout.velocity()}) {
+    auto of_kind = scale.segment(first, layout.n);
+    of_kind = of_kind.cwiseMax(least_scale * of_kind.maxCoeff()).eval();
+  }
+  return scale;
+}
 
 // Rows of gaps, gap rates and internal states, of length 1 in scaled coordinates.
 Matrix observed_rows(const Equations &equations, const Vector &scale) {
@@ -57,8 +69,9 @@ std::optional<Matrix> directions(const Matrix &rows, const Matrix &generator, do
 } // namespace
 
 std::optional<ObservableColumns> observable_columns(const Equations &equations, LinearFlow &free,
-                                                    const Vector &scale, double h,
+                                                    const Vector &scale_of_error, double h,
                                                     const Matrix &columns) {
+  const Vector scale = balanced(equations, scale_of_error);
   const auto inverse = scale.cwiseInverse().asDiagonal();
   const Matrix generator = scale.asDiagonal() * free.generator() * inverse;
   const auto found = directions(observed_rows(equations, scale), generator, h);
