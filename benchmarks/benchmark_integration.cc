@@ -65,11 +65,12 @@ struct NamedCase {
   const char *name;
   Case (*make)();
 };
-constexpr NamedCase cases[] = {{"bumpers", bumpers},
-                               {"bilinear", bilinear_masses},
-                               {"absorber", absorber},
-                               {"beams", beam_pair},
-                               {"stop", beam_on_stop}};
+constexpr NamedCase cases[] = {
+    {"bumpers", bumpers},         {"bilinear", bilinear_masses}, {"absorber", absorber},
+    {"rest", absorber_from_rest}, {"beams", beam_pair},          {"stop", beam_on_stop},
+    {"stops1", one_stop},         {"stops2", two_stops},         {"stops4", four_stops},
+    {"stops8", eight_stops},      {"stops16", sixteen_stops},    {"duffing", duffing},
+    {"rotor", motor_on_frame}};
 
 int run(int repetitions, const char *only) {
   int failures = 0;

@@ -12,9 +12,21 @@ Case bumpers();
 Case bilinear_masses();
 /// A vibro-impact damper on a driven floor, Hertz contact of steel.
 Case absorber();
+/// The same from rest, up to the hundredth contact or so.
+Case absorber_from_rest();
 /// Two cantilevers with ten modes each, one driven at its tip, steel heads.
 Case beam_pair();
 /// One such cantilever with twenty modes, driven at its tip, against a linear spring.
 Case beam_on_stop();
+/// A beam that meets a row of equal stops almost at once.
+Case one_stop();
+Case two_stops();
+Case four_stops();
+Case eight_stops();
+Case sixteen_stops();
+/// A mass on a spring that stiffens with the cube of its elongation, without contacts.
+Case duffing();
+/// An unbalanced rotor with a motor of limited power on an elastic frame, without contacts.
+Case motor_on_frame();
 
 } // namespace vibroimpact::benchmarks

@@ -91,19 +91,32 @@ Case bilinear_masses() {
   return case_of("bilinear masses", problem_of(system), system, system.base, 100, 100);
 }
 
-Case absorber() {
+namespace {
+
+Absorber steel_absorber() {
   const double steel = 1.541797e11;
-  const Absorber system{.m1 = 1000,
-                        .k1 = 3.95e4,
-                        .c1 = 452,
-                        .m2 = 22.67,
-                        .k2 = 2481.1,
-                        .c2 = 40.65,
-                        .clearance = {0.05, 0.0683 - 0.05},
-                        .hertz = steel,
-                        .amplitude = 800,
-                        .forcing = 7.23};
+  return {.m1 = 1000,
+          .k1 = 3.95e4,
+          .c1 = 452,
+          .m2 = 22.67,
+          .k2 = 2481.1,
+          .c2 = 40.65,
+          .clearance = {0.05, 0.0683 - 0.05},
+          .hertz = steel,
+          .amplitude = 800,
+          .forcing = 7.23};
+}
+
+} // namespace
+
+Case absorber() {
+  const Absorber system = steel_absorber();
   return case_of("absorber, Hertz", problem_of(system), system, 0.05, 1500, 20);
+}
+
+Case absorber_from_rest() {
+  const Absorber system = steel_absorber();
+  return case_of("absorber, from rest", problem_of(system), system, 0.05, 0, 50);
 }
 
 } // namespace vibroimpact::benchmarks
