@@ -17,10 +17,13 @@ bool started_by_launcher() {
 }
 
 void prepare_single_process() {
-  constexpr std::array<std::pair<const char *, const char *>, 3> settings = {
-      {{"OMPI_MCA_ess_singleton_isolated", "1"}, // no daemon
-       {"OMPI_MCA_pml", "ob1"},                  // messages by the byte transfer layers below
-       {"OMPI_MCA_btl", "self"}}};               // of which one process needs that to itself
+  constexpr std::array<std::pair<const char *, const char *>, 4> settings = {
+      {{"OMPI_MCA_ess_singleton_isolated",
+        "1"}, // no daemon
+              // No folder, which programs that start and end at the same time take from each other.
+       {"OMPI_MCA_orte_create_session_dirs", "0"},
+       {"OMPI_MCA_pml", "ob1"},    // messages by the byte transfer layers below
+       {"OMPI_MCA_btl", "self"}}}; // of which one process needs that to itself
   constexpr int overwrite = 0;
   for (const auto &[variable, value] : settings)
     setenv(variable, value, overwrite);

@@ -61,6 +61,10 @@ class Start(ProgramRuns):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertTrue((self.folder / "out" / "results.h5").exists())
 
+    def test_a_single_process_needs_no_folder_of_mpi(self):
+        done = self.run_file({"OMPI_MCA_orte_tmpdir_base": "/proc/nowhere"})
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
     def test_settings_of_the_user_are_left_alone(self):
         self.assertNotEqual(self.run_file(NO_MPI).returncode, 0)
         with_daemon = NO_DAEMON | {"OMPI_MCA_ess_singleton_isolated": "0"}
