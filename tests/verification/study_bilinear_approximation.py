@@ -3,7 +3,7 @@
 import numpy
 
 from studies import Study
-from study_figures import panels, save
+from study_figures import legend, panels, save
 
 AMPLITUDE = "point/{}.mass/absolute_displacement_x/peak_to_peak"
 NAMES = ("gap 0, base 10 mm", "gap 2 mm, base 10 mm", "gap 11 mm, base 11 mm")
@@ -35,7 +35,7 @@ def main():
             axes[case].plot(frequency, first, color=colour, label=f"{body}, tied")
             axes[case].plot(frequency, other, "--", color=colour, label=f"{body}, contact spring")
         axes[case].set_ylabel(f"Amplitude (mm),\n{name.split(',')[0]}")
-    axes[0].legend(fontsize=7)
+    legend(axes[0])
     axes[-1].set_xlabel("Frequency (Hz)")
     save(study, figure, "bilinear-approximation.png")
     study.finish()

@@ -129,7 +129,7 @@ def draw(study, shown):
         axes.set_ylabel("Right force (kN)")
         axes.set_ylim(0, 4e-3 * numpy.median(shown[row, 1e-4]))
     panels[-1].set_xlabel("Period of the force")
-    panels[0].legend()
+    study_figures.legend(panels[0])
     study_figures.save(study, figure, "vibro-impact-absorber-bursts.png")
 
 

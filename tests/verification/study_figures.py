@@ -12,7 +12,14 @@ def panels(study, rows):
     return figure, axes, style.COLOURS
 
 
+def legend(axes):
+    """Beside the panel, where it hides nothing."""
+    from vibroimpact.plots import style
+
+    style.legend_beside(axes)
+
+
 def save(study, figure, name):
     """In the folder images/ beside the page, or nowhere without a page."""
     if study.arguments.page:
-        figure.savefig(study.arguments.page.parent / "images" / name, dpi=110)
+        figure.savefig(study.arguments.page.parent / "images" / name, dpi=200)

@@ -105,7 +105,7 @@ def draw(study, points):
     axes.set_xscale("log")
     axes.set_xlabel("Time steps in 40 s")
     axes.set_ylabel("Casing,\npeak-to-peak (mm)")
-    axes.legend()
+    study_figures.legend(axes)
     study_figures.save(study, figure, "electromechanical-fixed-step.png")
 
 
