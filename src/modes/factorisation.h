@@ -4,17 +4,18 @@
 
 #include "modes/vector_block.h"
 
-#include <utility>
-
 namespace vibroimpact::modes {
 
 class Factorisation {
 public:
-  /// Collective. Both matrices are symmetric and have the same pattern of entries. Throws
-  /// NumericalError when MUMPS fails.
+  /// Collective. Both matrices are symmetric, have the same pattern of entries and outlive this
+  /// object. Throws NumericalError when MUMPS fails.
   Factorisation(Mat stiffness, Mat mass, double shift);
-  /// Takes over what MUMPS has made for somebody else.
-  explicit Factorisation(structure::petsc::Matrix factor) : factor_(std::move(factor)) {}
+
+  /// Factorises with another shift: the order of elimination and the memory are those there are.
+  /// Collective. Throws NumericalError.
+  void shift_to(double shift);
+  double shift() const { return shift_; }
 
   /// (K - shift M)^-1 x for all columns of x. Collective.
   Block solve(Block x) const;
@@ -22,13 +23,10 @@ public:
   int eigenvalues_below() const;
 
 private:
+  Mat stiffness_;
+  Mat mass_;
+  double shift_;
   structure::petsc::Matrix factor_;
 };
-
-/// Makes `solver` a direct one: MUMPS, symmetric indefinite.
-void use_mumps(KSP solver);
-
-/// What such a solver has factorised; it outlives the solver.
-Factorisation factorisation_of(KSP solver);
 
 } // namespace vibroimpact::modes

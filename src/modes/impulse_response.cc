@@ -15,12 +15,12 @@ structure::petsc::Vector diagonal_vector(Mat matrix) {
   return diagonal;
 }
 
-Block own_entries(Vec vector) {
+Vector own_entries(Vec vector) {
   PetscInt size = 0;
   const double *entries = nullptr;
   check(VecGetLocalSize(vector, &size), "Reading a vector");
   check(VecGetArrayRead(vector, &entries), "Reading a vector");
-  Block own = Eigen::Map<const Vector>(entries, size);
+  Vector own = Eigen::Map<const Vector>(entries, size);
   check(VecRestoreArrayRead(vector, &entries), "Reading a vector");
   return own;
 }
@@ -43,9 +43,9 @@ structure::petsc::Matrix regular(Mat mass) {
 
 } // namespace
 
-Vector diagonal(Mat matrix) {
-  return gather(Layout(matrix), own_entries(diagonal_vector(matrix).get()));
-}
+Vector own_diagonal(Mat matrix) { return own_entries(diagonal_vector(matrix).get()); }
+
+Vector diagonal(Mat matrix) { return gather(Layout(matrix), own_diagonal(matrix)); }
 
 Matrix impulse_response(Mat mass, const Matrix &impulses) {
   const Layout layout(mass);

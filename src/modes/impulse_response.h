@@ -5,7 +5,9 @@
 
 namespace vibroimpact::modes {
 
-/// The diagonal of a matrix: all rows on every rank. Collective.
+/// The diagonal of a matrix, this rank's rows.
+Vector own_diagonal(Mat matrix);
+/// All rows on every rank. Collective.
 Vector diagonal(Mat matrix);
 
 /// v with M v = impulse for each column, rows as in the matrix, the same on every rank. A degree of

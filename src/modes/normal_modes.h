@@ -1,6 +1,6 @@
-// The lowest normal modes of K phi = omega^2 M phi, complete and accurate: SLEPc finds them, an
-// inertia count proves that none is missing, and refinement takes the round-off of the stiffness
-// matrix out of the low ones.
+// The lowest normal modes of K phi = omega^2 M phi, complete and accurate: block Lanczos finds
+// them, refinement takes the round-off of the stiffness matrix out of the low ones, and an inertia
+// count proves that none is missing and that the bounds of their errors hold.
 #pragma once
 
 #include "modes/rayleigh_ritz.h"
@@ -23,7 +23,8 @@ struct NormalModes {
   Matrix shapes;
   Index first = 0; ///< the selected modes are first ... first + number - 1
   Index number = 0;
-  /// Of the eigenvalues, relative; for rigid-body modes relative to a small shift of the spectrum.
+  /// Of the eigenvalues, relative, with 1e-14 for rounding; for rigid-body modes relative to a
+  /// small shift of the spectrum.
   Vector error_bounds;
   double orthogonality_residual = 0;
 };

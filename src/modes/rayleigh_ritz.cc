@@ -28,13 +28,6 @@ Block residuals(const EigenProblem &problem, const Eigenpairs &pairs) {
          multiply(problem.mass, pairs.vectors) * pairs.values.asDiagonal();
 }
 
-Vector column_products(const Layout &layout, const Block &x, const Block &y) {
-  Vector products = x.cwiseProduct(y).colwise().sum().transpose();
-  MPI_Allreduce(MPI_IN_PLACE, products.data(), static_cast<int>(products.size()), MPI_DOUBLE,
-                MPI_SUM, layout.communicator);
-  return products;
-}
-
 } // namespace
 
 Eigenpairs rayleigh_ritz(const EigenProblem &problem, Block x) {
@@ -48,12 +41,10 @@ Eigenpairs rayleigh_ritz(const EigenProblem &problem, Block x) {
 }
 
 Correction inverse_iteration(const EigenProblem &problem, const Factorisation &shifted,
-                             double shift, const Eigenpairs &pairs) {
+                             const Eigenpairs &pairs) {
   const Block r = residuals(problem, pairs);
-  Correction correction{.step = shifted.solve(r), .error_bounds = {}};
-  const Vector squares = column_products(Layout(problem.mass), r, correction.step);
-  correction.error_bounds =
-      (squares.array().max(0.0) / (pairs.values.array() - shift)).sqrt().matrix();
+  Correction correction{.step = shifted.solve(r), .residual_products = {}};
+  correction.residual_products = inner_products(Layout(problem.mass), r, correction.step);
   return correction;
 }
 

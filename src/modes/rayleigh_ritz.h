@@ -26,16 +26,14 @@ Eigenpairs rayleigh_ritz(const EigenProblem &problem, Block x);
 
 /// What inverse iteration changes, and how much there is to change.
 struct Correction {
-  Block step; ///< A^-1 (K x - M x Lambda) with A = K - shift M
-  /// Upper bounds of |lambda - exact| / (exact - shift), one for each pair: with r = K x - lambda M
-  /// x they are sqrt(r^T A^-1 r / x^T A x).
-  Vector error_bounds;
+  Block step;               ///< A^-1 R with R = K x - M x Lambda and A = K - shift M
+  Matrix residual_products; ///< R^T A^-1 R, on every rank
 };
 
-/// x - step approximates the lowest eigenvectors better than x when the shift lies below the
-/// spectrum. `shifted` is A.
+/// x - step approximates the lowest eigenvectors better than x when the shift of `shifted` lies
+/// below the spectrum. Collective.
 Correction inverse_iteration(const EigenProblem &problem, const Factorisation &shifted,
-                             double shift, const Eigenpairs &pairs);
+                             const Eigenpairs &pairs);
 
 /// max |X^T M X - I|
 double orthogonality_residual(const EigenProblem &problem, const Block &x);

@@ -1,5 +1,10 @@
 #include "modes/vector_block.h"
 
+#include "modes/sparse_product.h"
+
+#include <petscblaslapack.h>
+
+#include <algorithm>
 #include <vector>
 
 namespace vibroimpact::modes {
@@ -27,11 +32,38 @@ structure::petsc::Matrix wrap(const Layout &layout, Block &x) {
   return dense;
 }
 
-// The matrix is read once for several columns.
+namespace {
+
+bool is_sparse(Mat matrix) {
+  PetscBool sparse = PETSC_FALSE;
+  check(PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(matrix), &sparse, MATSEQAIJ,
+                                  MATMPIAIJ, ""),
+        "Reading a matrix");
+  return sparse == PETSC_TRUE;
+}
+
+/// c <- factor op(a) b + keep c. The BLAS that MUMPS uses is several times as fast as loops that
+/// must run on every processor of the architecture.
+void dense_product(const char *transposed, double factor, const Eigen::Ref<const Matrix> &a,
+                   const Eigen::Ref<const Matrix> &b, double keep, Eigen::Ref<Matrix> c) {
+  const auto rows = static_cast<PetscBLASInt>(c.rows());
+  const auto columns = static_cast<PetscBLASInt>(c.cols());
+  const auto inner = static_cast<PetscBLASInt>(b.rows());
+  const auto a_stride = static_cast<PetscBLASInt>(std::max<Index>(1, a.outerStride()));
+  const auto b_stride = static_cast<PetscBLASInt>(std::max<Index>(1, b.outerStride()));
+  const auto c_stride = static_cast<PetscBLASInt>(std::max<Index>(1, c.outerStride()));
+  BLASgemm_(transposed, "N", &rows, &columns, &inner, &factor, a.data(), &a_stride, b.data(),
+            &b_stride, &keep, c.data(), &c_stride);
+}
+
+} // namespace
+
 Block multiply(Mat matrix, Block x) {
   const Layout layout(matrix);
   if (x.cols() == 0)
     return x;
+  if (is_sparse(matrix))
+    return SparseProduct(matrix)(x);
   const structure::petsc::Matrix in = wrap(layout, x);
   structure::petsc::Matrix out;
   check(MatMatMult(matrix, in.get(), MAT_INITIAL_MATRIX, PETSC_DEFAULT, out.address()),
@@ -43,8 +75,16 @@ Block multiply(Mat matrix, Block x) {
   return y;
 }
 
-Matrix inner_products(const Layout &layout, const Block &x, const Block &y) {
-  Matrix products = x.transpose() * y;
+void add_product(double factor, const Eigen::Ref<const Matrix> &x, const Matrix &c,
+                 Eigen::Ref<Matrix> y) {
+  if (y.size() > 0 && x.cols() > 0)
+    dense_product("N", factor, x, c, 1, y);
+}
+
+Matrix inner_products(const Layout &layout, const Eigen::Ref<const Matrix> &x, const Block &y) {
+  Matrix products = Matrix::Zero(x.cols(), y.cols());
+  if (products.size() > 0 && x.rows() > 0)
+    dense_product("T", 1, x, y, 0, products);
   MPI_Allreduce(MPI_IN_PLACE, products.data(), static_cast<int>(products.size()), MPI_DOUBLE,
                 MPI_SUM, layout.communicator);
   return products;

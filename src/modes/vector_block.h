@@ -22,8 +22,11 @@ struct Layout {
 structure::petsc::Matrix wrap(const Layout &layout, Block &x);
 /// A x. Collective.
 Block multiply(Mat matrix, Block x);
+/// y += factor x c, for the rows of this rank.
+void add_product(double factor, const Eigen::Ref<const Matrix> &x, const Matrix &c,
+                 Eigen::Ref<Matrix> y);
 /// x^T y over all ranks, the same on every rank. Collective.
-Matrix inner_products(const Layout &layout, const Block &x, const Block &y);
+Matrix inner_products(const Layout &layout, const Eigen::Ref<const Matrix> &x, const Block &y);
 /// All rows on every rank. Collective.
 Matrix gather(const Layout &layout, const Block &x);
 /// This rank's rows of a matrix that all ranks hold.

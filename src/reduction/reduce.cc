@@ -63,13 +63,26 @@ void warn_of_implausible(const std::string &name, const AssembledBody &body, dou
 
 Matrix diagonal(const Vector &entries) { return entries.asDiagonal(); }
 
+/// Shapes^T M shapes for the masses at nodes alone; the rows of the shapes are 6 node + component.
+Matrix project_lumped_masses(const structure::BodyModel &model, const Matrix &shapes) {
+  Matrix projected = Matrix::Zero(shapes.cols(), shapes.cols());
+  for (std::size_t node = 0; node < model.lumped_mass.size(); ++node)
+    for (int component = 0; component < 6; ++component)
+      if (const double mass = model.lumped_mass[node][component]; mass != 0) {
+        const RowVector row = shapes.row(static_cast<Index>(6 * node) + component);
+        projected += mass * row.transpose() * row;
+      }
+  return projected;
+}
+
+/// C = (c / m) times the mass matrix of the elements, lumped masses left out.
 Matrix viscous_damping(const Damping &damping, const AssembledBody &body, const Matrix &shapes) {
   const double mass = body.model.distributed_mass();
   if (!(mass > 0))
     throw DefinitionError("Modes", "", "Damping model",
                           "= viscous needs a body with distributed mass (Density > 0)");
-  const Matrix projected =
-      modes::project(body.distributed_mass.get(), free_rows(body.free, shapes));
+  const Matrix projected = modes::project(body.mass.get(), free_rows(body.free, shapes)) -
+                           project_lumped_masses(body.model, shapes);
   return damping.viscous_constant / mass * (projected + projected.transpose()) / 2;
 }
 

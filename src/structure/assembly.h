@@ -12,9 +12,8 @@ namespace vibroimpact::structure {
 struct AssembledBody {
   BodyModel model;
   FreeDofs free;
-  petsc::Matrix stiffness;        ///< elements and springs
-  petsc::Matrix mass;             ///< elements and lumped masses
-  petsc::Matrix distributed_mass; ///< elements only
+  petsc::Matrix stiffness; ///< elements and springs
+  petsc::Matrix mass;      ///< elements and lumped masses; its entries stand where those of K do
   std::unique_ptr<StiffnessOperator> accurate_stiffness;
   /// (M r) at the free rows, for a unit displacement r of the whole body, supports included, along
   /// x, y and z: size x 3 [kg], the same on every rank.

@@ -35,7 +35,7 @@ NodalMatrix ShellElement::force(const Eigen::Ref<const Matrix> &stiffness,
   NodalMatrix deformations(u.rows(), u.cols());
   for (Index j = 0; j < u.cols(); ++j)
     deformations.col(j) = deformation(u.col(j));
-  return stiffness * deformations;
+  return stiffness.lazyProduct(deformations); // too small for packed copies to pay
 }
 
 // What is left of u without the mean displacement and rotation.

@@ -13,20 +13,36 @@ std::vector<int> FreeDofs::of(const Element &element) const {
   return dofs;
 }
 
-StiffnessOperator::StiffnessOperator(const FreeDofs &free) : free_(free) {}
+StiffnessOperator::StiffnessOperator(const FreeDofs &free)
+    : free_(free), local_of_dof_(free.size, -1) {}
 
 int StiffnessOperator::local_number(int dof) {
   if (dof < 0)
     return -1;
-  return local_of_dof_.emplace(dof, static_cast<int>(local_of_dof_.size())).first->second;
+  int &local = local_of_dof_[dof];
+  if (local < 0) {
+    local = static_cast<int>(dofs_.size());
+    dofs_.push_back(dof);
+  }
+  return local;
 }
 
 void StiffnessOperator::add(std::shared_ptr<const Element> element, const NodalMatrix &stiffness,
                             const std::vector<int> &dofs) {
-  Part part{std::move(element), stiffness, {}};
+  parts_.push_back({std::move(element), stiffness.rows(), local_.size(), lower_.size()});
   for (const int dof : dofs)
-    part.local.push_back(local_number(dof));
-  parts_.push_back(std::move(part));
+    local_.push_back(local_number(dof));
+  for (Index j = 0; j < stiffness.cols(); ++j)
+    lower_.insert(lower_.end(), &stiffness(j, j), &stiffness(j, j) + stiffness.rows() - j);
+}
+
+NodalMatrix StiffnessOperator::stiffness_of(const Part &part) const {
+  NodalMatrix stiffness(part.size, part.size);
+  const double *entry = lower_.data() + part.lower_begin;
+  for (Index j = 0; j < part.size; ++j)
+    for (Index i = j; i < part.size; ++i)
+      stiffness(i, j) = stiffness(j, i) = *entry++;
+  return stiffness;
 }
 
 void StiffnessOperator::add_springs(const std::vector<std::array<double, 6>> &springs) {
@@ -39,14 +55,11 @@ void StiffnessOperator::add_springs(const std::vector<std::array<double, 6>> &sp
 }
 
 void StiffnessOperator::finish(MPI_Comm communicator) {
-  std::vector<PetscInt> dofs(local_of_dof_.size());
-  for (const auto &[dof, local] : local_of_dof_)
-    dofs[local] = dof;
-  const auto ghosts = static_cast<PetscInt>(dofs.size());
+  const auto ghosts = static_cast<PetscInt>(dofs_.size());
   const PetscInt own = free_.own_end - free_.own_begin;
   petsc::IndexSet from;
   petsc::Vector distributed;
-  check(ISCreateGeneral(PETSC_COMM_SELF, ghosts, dofs.data(), PETSC_COPY_VALUES, from.address()),
+  check(ISCreateGeneral(PETSC_COMM_SELF, ghosts, dofs_.data(), PETSC_COPY_VALUES, from.address()),
         "Numbering a stiffness operator");
   check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, ghosts, nullptr, ghosted_.address()),
         "Making a vector");
@@ -108,7 +121,7 @@ PetscErrorCode StiffnessOperator::multiply_columns(Mat shell, Mat x, Mat y, void
 }
 
 void StiffnessOperator::begin(Index columns) {
-  const auto rows = static_cast<Index>(local_of_dof_.size());
+  const auto rows = static_cast<Index>(dofs_.size());
   in_.resize(rows, columns);
   out_.setZero(rows, columns);
 }
@@ -130,16 +143,16 @@ void StiffnessOperator::give(Index column, Vec y) {
 
 void StiffnessOperator::add_products() {
   for (const Part &part : parts_) {
-    const auto size = static_cast<Index>(part.local.size());
-    NodalMatrix u(size, in_.cols());
+    const int *local = local_.data() + part.local_begin;
+    NodalMatrix u(part.size, in_.cols());
     for (Index j = 0; j < in_.cols(); ++j)
-      for (Index i = 0; i < size; ++i)
-        u(i, j) = part.local[i] < 0 ? 0.0 : in_(part.local[i], j);
-    const NodalMatrix force = part.element->force(part.stiffness, u);
+      for (Index i = 0; i < part.size; ++i)
+        u(i, j) = local[i] < 0 ? 0.0 : in_(local[i], j);
+    const NodalMatrix force = part.element->force(stiffness_of(part), u);
     for (Index j = 0; j < in_.cols(); ++j)
-      for (Index i = 0; i < size; ++i)
-        if (part.local[i] >= 0)
-          out_(part.local[i], j) += force(i, j);
+      for (Index i = 0; i < part.size; ++i)
+        if (local[i] >= 0)
+          out_(local[i], j) += force(i, j);
   }
   for (const Spring &spring : springs_)
     out_.row(spring.local) += spring.stiffness * in_.row(spring.local);

@@ -42,8 +42,9 @@ public:
 private:
   struct Part {
     std::shared_ptr<const Element> element;
-    vibroimpact::Matrix stiffness;
-    std::vector<int> local; ///< positions in the ghosted vector; -1 where held
+    Index size = 0;              ///< degrees of freedom
+    std::size_t local_begin = 0; ///< of its positions in local_
+    std::size_t lower_begin = 0; ///< of the lower triangle of its matrix in lower_
   };
   struct Spring {
     int local = 0;
@@ -57,14 +58,18 @@ private:
   void take(Vec x, Index column);
   void give(Index column, Vec y);
   void add_products();
+  NodalMatrix stiffness_of(const Part &part) const;
   int local_number(int dof);
 
   FreeDofs free_;
   std::vector<Part> parts_;
+  std::vector<int> local_;    ///< positions in the ghosted vector; -1 where held
+  std::vector<double> lower_; ///< by columns
   std::vector<Spring> springs_;
-  std::map<int, int> local_of_dof_;
-  vibroimpact::Matrix in_, out_; ///< degrees of freedom of this rank's elements x columns
-  petsc::Vector ghosted_;        ///< is laid on a column of them
+  std::vector<int> local_of_dof_; ///< of all degrees of freedom; -1 where there is none
+  std::vector<PetscInt> dofs_;    ///< of the local ones
+  vibroimpact::Matrix in_, out_;  ///< degrees of freedom of this rank's elements x columns
+  petsc::Vector ghosted_;         ///< is laid on a column of them
   petsc::Scatter scatter_;
   petsc::Matrix shell_;
 };

@@ -1,9 +1,6 @@
-#include "modes/eigen_solver.h"
+#include "modes/spectrum_slicing.h"
 
 #include <slepceps.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace vibroimpact::modes {
 
@@ -25,21 +22,13 @@ void default_option(const char *name, const char *value) {
     check(PetscOptionsSetValue(nullptr, name, value), "Setting an option");
 }
 
-// Fractional parts of multiples of the golden ratio: no structure that a mode could be orthogonal
-// to, and the same in every run.
-structure::petsc::Vector start_vector(Mat matrix) {
-  structure::petsc::Vector owner;
-  check(MatCreateVecs(matrix, owner.address(), nullptr), "Making a start vector");
-  Vec start = owner.get();
-  PetscInt begin = 0;
-  PetscInt end = 0;
-  double *values = nullptr;
-  check(VecGetOwnershipRange(start, &begin, &end), "Making a start vector");
-  check(VecGetArray(start, &values), "Making a start vector");
-  for (PetscInt i = begin; i < end; ++i)
-    values[i - begin] = 0.5 + std::fmod(0.6180339887498949 * (i + 1), 1.0);
-  check(VecRestoreArray(start, &values), "Making a start vector");
-  return owner;
+/// MUMPS, symmetric indefinite.
+void use_mumps(KSP solver) {
+  PC preconditioner = nullptr;
+  check(KSPSetType(solver, KSPPREONLY), "Setting up MUMPS");
+  check(KSPGetPC(solver, &preconditioner), "Setting up MUMPS");
+  check(PCSetType(preconditioner, PCCHOLESKY), "Setting up MUMPS");
+  check(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS), "Setting up MUMPS");
 }
 
 Eigensolver make_solver(Mat stiffness, Mat mass) {
@@ -78,29 +67,8 @@ Block solve(EPS solver, const Layout &layout) {
 
 } // namespace
 
-FoundVectors lowest_eigenvectors(Mat stiffness, Mat mass, double shift, int count) {
-  default_option("-st_mat_mumps_icntl_14", "100"); // per cent of extra workspace for pivoting
-  const Layout layout(stiffness);
-  const Eigensolver solver = make_solver(stiffness, mass);
-  const PetscInt subspace = std::min(layout.size, std::max(2 * count, count + 30));
-  check(EPSSetTarget(solver.get(), shift), "Setting up SLEPc");
-  check(EPSSetWhichEigenpairs(solver.get(), EPS_TARGET_MAGNITUDE), "Setting up SLEPc");
-  check(EPSSetDimensions(solver.get(), count, subspace, PETSC_DEFAULT), "Setting up SLEPc");
-  const structure::petsc::Vector start = start_vector(stiffness);
-  Vec space = start.get();
-  check(EPSSetInitialSpace(solver.get(), 1, &space), "Setting up SLEPc");
-  Block vectors = solve(solver.get(), layout);
-  if (vectors.cols() < count)
-    throw NumericalError("The eigen-solution found only " + std::to_string(vectors.cols()) +
-                         " of " + std::to_string(count) + " modes");
-  ST transformation = nullptr;
-  KSP linear = nullptr;
-  check(EPSGetST(solver.get(), &transformation), "Taking over a factorisation");
-  check(STGetKSP(transformation, &linear), "Taking over a factorisation");
-  return {std::move(vectors), factorisation_of(linear)};
-}
-
 Block eigenvectors_between(Mat stiffness, Mat mass, double lower, double upper) {
+  default_option("-st_mat_mumps_icntl_14", "100"); // per cent of extra workspace for pivoting
   default_option("-st_mat_mumps_icntl_13", "1");
   default_option("-st_mat_mumps_icntl_24", "1");
   const Layout layout(stiffness);
