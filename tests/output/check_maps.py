@@ -1,4 +1,4 @@
-"""Maps of values that are all the same, up to rounding, are drawn: check_maps.py POSTPROCESS"""
+"""Maps of values that are all the same, up to rounding, are drawn; which measures have one: check_maps.py POSTPROCESS"""
 
 import sys
 import unittest
@@ -14,6 +14,7 @@ matplotlib.use("Agg")
 import numpy as np  # noqa: E402
 from vibroimpact.plots import maps  # noqa: E402
 from vibroimpact.plots.labels import scale_for  # noqa: E402
+from vibroimpact.plots.measures import Sheet  # noqa: E402
 
 ROUNDING = 4e-15
 
@@ -47,6 +48,12 @@ class ConstantMaps(unittest.TestCase):
     def test_ends(self):
         self.assertEqual(maps.ends_of(np.array([1.0, 3.0])), (1, 3))
         np.testing.assert_allclose(maps.ends_of(np.array([-2.0, -2.0])), (-2.1, -1.9))
+
+
+class Sheets(unittest.TestCase):
+    def test_a_derived_quantity_has_one_map(self):
+        self.assertTrue(maps.suits_a_map(Sheet("displacement-x", "")))
+        self.assertFalse(maps.suits_a_map(Sheet("derived-peak", "")))
 
 
 if __name__ == "__main__":

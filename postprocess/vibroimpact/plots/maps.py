@@ -93,9 +93,10 @@ def recorded_maps(analysis: Analysis):
 
 
 def suits_a_map(sheet) -> bool:
-    """The main measures, without counts, classes and further statistics of the same quantity."""
+    """The main measures, without counts, classes and further statistics of the same quantity. Derived
+    quantities have maps of their own."""
     further = ("-peaks", "-averages", "-impacts")
-    return not (sheet.name.startswith(("regime", "orders"))
+    return not (sheet.name.startswith(("regime", "orders", "derived"))
                 or any(part in sheet.name for part in further))
 
 
