@@ -33,7 +33,7 @@ public:
       : problem_(problem), layout_(problem.stiffness),
         rigid_(own_rows(layout_, modes.shapes.leftCols(count_rigid(modes.eigenvalues)))),
         kept_(own_rows(layout_, modes.shapes.middleCols(modes.first, modes.number))),
-        factorised_(problem.stiffness, problem.mass, shift_for(modes.eigenvalues)) {}
+        factorised_(problem.factorised_at(shift_for(modes.eigenvalues))) {}
 
   AttachmentModes from(const Matrix &loads) const {
     Block force = own_rows(layout_, loads);
@@ -89,7 +89,7 @@ private:
   Layout layout_;
   Block rigid_;
   Block kept_;
-  Factorisation factorised_;
+  const Factorisation &factorised_;
 };
 
 } // namespace

@@ -79,6 +79,14 @@ void Factorisation::shift_to(double shift) {
   factor_ = factorised(matrix.get());
 }
 
+const Factorisation &FactorisedPencil::at(Mat stiffness, Mat mass, double shift) {
+  if (factorisation_)
+    factorisation_->shift_to(shift);
+  else
+    factorisation_.emplace(stiffness, mass, shift);
+  return *factorisation_;
+}
+
 Block Factorisation::solve(Block x) const {
   const Layout layout(factor_.get());
   Block y = Block::Zero(x.rows(), x.cols());

@@ -4,6 +4,8 @@
 
 #include "modes/vector_block.h"
 
+#include <optional>
+
 namespace vibroimpact::modes {
 
 class Factorisation {
@@ -27,6 +29,17 @@ private:
   Mat mass_;
   double shift_;
   structure::petsc::Matrix factor_;
+};
+
+/// The one factorisation of K - shift M that there is at a time: they are what takes the memory.
+class FactorisedPencil {
+public:
+  /// Made when first asked for, made anew where the shift is another one. Collective.
+  const Factorisation &at(Mat stiffness, Mat mass, double shift);
+  void release() { factorisation_.reset(); }
+
+private:
+  std::optional<Factorisation> factorisation_;
 };
 
 } // namespace vibroimpact::modes

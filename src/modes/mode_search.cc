@@ -45,23 +45,15 @@ ModeSearch::ModeSearch(const EigenProblem &problem)
     : problem_(problem), largest_(largest_eigenvalue(problem)), shift_(-shift_fraction * largest_) {
 }
 
-const Factorisation &ModeSearch::factorised(double shift) {
-  if (factorisation_)
-    factorisation_->shift_to(shift);
-  else
-    factorisation_.emplace(problem_.stiffness, problem_.mass, shift);
-  return *factorisation_;
-}
-
 int ModeSearch::count_below(double eigenvalue) {
-  return factorised(eigenvalue).eigenvalues_below();
+  return problem_.factorised_at(eigenvalue).eigenvalues_below();
 }
 
 CompletePairs ModeSearch::lowest(int count) {
   int enlargements = 0;
   for (int asked = count;; asked = std::min(2 * asked, problem_.mass_rank)) {
-    Refined found =
-        refined(lowest_eigenvectors(factorised(shift_), problem_.mass, asked, problem_.mass_rank));
+    Refined found = refined(lowest_eigenvectors(problem_.factorised_at(shift_), problem_.mass,
+                                                asked, problem_.mass_rank));
     if (found.error_bounds.head(count).maxCoeff() <= accepted_error)
       return group(complete(std::move(found)), count);
     if (asked == problem_.mass_rank || ++enlargements > most_enlargements)
@@ -76,7 +68,7 @@ CompletePairs ModeSearch::completed(LowestVectors found) {
 }
 
 ModeSearch::Refined ModeSearch::refined(LowestVectors found) {
-  const Factorisation &shifted = factorised(shift_);
+  const Factorisation &shifted = problem_.factorised_at(shift_);
   Eigenpairs pairs = rayleigh_ritz(problem_, std::move(found.vectors));
   double previous = std::numeric_limits<double>::infinity();
   for (int step = 1;; ++step) {
@@ -104,7 +96,7 @@ ModeSearch::Refined ModeSearch::complete(Refined found) {
       return found;
     if (expected < size || search == most_searches)
       return sliced(found.gap, expected);
-    found = refined(lowest_eigenvectors(factorised(shift_), problem_.mass, expected,
+    found = refined(lowest_eigenvectors(problem_.factorised_at(shift_), problem_.mass, expected,
                                         problem_.mass_rank, found.pairs.vectors));
   }
   return found;
@@ -112,7 +104,7 @@ ModeSearch::Refined ModeSearch::complete(Refined found) {
 
 /// All below `gap`, which are `expected`.
 ModeSearch::Refined ModeSearch::sliced(double gap, int expected) {
-  factorisation_.reset(); // SLEPc makes its own: one at a time, they are what takes the memory
+  problem_.factorised->release(); // SLEPc makes its own
   Block vectors = eigenvectors_between(problem_.stiffness, problem_.mass, shift_, gap);
   if (vectors.cols() != expected)
     throw NumericalError("The eigen-solution found " + std::to_string(vectors.cols()) + " of " +

@@ -1,11 +1,9 @@
 // The lowest eigenpairs up to a gap in the spectrum: found by block Lanczos, freed of the round-off
-// of the stiffness matrix, their errors bounded, and counted. One factorisation is there at a time.
+// of the stiffness matrix, their errors bounded, and counted.
 #pragma once
 
 #include "modes/block_lanczos.h"
 #include "modes/rayleigh_ritz.h"
-
-#include <optional>
 
 namespace vibroimpact::modes {
 
@@ -39,7 +37,6 @@ private:
     double gap = 0;      ///< behind the last one
   };
 
-  const Factorisation &factorised(double shift);
   Refined refined(LowestVectors found);
   Refined complete(Refined found);
   Refined sliced(double gap, int expected);
@@ -48,7 +45,6 @@ private:
   EigenProblem problem_;
   double largest_;
   double shift_;
-  std::optional<Factorisation> factorisation_;
 };
 
 } // namespace vibroimpact::modes

@@ -5,6 +5,8 @@
 #include "modes/factorisation.h"
 #include "modes/vector_block.h"
 
+#include <memory>
+
 namespace vibroimpact::modes {
 
 /// K phi = lambda M phi. `accurate_stiffness` is the same operator as `stiffness` with less
@@ -14,6 +16,13 @@ struct EigenProblem {
   Mat mass = nullptr;
   Mat accurate_stiffness = nullptr;
   int mass_rank = 0; ///< number of finite eigenvalues
+  /// Shared by the copies of this problem, so that modes, attachments and static solutions have one
+  /// order of elimination and its memory, and solutions with the same shift one factorisation.
+  std::shared_ptr<FactorisedPencil> factorised = std::make_shared<FactorisedPencil>();
+
+  const Factorisation &factorised_at(double shift) const {
+    return factorised->at(stiffness, mass, shift);
+  }
 };
 
 struct Eigenpairs {

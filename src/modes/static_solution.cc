@@ -26,7 +26,7 @@ double relative(const Vector &error, const Vector &work) {
 
 Matrix static_solution(const EigenProblem &problem, const Matrix &loads) {
   const Layout layout(problem.stiffness);
-  const Factorisation factorised(problem.stiffness, problem.mass, 0);
+  const Factorisation &factorised = problem.factorised_at(0);
   const Block force = own_rows(layout, loads);
   Block solution = factorised.solve(force);
   double previous = std::numeric_limits<double>::infinity();

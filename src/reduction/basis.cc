@@ -36,9 +36,10 @@ modes::EigenProblem problem_of(const AssembledBody &body) {
           .mass_rank = body.massive_dofs};
 }
 
-modes::NormalModes solve_modes(const AssembledBody &body, const modes::Selection &selection) {
+modes::NormalModes solve_modes(const modes::EigenProblem &problem,
+                               const modes::Selection &selection) {
   try {
-    modes::NormalModes modes = modes::normal_modes(problem_of(body), selection);
+    modes::NormalModes modes = modes::normal_modes(problem, selection);
     if (modes.number == 0)
       throw DefinitionError("Modes", "", "Band", "must hold at least one natural frequency");
     return modes;
@@ -78,16 +79,16 @@ std::vector<InterfaceDof> interface_dofs(const BodyDefinition &definition,
 
 namespace {
 
-void add_attachment_modes(const AssembledBody &body, const modes::NormalModes &modes,
-                          const std::vector<InterfaceDof> &dofs, Basis &basis) {
+void add_attachment_modes(const AssembledBody &body, const modes::EigenProblem &problem,
+                          const modes::NormalModes &modes, const std::vector<InterfaceDof> &dofs,
+                          Basis &basis) {
   if (modes.eigenvalues[modes.eigenvalues.size() - 1] == 0)
     throw DefinitionError("Modes", "", "Number",
                           "must take in an elastic mode of a free body with Attachments");
   Matrix loads = Matrix::Zero(body.free.size, static_cast<Index>(dofs.size()));
   for (std::size_t j = 0; j < dofs.size(); ++j)
     loads(body.free.number[dofs[j].node][dofs[j].axis], static_cast<Index>(j)) = 1;
-  const modes::AttachmentModes more =
-      modes::residual_attachment_modes(problem_of(body), modes, loads);
+  const modes::AttachmentModes more = modes::residual_attachment_modes(problem, modes, loads);
   const Index size = modes.number + more.eigenvalues.size();
   basis.stiffness.conservativeResize(size);
   basis.stiffness.tail(more.eigenvalues.size()) = more.eigenvalues;
@@ -97,8 +98,9 @@ void add_attachment_modes(const AssembledBody &body, const modes::NormalModes &m
 
 } // namespace
 
-Basis free_interface_basis(const BodyDefinition &definition, const AssembledBody &body) {
-  const modes::NormalModes modes = solve_modes(body, definition.selection);
+Basis free_interface_basis(const BodyDefinition &definition, const AssembledBody &body,
+                           const modes::EigenProblem &problem) {
+  const modes::NormalModes modes = solve_modes(problem, definition.selection);
   const Matrix all = ruled(body, modes.eigenvalues, modes.shapes);
   Basis basis{.stiffness = merge_multiple(modes.eigenvalues).segment(modes.first, modes.number),
               .shapes = all.middleCols(modes.first, modes.number),
@@ -110,7 +112,7 @@ Basis free_interface_basis(const BodyDefinition &definition, const AssembledBody
                                     [](double value) { return value > 0; });
   basis.first_elastic = elastic == modes.eigenvalues.end() ? 0 : *elastic;
   if (const auto dofs = interface_dofs(definition, body); !dofs.empty())
-    add_attachment_modes(body, modes, dofs, basis);
+    add_attachment_modes(body, problem, modes, dofs, basis);
   // Attachment modes are no eigenvectors: nothing bounds their error as such.
   basis.error_bounds =
       Vector::Constant(basis.stiffness.size(), std::numeric_limits<double>::quiet_NaN());

@@ -21,17 +21,19 @@ struct Basis {
 
 /// The normal modes of the selection, then the residual attachment modes. Collective. Throws
 /// DefinitionError and NumericalError.
-Basis free_interface_basis(const BodyDefinition &definition, const structure::AssembledBody &body);
+Basis free_interface_basis(const BodyDefinition &definition, const structure::AssembledBody &body,
+                           const modes::EigenProblem &problem);
 
 /// The normal modes of the body that is held at its Attachments too, and its static shapes for a
 /// unit displacement of each of these (craig1968), brought to diagonal form. Collective. Throws
 /// DefinitionError and NumericalError.
 Basis fixed_interface_basis(const BodyDefinition &definition, const structure::AssembledBody &body,
-                            MPI_Comm communicator);
+                            const modes::EigenProblem &problem, MPI_Comm communicator);
 
 /// Throws DefinitionError when there are fewer modes than asked for.
-modes::NormalModes solve_modes(const structure::AssembledBody &body,
+modes::NormalModes solve_modes(const modes::EigenProblem &problem,
                                const modes::Selection &selection);
+/// What is factorised for one use of it serves the others too.
 modes::EigenProblem problem_of(const structure::AssembledBody &body);
 
 /// Throws DefinitionError when a body with loads is not held.

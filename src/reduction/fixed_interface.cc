@@ -32,15 +32,15 @@ Matrix unit_displacements(const std::vector<InterfaceDof> &dofs, Index rows) {
 
 /// Static shapes on all nodes for a unit displacement of each of the interface's.
 Matrix constraint_modes(const std::vector<InterfaceDof> &dofs, const AssembledBody &body,
-                        const AssembledBody &held) {
+                        const AssembledBody &held, const modes::EigenProblem &held_problem) {
   const modes::Layout layout(body.stiffness.get());
   const Matrix unit =
       unit_displacements(dofs, 6 * static_cast<Index>(body.model.mesh.nodes.size()));
   const modes::Block own = modes::own_rows(layout, free_rows(body.free, unit));
   const Matrix forces = node_rows(
       body.free, modes::gather(layout, modes::multiply(body.accurate_stiffness->matrix(), own)));
-  return unit + node_rows(held.free,
-                          modes::static_solution(problem_of(held), -free_rows(held.free, forces)));
+  return unit +
+         node_rows(held.free, modes::static_solution(held_problem, -free_rows(held.free, forces)));
 }
 
 modes::Block normalised(const modes::Layout &layout, Mat mass, const modes::Block &x) {
@@ -51,9 +51,8 @@ modes::Block normalised(const modes::Layout &layout, Mat mass, const modes::Bloc
 /// The best modes that the shapes span, in ascending order. Those of the constraint modes alone go
 /// first: rigid motions are among them, which the stiff shapes would otherwise cover with
 /// round-off.
-modes::Eigenpairs best_modes(const AssembledBody &body, const Matrix &constraint,
-                             const Matrix &normal) {
-  const modes::EigenProblem problem = problem_of(body);
+modes::Eigenpairs best_modes(const AssembledBody &body, const modes::EigenProblem &problem,
+                             const Matrix &constraint, const Matrix &normal) {
   const modes::Layout layout(problem.stiffness);
   const auto own = [&](const Matrix &shapes) {
     return modes::own_rows(layout, free_rows(body.free, shapes));
@@ -68,21 +67,23 @@ modes::Eigenpairs best_modes(const AssembledBody &body, const Matrix &constraint
 } // namespace
 
 Basis fixed_interface_basis(const BodyDefinition &definition, const AssembledBody &body,
-                            MPI_Comm communicator) {
+                            const modes::EigenProblem &problem, MPI_Comm communicator) {
   const std::vector<InterfaceDof> dofs = interface_dofs(definition, body);
   if (dofs.empty())
     throw DefinitionError("Modes", "", "Attachments",
                           "must name at least one displacement that no support holds, for "
                           "Reduction = fixed interface");
   const AssembledBody held = held_at(dofs, body, communicator);
-  const modes::NormalModes modes = solve_modes(held, definition.selection);
+  const modes::EigenProblem held_problem = problem_of(held);
+  const modes::NormalModes modes = solve_modes(held_problem, definition.selection);
   if (modes.eigenvalues[0] == 0)
     throw DefinitionError("Modes", "", "Attachments",
                           "must hold the body against every rigid motion, together with its "
                           "supports, for Reduction = fixed interface");
   const Matrix normal =
       ruled(held, modes.eigenvalues, modes.shapes).middleCols(modes.first, modes.number);
-  modes::Eigenpairs pairs = best_modes(body, constraint_modes(dofs, body, held), normal);
+  modes::Eigenpairs pairs =
+      best_modes(body, problem, constraint_modes(dofs, body, held, held_problem), normal);
   for (double &value : pairs.values)
     if (value <= rigid_fraction * modes.eigenvalues[0])
       value = 0;
@@ -90,7 +91,7 @@ Basis fixed_interface_basis(const BodyDefinition &definition, const AssembledBod
   Basis basis{.stiffness = merge_multiple(pairs.values),
               .shapes = ruled(body, pairs.values, modes::gather(layout, pairs.vectors)),
               .normal = modes.number};
-  basis.orthogonality_residual = modes::orthogonality_residual(problem_of(body), pairs.vectors);
+  basis.orthogonality_residual = modes::orthogonality_residual(problem, pairs.vectors);
   basis.held = basis.stiffness[0] > 0;
   check_loads(definition, body, basis.held);
   const Index rigid = (basis.stiffness.array() == 0).count();

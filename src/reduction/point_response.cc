@@ -31,13 +31,14 @@ std::vector<Matrix> blocks(const Matrix &forces, const Matrix &answers) {
   return all;
 }
 
-void solve_statics(const AssembledBody &body, const Matrix &forces, PointResponse &response) {
+void solve_statics(const AssembledBody &body, const modes::EigenProblem &problem,
+                   const Matrix &forces, PointResponse &response) {
   const Index given = body.model.loaded ? 1 : 0;
   if (given + forces.cols() == 0)
     return;
   Matrix loads(body.free.size, given + forces.cols());
   loads << body.load.replicate(1, given), forces;
-  const Matrix solution = modes::static_solution(problem_of(body), loads);
+  const Matrix solution = modes::static_solution(problem, loads);
   if (given > 0)
     response.deflection = node_rows(body.free, solution.col(0));
   response.flexibility = blocks(forces, solution.rightCols(forces.cols()));
@@ -72,11 +73,13 @@ void solve_impulses(const AssembledBody &body, Matrix forces, PointResponse &res
 
 } // namespace
 
-PointResponse point_response(const AssembledBody &body, bool held) {
+PointResponse point_response(const AssembledBody &body, const modes::EigenProblem &problem,
+                             bool held) {
   const Matrix forces = unit_forces(body);
   PointResponse response;
   if (held)
-    solve_statics(body, forces, response);
+    solve_statics(body, problem, forces, response);
+  problem.factorised->release(); // before that of the mass matrix
   solve_impulses(body, forces, response);
   return response;
 }

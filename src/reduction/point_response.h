@@ -1,6 +1,7 @@
 // How a meshed body answers at its points before it is reduced: to static forces, and to impulses.
 #pragma once
 
+#include "modes/rayleigh_ritz.h"
 #include "structure/assembly.h"
 
 namespace vibroimpact::reduction {
@@ -11,7 +12,9 @@ struct PointResponse {
   std::vector<Matrix> inverse_mass; ///< of each point, see BodyPoint; empty where it has none
 };
 
-/// `held`: supports hold the body against every rigid motion. Collective. Throws NumericalError.
-PointResponse point_response(const structure::AssembledBody &body, bool held);
+/// `problem`: of the body; what it has factorised is given back. `held`: supports hold the body
+/// against every rigid motion. Collective. Throws NumericalError.
+PointResponse point_response(const structure::AssembledBody &body,
+                             const modes::EigenProblem &problem, bool held);
 
 } // namespace vibroimpact::reduction

@@ -138,12 +138,13 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
   const AssembledBody assembled = structure::assemble(build_model(definition), communicator);
   const bool large = assembled.free.size >= large_body;
   stages.begin("modes of " + std::to_string(assembled.free.size) + " degrees of freedom", large);
+  const modes::EigenProblem problem = problem_of(assembled);
   Basis basis = definition.reduction == BodyDefinition::Reduction::fixed_interface
-                    ? fixed_interface_basis(definition, assembled, communicator)
-                    : free_interface_basis(definition, assembled);
+                    ? fixed_interface_basis(definition, assembled, problem, communicator)
+                    : free_interface_basis(definition, assembled, problem);
   warn_of_implausible(definition.name, assembled, basis.first_elastic);
   stages.begin("static solutions", large);
-  const PointResponse response = point_response(assembled, basis.held);
+  const PointResponse response = point_response(assembled, problem, basis.held);
 
   ReducedBody body;
   body.name = definition.name;

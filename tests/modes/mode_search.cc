@@ -113,6 +113,23 @@ TEST(ModeSearch, CountsWhatIsBelow) {
                             [&](double value) { return value < below; }));
 }
 
+TEST(ModeSearch, CopiesOfAProblemShareTheirFactorisation) {
+  const std::vector<double> eigenvalues = squares(50);
+  const SmallProblem masses = single_masses(eigenvalues);
+  const modes::EigenProblem problem = masses.problem();
+  const modes::EigenProblem copy = problem;
+  const modes::Factorisation *first = &problem.factorised_at(0);
+  EXPECT_EQ(copy.factorised_at(90).eigenvalues_below(), 9);
+  EXPECT_EQ(&copy.factorised_at(0), first);
+  const modes::Layout layout(problem.stiffness);
+  const modes::Block ones = modes::Block::Ones(layout.own, 1);
+  const modes::Block solution = problem.factorised_at(0).solve(ones);
+  for (Index i = 0; i < layout.own; ++i) {
+    const auto row = static_cast<int>(layout.own_begin + i);
+    EXPECT_NEAR(solution(i, 0) * eigenvalues[row] * (1 + row % 3), 1, 1e-14);
+  }
+}
+
 TEST(ModeSearch, FindsAMissingMode) {
   const std::vector<double> eigenvalues = squares(200);
   const SmallProblem masses = single_masses(eigenvalues);
