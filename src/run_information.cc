@@ -41,17 +41,18 @@ std::vector<std::string> libraries() {
 
 std::string program_version() { return std::string(version) + " (" + commit + ")"; }
 
-output::RunInformation run_information(const std::string &parameters,
+output::RunInformation run_information(const parameters::ParameterSet &parameters,
                                        const std::string &command_line, MPI_Comm communicator) {
   int ranks = 1;
   MPI_Comm_size(communicator, &ranks);
   return {.version = version,
           .commit = commit,
-          .parameters = parameters,
+          .parameters = parameters.echo(),
           .command_line = command_line,
           .libraries = libraries(),
           .ranks = ranks,
-          .processor = processor_name()};
+          .processor = processor_name(),
+          .dimensionless = parameters.dimensionless()};
 }
 
 } // namespace vibroimpact

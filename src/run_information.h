@@ -10,7 +10,7 @@
 namespace vibroimpact {
 
 /// Version, libraries, ranks and processor of this run.
-output::RunInformation run_information(const std::string &parameters,
+output::RunInformation run_information(const parameters::ParameterSet &parameters,
                                        const std::string &command_line, MPI_Comm communicator);
 
 /// Version and commit.

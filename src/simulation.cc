@@ -140,8 +140,8 @@ Simulation::Job Simulation::read_job(const std::string &name) const {
   const std::string repeated = analyses::repeated_analysis(analysis, root.instances("Analysis"));
   if (root.instance("Analysis", repeated).choice("Type") == analyses::grid_type)
     analysis.subsection("Parameter grid")
-        .reject("Repeat", "an analysis that is no grid itself; "
-                          "one grid takes any number of keys.");
+        .reject("Repeat",
+                "must be an analysis that is no parameter grid; one grid takes any number of keys");
   std::vector<std::string> constant;
   for (const std::string &with : {name, repeated})
     for (const Override &change : analyses::read_constants(root.instance("Analysis", with)))
@@ -161,14 +161,14 @@ std::vector<Simulation::Job> Simulation::jobs() const {
     jobs.push_back(std::move(job));
   }
   if (jobs.empty())
-    root.reject_section("there is no analysis: a subsection Analysis NAME is needed");
+    root.reject_section("at least one subsection Analysis NAME must be given");
   return jobs;
 }
 
 void Simulation::reduce_bodies(const Values &root) {
   const std::vector<std::string> names = analyses::listed_instances(root, "Bodies", "Body");
   if (names.empty())
-    root.reject_section("there is no body: a subsection Body NAME is needed");
+    root.reject_section("at least one subsection Body NAME must be given");
   for (const std::string &name : names) {
     const Values body = root.instance("Body", name);
     const std::string fingerprint = body.fingerprint();
@@ -346,7 +346,8 @@ void Simulation::check() {
     reduce_all(all);
   }
   for (const auto &body : bodies(parameters_->root()))
-    log::info("body " + body->name + ": " + analyses::body_sentence(*body));
+    log::info("body " + body->name + ": " +
+              analyses::body_sentence(*body, parameters_->dimensionless()));
   for (const Job &job : all)
     check_cases(job);
   try_evaluated(all);
@@ -386,10 +387,9 @@ RunSummary Simulation::run(const RunOptions &options) {
     outlines.push_back(reduction::beam_outlines(parameters_->root().instance("Body", body->name),
                                                 body->name, file_folder(), communicator_));
   }
-  output::FileSink sink(communicator_, folder,
-                        run_information(parameters_->echo(), options.command_line, communicator_),
-                        reduced, std::chrono::seconds(60), std::move(derived), contacts,
-                        std::move(outlines));
+  output::FileSink sink(
+      communicator_, folder, run_information(*parameters_, options.command_line, communicator_),
+      reduced, std::chrono::seconds(60), std::move(derived), contacts, std::move(outlines));
   int rank = 0;
   MPI_Comm_rank(communicator_, &rank);
   if (rank == 0)

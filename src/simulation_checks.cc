@@ -40,8 +40,8 @@ void Simulation::check_cases(const Job &job) const {
       if (point == 0)
         first_shape = shape;
       if (shape != first_shape)
-        throw InputError("The grid changes the number of points of the analysis " + job.repeated +
-                         ".");
+        throw InputError("The grid must not change the number of points of the analysis " +
+                         job.repeated + ".");
     } catch (const InputError &error) {
       if (job.keys.empty())
         throw;
@@ -63,18 +63,16 @@ void Simulation::check_length(const Job &job, const analyses::Case &work) const 
   const double time = transient.quantity("Duration");
   if (const double step = work.system.integration.maximum_step; step > 0 && time / step > most)
     root.subsection("Integration")
-        .reject("Maximum step", "Maximum step must be longer: a motion of the analysis " +
-                                    job.repeated + " takes " + parameters::number_text(time) +
-                                    " s, more than 1e12 steps.");
+        .reject("Maximum step",
+                "must be greater than 1e-12 of the Duration of the analysis " + job.repeated);
   double highest = 0;
   for (const auto &body : work.system.model.bodies())
     highest = std::max(highest, body->omega().maxCoeff());
   if (time * highest / (2 * std::numbers::pi) > most)
-    transient.reject("Duration",
-                     "a motion of " + parameters::number_text(time) +
-                         " s is too long: the highest natural frequency of the bodies, " +
-                         parameters::number_text(highest / (2 * std::numbers::pi)) +
-                         " Hz, makes more than 1e12 periods of it");
+    transient.reject(
+        "Duration",
+        "must be at most 1e12 periods of the highest natural frequency of the bodies, " +
+            parameters::number_text(most * 2 * std::numbers::pi / highest));
 }
 
 // One rank alone finds out how far it comes in a limited time.

@@ -81,7 +81,8 @@ std::shared_ptr<const Analysis> create_analysis(const parameters::Values &analys
   for (const Entry &entry : entries)
     if (type == entry.type) {
       if (!entry.records && analysis.given("Record"))
-        analysis.reject("Record", "nothing: this type of analysis has no recorders.");
+        analysis.reject("Record", "must not be set when Type = " + analysis.choice("Type") +
+                                      ", which has no recorders");
       return entry.create(analysis);
     }
   throw std::logic_error("analysis type without an entry: " + type);

@@ -121,7 +121,7 @@ std::shared_ptr<const Analysis> BalanceBranch::create(const parameters::Values &
                     .section = values};
   if (const long least = 4 * settings.harmonics + 2;
       settings.samples != 0 && settings.samples < least)
-    values.reject("Samples per period", "0 or at least " + std::to_string(least) + " for " +
+    values.reject("Samples per period", "must be 0 or at least " + std::to_string(least) + " for " +
                                             std::to_string(settings.harmonics) + " Harmonics.");
   return std::make_shared<BalanceBranch>(std::move(settings));
 }
@@ -154,7 +154,7 @@ void BalanceBranch::check_guess(const System &system) const {
   const Index n = system.model.size(), most = 2 * settings_.harmonics + 1;
   if (given % n != 0 || (given / n) % 2 == 0 || given / n > most)
     settings_.section.value().reject(
-        "Guess", "for each of " + std::to_string(n) +
+        "Guess", "must have for each of " + std::to_string(n) +
                      " coordinates an odd number of coefficients, " + std::to_string(most) +
                      " at most for " + std::to_string(settings_.harmonics) + " Harmonics.");
 }

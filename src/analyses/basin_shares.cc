@@ -22,8 +22,10 @@ void BasinShares::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
       section_name, "How many of random starts in a box lead to which periodic motion.");
-  declare_key_range(section.named_subsection(
-      kind, "An initial condition of the box, by a key that changes nothing else."));
+  declare_key_range(
+      section.named_subsection(
+          kind, "An initial condition of the box, by a key that changes nothing else."),
+      true);
   section
       .integer("Starts", "1000", Range{.lower = 1, .upper = 1e9}, "N",
                "Number of starts, uniformly distributed between the ends of all ranges.")
@@ -44,10 +46,10 @@ std::shared_ptr<const Analysis> BasinShares::create(const parameters::Values &an
     settings.keys.push_back(read_key_range(range, 2));
     for (std::size_t k = 0; k + 1 < settings.keys.size(); ++k)
       if (settings.keys[k].path == settings.keys.back().path)
-        range.reject("Parameter", "another key than that of the other ranges.");
+        range.reject("Parameter", "must be another key than that of the other sections Range");
   }
   if (settings.keys.empty())
-    values.reject_section("a subsection Range NAME must say which initial conditions are random.");
+    values.reject_section("at least one subsection Range NAME must be given");
   return std::make_shared<BasinShares>(std::move(settings));
 }
 

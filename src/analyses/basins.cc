@@ -24,7 +24,7 @@ constexpr std::size_t most_lines = 16;
 void declare_cell_axis(parameters::Section &section, const std::string &name,
                        const std::string &description) {
   parameters::Section &axis = section.subsection(name, description);
-  declare_key_range(axis);
+  declare_key_range(axis, true);
   axis.integer("Cells", "200", parameters::Range{.lower = 1, .upper = 1e5}, "", "Number of cells.");
 }
 
@@ -184,10 +184,11 @@ std::shared_ptr<const Analysis> Basins::create(const parameters::Values &analysi
                     .nodes = values.integer("Nodes"),
                     .checked_every = values.integer("Check every")};
   if (settings.first.path == settings.second.path)
-    values.subsection(second_axis).reject("Parameter", "another key than that of the first axis.");
+    values.subsection(second_axis)
+        .reject("Parameter", "must be another key than that of First axis");
   for (const char *key : {"Nodes", "Check every"})
     if (settings.exactly && values.given(key))
-      values.reject(key, "nothing with Method = motions.");
+      values.reject(key, "must not be set when Method = motions");
   return std::make_shared<Basins>(std::move(settings));
 }
 
@@ -199,10 +200,9 @@ std::size_t Basins::lines() const {
 void Basins::check(const System &system) const {
   const BasinSearch search(system, settings_.search);
   if (!settings_.exactly && search.states() != 2)
-    throw InputError(
-        "Basins by Method = interpolation need a system of one coordinate and contacts "
-        "without internal states; this one has " +
-        std::to_string(search.states()) + " states. Use Method = motions.");
+    throw InputError("Method must be motions for a system of more than one coordinate or with "
+                     "internal states of contacts; this one has " +
+                     std::to_string(search.states()) + " states.");
 }
 
 void Basins::check_built(const SystemSource &build) const {

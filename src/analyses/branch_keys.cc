@@ -42,7 +42,8 @@ double read_start(const SweptParameter &parameter, const parameters::Values &sec
     return 0;
   const auto number = section.parameters().number_at(parameter.path);
   if (!number)
-    section.reject("Parameter", "a key with one number as its value, at which the branch begins.");
+    section.reject("Parameter",
+                   "must be a key with one number as its value, at which the branch begins");
   return number->value;
 }
 
@@ -64,7 +65,7 @@ continuation::Settings read_steps(const parameters::Values &section) {
   settings.least_step = section.quantity("Least step");
   settings.first_step = std::min(settings.first_step, settings.longest_step);
   if (settings.least_step >= settings.first_step)
-    section.reject("Least step", "a step below Longest step and below 0.01.");
+    section.reject("Least step", "must be less than Longest step and less than 0.01");
   return settings;
 }
 

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t points_at_a_place = 5; // measured, behind the one that begins
 constexpr std::size_t most_places = 60;
 constexpr std::size_t least_places = 8;
-constexpr double good_enough = 0.05; // relative standard error
-constexpr double least_reported = 0.01;  // [s]
+constexpr double good_enough = 0.05;    // relative standard error
+constexpr double least_reported = 0.01; // [s]
 
 /// The steps first ... last of a line, the others being left out, and the time each takes.
 class TriedSteps : public LineContext {
@@ -245,13 +245,14 @@ Cost estimate_cost(const std::vector<GridKey> &keys, const CaseFactory &factory,
   return Estimate(keys, factory).within(seconds);
 }
 
-std::string body_sentence(const reduction::ReducedBody &body) {
-  const Vector frequency = body.omega() / (2 * std::numbers::pi);
+std::string body_sentence(const reduction::ReducedBody &body, bool dimensionless) {
+  const Vector frequency = body.omega() / (dimensionless ? 1 : 2 * std::numbers::pi);
+  const char *unit = dimensionless ? "" : " Hz";
   std::ostringstream text;
   text.precision(6);
   text << body.size() << (body.modal() ? " modes from " : " coordinates from ")
-       << frequency.minCoeff() << " Hz to " << frequency.maxCoeff() << " Hz, " << body.points.size()
-       << " points";
+       << frequency.minCoeff() << unit << " to " << frequency.maxCoeff() << unit << ", "
+       << body.points.size() << " points";
   return text.str();
 }
 

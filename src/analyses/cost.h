@@ -36,6 +36,6 @@ std::string short_number(double seconds);
 Cost estimate_cost(const std::vector<GridKey> &keys, const CaseFactory &factory, double seconds);
 
 /// "5 modes from 2.95 Hz to 351.4 Hz, 3 points"
-std::string body_sentence(const reduction::ReducedBody &body);
+std::string body_sentence(const reduction::ReducedBody &body, bool dimensionless);
 
 } // namespace vibroimpact::analyses

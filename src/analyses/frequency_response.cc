@@ -96,8 +96,10 @@ void FrequencyResponse::declare(parameters::Section &analysis) {
                                 "excitation, as if no contact could close.")
       .quantity("First frequency", "", dimension::frequency, range::positive, "f_1",
                 "Lowest frequency.")
+      .required()
       .quantity("Last frequency", "", dimension::frequency, range::positive, "f_2",
                 "Highest frequency.")
+      .required()
       .integer("Points", "200", Range{.lower = 1, .upper = 1e6}, "", "Number of frequencies.")
       .choice("Spacing", "linear", {"linear", "logarithmic"}, "How the frequencies are spaced.")
       .text("Excitation", "",

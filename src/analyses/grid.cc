@@ -30,11 +30,10 @@ GridKey read_key(const parameters::Values &key) {
                    .target = key.key_path("Path"),
                    .origin = key.place(key.has("Values") ? "Values" : "First") + ":"};
   if (std::find(grid_key.values.begin(), grid_key.values.end(), "") != grid_key.values.end())
-    key.reject("Values", "values separated by commas; one of them is empty.");
-  const bool range = key.has("First") || key.has("Last");
-  if (grid_key.values.empty() != range)
-    key.reject("Values", "either Values, or First, Last and Points.");
-  if (range) {
+    key.reject("Values", "must be values separated by commas, but one of them is empty");
+  if (!grid_key.values.empty() && (key.has("First") || key.has("Last")))
+    key.reject("Values", "must not be set when First or Last is set");
+  if (grid_key.values.empty()) {
     key.require("First");
     key.require("Last");
     grid_key.values = between(key.text("First"), key.text("Last"), key.integer("Points"));
@@ -51,7 +50,8 @@ void attach_follower(const parameters::Values &key, const std::string &name,
   follower.name = name;
   if (follower.values.size() != leader.values.size())
     key.reject(key.has("Values") ? "Values" : "Points",
-               std::to_string(leader.values.size()) + " values, as many as the key it follows.");
+               "must give " + std::to_string(leader.values.size()) +
+                   " values, as many as the key that Tied to names");
   leader.followers.push_back(std::move(follower));
 }
 
@@ -89,9 +89,12 @@ void declare_grid_keys(parameters::Section &section, const std::string &kind,
                 ": the two change together, so that this one must have as many values and adds no "
                 "axis of its own.")
       .text("Path", "", "The key, as for --set: Contact/heads/Clearance, or Variables/lambda.")
+      .required()
       .text("Values", "", "Its values, separated by commas.")
       .text("First", "", "First of equally spaced values, instead of Values.")
+      .required("Values is not given")
       .text("Last", "", "Last of equally spaced values.")
+      .required("Values is not given")
       .integer("Points", "2", Range{.lower = 2, .upper = 1e4}, "",
                "Number of equally spaced values.");
 }
@@ -99,7 +102,7 @@ void declare_grid_keys(parameters::Section &section, const std::string &kind,
 void declare_grid(parameters::Section &analysis) {
   parameters::Section &grid = analysis.subsection(
       section_name, "Repeats another analysis at every combination of the values of some keys.");
-  grid.text("Repeat", "", "Name of the analysis to repeat.");
+  grid.text("Repeat", "", "Name of the analysis to repeat.").required();
   declare_case_table(grid);
   declare_grid_keys(grid, "Key", "A key that takes several values; the last one varies fastest.");
 }
@@ -122,7 +125,7 @@ std::vector<GridKey> read_grid_keys(const parameters::Values &section, const std
   for (const GridKey &key : keys)
     cases *= static_cast<double>(key.values.size());
   if (cases > 1e6)
-    section.reject_section("the sections " + kind + " may have at most 1e6 cases; these have " +
+    section.reject_section("the sections " + kind + " must have at most 1e6 cases, but have " +
                            parameters::number_text(cases));
   for (const GridKey &key : keys) {
     check_changed_key(section.instance(kind, key.name), key.target, repeated, owner, taken);
@@ -155,7 +158,7 @@ std::vector<GridKey> read_grid(const parameters::Values &analysis, const std::st
     return read_table(grid, repeated, taken);
   std::vector<GridKey> keys = read_grid_keys(grid, "Key", repeated, "grid", taken);
   if (keys.empty())
-    grid.reject_section("a parameter grid needs Cases or at least one subsection Key NAME.");
+    grid.reject_section("Cases or at least one subsection Key NAME must be given");
   return keys;
 }
 

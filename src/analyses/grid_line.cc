@@ -115,7 +115,7 @@ void run_task(std::size_t task, const std::vector<GridKey> &keys, std::size_t li
     kept = {.point = point, .analysis = work.analysis};
     if (work.analysis->axes().size() != axes.size() ||
         points_of(work.analysis->axes()) != points_of(axes))
-      throw InputError("the swept key changes the number of points of the analysis");
+      throw InputError("the swept key must not change the number of points of the analysis");
     context.use(work, grid_index(keys, point), point * lines);
     work.analysis->run_line(line, work.system, context);
   } catch (const InputError &error) {

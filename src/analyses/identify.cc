@@ -48,14 +48,14 @@ std::size_t count(const parameters::Values &values, const std::string &key) {
 void refuse_keys_of_motions(const parameters::Values &values) {
   for (const char *key : {"Duration", "Sampling frequency", "Recorded pulses"})
     if (values.given(key))
-      values.reject(key, "nothing beside the key File: nothing moves.");
+      values.reject(key, "must not be set when File is set");
 }
 
 void refuse_keys_of_records(const parameters::Values &values) {
   for (const char *key :
        {"Time column", "Value column", "Separator", "Time unit", "Value unit", "Threshold"})
     if (values.given(key))
-      values.reject(key, "nothing without the key File.");
+      values.reject(key, "must not be set when File is not set");
 }
 
 double read_sampling_frequency(const parameters::Values &values) {
@@ -63,7 +63,7 @@ double read_sampling_frequency(const parameters::Values &values) {
     return 0;
   const double frequency = values.quantity("Sampling frequency") / (2 * std::numbers::pi);
   if (frequency * values.quantity("Duration") > 1e8)
-    values.reject("Sampling frequency", "at most 1e8 samples in the duration.");
+    values.reject("Sampling frequency", "must give at most 1e8 samples in Duration");
   return frequency;
 }
 
@@ -77,6 +77,7 @@ void Identify::declare(parameters::Section &analysis) {
   section
       .quantity("Duration", "", dimension::time, range::positive, "T",
                 "Length of the motion; not given beside a File.")
+      .required("File is not given")
       .text("Contact", "", "Contact whose force is recorded; empty when there is only one.")
       .quantity("Sampling frequency", "", dimension::frequency, range::positive, "f_s",
                 "Of the force record, from which impulse and peak are taken; empty means a perfect "
@@ -130,9 +131,9 @@ std::size_t Identify::contact_index(const contact::ContactSet &contacts) const {
     if (contacts.pairs()[c].name == settings_.contact)
       return c;
   throw InputError(settings_.contact.empty()
-                       ? "Identify / Contact: must be given unless exactly one contact is active."
-                       : "Identify / Contact: no active contact is called '" + settings_.contact +
-                             "'.");
+                       ? "Identify / Contact must be set when not exactly one contact is active."
+                       : "Identify / Contact must name an active contact, but is '" +
+                             settings_.contact + "'.");
 }
 
 ContactConstants Identify::constants(const System &system) const {
@@ -140,10 +141,9 @@ ContactConstants Identify::constants(const System &system) const {
   const contact::ContactPair &pair = system.contacts.pairs()[contact];
   const std::optional<contact::PowerLaw> law = pair.law->power_law();
   if (!law)
-    throw InputError("Identify / Contact: contact '" + pair.name + "' follows the law " +
-                     pair.law->name() +
-                     "; the formulas need F = k u^n (1 + d u'), hertz or "
-                     "hunt-crossley.");
+    throw InputError("Identify / Contact: the law of contact " + pair.name +
+                     " must be hertz or hunt-crossley, F = k u^n (1 + d u'), but is " +
+                     pair.law->name() + ".");
   return {.compliance = 1 / system.contacts.effective_mass(contact, system.model),
           .stiffness = law->stiffness,
           .exponent = law->exponent};

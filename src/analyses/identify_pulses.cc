@@ -52,10 +52,11 @@ void declare_measured_force(parameters::Section &section) {
       .text("Value column", "2", "The same for the contact force, > 0 where the sides push.")
       .choice("Separator", "comma", {"comma", "semicolon", "space"},
               "What stands between the columns; space is any number of blanks and tabs.")
-      .text("Time unit", "s", "Unit of the instants in the file.")
-      .text("Value unit", "N", "Unit of the force in the file.")
+      .text("Time unit", "", "Unit of the instants in the file; empty means s.")
+      .text("Value unit", "", "Unit of the force in the file; empty means N.")
       .quantity("Threshold", "", dimension::force, range::positive, "",
-                "Samples above it are a pulse; well above the noise of the record.");
+                "Samples above it are a pulse; well above the noise of the record.")
+      .required("File is given");
 }
 
 bool has_measured_force(const parameters::Values &section) { return section.has("File"); }
@@ -69,17 +70,15 @@ MeasuredForce read_measured_force(const parameters::Values &section) {
                                                      .value_column = section.text("Value column"),
                                                      .separator = section.choice("Separator")}),
                       .threshold = section.quantity("Threshold")};
-  const double second =
-      section.part("Time unit", "1 " + section.text("Time unit"), parameters::dimension::time);
-  const double newton =
-      section.part("Value unit", "1 " + section.text("Value unit"), parameters::dimension::force);
+  const double second = model::file_unit(section, "Time unit", parameters::dimension::time);
+  const double newton = model::file_unit(section, "Value unit", parameters::dimension::force);
   for (double &time : force.samples.time)
     time *= second;
   for (double &value : force.samples.value)
     value *= newton;
   if (pulses_of(force).empty())
-    section.reject("Threshold", "below some of the samples between the first and the last one, of "
-                                "which none is a pulse otherwise.");
+    section.reject("Threshold", "must be less than some of the samples between the first and the "
+                                "last one, none of which is a pulse otherwise");
   return force;
 }
 

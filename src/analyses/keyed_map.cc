@@ -69,7 +69,7 @@ void KeyedMap::make_forced(Maps &maps) const {
   if (maps.forced->layout().physical_size() != accuracy_.scale.size())
     throw InputError("the key " + keys_.front().path + (keys_.size() > 1 ? " or " : "") +
                      (keys_.size() > 1 ? keys_.back().path : "") +
-                     " changes the number of coordinates");
+                     " must not change the number of coordinates");
 }
 
 // A system is built anew unless the frequency alone has changed.

@@ -18,11 +18,11 @@ LinearResponse::LinearResponse(const model::Model &model, std::size_t source)
     : model_(model), source_(source), stiffness_(model.stiffness().dense()),
       damping_(model.damping().dense()) {
   if (!model.linear())
-    throw InputError("A frequency response needs a linear model, without cubic springs and "
+    throw InputError("A frequency response must have a linear model, without cubic springs and "
                      "rotors; use a stepped sweep.");
   const model::Source &driving = model.sources().at(source);
   if (dynamic_cast<const model::Harmonic *>(driving.function.get()) == nullptr)
-    throw InputError("A frequency response needs a harmonic excitation, and " + driving.name +
+    throw InputError("A frequency response must have a harmonic excitation, but " + driving.name +
                      " is none.");
 }
 

@@ -106,7 +106,7 @@ std::vector<ObservedSignal> chosen_signals(const parameters::Values &values, con
   for (const std::size_t c : chosen_contacts(values, "Contacts", system))
     signals.push_back(force_signal(system.contacts.pairs()[c].name, c));
   if (signals.empty())
-    values.reject("Points", "at least one point, or Contacts at least one contact.");
+    values.reject("Points", "must name at least one point, or Contacts at least one contact");
   return signals;
 }
 

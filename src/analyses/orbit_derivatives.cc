@@ -169,10 +169,10 @@ std::vector<OrbitKey> read_orbit_keys(const parameters::Values &section) {
       continue;
     const std::string target = one.key_path("Path");
     if (target.starts_with("Analysis ") || target.starts_with("Derived "))
-      one.reject("Path", "a key outside the analyses.");
+      one.reject("Path", "must be a key outside the analyses");
     const auto number = section.parameters().number_at(path);
     if (!number)
-      one.reject("Path", "a key that holds one number.");
+      one.reject("Path", "must be a key with one number as its value");
     keys.back().parameter = {.path = path,
                              .unit = number->unit,
                              .values = {number->value},

@@ -27,7 +27,9 @@ const std::vector<std::string> &kind_names() {
 
 std::vector<LocusOf> read_kinds(const parameters::Values &values) {
   std::vector<LocusOf> kinds;
-  values.require("Kinds");
+  if (values.names("Kinds").empty())
+    values.reject("Kinds",
+                  "must name at least one of " + parameters::join(kind_names(), ", ") + ".");
   for (const std::string &name : values.names("Kinds")) {
     values.require_known("Kinds", name, kind_names());
     const auto place = std::find(kind_names().begin(), kind_names().end(), name);
@@ -98,7 +100,7 @@ std::shared_ptr<const Analysis> OrbitLocus::create(const parameters::Values &ana
   if (settings.keys[0].path == settings.keys[1].path ||
       (!settings.keys[0].is_frequency() && !settings.keys[1].is_frequency() &&
        values.subsection(key_sections[0]).key_path("Parameter") == second.key_path("Parameter")))
-    second.reject("Parameter", "another key than that of the First key.");
+    second.reject("Parameter", "must be another key than that of First key");
   settings.continuation.first_key = range_of(settings.keys[0]);
   settings.continuation.second_key = range_of(settings.keys[1]);
   return std::make_shared<OrbitLocus>(std::move(settings));

@@ -52,12 +52,12 @@ OrbitStart read_orbit_start(const parameters::Values &section) {
                    .multiple = section.integer("Period multiple"),
                    .section = section};
   if (section.has("State run") && section.has("State"))
-    section.reject("State run", "nothing beside a State.");
+    section.reject("State run", "must not be set when State is set");
   if (start.state.empty())
     start.state = read_stored_state(section);
   for (const char *key : settling_keys)
     if (!start.state.empty() && section.given(key))
-      section.reject(key, "nothing with a State: nothing settles then.");
+      section.reject(key, "must not be set when State or State run is set");
   return start;
 }
 
@@ -72,10 +72,10 @@ OrbitSearch::OrbitSearch(const System &system, std::size_t source, const OrbitSt
       forced_(system.model, system.contacts, system.integration, source) {
   const auto size = static_cast<std::size_t>(forced_.layout().physical_size());
   if (!start.state.empty() && start.state.size() != size)
-    start.section.value().reject(start.section->has("State") ? "State" : "State run",
-                                 std::to_string(size) +
-                                     " numbers: coordinates, their rates, internal "
-                                     "states of contacts; or none.");
+    start.section.value().reject(
+        start.section->has("State") ? "State" : "State run",
+        "must have " + std::to_string(size) +
+            " numbers: coordinates, their rates, internal states of contacts; or none");
 }
 
 OrbitSearch::FirstState

@@ -1,4 +1,4 @@
-// What is kept of a motion while it is recorded: excursions, statistics, impacts, sections,
+// What is kept of a motion while it is recorded: extreme values, statistics, impacts, sections,
 // spectra, character, ... Each recorder is one file pair in recorders/ and one line in
 // recorders.cc.
 //
@@ -50,7 +50,7 @@ using RecorderFactory = std::function<std::unique_ptr<Recorder>(const System &sy
 
 /// A kind of recorder as the parameter file knows it.
 struct RecorderKind {
-  const char *name;        ///< as in the key Record: "excursions"
+  const char *name;        ///< as in the key Record: "extreme values"
   const char *description; ///< a few words for the manual: "extreme values"
   /// Declares the subsection of its options in the section of the analysis, or nothing.
   void (*declare)(parameters::Section &analysis);

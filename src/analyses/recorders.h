@@ -16,7 +16,7 @@ void declare_recorders(parameters::Section &analysis);
 std::vector<RecorderFactory> read_recorders(const parameters::Values &analysis,
                                             const std::vector<std::string> &fallback);
 
-/// Those of a sweep that names none: excursions and impacts, all of them.
+/// Those of a sweep that names none: extreme values and impacts, all of them.
 std::vector<RecorderFactory> default_recorders();
 
 } // namespace vibroimpact::analyses

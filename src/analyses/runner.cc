@@ -124,7 +124,8 @@ void check_case(const Case &work) {
   for (std::size_t v = 0; v < variants.size(); v += step)
     if (const auto &variant = variants[v]; state_size(work.source(variant)) != size)
       throw InputError("The swept key " + variant.front().path +
-                       " changes the number of coordinates or of internal states at the value " +
+                       " must not change the number of coordinates or of internal states, but does "
+                       "at the value " +
                        variant.front().value + "; a state cannot be carried over.");
   work.analysis->check_built(work.source);
   if (work.outcomes)

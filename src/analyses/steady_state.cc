@@ -19,7 +19,7 @@ constexpr const char *section_name = "Steady state";
 
 void refuse_both(const parameters::Values &values, const char *time, const char *cycles) {
   if (values.has(time) && values.given(cycles))
-    values.reject(time, std::string("nothing, or else no ") + cycles + ".");
+    values.reject(time, std::string("must not be set when ") + cycles + " is set");
 }
 
 } // namespace
@@ -68,12 +68,10 @@ double SteadyState::period(const System &system) const {
   if (periods.size() == 1)
     return periods[0];
   if (!settings_.excitation.empty())
-    throw InputError("The excitation " + settings_.excitation +
-                     " that counts the cycles of the steady state is not active or has no period.");
-  throw InputError(
-      "A steady state that counts cycles needs one excitation with a period, or the key "
-      "Excitation that says which of several counts; without one give Settling time "
-      "and Recorded time.");
+    throw InputError("Excitation must name an active excitation with a period, which " +
+                     settings_.excitation + " is not.");
+  throw InputError("Excitation must be set when not exactly one excitation has a period; when none "
+                   "has one, Settling time and Recorded time must be set.");
 }
 
 void SteadyState::check(const System &system) const {

@@ -24,8 +24,9 @@ SteppedSweep::Directions read_directions(const parameters::Values &values) {
   if (values.choice("Start") == "initial conditions") {
     for (const char *key : {"Direction", "Backward start"})
       if (values.given(key))
-        values.reject(key, "nothing with Start = initial conditions: no state is carried over, so "
-                           "that there is no direction.");
+        values.reject(
+            key,
+            "must not be set when Start = initial conditions, with which no state is carried over");
     return SteppedSweep::Directions::independent;
   }
   if (name == "forward")
@@ -148,8 +149,8 @@ std::shared_ptr<const Analysis> SteppedSweep::create(const parameters::Values &a
                     .jump_threshold = values.quantity("Jump threshold"),
                     .recorders = read_recorders(analysis, {"extreme values", "impacts"})};
   if (settings.jump_tolerance > 0 && settings.directions == Directions::independent)
-    values.reject("Jump tolerance", "0 with Start = initial conditions: only a state that is "
-                                    "carried over can jump.");
+    values.reject("Jump tolerance",
+                  "must be 0 when Start = initial conditions, with which no state is carried over");
   return std::make_shared<SteppedSweep>(std::move(settings));
 }
 

@@ -19,7 +19,7 @@ Hdf5File open_run(const parameters::Values &section) {
     return Hdf5File::open(file);
   } catch (const std::runtime_error &error) {
     section.reject("State run",
-                   "the result folder of an earlier run: " + std::string(error.what()));
+                   "must be the result folder of an earlier run: " + std::string(error.what()));
   }
 }
 
@@ -27,9 +27,10 @@ std::string dataset_of(const parameters::Values &section, const Hdf5File &file) 
   section.require("State analysis");
   const std::string path = "/analysis/" + section.text("State analysis") + "/state";
   if (!file.contains(path) || file.is_group(path))
-    section.reject("State analysis",
-                   "an analysis of that run whose points have a state: a stepped sweep, response, "
-                   "periodic orbit or branch, or the special points of one, as NAME/special.");
+    section.reject(
+        "State analysis",
+        "must be an analysis of that run whose points have a state: a stepped sweep, steady state, "
+        "periodic orbit or branch, or the special points of one, as NAME/special.");
   return path;
 }
 
@@ -47,10 +48,12 @@ std::size_t offset_of(const parameters::Values &section, const Shape &shape) {
     offset = fits ? offset * shape[k] + static_cast<std::size_t>(numbers[k]) - 1 : 0;
   }
   if (!fits)
-    section.reject("State point", shape.size() > 1 ? "numbers of a point along the axes of that "
-                                                     "analysis, from 1 up to " +
-                                                         lengths + "."
-                                                   : "nothing: that analysis has a single point.");
+    section.reject(
+        "State point",
+        shape.size() > 1
+            ? "must be the numbers of a point along the axes of that analysis, from 1 up to " +
+                  lengths + "."
+            : "must not be set when the analysis has a single point");
   return offset * shape.back();
 }
 
@@ -63,6 +66,7 @@ void declare_stored_state(parameters::Section &section) {
             "Newton's method starts, instead of State.")
       .text("State analysis", "",
             "The analysis of that run; NAME/special for the special points of a branch.")
+      .required("State run is given")
       .quantities(
           "State point", "", parameters::dimension::none,
           parameters::Range{.lower = 1, .upper = 1e9}, "",
@@ -75,7 +79,7 @@ std::vector<double> read_stored_state(const parameters::Values &section) {
   if (!section.has("State run")) {
     for (const char *key : {"State analysis", "State point"})
       if (section.has(key))
-        section.reject(key, "nothing without State run.");
+        section.reject(key, "must not be set when State run is not set");
     return {};
   }
   const Hdf5File file = open_run(section);
@@ -87,7 +91,7 @@ std::vector<double> read_stored_state(const parameters::Values &section) {
   std::vector<double> state(first, first + static_cast<std::ptrdiff_t>(shape.back()));
   if (std::any_of(state.begin(), state.end(), [](double entry) { return std::isnan(entry); }))
     section.reject(shape.size() > 1 ? "State point" : "State analysis",
-                   "a point that has a state: this one is missing or has failed.");
+                   "must be a point with a state; this one is missing or has failed");
   return state;
 }
 

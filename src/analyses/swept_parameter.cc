@@ -41,8 +41,8 @@ bool in_order(const std::vector<double> &ends, long points) {
 SweptParameter read_frequency(const parameters::Values &section) {
   for (const char *key : {"First", "Last"})
     if (section.has(key))
-      section.reject(key, "nothing without the key Parameter; the ends of a frequency sweep are "
-                          "First frequency and Last frequency.");
+      section.reject(key, "must not be set when Parameter is not set; the ends of a frequency "
+                          "sweep are First frequency and Last frequency");
   return {.path = {}, .unit = "Hz", .values = frequency_ends(section)};
 }
 
@@ -53,6 +53,7 @@ std::string origin_of(const parameters::Values &section, const char *key) {
 
 // The number behind `path` when the file says `text` there.
 parameters::SiNumber read_end(const parameters::Values &section, const char *key) {
+  section.require(key);
   return read_number_for(section, "Parameter", key);
 }
 
@@ -60,13 +61,12 @@ parameters::SiNumber read_end(const parameters::Values &section, const char *key
 
 parameters::SiNumber read_number_for(const parameters::Values &section, const char *path_key,
                                      const char *key) {
-  section.require(key);
   const std::string path = section.text(path_key);
   const auto set = section.parameters().with(
       {{.path = path, .value = section.text(key), .origin = origin_of(section, key)}});
   const auto number = set->number_at(path);
   if (!number)
-    section.reject(path_key, "a key that holds one number.");
+    section.reject(path_key, "must be a key with one number as its value");
   return *number;
 }
 
@@ -107,22 +107,29 @@ std::vector<double> read_frequencies(const parameters::Values &section) {
   const std::vector<double> ends = frequency_ends(section);
   const long points = section.integer("Points");
   if (!in_order(ends, points))
-    section.reject("Last frequency", "a frequency above First frequency.");
+    section.reject("Last frequency", "must be greater than First frequency");
   return spaced(ends[0], ends[1], points, logarithmic(section));
 }
 
-void declare_key_range(parameters::Section &section) {
+void declare_key_range(parameters::Section &section, bool key_required) {
   using namespace parameters;
+  section.text(
+      "Parameter", "",
+      "Key that is swept, as for --set: Contact/stop/Clearance, or Variables/lambda; empty "
+      "means the frequency of the excitation.");
+  if (key_required)
+    section.required();
   section
-      .text("Parameter", "",
-            "Key that is swept, as for --set: Contact/stop/Clearance, or Variables/lambda; empty "
-            "means the frequency of the excitation.")
       .quantity("First frequency", "", dimension::frequency, range::positive, "f_1",
                 "Lowest frequency of a frequency sweep.")
+      .required("Parameter is not given")
       .quantity("Last frequency", "", dimension::frequency, range::positive, "f_2",
                 "Highest frequency of a frequency sweep.")
+      .required("Parameter is not given")
       .text("First", "", "Lowest value of Parameter, with its unit.")
-      .text("Last", "", "Highest value of Parameter, with its unit.");
+      .required("Parameter is given")
+      .text("Last", "", "Highest value of Parameter, with its unit.")
+      .required("Parameter is given");
 }
 
 void declare_swept_parameter(parameters::Section &section) {
@@ -139,21 +146,21 @@ SweptParameter read_key_range(const parameters::Values &section, long points) {
   if (path.empty()) {
     SweptParameter frequency = read_frequency(section);
     if (!in_order(frequency.values, points))
-      section.reject("Last frequency", "a frequency above First frequency.");
+      section.reject("Last frequency", "must be greater than First frequency");
     return frequency;
   }
   if (const std::string target = section.key_path("Parameter");
       target.starts_with("Analysis ") || target.starts_with("Derived "))
-    section.reject("Parameter", "a key outside the analyses.");
+    section.reject("Parameter", "must be a key outside the analyses");
   for (const char *key : {"First frequency", "Last frequency"})
     if (section.has(key))
-      section.reject(key, "nothing beside the key Parameter, whose ends are First and Last.");
+      section.reject(key, "must not be set when Parameter is set, whose ends are First and Last");
   const parameters::SiNumber first = read_end(section, "First");
   const parameters::SiNumber last = read_end(section, "Last");
   if (first.unit != last.unit)
-    section.reject("Last", "a value in a unit like that of First.");
+    section.reject("Last", "must be a value in a unit like that of First");
   if (!in_order({first.value, last.value}, points))
-    section.reject("Last", "a value above First.");
+    section.reject("Last", "must be greater than First");
   return {.path = path,
           .unit = first.unit,
           .values = {first.value, last.value},
@@ -165,7 +172,7 @@ SweptParameter read_swept_parameter(const parameters::Values &section) {
   SweptParameter parameter = read_key_range(section, points);
   const double first = parameter.values[0], last = parameter.values[1];
   if (!parameter.is_frequency() && logarithmic(section) && !(first > 0))
-    section.reject("First", "a value above zero for logarithmic spacing.");
+    section.reject("First", "must be greater than 0 when Spacing = logarithmic");
   parameter.values = spaced(first, last, points, logarithmic(section));
   return parameter;
 }

@@ -30,7 +30,7 @@ parameters::SiNumber read_number_for(const parameters::Values &section, const ch
                                      const char *key);
 
 /// Keys that say what is varied and between which ends.
-void declare_key_range(parameters::Section &section);
+void declare_key_range(parameters::Section &section, bool key_required = false);
 /// The same, and in which steps.
 void declare_swept_parameter(parameters::Section &section);
 

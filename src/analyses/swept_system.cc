@@ -33,9 +33,9 @@ std::size_t sweep_source(const System &system, const std::string &name, const st
   const std::size_t found = name.empty() ? only_periodic(sources) : system.model.find_source(name);
   if (found == sources.size())
     throw InputError(name.empty()
-                         ? who + " needs one periodic excitation, or the key Excitation that says "
-                                 "which of several is swept or gives the period."
-                         : "The excitation " + name + " is not among the active ones.");
+                         ? who + " must have one periodic excitation, or the key Excitation where "
+                                 "there are several."
+                         : "Excitation must name an active excitation, which " + name + " is not.");
   if (!(sources[found].function->period() > 0))
     throw InputError("The excitation " + sources[found].name +
                      " has no frequency; its History must be harmonic or ramped harmonic.");
@@ -73,7 +73,8 @@ void SweptSystem::build(double value) {
   trajectory_ = trajectory_of(*built_);
   settler_.emplace(*trajectory_);
   if (trajectory_->layout().physical_size() != size_)
-    throw InputError("the swept key " + parameter_.path + " changes the number of coordinates");
+    throw InputError("the swept key " + parameter_.path +
+                     " must not change the number of coordinates");
   const std::size_t source = sweep_source(*built_, excitation_);
   period_ = built_->model.sources()[source].function->period();
 }

@@ -20,6 +20,7 @@ void Transient::declare(parameters::Section &analysis) {
   using namespace parameters;
   analysis.subsection(section_name, "Motion from the initial conditions under the excitations.")
       .quantity("Duration", "", dimension::time, range::positive, "T", "Length of the motion.")
+      .required()
       .quantity("Sampling interval", "", dimension::time, range::positive, "dt",
                 "Interval of the recorded histories; empty means a thousandth of the duration.")
       .integer("Recorded pulses", "10", Range{.lower = 0, .upper = 1e6}, "",
@@ -49,12 +50,12 @@ std::shared_ptr<const Analysis> Transient::create(const parameters::Values &anal
                                    ? values.quantity("Sampling interval")
                                    : settings.duration / 1000;
   if (settings.duration / settings.sampling_interval > 1e8)
-    values.reject("Sampling interval", "Duration / Sampling interval must be at most 1e8 samples.");
+    values.reject("Sampling interval", "must be at least Duration / 1e8");
   settings.last_frame =
       values.has("Last frame") ? values.quantity("Last frame") : settings.duration;
   if (settings.frames > 1 &&
       (settings.last_frame <= settings.first_frame || settings.last_frame > settings.duration))
-    values.reject("Last frame", "an instant after the first frame and within the duration.");
+    values.reject("Last frame", "must be after First frame and within Duration");
   return std::make_shared<Transient>(settings);
 }
 

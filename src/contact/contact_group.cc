@@ -92,7 +92,7 @@ PairSearch read_search(const Values &contact) {
         nearest = {i, j};
       }
   const Vector3 apart = b.positions[nearest[1]] - a.positions[nearest[0]];
-  std::string text = "large enough to find a pair of " + a.name + " and " + b.name +
+  std::string text = "must be large enough to find a pair of " + a.name + " and " + b.name +
                      ", of which the nearest nodes, at " + at(a.positions[nearest[0]]) + " and " +
                      at(b.positions[nearest[1]]) + ", are " + length(least) + " apart";
   if (!search.joining) {
@@ -105,10 +105,10 @@ PairSearch read_search(const Values &contact) {
 
 std::vector<NodePair> pairs_in_order(const Values &contact, const Side &a, const Side &b) {
   if (a.points.size() != b.points.size())
-    contact.reject("Between", "two interfaces with as many nodes, which Pairing = list joins in "
-                              "their order; " +
-                                  a.name + " has " + std::to_string(a.points.size()) + " and " +
-                                  b.name + " has " + std::to_string(b.points.size()) + ".");
+    contact.reject("Between",
+                   "must be two interfaces with equal numbers of nodes when Pairing = list, but " +
+                       a.name + " has " + std::to_string(a.points.size()) + " and " + b.name +
+                       " has " + std::to_string(b.points.size()) + ".");
   std::vector<NodePair> pairs;
   for (std::size_t i = 0; i < a.points.size(); ++i)
     pairs.push_back({i, i});
@@ -128,8 +128,9 @@ double clearance_between(const Values &contact, const Vector3 &a, const Vector3 
   const double clearance =
       without_rounding((b - a).dot(normal) - contact.quantity("Offset"), a + b);
   if (clearance < 0 && !contact.boolean("Prestressed"))
-    contact.reject("Between", "sides that do not overlap, but the nodes at " + at(a) + " and " +
-                                  at(b) + " begin with a clearance of " + length(clearance) +
+    contact.reject("Between", "must be sides that do not overlap, but the nodes at " + at(a) +
+                                  " and " + at(b) + " begin with a clearance of " +
+                                  length(clearance) +
                                   " (Direction points from the first side to the second, Offset "
                                   "is taken off); if a prestress is meant, it needs Prestressed = "
                                   "true.");
@@ -142,7 +143,7 @@ Meeting meeting_of(const Values &contact, const Side &a, const Side &b, const No
   Meeting meeting{.a = a.points[pair[0]], .b = b.points[pair[1]]};
   const bool same = meeting.a.body == meeting.b->body && from == to;
   if (same || (joining(contact) && from == to))
-    contact.reject("Between", "two interfaces that share no place" +
+    contact.reject("Between", "must be two interfaces that share no place" +
                                   std::string(same ? "" : " with Normal = joining line") +
                                   "; both have a node at " + at(from) + ".");
   meeting.normal =
@@ -184,8 +185,7 @@ Meetings with_stops(const Values &contact, const Model &model) {
   const model::Sides sides = model::read_sides(contact, {model::side_stop, model::side_base},
                                                interface_names(model), interface_form);
   if (sides.b != model::side_stop && sides.b != model::side_base)
-    contact.reject("Between", "an interface and stop or base; two interfaces need Pairing = "
-                              "proximity or list.");
+    contact.reject("Between", "must be an interface and stop or base when Pairing = stops");
   Meetings meetings{.fixed = sides.b, .list = {}};
   for (const model::PointReference &point : side_of(sides.a, model).points)
     meetings.list.push_back({.a = point,
@@ -209,7 +209,8 @@ void declare_pairing(parameters::Section &contact) {
           "the nodes of two interfaces in their order.")
       .quantity("Search radius", "", dimension::length, range::positive, "",
                 "Of a pairing by proximity: largest distance of two nodes across the direction, or "
-                "with Normal = joining line their largest distance. Must be given there.")
+                "with Normal = joining line their largest distance.")
+      .required("Pairing = proximity")
       .quantity("Reach", "", dimension::length, range::positive, "",
                 "Of a pairing by proximity: largest distance along the direction. Without it: any.")
       .choice("Normal", "direction", {"direction", "joining line"},

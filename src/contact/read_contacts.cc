@@ -31,11 +31,9 @@ std::shared_ptr<const ContactLaw> law_by_fraction(const Values &contact, const s
   const auto flexibility = local_flexibility(meeting.a, meeting.b, meeting.normal, model);
   if (!flexibility)
     contact.reject("Stiffness fraction",
-                   "Stiffness fraction must not be set where there is no static stiffness to take "
-                   "it of: contact " +
-                       name +
-                       " is between points that do not give way, or on a body that no support "
-                       "holds. Give the law's own Stiffness.");
+                   "must not be set when there is no static stiffness: contact " + name +
+                       " is between points that are rigid, or on a body without supports. Set "
+                       "Stiffness of the law.");
   return create_contact_law(contact, contact.quantity("Stiffness fraction") / flexibility->whole);
 }
 
@@ -158,12 +156,14 @@ void declare_contacts(parameters::Section &root) {
           "The two sides a, b as BODY.POINT; the second may be stop (fixed in space, the default) "
           "or base (a stop on the base that the first body stands on). With a Pairing: "
           "BODY.INTERFACE.")
+      .required()
       .text("Direction", "x",
             "Contact normal n, from the first side to the second: x, -y or three "
             "numbers.")
       .quantity("Clearance", "", dimension::length, range::any, "g_0",
                 "Gap of the undeformed model. Pairs of two interfaces have that of the geometry "
                 "when it is not given.")
+      .required("Pairing = points or stops")
       .boolean(
           "Prestressed", "false",
           "Says that a negative clearance is meant: the two sides press on each other at rest.")

@@ -141,12 +141,12 @@ std::vector<double> rows(const Grid &grid, const std::vector<double> &levels) {
 DerivedArray contour(const Request &request) {
   const LabelledArray array = request.array("Field");
   if (array.dimensions.size() != 2)
-    request.section().reject("Field", "a field over two axes; this one goes over " +
+    request.section().reject("Field", "must be a field over two axes; this one goes over " +
                                           std::to_string(array.dimensions.size()) + ".");
   const Axis first = request.axis("Field", array.dimensions[0], array);
   const Axis second = request.axis("Field", array.dimensions[1], array);
   if (!first.labels.empty() || !second.labels.empty())
-    request.section().reject("Field", "a field over two axes with numbers.");
+    request.section().reject("Field", "must be a field over two axes with numbers");
   const std::vector<double> levels = request.numbers("Levels", array.unit);
   std::vector<double> values = rows({first.values, second.values, array.values}, levels);
   const std::size_t vertices = values.size() / 3;

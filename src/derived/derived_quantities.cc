@@ -27,7 +27,7 @@ void check_keys(const Values &section, const Operation &wanted) {
     section.require(key);
   for (const std::string &key : keys_of_operations)
     if (section.given(key) && !holds(wanted.required, key) && !holds(wanted.optional, key))
-      section.reject(key, "nothing: the operation " + wanted.name + " has no use for it.");
+      section.reject(key, "must not be set when Operation = " + wanted.name);
 }
 
 /// A name that is no outer axis may belong to an inner dimension, which is not known yet; but one
@@ -38,13 +38,13 @@ void check_axes(const Values &section, const AxisNames &names) {
     if (names.find(name) == nullptr && !parameters::nearest(name, names.all()).empty())
       section.require_known("Along", name, names.all());
     if (holds(found, names.own_name(name)))
-      section.reject("Along", "every axis once.");
+      section.reject("Along", "must name every axis once only");
     found.push_back(names.own_name(name));
   }
   const std::string chosen = section.choice("Operation");
   const bool several = chosen == "maximum" || chosen == "minimum" || chosen == "mean";
   if (found.size() > 1 && !several)
-    section.reject("Along", "one axis for this operation.");
+    section.reject("Along", "must name one axis when Operation = " + chosen);
 }
 
 void check_section(const Values &section, const AxisNames &names) {
@@ -81,6 +81,15 @@ DerivedArray evaluate_one(const Values &section, const std::string &name, const 
   return array;
 }
 
+/// When a key must be given: "Operation = select or contour".
+std::string operations_with(const std::string &key) {
+  std::vector<std::string> with;
+  for (const Operation &known : operations())
+    if (holds(known.required, key))
+      with.push_back(known.name);
+  return "Operation = " + parameters::join(with, ", ");
+}
+
 } // namespace
 
 void declare_derived(parameters::Section &root) {
@@ -91,6 +100,7 @@ void declare_derived(parameters::Section &root) {
   root.named_subsection("Derived", "A quantity derived from the results of an analysis, and stored "
                                    "with them.")
       .text("From", "", "Name of the analysis.")
+      .required()
       .choice("Operation", "maximum", names, "What is done.")
       .text("Description", "", "A sentence about the result; empty means one that is made up.")
       .text("Symbol", "",
@@ -98,19 +108,25 @@ void declare_derived(parameters::Section &root) {
       .text("Field", "",
             "What it is done to: the path of a field of the analysis, the name of a Derived of the "
             "same analysis that stands before this one, or an axis.")
+      .required(operations_with("Field"))
       .names("Along", "",
              "Axis, for maximum, minimum and mean also several. A swept key also goes by the "
              "last part of its path and by the name of its section.")
+      .required(operations_with("Along"))
       .choice("Refine", "none", {"none", "parabola"},
               "Between points: by the parabola through the extreme value and its neighbours.")
       .boolean("Inside", "false",
                "Is an extreme value at an end of the axis none, because there may be more beyond?")
       .text("At", "", "The field whose value there is wanted.")
+      .required(operations_with("At"))
       .text("Where", "",
             "AXIS = COORDINATE, several of them separated by commas, for example direction = "
             "forward.")
+      .required(operations_with("Where"))
       .text("Expression", "", "In the names of Fields and the variables of the file.")
+      .required(operations_with("Expression"))
       .text("Fields", "", "NAME = FIELD, several of them separated by commas.")
+      .required(operations_with("Fields"))
       .text("Unit", "", "Unit of the expression; empty means the SI unit that it gives.")
       .text("Otherwise", "",
             "Field in the unit of the expression that stands in where this is no number.")
@@ -125,7 +141,9 @@ void declare_derived(parameters::Section &root) {
                 "Relative difference from which on the two directions of a sweep differ.")
       .quantity("Threshold", "", dimension::any, range::any, "",
                 "Step of Field from one point to the next that is no jump yet.")
-      .quantities("Levels", "", dimension::any, range::any, "", "Levels of a contour.", 0, 1000);
+      .required(operations_with("Threshold"))
+      .quantities("Levels", "", dimension::any, range::any, "", "Levels of a contour.", 0, 1000)
+      .required(operations_with("Levels"));
 }
 
 void check_analyses(const Values &root) {

@@ -13,16 +13,18 @@ LabelledArray other_field(const Request &request, const LabelledArray &field, do
   }
   LabelledArray other = request.array("Other");
   if (!(one(other.unit).dimension == one(field.unit).dimension))
-    request.section().reject("Other", "a field in " + field.unit + ", the unit of " + field.name +
-                                          "; this one is in " + other.unit + ".");
+    request.section().reject("Other", "must be a field in " + field.unit + ", the unit of " +
+                                          field.name + "; this one is in " + other.unit + ".");
   return other;
 }
 
 } // namespace
 
 void check_comparison(const parameters::Values &section, const AxisNames &names) {
-  if (section.has("Other") == section.has("Level"))
-    section.reject("Other", "a field, or else a Level must be given; one of the two.");
+  if (section.has("Other") && section.has("Level"))
+    section.reject("Other", "must not be set when Level is set");
+  if (!section.has("Other") && !section.has("Level"))
+    section.reject("Other", "must be set when Level is not set");
   check_numbered_axes(section, names);
 }
 

@@ -128,7 +128,7 @@ void check_extreme(const parameters::Values &section, const AxisNames &names) {
   if (section.choice("Refine") == "none")
     return;
   if (section.names("Along").size() > 1)
-    section.reject("Refine", "none where there is more than one axis.");
+    section.reject("Refine", "must be none when there is more than one axis");
   check_numbered_axes(section, names);
 }
 

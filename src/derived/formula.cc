@@ -29,8 +29,8 @@ std::vector<Argument> read_arguments(const Values &section) {
   for (const std::string &part : parameters::split_list(section.text("Fields"))) {
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos)
-      section.reject("Fields", "NAME = FIELD, several of them separated by commas; '" + part +
-                                   "' has no '='.");
+      section.reject("Fields", "must be NAME = FIELD, several of them separated by commas; '" +
+                                   part + "' has no '='.");
     Argument argument{parameters::normalised(part.substr(0, equals)),
                       parameters::normalised(part.substr(equals + 1))};
     try {
@@ -44,8 +44,9 @@ std::vector<Argument> read_arguments(const Values &section) {
 }
 
 VariableTable variables_of(const Values &section) {
+  const parameters::ParameterSet &set = section.parameters();
   return parameters::evaluate_variables(
-      parameters::variable_definitions(section.parameters().root().text("Variables"), {}));
+      parameters::variable_definitions(set.root().text("Variables"), {}), set.dimensionless());
 }
 
 parameters::Function read_function(const Values &section, const std::vector<Argument> &arguments) {
@@ -145,7 +146,7 @@ private:
     }
     const Number unit = unit_of_result(section);
     if (found && !(*found == unit.dimension))
-      section.reject("Unit", "a unit of " + parameters::described(*found) +
+      section.reject("Unit", "must be a unit of " + parameters::described(*found) +
                                  ", which is what the expression gives.");
     result.unit = section.text("Unit");
     for (double &value : result.values)
@@ -169,7 +170,7 @@ void fill_in(const Request &request, DerivedArray &result) {
       other.dimensions.begin(), other.dimensions.end(),
       [&](const std::string &dimension) { return result.view().find(dimension).has_value(); });
   if (!fits || other.unit != result.unit)
-    request.section().reject("Otherwise", "a field in " + result.unit + " over " +
+    request.section().reject("Otherwise", "must be a field in " + result.unit + " over " +
                                               parameters::join(result.dimensions, ", ") + ".");
   const Frame frame({result.view()});
   const Operand operand = frame.operand(other);
@@ -194,16 +195,20 @@ void check_formula(const Values &section, const AxisNames &names) {
   } catch (const Refused &refused) {
     section.reject("Expression", refused.what());
   }
-  if (section.has("Unit"))
+  if (section.has("Unit")) {
+    if (section.parameters().dimensionless())
+      section.reject("Unit", "Unit must not be set when Units = dimensionless.");
     unit_of_result(section);
+  }
   for (const std::string &variable :
        parameters::used_variables(section.text("Expression"), variables_of(section))) {
     const bool hidden =
         std::any_of(arguments.begin(), arguments.end(),
                     [&](const Argument &argument) { return argument.name == variable; });
     if (!hidden && names.changes(variable))
-      section.reject("Expression", "no variable that changes from point to point; name '" +
-                                       variable + "' among Fields to take it along its axis.");
+      section.reject("Expression",
+                     "must have no variable that changes from point to point; name '" + variable +
+                         "' among Fields to take it along its axis.");
   }
 }
 

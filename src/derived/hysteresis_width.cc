@@ -45,7 +45,7 @@ DerivedArray hysteresis_width(const Request &request) {
   const Axis axis = request.along_one(array, true);
   const auto direction = array.find("direction");
   if (!direction || array.shape[*direction] != 2)
-    request.section().reject("Field", "a field of a sweep in both directions.");
+    request.section().reject("Field", "must be a field of a sweep in both directions");
   const auto [frame, parts] = directions(array, *direction);
   const std::size_t along = frame.position(axis.name);
   const auto [dimensions, shape] = frame.without(along);

@@ -7,6 +7,7 @@
 #include "common/work_limit.h"
 #include "derived/analysis_arrays.h"
 #include "derived/derived_quantities.h"
+#include "derived/dimensionless.h"
 #include "derived/units_of_fields.h"
 #include "parameters/text.h"
 
@@ -160,8 +161,12 @@ Outcome find_outcome(const std::string &name, const std::string &analysis, const
 std::vector<Outcome> find_outcomes(const std::vector<std::string> &names,
                                    const Repetition &repetition, const analyses::Case &first,
                                    const PointsInMemory &points) {
-  const AnalysisHeader header = header_of(repetition, first);
-  const AnalysisArrays arrays = assemble(header, points.sequence());
+  AnalysisHeader header = header_of(repetition, first);
+  AnalysisArrays arrays = assemble(header, points.sequence());
+  if (repetition.root.parameters().dimensionless()) {
+    remove_units(header);
+    remove_units(arrays);
+  }
   const Source source = derivation_source(header, arrays);
   const auto derived = quantities_of(repetition, first).evaluate(repetition.analysis, source);
   std::vector<Outcome> outcomes;

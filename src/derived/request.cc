@@ -48,7 +48,7 @@ void warn_of_former_name(const std::string &place, const std::string &name) {
 void check_numbered_axes(const parameters::Values &section, const AxisNames &names) {
   for (const std::string &name : section.names("Along"))
     if (const Axis *axis = names.find(name); axis != nullptr && !axis->labels.empty())
-      section.reject("Along", "an axis with numbers.");
+      section.reject("Along", "must be an axis with numbers");
 }
 
 LabelledArray Request::array(const std::string &key, const std::string &name) const {
@@ -77,8 +77,8 @@ Axis Request::axis(const std::string &key, const std::string &name,
   const std::string own = names_.own_name(name);
   if (!array.find(own))
     section_.reject(key, array.dimensions.empty()
-                             ? "nothing along an axis: " + array.name + " is a single number."
-                             : "an axis of " + array.name + ", which are " +
+                             ? "must not name an axis: " + array.name + " is a single number"
+                             : "must be an axis of " + array.name + ", which are " +
                                    parameters::join(array.dimensions, ", ") + "; '" + name +
                                    "' is none of them.");
   return *named(source_.dimensions, own);
@@ -94,7 +94,7 @@ std::vector<Axis> Request::along(const LabelledArray &array) const {
 Axis Request::along_one(const LabelledArray &array, bool numbers) const {
   const Axis axis = along(array).at(0);
   if (numbers && !axis.labels.empty())
-    section_.reject("Along", "an axis with numbers.");
+    section_.reject("Along", "must be an axis with numbers");
   return axis;
 }
 

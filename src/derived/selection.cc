@@ -21,8 +21,8 @@ std::vector<Place> places(const parameters::Values &section) {
   for (const std::string &part : parameters::split_list(section.text("Where"))) {
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos)
-      section.reject("Where", "AXIS = COORDINATE, several of them separated by commas; '" + part +
-                                  "' has no '='.");
+      section.reject("Where", "must be AXIS = COORDINATE, several of them separated by commas; '" +
+                                  part + "' has no '='.");
     places.push_back({parameters::normalised(part.substr(0, equals)),
                       parameters::normalised(part.substr(equals + 1))});
   }
@@ -33,8 +33,9 @@ std::size_t labelled_position(const parameters::Values &section, const Axis &axi
                               const std::string &label) {
   const auto found = std::find(axis.labels.begin(), axis.labels.end(), label);
   if (found == axis.labels.end())
-    section.reject("Where", "for " + axis.name + " one of " + parameters::join(axis.labels, ", ") +
-                                "; '" + label + "' is none of them.");
+    section.reject("Where", "must have for " + axis.name + " one of " +
+                                parameters::join(axis.labels, ", ") + "; '" + label +
+                                "' is none of them.");
   return static_cast<std::size_t>(found - axis.labels.begin());
 }
 
@@ -48,8 +49,8 @@ std::size_t numbered_position(const parameters::Values &section, const Axis &axi
       nearest = i;
   const double found = axis.values[nearest];
   if (!(std::abs(found - wanted) <= 1e-9 * std::max(std::abs(found), std::abs(wanted))))
-    section.reject("Where", "a value of " + axis.name + "; the nearest to '" + text + "' is " +
-                                parameters::number_text(found) + " " + axis.unit + ".");
+    section.reject("Where", "must have a value of " + axis.name + "; the nearest to '" + text +
+                                "' is " + parameters::number_text(found) + " " + axis.unit + ".");
   return nearest;
 }
 

@@ -7,7 +7,7 @@
 
 namespace vibroimpact::derived {
 
-/// What one `unit` is in SI; the plain number 1 for "1".
+/// What one `unit` is in SI; the plain number 1 for "1". A unit may be a fraction, "1/s".
 parameters::Number one(const std::string &unit);
 
 } // namespace vibroimpact::derived

@@ -40,6 +40,7 @@ void declare_connections(parameters::Section &root) {
       .names("Between", "",
              "The two ends as BODY.POINT; the second may be base (what the first body stands on, "
              "the default) or ground (fixed in space).")
+      .required()
       .text("Direction", "x", "Direction along which it acts: x, -y or three numbers.")
       .quantity("Stiffness", "0 N/m", dimension::stiffness, range::any, "k", "Linear part.")
       .quantity("Cubic stiffness", "0 N/m^3", cubic_stiffness, range::any, "k_3",

@@ -87,12 +87,15 @@ void declare_excitations(parameters::Section &root) {
               {"force", "base displacement", "base velocity", "base acceleration", "gravity"},
               "The given quantity. Its amplitude stays constant when the frequency is swept.")
       .text("At", "", "Point the force acts on, as BODY.POINT.")
+      .required("Type = force")
       .names("Bodies", "", "Bodies that stand on the moving base or have weight; empty means all.")
       .text("Direction", "x", "Direction of the force, motion or gravity: x, -y or three numbers.")
       .quantity("Amplitude", "", dimension::any, range::any, "A",
                 "Amplitude, peak or constant value, in the unit of the type: N, m, m/s or m/s^2.")
+      .required("Type = gravity or History = harmonic, ramped harmonic, sine sweep or constant")
       .quantity("Frequency", "", dimension::frequency, range::positive, "f",
                 "Frequency in Hz or rad/s; a sweep replaces it.")
+      .required("History = harmonic or ramped harmonic")
       .quantity("Phase", "0", dimension::angle, range::any, "phi", "Phase at time zero.");
   declare_histories(excitation);
 }

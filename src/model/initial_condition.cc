@@ -91,6 +91,7 @@ void declare_initial_conditions(parameters::Section &root) {
   root.named_subsection("Initial condition", "Displacement and velocity of a body at the start, "
                                              "relative to its base. Several ones add up.")
       .text("At", "", "Point whose displacement and velocity are given, as BODY.POINT.")
+      .required("Shape = static or mode")
       .text("Direction", "x", "Direction they are counted along: x, -y or three numbers.")
       .choice("Shape", "static", {"static", "mode", "equilibrium", "free equilibrium"},
               "Shape of the body: under a static point force there, or one of its modes (the mass "

@@ -70,6 +70,7 @@ void declare_pulse(parameters::Section &excitation) {
               "rectangular, a base displacement must be a versed sine.")
       .quantity("Start", "0 s", dimension::time, range::any, "t_0", "When it begins.")
       .quantity("Duration", "", dimension::time, range::positive, "T", "How long it lasts.")
+      .required("History = impulse")
       .quantity("Impulse", "", dimension::any, range::any, "I",
                 "Integral of the given quantity over the pulse, for example N s. Either this or "
                 "Amplitude.");

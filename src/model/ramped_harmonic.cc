@@ -36,7 +36,8 @@ void RampedHarmonic::declare(parameters::Section &excitation) {
       .subsection("Ramp", "Start of a ramped harmonic: amplitude (1 - exp(-rate t)) "
                           "sin(frequency t + phase) from t = 0 on.")
       .quantity("Rate", "", dimension::inverse_time, range::positive, "\\alpha",
-                "Inverse of the time in which all but 1/e of the amplitude is reached.");
+                "Inverse of the time in which all but 1/e of the amplitude is reached.")
+      .required("History = ramped harmonic");
 }
 
 TimeFunctionPointer RampedHarmonic::create(const parameters::Values &excitation,

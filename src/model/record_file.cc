@@ -121,7 +121,6 @@ std::vector<double> dataset(const Hdf5File &file, const std::string &key, const 
 using parameters::Values;
 
 std::string file_name(const Values &section, const std::string &file_folder) {
-  section.require("File");
   return (std::filesystem::path(file_folder) / section.text("File")).string();
 }
 
@@ -217,6 +216,11 @@ Samples read_record(const Values &section, const std::string &file_folder,
   } catch (const RecordError &error) {
     section.reject(error.key() == "Time column" ? layout.time_key : error.key(), error.what());
   }
+}
+
+double file_unit(const Values &section, const std::string &key,
+                 const parameters::Dimension &dimension) {
+  return section.has(key) ? section.part(key, "1 " + section.text(key), dimension) : 1;
 }
 
 std::string file_checksum(const Values &section, const std::string &file_folder) {

@@ -45,6 +45,10 @@ Samples read_hdf5_record(const std::string &file, const RecordLayout &layout);
 /// that is no record.
 Samples read_record(const parameters::Values &section, const std::string &file_folder,
                     const std::vector<std::string> &file_checksums, const RecordLayout &layout);
+/// What one unit of a column is in SI, which `key` names; 1 where the key is empty. reject()s a
+/// unit of another dimension.
+double file_unit(const parameters::Values &section, const std::string &key,
+                 const parameters::Dimension &dimension);
 /// "NAME HASH" of that file; "" where none is named or can be read. Local.
 std::string file_checksum(const parameters::Values &section, const std::string &file_folder);
 

@@ -103,11 +103,12 @@ void declare_recorded(parameters::Section &excitation) {
             "Text file, or HDF5 file by its suffix .h5 or .hdf5, relative to the folder of the "
             "parameter file. In a text empty lines and lines from # or % on do not count; its "
             "first line may hold the names of the columns.")
+      .required("History = recorded")
       .text("Time column", "1", "Number or name of a column of the text; path of an HDF5 dataset.")
       .text("Value column", "2", "The same for the given quantity.")
       .choice("Separator", "comma", {"comma", "semicolon", "space"},
               "What stands between the columns; space is any number of blanks and tabs.")
-      .text("Time unit", "s", "Unit of the time in the file.")
+      .text("Time unit", "", "Unit of the time in the file; empty means s.")
       .text("Unit", "", "Unit of the given quantity in the file; empty means SI.")
       .quantity("Scale factor", "1", dimension::none, range::any, "",
                 "Multiplies the values of the file.")
@@ -128,15 +129,11 @@ RecordLayout read_layout(const Values &recorded) {
           .separator = recorded.choice("Separator")};
 }
 
-double unit(const Values &recorded, const std::string &key,
-            const parameters::Dimension &dimension) {
-  return recorded.has(key) ? recorded.part(key, "1 " + recorded.text(key), dimension) : 1;
-}
-
 } // namespace
 
 TimeFunctionPointer create_recorded(const Values &excitation, const HistoryContext &context) {
   const Values recorded = excitation.subsection("Recorded");
+  recorded.require("File");
   const bool displaces = context.moves_base && context.given == Given::displacement;
   const auto interpolation = recorded.choice("Interpolation") == "linear"
                                  ? Interpolation::linear
@@ -147,9 +144,9 @@ TimeFunctionPointer create_recorded(const Values &excitation, const HistoryConte
                     "samples; use cubic spline, or give a velocity or acceleration");
   Samples samples =
       read_record(recorded, context.file_folder, context.file_checksums, read_layout(recorded));
-  const double time_unit = unit(recorded, "Time unit", parameters::dimension::time);
+  const double time_unit = file_unit(recorded, "Time unit", parameters::dimension::time);
   const double scale =
-      recorded.quantity("Scale factor") * unit(recorded, "Unit", context.dimension);
+      recorded.quantity("Scale factor") * file_unit(recorded, "Unit", context.dimension);
   for (double &time : samples.time)
     time = time * time_unit + recorded.quantity("Time offset");
   for (double &value : samples.value)

@@ -6,6 +6,7 @@ namespace vibroimpact::model {
 
 Sides read_sides(const parameters::Values &section, const std::vector<std::string> &fixed,
                  std::vector<std::string> known, const std::string &form) {
+  section.require("Between");
   std::vector<std::string> ends = section.names("Between");
   if (ends.size() == 1 && !fixed.empty())
     ends.push_back(fixed.front());

@@ -209,8 +209,11 @@ void SineSweep::declare(parameters::Section &excitation) {
       .subsection("Sine sweep", "A sine of constant amplitude whose frequency runs from one value "
                                 "to another, from t = 0 on.")
       .quantity("From", "", dimension::frequency, range::positive, "f_1", "First frequency.")
+      .required("History = sine sweep")
       .quantity("To", "", dimension::frequency, range::positive, "f_2", "Last frequency.")
+      .required("History = sine sweep")
       .quantity("Duration", "", dimension::time, range::positive, "T", "Of the way between them.")
+      .required("History = sine sweep")
       .choice("Law", "linear", {"linear", "logarithmic"},
               "The frequency changes by equal steps, or by equal factors, in equal times.")
       .choice("After", "hold", {"hold", "stop"},

@@ -10,7 +10,6 @@ void declare_integration(parameters::Section &root) {
           "Time integrator: exact where everything is linear and adaptive Runge-Kutta elsewhere; "
           "or throughout adaptive Runge-Kutta of order 5 (Dormand-Prince), backward "
           "differentiation, trapezoidal-type theta, or diagonally implicit Runge-Kutta.")
-      .renamed_option("Method", "flight", "exact")
       .quantity("Relative tolerance", "1e-9", dimension::none, Range{.lower = 1e-14, .upper = 0.1},
                 "",
                 "Error allowed in one step, relative to what the motion has recently been: each "

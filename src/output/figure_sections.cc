@@ -12,12 +12,13 @@ namespace range = parameters::range;
 constexpr const char *axes[] = {"Horizontal", "Vertical", "Colour"};
 
 void declare_axis(Section &axis) {
-  axis.text(
-          "Quantity", "",
-          "What runs along the axis: an axis of the analysis, the path of a field, or the name of "
-          "a Derived of the same analysis; or a sum of such, with blanks around the signs. Along "
-          "Vertical several of the same unit, separated by commas, make a curve each.")
-      .quantity("Divide by", "", dimension::any, range::any, "",
+  axis.text("Quantity", "",
+            "What runs along the axis: an axis of the analysis, the path of a field, or the name "
+            "of a Derived of the same analysis; or a sum of such, with blanks around the signs. "
+            "Along Vertical several of the same unit, separated by commas, make a curve each.");
+  if (axis.name() != "Colour")
+    axis.required();
+  axis.quantity("Divide by", "", dimension::any, range::any, "",
                 "Value that the quantity is divided by, with its unit; the axis then has no unit.")
       .text(
           "Divide by largest of", "",
@@ -44,12 +45,12 @@ void check_analysis(const Values &section, const std::string &key,
 void check_axis(const Values &axis, const std::vector<std::string> &analyses) {
   check_analysis(axis, "Divide by largest of", analyses);
   if (axis.has("Divide by") && axis.has("Divide by largest of"))
-    axis.reject("Divide by", "left out where Divide by largest of is set.");
+    axis.reject("Divide by", "must not be set when Divide by largest of is set");
   if (axis.has("Divide by") && axis.quantity("Divide by") == 0)
-    axis.reject("Divide by", "a value other than 0.");
+    axis.reject("Divide by", "must not be 0");
   const std::vector<double> ends = axis.quantities("Range");
   if (!ends.empty() && (ends.size() != 2 || ends[0] >= ends[1]))
-    axis.reject("Range", "two numbers, of which the second is greater.");
+    axis.reject("Range", "must be two numbers, the second greater than the first");
 }
 
 } // namespace
@@ -58,6 +59,7 @@ void declare_figures(Section &root) {
   Section &figure = root.named_subsection(
       "Figure", "A figure with chosen axes, which vibroimpact-plot draws from the results.");
   figure.text("From", "", "Name of the analysis.")
+      .required()
       .text("Title", "", "Above the figure; empty means none.")
       .text("Where", "",
             "AXIS = COORDINATE, COORDINATE...; several of them separated by semicolons: only these "

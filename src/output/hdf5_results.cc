@@ -1,5 +1,7 @@
 #include "output/hdf5_results.h"
 
+#include "derived/dimensionless.h"
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -139,7 +141,8 @@ std::vector<double> row_major(const Matrix &matrix) {
 /// One group of a body with its scales.
 class BodyGroup {
 public:
-  BodyGroup(Hdf5File &file, const ReducedBody &body) : file_(file), path_("/body/" + body.name) {
+  BodyGroup(Hdf5File &file, const ReducedBody &body, bool dimensionless)
+      : file_(file), dimensionless_(dimensionless), path_("/body/" + body.name) {
     file_.create_group(path_);
     file_.set_attribute(path_, "name", body.name);
     file_.set_attribute(path_, "type", body.type);
@@ -173,12 +176,18 @@ public:
     }
     const std::string path = path_ + "/" + name;
     file_.write(path, shape, values);
-    describe(file_, path, unit, description);
+    if (dimensionless_)
+      describe(file_, path, "1", derived::plain_description(description));
+    else
+      describe(file_, path, unit, description);
     attach_scales(file_, path, scales);
   }
 
+  bool dimensionless() const { return dimensionless_; }
+
 private:
   Hdf5File &file_;
+  bool dimensionless_;
   std::string path_;
   std::map<std::string, std::size_t> lengths_;
 };
@@ -186,8 +195,8 @@ private:
 void write_modal_data(BodyGroup &group, const ReducedBody &body) {
   const std::vector<std::string> mode = {"mode"};
   const std::vector<std::string> mode_axis = {"mode", "axis"};
-  constexpr double two_pi = 6.283185307179586476925;
-  group.array("frequency", mode, row_major(body.omega() / two_pi), "Hz",
+  const double unit = group.dimensionless() ? 1 : derived::plain_factor("Hz");
+  group.array("frequency", mode, row_major(body.omega() / unit), "Hz",
               "undamped natural frequency of each coordinate by itself");
   group.array("damping_ratio", mode, row_major(body.damping_ratio()), "1",
               "fraction of critical damping");
@@ -276,14 +285,15 @@ void write_information(Hdf5File &file, const RunInformation &information) {
   file.set_attribute("/", "processor", information.processor);
 }
 
-void write_body(Hdf5File &file, const ReducedBody &body) {
-  BodyGroup group(file, body);
+void write_body(Hdf5File &file, const ReducedBody &body, bool dimensionless) {
+  BodyGroup group(file, body, dimensionless);
   write_modal_data(group, body);
   write_points(group, body);
   write_recovery(group, body.recovery);
 }
 
-void write_contacts(Hdf5File &file, const std::vector<contact::ContactFigures> &contacts) {
+void write_contacts(Hdf5File &file, const std::vector<contact::ContactFigures> &contacts,
+                    bool dimensionless) {
   if (contacts.empty())
     return;
   std::vector<std::string> names;
@@ -303,7 +313,7 @@ void write_contacts(Hdf5File &file, const std::vector<contact::ContactFigures> &
   const auto write = [&](const std::string &path, const std::vector<double> &values,
                          const std::string &unit, const std::string &description) {
     file.write(path, {values.size()}, values);
-    describe(file, path, unit, description);
+    describe(file, path, dimensionless ? "1" : unit, description);
     attach_scales(file, path, {"/contact/contact"});
   };
   write("/contact/clearance", clearances, "m", "gap of the undeformed model");

@@ -29,17 +29,19 @@ namespace vibroimpact::output {
 struct RunInformation {
   std::string version;
   std::string commit;
-  std::string parameters; ///< the complete echo
+  std::string parameters;     ///< the complete echo
   std::string command_line;
   std::vector<std::string> libraries; ///< "deal.II 9.4.1"
   int ranks = 1;
   std::string processor; ///< of the machine of rank 0
+  bool dimensionless = false; ///< Units = dimensionless: no result has a unit
 };
 
 void write_information(Hdf5File &file, const RunInformation &information);
-void write_body(Hdf5File &file, const reduction::ReducedBody &body);
+void write_body(Hdf5File &file, const reduction::ReducedBody &body, bool dimensionless);
 /// Nothing without contacts.
-void write_contacts(Hdf5File &file, const std::vector<contact::ContactFigures> &contacts);
+void write_contacts(Hdf5File &file, const std::vector<contact::ContactFigures> &contacts,
+                    bool dimensionless);
 void write_analysis(Hdf5File &file, const AnalysisHeader &header,
                     const derived::AnalysisArrays &arrays,
                     const std::vector<derived::DerivedArray> &quantities = {});

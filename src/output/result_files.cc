@@ -4,7 +4,7 @@
 #include "common/error.h"
 #include "common/log.h"
 #include "common/signals.h"
-#include "derived/analysis_arrays.h"
+#include "derived/dimensionless.h"
 #include "output/collective.h"
 #include "output/derived_results.h"
 #include "output/summary.h"
@@ -158,10 +158,15 @@ std::vector<SummaryList> FileSink::write_results(const std::filesystem::path &fi
   Hdf5File results = Hdf5File::create(file);
   write_information(results, information_);
   for (const ReducedBody &body : bodies_)
-    write_body(results, body);
-  write_contacts(results, contacts_);
-  for (const auto &[header, points] : analyses) {
-    const derived::AnalysisArrays arrays = derived::assemble(header, points.sequence());
+    write_body(results, body, information_.dimensionless);
+  write_contacts(results, contacts_, information_.dimensionless);
+  for (const auto &[stored, points] : analyses) {
+    AnalysisHeader header = stored;
+    derived::AnalysisArrays arrays = derived::assemble(header, points.sequence());
+    if (information_.dimensionless) {
+      derived::remove_units(header);
+      derived::remove_units(arrays);
+    }
     const auto [quantities, problems] =
         derived_.evaluate(header.name, derived::derivation_source(header, arrays));
     note_problems(problems);
@@ -201,6 +206,8 @@ SummaryList FileSink::summary(const std::vector<StoredAnalysis> &analyses,
     if (analyses[a].header.name == header_.name)
       totals_ = totals;
   }
+  if (information_.dimensionless)
+    list.remove_units();
   return list;
 }
 

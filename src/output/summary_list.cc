@@ -1,6 +1,7 @@
 #include "output/summary_list.h"
 
 #include "common/json_text.h"
+#include "derived/dimensionless.h"
 
 #include <algorithm>
 #include <array>
@@ -40,6 +41,14 @@ void SummaryList::add_note(const std::string &name, const std::string &text) {
 
 void SummaryList::append(const SummaryList &other) {
   entries_.insert(entries_.end(), other.entries_.begin(), other.entries_.end());
+}
+
+void SummaryList::remove_units() {
+  for (Entry &entry : entries_)
+    if (!entry.unit.empty()) {
+      entry.value *= derived::plain_factor(entry.unit);
+      entry.unit = "1";
+    }
 }
 
 std::string SummaryList::text() const {

@@ -15,6 +15,9 @@ public:
   void add_note(const std::string &name, const std::string &text);
   void append(const SummaryList &other);
 
+  /// Of a file without units: every number by itself, see derived::plain_factor().
+  void remove_units();
+
   /// For summary.txt: `name = value [unit]` and two blanks before a remark, numbers with 12
   /// significant digits; `# name: text` for notes.
   std::string text() const;

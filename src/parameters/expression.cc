@@ -1,6 +1,7 @@
 #include "parameters/expression.h"
 
 #include "parameters/expression_program.h"
+#include "parameters/file_units.h"
 #include "parameters/text.h"
 #include "parameters/tokens.h"
 
@@ -16,7 +17,7 @@ bool contains(const std::vector<std::string> &list, const std::string &word) {
 }
 
 /// The plain case, "-30 mm", needs no parser.
-std::optional<Number> literal_value(const std::string &text) {
+std::optional<Number> literal_value(const std::string &text, bool dimensionless) {
   const std::vector<Token> tokens = tokens_of(text);
   std::size_t position = 0;
   const bool negative = !tokens.empty() && tokens[0].text == "-";
@@ -28,6 +29,8 @@ std::optional<Number> literal_value(const std::string &text) {
   const std::optional<UnitFactor> unit = read_unit(tokens, position, UnitBegin::maybe_divided);
   if (position != tokens.size())
     return std::nullopt;
+  if (unit && dimensionless)
+    check_plain(*unit, text);
   Number number{.value = unit ? unit->times(value) : value, .bare = !unit};
   number.dimension = unit ? unit->dimension : Dimension{};
   return number;
@@ -38,7 +41,7 @@ std::optional<Number> literal_value(const std::string &text) {
 Number evaluate(const std::string &text, const VariableTable &variables) {
   if (normalised(text).empty())
     throw Refused("a number is missing");
-  const std::optional<Number> literal = literal_value(text);
+  const std::optional<Number> literal = literal_value(text, variables.dimensionless);
   const Number number = literal ? *literal : Program(text, variables, {}).quantity();
   if (!std::isfinite(number.value))
     throw Refused("'" + text + "' is not a finite number");

@@ -28,7 +28,11 @@ struct Number {
 
 class Program;
 
-using VariableTable = std::map<std::string, Number>;
+/// The variables of a file by name, and whether units may stand in its numbers.
+struct VariableTable : std::map<std::string, Number> {
+  using map::map;
+  bool dimensionless = false; ///< Units = dimensionless: evaluate() and Function refuse units
+};
 
 /// The value of one number or expression. Throws Refused.
 Number evaluate(const std::string &text, const VariableTable &variables);

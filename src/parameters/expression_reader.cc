@@ -7,6 +7,7 @@
 // so that -2^2 = -4 and 2^3^2 = 2^9.
 #include "parameters/expression_reader.h"
 
+#include "parameters/file_units.h"
 #include "parameters/text.h"
 #include "parameters/tokens.h"
 
@@ -170,7 +171,9 @@ private:
     emit(unit ? with_unit(*unit, value) : Number{.value = value});
   }
 
-  static Number with_unit(const UnitFactor &unit, double value) {
+  Number with_unit(const UnitFactor &unit, double value) const {
+    if (variables_.dimensionless)
+      check_plain(unit, text_);
     return {.value = unit.times(value), .dimension = unit.dimension, .bare = false};
   }
 

@@ -26,6 +26,7 @@ constexpr FormerName former_names[] = {
     {"Record", "excursions", "extreme values"},
     {"", "Excursions", "Extreme values"},
     {"", "Stretch", "Interval"},
+    {"Method", "flight", "exact"},
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "common/log.h"
 #include "parameters/check_value.h"
 #include "parameters/echo.h"
+#include "parameters/file_units.h"
 #include "parameters/like.h"
 #include "parameters/official_parse.h"
 #include "parameters/overrides.h"
@@ -47,21 +48,8 @@ std::vector<std::string> path_of(const Pending &pending) {
   return path;
 }
 
-// An option by its former name becomes the present one.
-void rename_option(const Pending &pending) {
-  Value &value = *pending.value;
-  for (const auto &[former, option] : value.key->renamed_options)
-    if (value.text == former) {
-      log::warning(place(value.origin, path_of(pending)) + " = " + former + " is now called " +
-                   option + "; the next version no longer reads the former name.");
-      value.text = option;
-      return;
-    }
-}
-
 void check(const Pending &pending, const VariableTable &variables, FormerNames &former_names) {
   const std::vector<std::string> path = path_of(pending);
-  rename_option(pending);
   former_names.rename_options(*pending.value, path);
   try {
     check_value(*pending.value, variables);
@@ -129,6 +117,9 @@ Changes replace_texts(Node &root, std::vector<VariableDefinition> &definitions,
       continue;
     }
     const Value &value = override_value(root, replacement);
+    if (&value == std::as_const(root).find_value(units_key))
+      refuse_value(override_origin(replacement), {}, replacement.value,
+                   "Units must be set in the file itself");
     changes.values.push_back(&value);
     if (value.key->kind == KeyKind::variables) {
       definitions = read_definitions(value);
@@ -170,6 +161,9 @@ std::shared_ptr<const ParameterSet> ParameterSet::parse(std::shared_ptr<const Se
   check_defaults(*declarations);
   ScannedEntry scanned = json ? scan_json(text, name) : scan_prm(text, name);
   auto data = std::make_shared<Data>();
+  data->variables.dimensionless = is_dimensionless(scanned);
+  if (data->variables.dimensionless)
+    declarations = declarations->without_units();
   data->former_names = std::make_shared<FormerNames>(*declarations);
   data->former_names->rename(scanned);
   take_over_entries(scanned, *declarations);
@@ -180,7 +174,7 @@ std::shared_ptr<const ParameterSet> ParameterSet::parse(std::shared_ptr<const Se
   if (const Value *variables = std::as_const(data->root).find_value("Variables"))
     data->definitions = read_definitions(*variables);
   replace_texts(data->root, data->definitions, with_present_paths(overrides, *data->former_names));
-  data->variables = evaluate_variables(data->definitions);
+  data->variables = evaluate_variables(data->definitions, data->variables.dimensionless);
   check_in_order(values_where(data->root, [](const Value &) { return true; }), data->variables,
                  *data->former_names);
   return std::make_shared<const ParameterSet>(std::move(data));
@@ -190,7 +184,7 @@ std::shared_ptr<const ParameterSet> ParameterSet::with(const std::vector<Overrid
   auto data = std::make_shared<Data>(*data_);
   Changes changes = replace_texts(data->root, data->definitions, more);
   if (changes.all_variables)
-    data->variables = evaluate_variables(data->definitions);
+    data->variables = evaluate_variables(data->definitions, data_->variables.dimensionless);
   else if (!changes.variables.empty())
     data->variables = evaluate_variables(data->definitions, data_->variables, changes.variables);
   const auto is_outdated = [&](const Value &value) { return outdated(value, changes); };
@@ -223,6 +217,8 @@ std::string ParameterSet::key_path(const std::string &path) const try {
 }
 
 Values ParameterSet::root() const { return {shared_from_this(), data_->root}; }
+
+bool ParameterSet::dimensionless() const { return data_->variables.dimensionless; }
 
 std::string ParameterSet::folder() const {
   const std::filesystem::path folder = std::filesystem::path(data_->file).parent_path();

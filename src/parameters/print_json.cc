@@ -49,6 +49,8 @@ std::string key_object(const Key &key) {
   const bool has_unit = key.kind == KeyKind::quantity || key.kind == KeyKind::quantities;
   return "{\"name\": " + json_string(key.name) + ", \"kind\": " + json_string(kind_name(key.kind)) +
          ", \"default\": " + json_string(key.default_value) +
+         ", \"required\": " + (key.required ? "true" : "false") +
+         ", \"required when\": " + json_string(key.required_when) +
          ", \"unit\": " + json_string(has_unit ? si_unit(key.dimension) : "") +
          ", \"range\": " + json_string(limits(key)) + ", \"options\": " + quoted_list(key.options) +
          ", \"symbol\": " + json_string(key.symbol) +

@@ -27,13 +27,10 @@ std::string code_list(const std::vector<std::string> &words) {
   return join(parts, ", ");
 }
 
-/// An empty default says nothing; those keys whose sentence says so must be given.
 std::string default_of(const Key &key) {
-  const auto says = [&key](const char *words) {
-    return key.sentence.find(words) != std::string::npos;
-  };
-  const bool required = says("Must be given.") || says("Must be given;");
-  return required && key.default_value.empty() ? "**required**" : code(key.default_value);
+  if (!key.required)
+    return code(key.default_value);
+  return "**required**" + (key.required_when.empty() ? "" : " when " + escaped(key.required_when));
 }
 
 void write_table(const Section &section, std::ostream &out) {

@@ -29,6 +29,8 @@ std::string key_comment(const Key &key) {
   std::string text = key.sentence + " [" + unit_or_kind(key) + "]";
   if (!limits(key).empty())
     text += " " + limits(key) + ".";
+  if (key.required)
+    text += key.required_when.empty() ? " Required." : " Required when " + key.required_when + ".";
   if (!key.options.empty())
     text += " One of: " + join(key.options, ", ") + ".";
   return text;

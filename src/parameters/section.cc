@@ -1,5 +1,6 @@
 #include "parameters/section.h"
 
+#include "parameters/file_units.h"
 #include "parameters/text.h"
 
 #include <algorithm>
@@ -65,6 +66,10 @@ Section::Section(std::string name, std::string sentence)
        .kind = KeyKind::variables,
        .sentence = "Named values for use in every number of the file: NAME = VALUE, separated by "
                    "commas; later ones may use earlier ones."});
+  choice(
+      units_key, "SI", {"SI", dimensionless_units},
+      "With dimensionless every number of the file is plain, as are all results: no unit is read "
+      "or written, and frequencies are angular.");
 }
 
 std::unique_ptr<Section> Section::nested(const std::string &name, const std::string &sentence) {
@@ -132,16 +137,6 @@ Section &Section::choice(std::string name, std::string default_value,
               .options = std::move(options)});
 }
 
-Section &Section::renamed_option(const std::string &key, std::string former, std::string option) {
-  for (Key &known : keys_)
-    if (known.name == key && known.kind == KeyKind::choice &&
-        std::find(known.options.begin(), known.options.end(), option) != known.options.end()) {
-      known.renamed_options.emplace_back(std::move(former), std::move(option));
-      return *this;
-    }
-  throw std::logic_error("'" + name_ + " / " + key + "' has no option '" + option + "'");
-}
-
 Section &Section::text(std::string name, std::string default_value, std::string sentence) {
   return add({.name = std::move(name),
               .kind = KeyKind::text,
@@ -156,12 +151,37 @@ Section &Section::names(std::string name, std::string default_value, std::string
               .sentence = std::move(sentence)});
 }
 
+Section &Section::required(std::string when) {
+  if (keys_.empty() || !keys_.back().default_value.empty())
+    throw std::logic_error("a required key of section '" + name_ + "' must have an empty default");
+  keys_.back().required = true;
+  keys_.back().required_when = std::move(when);
+  return *this;
+}
+
 Section &Section::subsection(const std::string &name, const std::string &sentence) {
   return found_or_added(subsections_, nested(name, sentence));
 }
 
 Section &Section::named_subsection(const std::string &kind, const std::string &sentence) {
   return found_or_added(named_, nested(kind, sentence));
+}
+
+std::shared_ptr<const Section> Section::without_units() const { return plain_copy(); }
+
+std::unique_ptr<Section> Section::plain_copy() const {
+  std::unique_ptr<Section> copy = nested(name_, sentence_);
+  for (Key key : keys_) {
+    if (key.kind == KeyKind::quantity || key.kind == KeyKind::quantities)
+      key.default_value = plain_text(key.default_value);
+    key.dimension = {};
+    copy->keys_.push_back(std::move(key));
+  }
+  for (const auto &subsection : subsections_)
+    copy->subsections_.push_back(subsection->plain_copy());
+  for (const auto &kind : named_)
+    copy->named_.push_back(kind->plain_copy());
+  return copy;
 }
 
 const Key *Section::find_key(const std::string &key) const {

@@ -44,17 +44,17 @@ struct Key {
   Dimension dimension{};
   Range range{};
   std::vector<std::string> options{}; ///< for choice
-  /// Former names of options, and the present ones: read with a warning.
-  std::vector<std::pair<std::string, std::string>> renamed_options{};
-  int minimum_count = 0; ///< for quantities
+  int minimum_count = 0;              ///< for quantities
   int maximum_count = std::numeric_limits<int>::max();
+  bool required = false;       ///< must be given where the section is read
+  std::string required_when{}; ///< or only where this holds: "Type = tube"
 };
 
 /// A section of the parameter file, as declared. Sections nest; a `kind` can be declared once and
 /// stand in a file any number of times under different names ("subsection Body left"). A Section
 /// made by its constructor is a whole file: it has the key "Variables", named values that every
 /// number in the file may use. Names of keys and sections hold no '/', '=' and '#', and a second
-/// declaration of a key throws std::logic_error.
+/// declaration of a key throws std::logic_error. It has the key "Units", too; see without_units().
 class Section {
 public:
   Section(std::string name, std::string sentence);
@@ -72,17 +72,22 @@ public:
   Section &boolean(std::string name, std::string default_value, std::string sentence);
   Section &choice(std::string name, std::string default_value, std::vector<std::string> options,
                   std::string sentence);
-  /// `option` of the choice `key` was called `former` before; std::logic_error when there is no
-  /// such option.
-  Section &renamed_option(const std::string &key, std::string former, std::string option);
   Section &text(std::string name, std::string default_value, std::string sentence);
   /// Names separated by commas.
   Section &names(std::string name, std::string default_value, std::string sentence);
+
+  /// The key declared last must be given wherever its section is read, or where `when` holds, such
+  /// as "Shape = tube". Its reader must call Values::require().
+  Section &required(std::string when = "");
 
   /// A fixed subsection; calling it again returns the same one.
   Section &subsection(const std::string &name, const std::string &sentence);
   /// A subsection that stands in the file as "subsection KIND NAME", once for each name.
   Section &named_subsection(const std::string &kind, const std::string &sentence);
+
+  /// The same keys and sections for a file with Units = dimensionless: every number is plain, and
+  /// defaults are their numbers in SI.
+  std::shared_ptr<const Section> without_units() const;
 
   const std::string &name() const { return name_; }
   const std::string &sentence() const { return sentence_; }
@@ -95,6 +100,7 @@ public:
 
 private:
   Section &add(Key key);
+  std::unique_ptr<Section> plain_copy() const;
   static std::unique_ptr<Section> nested(const std::string &name, const std::string &sentence);
 
   std::string name_;

@@ -50,12 +50,12 @@ const Value &Values::value(const std::string &key, const std::vector<KeyKind> &k
 
 double Values::quantity(const std::string &key) const {
   const Value &found = value(key, {KeyKind::quantity});
-  require(key);
+  require_value(key);
   return found.numbers.front().value;
 }
 
 double Values::quantity_of(const std::string &key, const Dimension &expected) const {
-  require(key);
+  require_value(key);
   require_dimension(key, expected);
   return quantity(key);
 }
@@ -69,19 +69,19 @@ std::vector<double> Values::quantities(const std::string &key) const {
 
 long Values::integer(const std::string &key) const {
   const Value &found = value(key, {KeyKind::integer});
-  require(key);
+  require_value(key);
   return static_cast<long>(found.numbers.front().value);
 }
 
 bool Values::boolean(const std::string &key) const {
   const Value &found = value(key, {KeyKind::boolean});
-  require(key);
+  require_value(key);
   return boolean_value(found.text);
 }
 
 std::string Values::choice(const std::string &key) const {
   const Value &found = value(key, {KeyKind::choice});
-  require(key);
+  require_value(key);
   return found.text;
 }
 
@@ -102,6 +102,8 @@ std::optional<Dimension> Values::dimension(const std::string &key) const {
 
 void Values::require_dimension(const std::string &key, const Dimension &expected) const {
   const Value &found = value(key, {KeyKind::quantity, KeyKind::quantities});
+  if (set_->dimensionless())
+    return; // reading has refused all units
   for (const Number &number : found.numbers)
     if (!fits(number, expected))
       reject(key, wrong_dimension(found.text, number, expected, found.key->range, ""));
@@ -111,7 +113,9 @@ double Values::part(const std::string &key, const std::string &part, const Dimen
                     const Range &range) const {
   value(key, {KeyKind::text, KeyKind::names});
   try {
-    return checked_number(part, expected, range, "", set_->data_->variables).value;
+    return checked_number(part, set_->dimensionless() ? dimension::none : expected, range, "",
+                          set_->data_->variables)
+        .value;
   } catch (const Refused &refused) {
     reject(key, refused.what());
   }
@@ -122,10 +126,18 @@ bool Values::has(const std::string &key) const { return !value(key).text.empty()
 bool Values::given(const std::string &key) const { return value(key).given; }
 
 void Values::require(const std::string &key) const {
+  if (!value(key).key->required)
+    throw std::logic_error("key '" + key + "' of section '" + path() + "' is not marked required");
+  require_value(key);
+}
+
+void Values::require_value(const std::string &key) const {
   if (has(key))
     return;
   const Value &found = value(key);
-  const std::string problem = "a value must be given; " + expectation(*found.key);
+  const std::string &when = found.key->required_when;
+  const std::string problem = "a value must be given" + (when.empty() ? when : " when " + when) +
+                              "; " + expectation(*found.key);
   if (found.given)
     refuse_value(found.origin, path_of(*node_, key), "", problem);
   refuse_place(found.origin, path_of(*node_, key), problem);
@@ -160,9 +172,10 @@ Values Values::instance(const std::string &kind, const std::string &name) const 
   return {set_, *found};
 }
 
-void Values::reject(const std::string &key, const std::string &allowed) const {
+void Values::reject(const std::string &key, const std::string &problem) const {
   const Value &found = value(key);
-  refuse_value(found.origin, path_of(*node_, key), shown_value(found), allowed);
+  const std::string subject = problem.starts_with("must ") ? key + " " : "";
+  refuse_value(found.origin, path_of(*node_, key), shown_value(found), subject + problem);
 }
 
 void Values::reject_section(const std::string &problem) const {

@@ -45,7 +45,8 @@ public:
   bool has(const std::string &key) const;
   /// Was it given, in the file or by an override?
   bool given(const std::string &key) const;
-  /// InputError "must be given" when the value is empty.
+  /// InputError "must be given" when the value is empty. Its declaration must mark the key as
+  /// required, which the reference of all keys shows; std::logic_error without that mark.
   void require(const std::string &key) const;
 
   Values subsection(const std::string &name) const;
@@ -53,10 +54,11 @@ public:
   bool subsection_given(const std::string &name) const;
   /// Names under which `kind` stands here, in file order.
   std::vector<std::string> instances(const std::string &kind) const;
-  Values instance(const std::string &kind, const std::string &name) const;
-
-  /// Throws an InputError that names file and line, key, value and `allowed` (a sentence).
-  [[noreturn]] void reject(const std::string &key, const std::string &allowed) const;
+  Values instance(const std::string &kind,
+                  const std::string &name) const; /// Throws an InputError that names file and line,
+                                                  /// key, value and `problem`: a sentence, of which
+  /// the key is the subject where it begins with "must".
+  [[noreturn]] void reject(const std::string &key, const std::string &problem) const;
   /// The same for the section as a whole.
   [[noreturn]] void reject_section(const std::string &problem) const;
   /// reject() unless `name` is among `known`; suggests the nearest one.
@@ -85,6 +87,7 @@ private:
   Values(std::shared_ptr<const ParameterSet> set, const Node &node);
   const Value &value(const std::string &key, const std::vector<KeyKind> &kinds) const;
   const Value &value(const std::string &key) const;
+  void require_value(const std::string &key) const;
 
   std::shared_ptr<const ParameterSet> set_;
   const Node *node_;
@@ -126,6 +129,8 @@ public:
   std::shared_ptr<const ParameterSet> with(const std::vector<Override> &more) const;
 
   Values root() const;
+  /// Units = dimensionless: no number has a unit, and none is to be shown with one.
+  bool dimensionless() const;
   /// The one spelling of an override path: "Contact heads/Clearance", "Variables/lambda". Throws
   /// InputError for an unknown path.
   std::string key_path(const std::string &path) const;

@@ -46,8 +46,10 @@ Number evaluated(const VariableDefinition &definition, const VariableTable &tabl
 
 } // namespace
 
-VariableTable evaluate_variables(const std::vector<VariableDefinition> &definitions) {
+VariableTable evaluate_variables(const std::vector<VariableDefinition> &definitions,
+                                 bool dimensionless) {
   VariableTable table;
+  table.dimensionless = dimensionless;
   for (const VariableDefinition &definition : definitions)
     table[definition.name] = evaluated(definition, table);
   return table;
@@ -56,6 +58,7 @@ VariableTable evaluate_variables(const std::vector<VariableDefinition> &definiti
 VariableTable evaluate_variables(const std::vector<VariableDefinition> &definitions,
                                  const VariableTable &known, std::set<std::string> &changed) {
   VariableTable table;
+  table.dimensionless = known.dimensionless;
   for (const VariableDefinition &definition : definitions) {
     if (uses_any(definition.text, changed))
       changed.insert(definition.name);

@@ -22,7 +22,8 @@ std::vector<VariableDefinition> variable_definitions(const std::string &text, co
 std::string definitions_text(const std::vector<VariableDefinition> &definitions);
 
 /// Evaluates the definitions in turn; throws the InputError at the one that fails.
-VariableTable evaluate_variables(const std::vector<VariableDefinition> &definitions);
+VariableTable evaluate_variables(const std::vector<VariableDefinition> &definitions,
+                                 bool dimensionless);
 /// The same, where `known` holds the values of the definitions that are not `changed` and do not
 /// use one that is, near or far. The names of all those that do are added to `changed`.
 VariableTable evaluate_variables(const std::vector<VariableDefinition> &definitions,

@@ -61,9 +61,9 @@ Matrix ruled(const AssembledBody &body, const Vector &eigenvalues, const Matrix 
 
 void check_loads(const BodyDefinition &definition, const AssembledBody &body, bool held) {
   if (!held && body.model.loaded)
-    throw DefinitionError("Body", definition.name, "Type",
-                          "= beam or shell with a subsection Load needs supports that hold it "
-                          "against every rigid motion");
+    throw DefinitionError(
+        "Body", definition.name, "Type",
+        "must have supports against every rigid motion when there is a subsection Load");
 }
 
 std::vector<InterfaceDof> interface_dofs(const BodyDefinition &definition,

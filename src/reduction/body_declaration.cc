@@ -20,6 +20,7 @@ void declare_geometry(Section &body) {
             "it: Line for a beam, Plate or Cylinder for a shell.")
       .quantities("Line", "", dimension::length, range::any, "",
                   "Ends of a straight beam, x, y, z -> x, y, z. Either this or Mesh.", 6, 6)
+      .required("Type = beam and Mesh is not given")
       // The stiffness matrix has a condition of about the fourth power: 1/eps at 10^4 elements.
       .integer("Elements", "40", Range{.lower = 1, .upper = 1e4}, "",
                "Number of equal elements along Line.")
@@ -38,20 +39,23 @@ void declare_section(Section &body) {
 
 void declare_material(Section &body) {
   body.subsection("Material", "The linear elastic material of a beam or shell.")
-      .quantity("Young modulus", "", dimension::stress, range::positive, "E", "Must be given.")
+      .quantity("Young modulus", "", dimension::stress, range::positive, "E", "Of the material.")
+      .required("Type = beam, or shell with a section that has none")
       .quantity("Poisson ratio", "0.3", dimension::none,
                 Range{.lower = -1, .upper = 0.5, .lower_open = true}, "\\nu",
                 "Counts for the torsion of beams and for shells.")
       .quantity("Density", "", dimension::density, range::non_negative, "\\rho",
-                "Must be given; 0 for a massless body between lumped masses.");
+                "0 for a massless body between lumped masses.")
+      .required("Type = beam, or shell with a section that has none");
 }
 
-void declare_place(Section &section) {
+void declare_place(Section &section, const char *when = "Position and Near are not given") {
   section
       .text("At", "",
             "start or end of a generated line; left, right, bottom, top or edges of a plate or "
             "cylinder; the name of a physical group of the mesh; or all nodes. One of At, Position "
             "and Near.")
+      .required(when)
       .quantities("Position", "", dimension::length, range::any, "", "Coordinates of a node.", 3, 3)
       .quantities("Near", "", dimension::length, range::any, "",
                   "Coordinates; the node nearest to them is meant.", 3, 3);
@@ -109,7 +113,7 @@ void declare_load(Section &body) {
       "Load", "What acts on a beam or shell in its static solution, which is part of the results "
               "of every run (figures under static in the summary and in ParaView). All loads act "
               "together. It does not act in any other analysis.");
-  declare_place(load);
+  declare_place(load, "Force or Moment is given, and Position and Near are not");
   load.quantities("Force", "", dimension::force, range::any, "F", "On each node of the place.", 3,
                   3)
       .quantities("Moment", "", dimension::torque, range::any, "M", "On each node of the place.", 3,
@@ -152,6 +156,7 @@ void declare_modes(Section &body) {
                 "Factor of the stiffness matrix.")
       .quantity("Viscous constant", "", dimension::damping, range::non_negative, "c",
                 "External damping of the whole body, without lumped masses.")
+      .required("Damping model = viscous")
       .text("Store", "",
             "File that keeps the reduced body for later runs, relative to the folder of the "
             "parameter file; computed anew when the definition of the body has changed.");
@@ -160,7 +165,8 @@ void declare_modes(Section &body) {
 void declare_mass(Section &body) {
   Section &mass =
       body.named_subsection("Mass", "A mass of a lumped body; it is also a point of that name.");
-  mass.quantity("Mass", "", dimension::mass, range::positive, "m", "Must be given.")
+  mass.quantity("Mass", "", dimension::mass, range::positive, "m", "Of the point.")
+      .required()
       .names("Axis", "x", "Directions of motion: any of x, y, z; a coordinate for each.")
       .quantity("Stiffness", "0 N/m", dimension::stiffness, range::non_negative, "k",
                 "Spring to the base along each axis.")
@@ -172,13 +178,16 @@ void declare_mass(Section &body) {
 
 void declare_rotor(Section &body) {
   body.subsection("Rotor", "An unbalanced rotor that turns at a point of another body.")
-      .text("At", "", "Point that carries it, as BODY.POINT. Must be given.")
+      .text("At", "", "Point that carries it, as BODY.POINT.")
+      .required("Type = rotor")
       .quantity("Mass", "", dimension::mass, range::positive, "m_R",
-                "Mass of the rotor, which comes on top of the carrying body. Must be given.")
+                "Mass of the rotor, which comes on top of the carrying body.")
+      .required("Type = rotor")
       .quantity("Eccentricity", "0 m", dimension::length, range::non_negative, "e",
                 "Distance of the centre of mass from the axis.")
       .quantity("Inertia", "", dimension::rotary_inertia, range::positive, "J",
-                "Moment of inertia about the centre of mass. Must be given.")
+                "Moment of inertia about the centre of mass.")
+      .required("Type = rotor")
       .quantity("Friction", "0 N m s", dimension::rotational_damping, range::non_negative, "c",
                 "Resisting torque per angular speed.")
       .text("First direction", "x", "Direction of the eccentricity at angle zero.")
@@ -190,10 +199,13 @@ void declare_rotor(Section &body) {
   body.subsection("Motor", "The motor of a rotor: tau M' + M = M_Z - k_M omega. Without it the "
                            "rotor turns freely.")
       .quantity("Starting torque", "", dimension::torque, range::any, "M_Z", "Torque at rest.")
+      .required("there is a Motor")
       .quantity("Slope", "", dimension::rotational_damping, range::positive, "k_M",
                 "Loss of torque per angular speed.")
+      .required("there is a Motor")
       .quantity("Time constant", "", dimension::time, range::positive, "\\tau",
                 "Electromagnetic time constant.")
+      .required("there is a Motor")
       .quantity("Torque constant", "1 N m", dimension::torque, range::positive, "k_p",
                 "Torque per ampere of current.")
       .quantity("Initial torque", "0 N m", dimension::torque, range::any, "M_0",

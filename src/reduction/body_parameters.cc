@@ -14,16 +14,15 @@ using namespace sections;
 void read_geometry(const Values &geometry, const std::string &folder, MPI_Comm communicator,
                    structure::BeamDefinition &beam) {
   if (geometry.has("Mesh") && geometry.has("Line"))
-    geometry.reject("Line", "must not be given together with Mesh");
+    geometry.reject("Line", "must not be set when Mesh is set");
   if (geometry.has("Mesh")) {
     if (geometry.given("Elements"))
-      geometry.reject("Elements", "must not be given together with Mesh, which has its own");
+      geometry.reject("Elements", "must not be set when Mesh is set, which has its own");
     beam.mesh_content = read_mesh(geometry, folder, communicator);
-  } else if (geometry.has("Line")) {
+  } else {
+    geometry.require("Line");
     beam.line = {vector3(geometry, "Line", 0), vector3(geometry, "Line", 3),
                  static_cast<int>(geometry.integer("Elements"))};
-  } else {
-    geometry.reject_section("needs a Line or a Mesh");
   }
   if (geometry.has("Orientation"))
     beam.local_y = vector3(geometry, "Orientation");
@@ -35,7 +34,7 @@ modes::Selection read_selection(const Values &section) {
   if (!section.has("Band"))
     return selection;
   if (section.given("Number"))
-    section.reject("Number", "must not be given together with Band");
+    section.reject("Number", "must not be set when Band is set");
   const std::vector<double> band = section.quantities("Band");
   if (!(band[1] > band[0]))
     section.reject("Band", "must be a lower and a greater upper frequency");
@@ -101,7 +100,7 @@ std::vector<int> read_axes(const Values &section) {
     axes.push_back(name[0] - 'x');
   }
   if (axes.empty())
-    section.reject("Axis", "at least one of x, y, z");
+    section.reject("Axis", "must name at least one of x, y, z");
   return axes;
 }
 
@@ -119,7 +118,8 @@ LumpedMass read_mass(const Values &section, const std::string &name) {
 void refuse(const Values &body, const std::vector<const char *> &fixed,
             const std::vector<const char *> &named) {
   const auto reject = [&](const char *unused) {
-    body.reject("Type", "= " + body.choice("Type") + " has no use for a subsection " + unused);
+    body.reject("Type",
+                "must not be " + body.choice("Type") + " when there is a subsection " + unused);
   };
   for (const char *unused : fixed)
     if (body.subsection_given(unused))
@@ -132,7 +132,8 @@ void refuse(const Values &body, const std::vector<const char *> &fixed,
 void read_beam(const Values &body, const std::string &folder, MPI_Comm communicator,
                BodyDefinition &definition) {
   if (!body.instances("Mass").empty())
-    body.reject("Type", "= beam has no use for a subsection Mass (a Point can carry a mass)");
+    body.reject("Type",
+                "must not be beam when there is a subsection Mass; a Point can carry a mass");
   refuse(body, {"Rotor", "Motor"}, {"Shell", "Stiffener"});
   refuse_shell_geometry(body);
   read_geometry(body.subsection("Geometry"), folder, communicator, definition.beam);

@@ -17,8 +17,10 @@ constexpr std::array<const char *, 6> components = {"x", "y", "z", "rx", "ry", "
 structure::Location read_place(const Values &section) {
   const int given =
       int{section.has("At")} + int{section.has("Position")} + int{section.has("Near")};
-  if (given != 1)
-    section.reject_section("needs one of At, Position and Near");
+  if (given == 0)
+    section.require("At");
+  if (given > 1)
+    section.reject_section("only one of At, Position and Near must be set");
   if (section.has("Position"))
     return {"", vector3(section, "Position")};
   if (section.has("Near"))
@@ -55,14 +57,19 @@ double optional_quantity(const Values &section, const std::string &key) {
   return section.has(key) ? section.quantity(key) : 0.0;
 }
 
+namespace {
+
+bool is_used(const KeyUse &use, const std::string &choice) {
+  return std::find(use.choices.begin(), use.choices.end(), choice) != use.choices.end();
+}
+
+} // namespace
+
 void check_use(const Values &section, const std::string &chooser, const std::vector<KeyUse> &uses) {
   const std::string choice = section.choice(chooser);
-  for (const KeyUse &use : uses) {
-    const bool used =
-        std::find(use.choices.begin(), use.choices.end(), choice) != use.choices.end();
-    if (!used && section.given(use.key))
-      section.reject(use.key, "is not used with " + chooser + " = " + choice);
-  }
+  for (const KeyUse &use : uses)
+    if (!is_used(use, choice) && section.given(use.key))
+      section.reject(use.key, "must not be set when " + chooser + " = " + choice);
 }
 
 std::string read_mesh(const Values &geometry, const std::string &folder, MPI_Comm communicator) {
@@ -80,15 +87,18 @@ std::string read_mesh(const Values &geometry, const std::string &folder, MPI_Com
 }
 
 structure::SectionShape read_section(const Values &section) {
-  check_use(section, "Shape",
-            {{"Width", {"rectangle"}},
-             {"Thickness", {"rectangle"}},
-             {"Diameter", {"circle", "tube"}},
-             {"Wall thickness", {"tube"}},
-             {"Area", {"given"}},
-             {"Second moment y", {"given"}},
-             {"Second moment z", {"given"}},
-             {"Torsion constant", {"given"}}});
+  const std::vector<KeyUse> dimensions = {{"Width", {"rectangle"}},
+                                          {"Thickness", {"rectangle"}},
+                                          {"Diameter", {"circle", "tube"}},
+                                          {"Wall thickness", {"tube"}},
+                                          {"Area", {"given"}},
+                                          {"Second moment y", {"given"}},
+                                          {"Second moment z", {"given"}},
+                                          {"Torsion constant", {"given"}}};
+  check_use(section, "Shape", dimensions);
+  for (const KeyUse &dimension : dimensions)
+    if (is_used(dimension, section.choice("Shape")))
+      section.require(dimension.key);
   using Kind = structure::SectionShape::Kind;
   const std::map<std::string, Kind> kinds = {{"rectangle", Kind::rectangle},
                                              {"circle", Kind::circle},
@@ -123,7 +133,7 @@ structure::Support read_support(const Values &section, const std::string &name) 
       support.stiffness[3 + axis] = section.quantities("Rotational stiffness")[axis];
   }
   if (!section.has("Fix") && !section.has("Stiffness") && !section.has("Rotational stiffness"))
-    section.reject_section("holds nothing: give Fix, Stiffness or Rotational stiffness");
+    section.reject_section("Fix, Stiffness or Rotational stiffness must be set");
   return support;
 }
 
@@ -168,9 +178,9 @@ structure::Interface read_interface(const Values &section, const std::string &na
     .name = name, .group = section.text("At"), .near = {}
   };
   if (section.has("Near") && section.has("Grid"))
-    section.reject("Grid", "must not be given together with Near");
+    section.reject("Grid", "must not be set when Near is set");
   if (section.has("Grid") != section.has("Grid points"))
-    section.reject_section("needs both Grid and Grid points, or none of them");
+    section.reject_section("Grid and Grid points must both be set, or none of them");
   if (section.has("Grid")) {
     interface.near = grid_positions(section);
     interface.near_key = "Grid";
@@ -192,7 +202,7 @@ structure::Load read_load(const Values &section, const std::string &name) {
   if (nodal)
     load.at = read_place(section);
   else if (placed)
-    section.reject_section("has a place, but no Force or Moment that acts there");
+    section.reject_section("Force or Moment must be set when At, Position or Near is set");
   if (section.has("Force"))
     load.force = vector3(section, "Force");
   if (section.has("Moment"))
@@ -202,7 +212,7 @@ structure::Load read_load(const Values &section, const std::string &name) {
   load.pressure = section.quantity("Pressure");
   load.on = section.text("On");
   if (!nodal && !section.has("Acceleration") && load.pressure == 0)
-    section.reject_section("does nothing: give Force, Moment, Acceleration or Pressure");
+    section.reject_section("Force, Moment, Acceleration or Pressure must be set");
   return load;
 }
 
@@ -227,7 +237,7 @@ std::vector<structure::Interface> read_interfaces(const Values &body) {
     const Values section = body.instance("Interface", name);
     for (const std::string &point : points)
       if (point == name || point.starts_with(name + "."))
-        section.reject_section("must not share its name with Point " + point +
+        section.reject_section("an Interface must not share its name with Point " + point +
                                ", as its own points are called " + name + ".1, " + name + ".2...");
     interfaces.push_back(read_interface(section, name));
   }

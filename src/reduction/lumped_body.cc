@@ -28,7 +28,7 @@ Index add_mass(const LumpedMass &mass, Index first, ReducedBody &body) {
 ReducedBody lumped_body(const BodyDefinition &definition) {
   if (definition.masses.empty())
     throw structure::DefinitionError("Body", definition.name, "Type",
-                                     "= lumped needs at least one subsection Mass");
+                                     "must not be lumped without a subsection Mass");
   Index n = 0;
   for (const LumpedMass &mass : definition.masses)
     n += static_cast<Index>(mass.axes.size());

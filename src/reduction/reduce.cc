@@ -79,8 +79,7 @@ Matrix project_lumped_masses(const structure::BodyModel &model, const Matrix &sh
 Matrix viscous_damping(const Damping &damping, const AssembledBody &body, const Matrix &shapes) {
   const double mass = body.model.distributed_mass();
   if (!(mass > 0))
-    throw DefinitionError("Modes", "", "Damping model",
-                          "= viscous needs a body with distributed mass (Density > 0)");
+    throw DefinitionError("Modes", "", "Damping model", "must not be viscous when Density = 0");
   const Matrix projected = modes::project(body.mass.get(), free_rows(body.free, shapes)) -
                            project_lumped_masses(body.model, shapes);
   return damping.viscous_constant / mass * (projected + projected.transpose()) / 2;

@@ -124,7 +124,7 @@ ReducedBody reduce_body(const Values &body, const std::string &name, const std::
   } catch (const structure::DefinitionError &error) {
     reject(body, error);
   } catch (const NumericalError &error) {
-    body.reject_section(std::string("its modes cannot be computed: ") + error.what() +
+    body.reject_section(std::string("the modes of the body cannot be computed: ") + error.what() +
                         ". Check the magnitudes and units of its lengths, stiffness and density, "
                         "and look for parts without stiffness or without mass");
   }

@@ -9,23 +9,28 @@ namespace dimension = parameters::dimension;
 namespace range = parameters::range;
 
 void declare_section_keys(Section &section) {
-  const auto length = [&](const char *name, const char *symbol, const char *sentence) {
-    section.quantity(name, "", dimension::length, range::positive, symbol, sentence);
+  const auto length = [&](const char *name, const char *symbol, const char *sentence,
+                          const char *when) {
+    section.quantity(name, "", dimension::length, range::positive, symbol, sentence).required(when);
   };
   section.choice("Shape", "rectangle", {"rectangle", "circle", "tube", "given"},
                  "rectangle: Width, Thickness; circle: Diameter; tube: Diameter, Wall thickness; "
                  "given: area, second moments and torsion constant.");
-  length("Width", "b", "Along the local y axis.");
-  length("Thickness", "h", "Along the local z axis.");
-  length("Diameter", "d", "Outer diameter.");
-  length("Wall thickness", "t", "Of a tube.");
+  length("Width", "b", "Along the local y axis.", "Shape = rectangle");
+  length("Thickness", "h", "Along the local z axis.", "Shape = rectangle");
+  length("Diameter", "d", "Outer diameter.", "Shape = circle or tube");
+  length("Wall thickness", "t", "Of a tube.", "Shape = tube");
   section.quantity("Area", "", dimension::area, range::positive, "A", "Of a given section.")
+      .required("Shape = given")
       .quantity("Second moment y", "", dimension::second_moment, range::positive, "I_y",
                 "Integral of z^2: bending in the local x-z plane.")
+      .required("Shape = given")
       .quantity("Second moment z", "", dimension::second_moment, range::positive, "I_z",
                 "Integral of y^2: bending in the local x-y plane.")
+      .required("Shape = given")
       .quantity("Torsion constant", "", dimension::second_moment, range::positive, "J",
-                "St Venant torsion.");
+                "St Venant torsion.")
+      .required("Shape = given");
 }
 
 void declare_shell_geometry(Section &geometry) {
@@ -34,9 +39,11 @@ void declare_shell_geometry(Section &geometry) {
                   "A parallelogram: one corner, then the ends of the first and of the second edge "
                   "that start there, x, y, z -> x, y, z -> x, y, z.",
                   9, 9)
+      .required("Type = shell, and Mesh and Cylinder are not given")
       .quantities("Cylinder", "", dimension::length, range::any, "",
                   "Ends of the axis of a circular cylinder, x, y, z -> x, y, z.", 6, 6)
       .quantity("Radius", "", dimension::length, range::positive, "R", "Of the cylinder.")
+      .required("Cylinder is given")
       .quantities("Angles", "0 deg, 360 deg", dimension::angle, range::any, "",
                   "First and last angle about the axis of the cylinder.", 2, 2)
       .quantities("Divisions", "10, 10", dimension::none, Range{.lower = 1}, "",
@@ -65,15 +72,15 @@ void declare_own_material(Section &section) {
 void declare_shells(Section &body) {
   Section &shell = body.named_subsection("Shell", "Thickness and material of surfaces.");
   shell.text("On", "all", "A physical group of surfaces of the mesh, or all surfaces.")
-      .quantity("Thickness", "", dimension::length, range::positive, "t", "Must be given.");
+      .quantity("Thickness", "", dimension::length, range::positive, "t", "Of the surfaces.")
+      .required();
   declare_own_material(shell);
 
   Section &stiffener = body.named_subsection(
       "Stiffener", "Beams along lines of a shell, fixed to its nodes: stiffeners, frames.");
   stiffener
-      .text("On", "",
-            "A physical group of lines of the mesh, or an edge of a plate or cylinder. Must be "
-            "given.")
+      .text("On", "", "A physical group of lines of the mesh, or an edge of a plate or cylinder.")
+      .required()
       .quantities("Orientation", "", dimension::none, range::any, "",
                   "Direction of the local y axis of the section. Without it, the local z axis is "
                   "the normal of the shell.",

@@ -61,14 +61,16 @@ void read_cylinder(const Values &geometry, ShellDefinition &shell) {
 void check_geometry(const Values &geometry) {
   for (const char *unused : {"Line", "Elements"})
     if (geometry.given(unused))
-      geometry.reject(unused, "is not used by a body of type shell");
+      geometry.reject(unused, "must not be set when Type = shell");
   const int given =
       int{geometry.has("Mesh")} + int{geometry.has("Plate")} + int{geometry.has("Cylinder")};
-  if (given != 1)
-    geometry.reject_section("needs one of Mesh, Plate and Cylinder");
+  if (given == 0)
+    geometry.require("Plate");
+  if (given > 1)
+    geometry.reject_section("only one of Mesh, Plate and Cylinder must be set");
   const auto refuse = [&](const char *key, const char *needed) {
     if (geometry.given(key) && !geometry.has(needed))
-      geometry.reject(key, std::string("is used only with ") + needed);
+      geometry.reject(key, std::string("must not be set when ") + needed + " is not set");
   };
   for (const char *key : {"Radius", "Angles", "Orientation"})
     refuse(key, "Cylinder");
@@ -92,7 +94,6 @@ void read_shell_geometry(const Values &geometry, const std::string &folder, MPI_
 double material_value(const Values &section, const Values &material, const char *key) {
   if (section.has(key))
     return section.quantity(key);
-  material.require(key);
   return material.quantity(key);
 }
 
@@ -124,7 +125,7 @@ void refuse_shell_geometry(const Values &body) {
   const Values geometry = body.subsection("Geometry");
   for (const char *key : {"Plate", "Cylinder", "Radius", "Angles", "Divisions", "Cell shape"})
     if (geometry.given(key))
-      geometry.reject(key, "is used by bodies of type shell only");
+      geometry.reject(key, "must not be set when Type = beam");
 }
 
 ShellDefinition read_shell_definition(const Values &body, const std::string &folder,
@@ -141,7 +142,7 @@ ShellDefinition read_shell_definition(const Values &body, const std::string &fol
                            .material = own_material(section, material)});
   }
   if (shell.parts.empty())
-    body.reject_section("of type shell needs at least one subsection Shell with a Thickness");
+    body.reject_section("at least one subsection Shell NAME must be given when Type = shell");
   for (const std::string &name : body.instances("Stiffener"))
     shell.stiffeners.push_back(read_stiffener(body.instance("Stiffener", name), name, material));
   shell.supports = read_supports(body);

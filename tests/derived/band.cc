@@ -67,7 +67,7 @@ TEST(Band, BeginsAndEndsAtPointsOnTheLevel) {
 }
 
 TEST(Band, WhatIsRefused) {
-  expect_parts(zigzag().problem(band), {"Other", "one of the two"});
+  expect_parts(zigzag().problem(band), {"Other", "Other must be set when Level is not set"});
   expect_parts(zigzag().problem(band + "set Level = 1 s"), {"Level", "1 s"});
 }
 

@@ -69,9 +69,9 @@ TEST(Crossing, WhatIsRefused) {
   const SmallAnalysis analysis = triangles();
   const std::string crossing =
       "set Operation = crossing\nset Field = slope\nset Along = frequency\n";
-  expect_parts(analysis.problem(crossing), {"Other", "one of the two"});
+  expect_parts(analysis.problem(crossing), {"Other", "Other must be set when Level is not set"});
   expect_parts(analysis.problem(crossing + "set Level = 1 mm\nset Other = slope"),
-               {"Other", "one of the two"});
+               {"Other", "Other must not be set when Level is set"});
   expect_parts(analysis.problem(crossing + "set Level = 1 kg"), {"Level", "kg", "length"});
   expect_parts(analysis.problem(crossing + "set Other = direction"), {"Other", "direction"});
   expect_parts(analysis.problem(crossing + "set Other = frequency"), {"Other", "Hz"});

@@ -128,7 +128,7 @@ def main():
     parser.add_argument("--without", action="append", default=[], help="a file to leave out")
     options = parser.parse_args()
     sources = [source for source in sorted((options.tree / "params").rglob("*.prm"))
-               if source.name not in options.without and source.parent.name != "figures"]
+               if source.name not in options.without and source.parent.name not in ("figures", "models")]
     failed = False
     servers = [ForkServer(options.server) for _ in range(options.jobs)]
     for check, count in ((True, options.checks), (False, options.runs)):

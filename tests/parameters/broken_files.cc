@@ -28,7 +28,8 @@ const std::vector<Case> structure{
     {"unknown_key", "set Titel = x\n",
      "1: Titel = x\n  there is no key 'Titel' here; did you mean 'Title'?"},
     {"unknown_key_far", "set Colour = x\n",
-     "1: Colour = x\n  there is no key 'Colour' here; possible are: Variables, Title, Bodies."},
+     "1: Colour = x\n  there is no key 'Colour' here; possible are: Variables, Units, Title, "
+     "Bodies."},
     {"key_of_a_subsection", "subsection Body a\n  set Elements = 3\nend\n",
      "2: Body a / Elements = 3\n  there is no key 'Elements' here; it belongs into the subsection "
      "'Geometry'."},

@@ -47,7 +47,10 @@ Inner.
 TEST(Reference, markdown_has_contents_and_marks_what_must_be_given) {
   Section file("Reference", "");
   Section &stop = file.named_subsection("Stop", "");
-  stop.quantity("Gap", "", dimension::length, range::positive, "g", "Of the sides. Must be given.")
+  stop.quantity("Gap", "", dimension::length, range::positive, "g", "Of the sides.")
+      .required()
+      .quantity("Width", "", dimension::length, range::positive, "b", "Of the stop.")
+      .required("Gap | Limit is given")
       .quantity("Limit", "", dimension::length, range::positive, "", "Empty means none.");
   stop.subsection("Kelvin-Voigt", "");
   stop.named_subsection("Side", "");
@@ -59,7 +62,16 @@ TEST(Reference, markdown_has_contents_and_marks_what_must_be_given) {
       std::string::npos)
       << text;
   EXPECT_NE(text.find("| `Gap` | **required** | m |"), std::string::npos) << text;
+  EXPECT_NE(text.find("| `Width` | **required** when Gap \\| Limit is given | m |"),
+            std::string::npos)
+      << text;
   EXPECT_NE(text.find("| `Limit` |  | m |"), std::string::npos) << text;
+  const std::string json = print_declarations(file, "json");
+  EXPECT_NE(json.find("\"required\": true, \"required when\": \"Gap | Limit is given\""),
+            std::string::npos)
+      << json;
+  EXPECT_NE(print_declarations(file, "prm").find("Required when Gap | Limit is given."),
+            std::string::npos);
 }
 
 TEST(Reference, prm_holds_all_defaults_and_can_be_read) {

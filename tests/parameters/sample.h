@@ -25,6 +25,7 @@ inline void declare_contact(Section &contact) {
   contact.names("Between", "", "Two points.")
       .quantity("Clearance", "0 m", dimension::length, range::non_negative, "", "Gap at rest.")
       .quantity("Stiffness", "", dimension::stiffness, range::positive, "k", "Penalty stiffness.")
+      .required("Law = penalty")
       .quantity("Hertz stiffness", "", dimension::any, range::positive, "K", "Of the power law.")
       .boolean("Prestressed", "false", "May the clearance be negative?");
 }

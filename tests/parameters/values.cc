@@ -45,22 +45,6 @@ TEST(Values, what_is_not_given_has_its_default) {
   EXPECT_EQ(root.instance("Body", "right").subsection("Geometry").integer("Elements"), 40);
 }
 
-TEST(Values, an_option_by_its_former_name_is_the_present_one_with_a_warning) {
-  auto file = std::make_shared<Section>("Sample", "A file for tests.");
-  file->choice("Type", "beam", {"beam", "shell"}, "What it is.")
-      .renamed_option("Type", "plate", "shell");
-  const std::shared_ptr<const Section> declarations = file;
-  ::testing::internal::CaptureStderr();
-  ::testing::internal::CaptureStdout();
-  const auto set =
-      ParameterSet::parse(declarations, "# old\nset Type = plate\n", "old.prm", false, {});
-  const std::string said =
-      ::testing::internal::GetCapturedStdout() + ::testing::internal::GetCapturedStderr();
-  EXPECT_EQ(set->root().choice("Type"), "shell");
-  EXPECT_NE(said.find("old.prm:2: Type = plate is now called shell"), std::string::npos) << said;
-  EXPECT_THROW(file->renamed_option("Type", "tube", "cylinder"), std::logic_error);
-}
-
 TEST(Values, an_empty_file_has_all_defaults) {
   const Values root = parse_prm("")->root();
   EXPECT_EQ(root.text("Title"), "");
@@ -89,17 +73,28 @@ TEST(Values, optional_keys_are_asked_for_by_has) {
       parse_prm("subsection Contact heads\nend\n")->root().instance("Contact", "heads");
   EXPECT_FALSE(heads.has("Stiffness"));
   EXPECT_EQ(error_of([&] { heads.require("Stiffness"); }),
-            "params/beams.prm:1: Contact heads / Stiffness\n  a value must be given; a stiffness "
-            "[N/m] is expected (greater than 0), for example 10 kN/m.");
+            "params/beams.prm:1: Contact heads / Stiffness\n  a value must be given when "
+            "Law = penalty; a stiffness [N/m] is expected (greater than 0), for example 10 kN/m.");
   EXPECT_EQ(error_of([&] { heads.quantity("Stiffness"); }),
             error_of([&] { heads.require("Stiffness"); }));
+}
+
+TEST(Values, only_keys_that_are_marked_are_required) {
+  const Values heads = parse_prm("subsection Contact heads\n  set Hertz stiffness = 1\nend\n")
+                           ->root()
+                           .instance("Contact", "heads");
+  EXPECT_THROW(heads.require("Hertz stiffness"), std::logic_error);
+  Section file("Sample", "");
+  EXPECT_THROW(file.quantity("Gap", "1 mm", dimension::length, range::any, "", "").required(),
+               std::logic_error);
 }
 
 TEST(Values, rejections_name_the_place) {
   const Values root = parse_prm(sample_text)->root();
   const Values heads = root.instance("Contact", "heads");
   EXPECT_EQ(error_of([&] { heads.reject("Clearance", "must be less than 1 mm"); }),
-            "params/beams.prm:26: Contact heads / Clearance = 5 mm\n  must be less than 1 mm.");
+            "params/beams.prm:26: Contact heads / Clearance = 5 mm\n  Clearance must be less than "
+            "1 mm.");
   EXPECT_EQ(error_of([&] { root.instance("Body", "left").reject("Type", "no"); }),
             "params/beams.prm:8: Body left / Type = beam (default)\n  no.");
   EXPECT_EQ(error_of([&] { heads.reject_section("it touches itself"); }),

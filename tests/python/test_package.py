@@ -193,6 +193,26 @@ def test_bodies_contacts_and_attributes(file):
         results["sweep"]
 
 
+def test_a_file_without_units_has_arrays_and_figures_without(tmp_path, monkeypatch):
+    from vibroimpact.plots.labels import SHOWN, scale_for, with_unit
+    monkeypatch.chdir(tmp_path)
+    plain = FILE.replace("set Title", "set Units = dimensionless\nset Title")
+    for unit in (" kg", " N/m", " mm", " ms", " s\n", " MN/m"):
+        plain = plain.replace(unit, "\n" if unit.endswith("\n") else "")
+    plain = plain.replace("interval = 5", "interval = 0.005")
+    Path("plain.prm").write_text(plain)
+    results = vibroimpact.run("plain.prm", set={"Analyses": "motion"})
+    arrays = [*results["motion"].variables.values(), *results.bodies["oscillator"].values()]
+    assert all("units" not in array.attrs and array.attrs["unit"] == "1" for array in arrays)
+    omega = results.bodies["oscillator"]["frequency"]
+    np.testing.assert_allclose(omega.values, math.sqrt(STIFFNESS / MASS), rtol=1e-12)
+    assert {entry.unit for entry in results.summary.values()} == {"1"}
+    vibroimpact.plot(results, figure="motion*")
+    monkeypatch.setitem(SHOWN, "units", False)
+    assert scale_for("m", [1e-3]).label("Gap") == "Gap"
+    assert with_unit("2.4", "Hz") == "2.4"
+
+
 def test_a_folder_without_results_is_refused(tmp_path):
     from vibroimpact.plots.errors import ResultError
     with pytest.raises(ResultError, match="no results.h5 in it"):

@@ -114,11 +114,12 @@ TEST(BodyParameters, ReducedFromTextIsCaseS) {
 
 TEST(BodyParameters, GeometryErrorsAreClear) {
   const std::string empty = without(without(head_beam(), line), elements);
-  expect_message(empty, {"Geometry", "needs a Line or a Mesh"});
+  expect_message(empty,
+                 {"Geometry / Line", "must be given when Type = beam and Mesh is not given"});
   expect_message(inside(head_beam(), "Geometry", "set Mesh = beam.msh\n"),
-                 {"Line", "together with Mesh"});
+                 {"Line", "Line must not be set when Mesh is set"});
   expect_message(inside(without(head_beam(), line), "Geometry", "set Mesh = beam.msh\n"),
-                 {"Elements", "together with Mesh"});
+                 {"Elements", "Elements must not be set when Mesh is set"});
   expect_message(inside(empty, "Geometry", "set Mesh = none.msh\n"),
                  {"test.prm", "Mesh", "none.msh", "can be read"});
   expect_message(inside(empty, "Geometry", "set Line = 1 m, 0 m, 0 m -> 1 m, 0 m, 0 m\n"),
@@ -130,7 +131,7 @@ TEST(BodyParameters, GeometryErrorsAreClear) {
 TEST(BodyParameters, SectionAndMaterialErrorsAreClear) {
   expect_message(without(head_beam(), "    set Width = 30 mm\n"), {"Width", "must be given"});
   expect_message(inside(head_beam(), "Section", "set Diameter = 1 mm\n"),
-                 {"Diameter", "not used with Shape = rectangle"});
+                 {"Diameter", "must not be set when Shape = rectangle"});
   expect_message(without(head_beam(), "    set Young modulus = 206 GPa\n"), {"Young modulus"});
   expect_message(without(head_beam(), density), {"Density"});
   const std::string massless = without(without(head_beam(), density), "    set Mass = 57.7114 g\n");
@@ -145,7 +146,7 @@ TEST(BodyParameters, SupportErrorsAreClear) {
                  {"Support odd", "At", "end, start, all"});
   expect_message(head_beam(section("Support odd", "set At = end\n")), {"Support odd", "Fix"});
   expect_message(head_beam(section("Support odd", "set Fix = all\n")),
-                 {"Support odd", "one of At, Position and Near"});
+                 {"Support odd / At", "must be given when Position and Near are not given"});
   expect_message(
       head_beam(section("Support odd", "set At = end\nset Stiffness = -1 N/m, 0 N/m, 0 N/m\n")),
       {"Support odd", "Stiffness"});
@@ -162,10 +163,10 @@ TEST(BodyParameters, ModesErrorsAreClear) {
   expect_message(head_beam(section("Modes", "set Number = 41\n")),
                  {"Modes", "Number", "degrees of freedom with mass, 40"});
   expect_message(head_beam(section("Modes", "set Number = 3\nset Band = 1 Hz, 2 Hz\n")),
-                 {"Number", "together with Band"});
+                 {"Number", "must not be set when Band is set"});
   expect_message(head_beam(section("Modes", "set Band = 2 Hz, 2 Hz\n")), {"Band", "greater upper"});
   expect_message(head_beam(section("Modes", "set Rayleigh alpha = 2/s\n")),
-                 {"Rayleigh alpha", "not used with Damping model = ratio"});
+                 {"Rayleigh alpha", "must not be set when Damping model = ratio"});
   expect_message(head_beam(section("Modes", "set Damping model = viscous\n")),
                  {"Viscous constant"});
 }

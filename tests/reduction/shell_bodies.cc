@@ -130,7 +130,7 @@ TEST(ShellBodies, LoadsNeedSupports) {
     reduce(body_of(shell, 8), MPI_COMM_WORLD);
     FAIL();
   } catch (const structure::DefinitionError &error) {
-    EXPECT_NE(error.problem().find("needs supports that hold it"), std::string::npos);
+    EXPECT_NE(error.problem().find("must have supports against"), std::string::npos);
   }
 }
 

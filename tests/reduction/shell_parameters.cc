@@ -136,16 +136,17 @@ TEST(ShellParameters, ACylinderIsRead) {
 TEST(ShellParameters, KeysThatDoNotFitAreRefused) {
   const std::string geometry = "    set Plate = 0 m, 0 m, 0 m -> 2 m, 0 m, 0 m -> 0 m, 1 m, 0 m\n";
   expect_message(changed(geometry, ""),
-                 {"test.prm", "Geometry", "one of Mesh, Plate and Cylinder"});
+                 {"test.prm", "Geometry / Plate", "Mesh and Cylinder are not given"});
   expect_message(changed(geometry, geometry + "    set Mesh = panel.msh\n"),
                  {"one of Mesh, Plate and Cylinder"});
   expect_message(changed(geometry, geometry + "    set Line = 0 m, 0 m, 0 m -> 1 m, 0 m, 0 m\n"),
-                 {"Line", "is not used by a body of type shell"});
+                 {"Line", "Line must not be set when Type = shell"});
   expect_message(changed(geometry, geometry + "    set Radius = 1 m\n"),
-                 {"Radius", "only with Cylinder"});
+                 {"Radius", "must not be set when Cylinder is not set"});
   expect_message(changed("Divisions = 4, 2", "Divisions = 4.5, 2"), {"Divisions", "whole numbers"});
   expect_message(changed("-> 0 m, 1 m, 0 m", "-> 4 m, 0 m, 0 m"), {"Plate", "not parallel"});
-  expect_message(changed("set Type = shell", "set Type = beam"), {"no use for a subsection Shell"});
+  expect_message(changed("set Type = shell", "set Type = beam"),
+                 {"when there is a subsection Shell"});
   expect_message(changed("  subsection Shell deck\n    set Thickness = 10 mm\n  end\n", ""),
                  {"at least one subsection Shell"});
   expect_message(changed("    set Thickness = 10 mm\n", ""),
@@ -169,11 +170,13 @@ TEST(ShellParameters, PlacesThatDoNotExistAreNamed) {
 }
 
 TEST(ShellParameters, LoadsThatDoNothingAreRefused) {
-  expect_message(changed("    set Pressure = 2 kPa\n", ""), {"Load wind", "does nothing"});
+  expect_message(changed("    set Pressure = 2 kPa\n", ""),
+                 {"Load wind", "Acceleration or Pressure must be set"});
   expect_message(
       changed("    set Pressure = 2 kPa\n", "    set Pressure = 2 kPa\n    set At = top\n"),
-      {"Load wind", "no Force or Moment"});
-  expect_message(changed("    set At = top\n", ""), {"Load push", "one of At, Position and Near"});
+      {"Load wind", "Force or Moment must be set"});
+  expect_message(changed("    set At = top\n", ""),
+                 {"Load push / At", "Position and Near are not"});
 }
 
 TEST(ShellParameters, BeamsHaveNoPressureAndNoPlates) {
@@ -181,5 +184,5 @@ TEST(ShellParameters, BeamsHaveNoPressureAndNoPlates) {
                  {"Load wind", "Pressure", "surfaces of a shell"});
   std::string text = head_beam();
   text.insert(text.find("    set Elements"), "    set Divisions = 3, 3\n");
-  expect_message(text, {"Divisions", "bodies of type shell only"});
+  expect_message(text, {"Divisions", "must not be set when Type = beam"});
 }

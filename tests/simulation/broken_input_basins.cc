@@ -86,7 +86,7 @@ TEST(BrokenInputBasinsTest, TheSoundFilesAreAccepted) {
 }
 
 TEST(BrokenInputBasinsTest, Axes) {
-  expect_message(basins, "Last = 1\n", "Last = -1\n", {"Last", "above First"});
+  expect_message(basins, "Last = 1\n", "Last = -1\n", {"Last", "greater than First"});
   expect_message(basins, "set Cells = 3", "set Cells = 0", {"Cells = 0", "1"});
   expect_message(basins, "Variables/v", "Variables/x", {"Parameter", "another key"});
   expect_message(basins, "Variables/v", "Variables/y", {"Variables/y"});
@@ -127,7 +127,7 @@ TEST(BrokenInputBasinsTest, Keys) {
   expect_message(basins, "  subsection Basins", "  subsection Basins\n    set Excitation = none",
                  {"none"});
   expect_message(basins, "set Type = basins", "set Type = basins\n  set Excitations = none",
-                 {"An analysis of basins needs one periodic excitation"});
+                 {"An analysis of basins must have one periodic excitation"});
 }
 
 TEST(BrokenInputBasinsTest, Interpolation) {
@@ -138,7 +138,7 @@ TEST(BrokenInputBasinsTest, Interpolation) {
   EXPECT_EQ(message_of(relaxing), "");
   expect_message(relaxing, "  subsection Basins",
                  "  subsection Basins\n    set Method = interpolation",
-                 {"Method = interpolation", "3 states"});
+                 {"Method must be motions", "3 states"});
 }
 
 TEST(BrokenInputBasinsTest, Shares) {

@@ -108,7 +108,7 @@ TEST(BrokenInputCharacterTest, Spectrum) {
 
 TEST(BrokenInputCharacterTest, Wavelet) {
   expect_message("Highest frequency = 20 Hz", "Highest frequency = 1 Hz", "Highest frequency",
-                 "above Lowest frequency");
+                 "greater than Lowest frequency");
   expect_message("Sampling interval = 10 ms", "Sampling interval = 30 ms", "Sampling interval",
                  "half a period");
   expect_message("    set Sampling interval = 10 ms\n", "", "Sampling interval", "must be given");
@@ -118,7 +118,7 @@ TEST(BrokenInputCharacterTest, Wavelet) {
 }
 
 TEST(BrokenInputCharacterTest, Spectrogram) {
-  expect_message("Interval = 1 s", "Interval = 20 ms", "Interval", "four sampling intervals");
+  expect_message("Interval = 1 s", "Interval = 20 ms", "Interval", "four times Sampling interval");
   expect_message("    set Interval = 1 s\n", "", "Interval", "must be given");
 }
 

@@ -104,7 +104,7 @@ TEST(BrokenInputDerived, KeysAnOperationNeeds) {
   expect_message("  set Fields = a = peak, k = stiffness\n", "", {"Fields", "given"});
   expect_message("  set Level = 3 mm\n", "", {"Derived where", "Level"});
   expect_message("  set Level = 3 mm\n", "  set Level = 3 mm\n  set Other = peak\n",
-                 {"Other", "one of the two"});
+                 {"Other", "must not be set when Level is set"});
 }
 
 TEST(BrokenInputDerived, KeysItHasNoUseFor) {

@@ -77,10 +77,10 @@ TEST(BrokenInputFigures, AxesWithoutAQuantity) {
 }
 
 TEST(BrokenInputFigures, DivisorsAndRangesThatCannotBe) {
-  expect_message("base / 2", "0 * base", {"Vertical", "Divide by", "other than 0"});
+  expect_message("base / 2", "0 * base", {"Vertical", "Divide by", "must not be 0"});
   expect_message("set Divide by = base / 2",
                  "set Divide by = base / 2\n    set Divide by largest of = free",
-                 {"Divide by", "left out"});
+                 {"Divide by", "when Divide by largest of is set"});
   expect_message("Range = 0, 2", "Range = 2, 0", {"Range = 2, 0", "greater"});
   expect_message("Range = 0, 2", "Range = 2", {"Range = 2", "two numbers"});
 }

@@ -65,6 +65,14 @@ constexpr const char *with = "Variables/gap = 2 mm";
 constexpr const char *cases = "Variables/k [kN/m], Contact/top/Clearance; 1, 2 m; 3, 4 m";
 
 const std::vector<Broken> refused{
+    {"set Variables = k = 2 kN/m, gap = 1 mm",
+     "set Units = dimensionless\nset Variables = k = 2 kN/m, gap = 1 mm",
+     "2: Variables = k = 2 kN/m\n  '2 kN/m' must not have a unit when Units = dimensionless."},
+    {"set Variables = k = 2 kN/m, gap = 1 mm",
+     "set Units = plain\nset Variables = k = 2 kN/m, gap = 1 mm",
+     "1: Units = plain\n  'plain' is not possible; one of these is expected: SI, dimensionless."},
+    {"set With = Variables/gap = 2 mm", "set With = Units = dimensionless",
+     "26: Analysis motion / With = Units = dimensionless\n  With must not set Units."},
     {with, "gap",
      "26: Analysis motion / With = gap\n  With must be PATH = VALUE, separated by "
      "commas: Variables/gap = 0.7 mm, Integration/Relative tolerance = 1e-10."},
@@ -167,7 +175,8 @@ TEST(BrokenInputLanguageTest, TheEffectiveMassIsAskedForWhereASideIsNotLumped) {
   EXPECT_EQ(message_of(tsuji), "");
   const std::string beam = changed(tsuji, "block.head, stop\n  set Clearance = 1 m",
                                    "beam.tip, stop\n  set Clearance = 1 m");
-  EXPECT_EQ(message_of(beam + R"(subsection Body beam
+  EXPECT_EQ(
+      message_of(beam + R"(subsection Body beam
   set Type = beam
   subsection Geometry
     set Line     = 0 m, 0 m, 0 m -> 0 m, 0 m, 0.3 m
@@ -192,8 +201,9 @@ TEST(BrokenInputLanguageTest, TheEffectiveMassIsAskedForWhereASideIsNotLumped) {
   end
 end
 )"),
-            "test.prm:21: Contact top / Tsuji\n  Effective mass must be given where a side of the "
-            "contact belongs to a body that is not lumped, or where there are rotors.");
+      "test.prm:21: Contact top / Tsuji / Effective mass\n  a value must be given when a side "
+      "belongs to a body that is not lumped, or there are rotors; a mass [kg] is expected "
+      "(greater than 0), for example 50 g.");
 }
 
 } // namespace

@@ -138,7 +138,7 @@ TEST(BrokenInputLawsTest, UnknownNames) {
 TEST(BrokenInputLawsTest, TwoDampingsAtOnce) {
   const std::string text = with_law(samples[3].law, samples[3].section);
   expect_message(changed(text, "set Effective", "set Damping coefficient = 0.1\n    set Effective"),
-                 {"Damping coefficient", "one of the two"});
+                 {"Damping coefficient", "must not be set when Restitution coefficient is set"});
 }
 
 } // namespace

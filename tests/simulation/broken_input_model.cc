@@ -84,7 +84,7 @@ TEST(BrokenInputModelTest, Rotors) {
   expect_message("    set Time constant = 0.1 s\n", "", {"Time constant"});
   expect_message("  subsection Motor",
                  "  subsection Mass disc\n    set Mass = 1 kg\n  end\n  subsection Motor",
-                 {"rotor", "no use for a subsection Mass"});
+                 {"rotor", "there is a subsection Mass"});
   expect_message("set Axis = y", "set Axis = y, y", {"Axis", "listed twice"});
   expect_message("set Axis = y", "set Axis = w", {"Axis", "'w'"});
 }

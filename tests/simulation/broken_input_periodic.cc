@@ -70,7 +70,7 @@ TEST(BrokenInputPeriodicTest, State) {
   expect_message("0.001, 0.02", "0.001", {"test.prm:27", "State = 0.001", "2 numbers"});
   expect_message("0.001, 0.02", "0.001, 0.02, 0", {"State", "2 numbers"});
   expect_message("set State = 0.001, 0.02", "set State = 0.001, 0.02\n    set Settling cycles = 3",
-                 {"Settling cycles = 3", "nothing with a State"});
+                 {"Settling cycles = 3", "when State or State run is set"});
   expect_message("0.001, 0.02", "0.001, fast", {"State", "fast"});
 }
 
@@ -80,7 +80,8 @@ TEST(BrokenInputPeriodicTest, KeysOfDerivatives) {
   };
   expect_message("0.001, 0.02", with("Analysis/orbit/Record"),
                  {"Derivative one / Path", "a key outside the analyses"});
-  expect_message("0.001, 0.02", with("Title"), {"Derivative one / Path", "holds one number"});
+  expect_message("0.001, 0.02", with("Title"),
+                 {"Derivative one / Path", "one number as its value"});
   expect_message("0.001, 0.02", with("Variables/nothing"), {"Derivative one / Path", "nothing"});
 }
 
@@ -107,8 +108,9 @@ TEST(BrokenInputPeriodicTest, StoredState) {
   expect_message(given, keys("swep", "1"), {"State analysis = swep", "whose points have a state"});
   expect_message(given, keys("other", ""), {"State run", "2 numbers"});
   expect_message(given, "set State run = /nowhere", {"State run = /nowhere", "earlier run"});
-  expect_message(given, "set State analysis = sweep", {"State analysis", "without State run"});
-  expect_message(given, given + "\n    " + keys("one", ""), {"State run", "beside a State"});
+  expect_message(given, "set State analysis = sweep",
+                 {"State analysis", "when State run is not set"});
+  expect_message(given, given + "\n    " + keys("one", ""), {"State run", "when State is set"});
 }
 
 TEST(BrokenInputPeriodicTest, Multiple) {
@@ -118,7 +120,7 @@ TEST(BrokenInputPeriodicTest, Multiple) {
 
 TEST(BrokenInputPeriodicTest, Excitation) {
   expect_message("set Type = periodic orbit", "set Type = periodic orbit\n  set Excitations = none",
-                 {"A periodic orbit needs one periodic excitation"});
+                 {"A periodic orbit must have one periodic excitation"});
   expect_message("set State = 0.001, 0.02", "set Excitation = shakr", {"shakr", "active"});
   const std::string second =
       "subsection Excitation hum\n  set Type = force\n  set At = block.head\n"
@@ -156,20 +158,20 @@ void expect_branch_message(const std::string &from, const std::string &to,
 TEST(BrokenInputPeriodicTest, BranchEnds) {
   EXPECT_EQ(message_of(branch_file()), "");
   expect_branch_message("Last frequency = 9 Hz", "Last frequency = 1 Hz",
-                        {"Last frequency", "above First frequency"});
+                        {"Last frequency", "greater than First frequency"});
   expect_branch_message("Last frequency = 9 Hz", "Last frequency = 2 Hz",
                         {"3.0", "must lie between its ends"});
   expect_branch_message("    set First frequency = 1 Hz\n", "", {"First frequency", "given"});
   expect_branch_message("set First frequency = 1 Hz", "set Points = 3", {"Points"});
   const std::string clearance = "set Parameter = Contact/stop/Clearance\n    set First = 1 mm\n";
   expect_branch_message("set First frequency = 1 Hz\n    set Last frequency = 9 Hz",
-                        clearance + "    set Last = 0.5 mm", {"Last", "above First"});
+                        clearance + "    set Last = 0.5 mm", {"Last", "greater than First"});
   expect_branch_message("set First frequency = 1 Hz\n    set Last frequency = 9 Hz",
                         clearance + "    set Last = 2 mm", {"0.005", "must lie between its ends"});
   expect_branch_message("set First frequency = 1 Hz\n    set Last frequency = 9 Hz",
                         "set Parameter = Contact/stop/Between\n    set First = 1\n"
                         "    set Last = 2",
-                        {"Parameter", "holds one number"});
+                        {"Parameter", "one number as its value"});
 }
 
 TEST(BrokenInputPeriodicTest, BranchSteps) {
@@ -178,7 +180,7 @@ TEST(BrokenInputPeriodicTest, BranchSteps) {
   expect_branch_message("set First frequency",
                         "set Longest step = 1e-5\n    set Least step = 1e-4\n    set First "
                         "frequency",
-                        {"Least step", "below Longest step"});
+                        {"Least step", "less than Longest step"});
   expect_branch_message("set First frequency", "set Most points = 1\n    set First frequency",
                         {"Most points", "1"});
   expect_branch_message("set First frequency", "set Switching levels = -1\n    set First frequency",
@@ -264,12 +266,12 @@ TEST(BrokenInputPeriodicTest, LocusKinds) {
   EXPECT_EQ(message_of(locus_file()), "");
   const std::string before = "subsection First key";
   expect_locus_message(before, "set Kinds = folds\n    " + before, {"Kinds = folds", "fold"});
-  expect_locus_message(before, "set Kinds =\n    " + before, {"Kinds", "given"});
+  expect_locus_message(before, "set Kinds =\n    " + before, {"Kinds", "at least one of fold"});
 }
 
 TEST(BrokenInputPeriodicTest, LocusKeys) {
   expect_locus_message("Last frequency = 9 Hz", "Last frequency = 1 Hz",
-                       {"First key", "Last frequency", "above First frequency"});
+                       {"First key", "Last frequency", "greater than First frequency"});
   expect_locus_message("Last frequency = 9 Hz", "Last frequency = 2 Hz",
                        {"A locus begins", "3.0", "must lie between its ends"});
   expect_locus_message("set Last = 9 mm", "set Last = 3 mm",
@@ -281,18 +283,18 @@ TEST(BrokenInputPeriodicTest, LocusKeys) {
   expect_locus_message("set Parameter = Contact/stop/Clearance\n      set First = 1 mm\n"
                        "      set Last = 9 mm",
                        "set First frequency = 2 Hz\n      set Last frequency = 4 Hz",
-                       {"Second key", "another key than that of the First key"});
+                       {"Second key", "another key than that of First key"});
   expect_locus_message("set First frequency = 1 Hz\n      set Last frequency = 9 Hz",
                        "set Parameter = Contact stop/Clearance\n      set First = 1 mm\n"
                        "      set Last = 9 mm",
-                       {"Second key", "another key than that of the First key"});
+                       {"Second key", "another key than that of First key"});
 }
 
 TEST(BrokenInputPeriodicTest, LocusSteps) {
   const std::string before = "subsection First key";
   expect_locus_message(before, "set Longest step = 0\n    " + before, {"Longest step", "0"});
   expect_locus_message(before, "set Longest step = 1e-5\n    set Least step = 1e-4\n    " + before,
-                       {"Least step", "below Longest step"});
+                       {"Least step", "less than Longest step"});
   expect_locus_message("Most points = 20", "Most points = 1", {"Most points", "1"});
   expect_locus_message(before, "set Switching levels = -1\n    " + before,
                        {"Switching levels", "-1"});

@@ -87,20 +87,20 @@ const Mistake mistakes[] = {
     {"set Path = Variables/k", "set Path = Title", {"Path", "changes the model or the analysis"}},
     {"set Path = Variables/k", "set Path = Analysis/search/Optimise/Seed", {"Path", "'steady'"}},
     {"set Path = Variables/k", "set Path = Analysis/steady/Type", {"Path", "other than its Type"}},
-    {"set Lower = 500", "set Lower = 2000", {"Key stiffness / Upper", "above Lower"}},
+    {"set Lower = 500", "set Lower = 2000", {"Key stiffness / Upper", "greater than Lower"}},
     {"set Lower = 500", "set Lower = 800", {"Key stiffness / Start", "from Lower to Upper"}},
-    {"set Lower = 500\n", "set Step = 0\n", {"Key stiffness / Step", "above zero"}},
-    {"set Lower = 500", "set Lower = 500\nset Step = 1600", {"Step", "below Upper - Lower"}},
+    {"set Lower = 500\n", "set Step = 0\n", {"Key stiffness / Step", "greater than 0"}},
+    {"set Lower = 500", "set Lower = 500\nset Step = 1600", {"Step", "less than Upper - Lower"}},
     {"set Lower = 500\n      set Upper = 2000\n      set Start = 700",
      "set Upper = 2000",
      {"Key stiffness / Start", "must be given"}},
     {"set Lower = 500\n      set Upper = 2000\n      set Start = 700",
      "set Start = 0",
-     {"Key stiffness / Start", "Step must be given"}},
-    {"set Lower = 500", "set Lower = 0\nset Scale = logarithmic", {"Lower", "above zero"}},
+     {"Key stiffness / Start", "when Step is not set"}},
+    {"set Lower = 500", "set Lower = 0\nset Scale = logarithmic", {"Lower", "greater than 0"}},
     {"set Lower = 500",
      "set Lower = 500\nset Step = 1\nset Scale = logarithmic",
-     {"Step", "nothing where Scale"}},
+     {"Step", "when Scale"}},
     {"    subsection Key",
      mass_key + "    subsection Key",
      {"Key mass / Lower", "-1 kg", "greater than 0"}},
@@ -124,7 +124,7 @@ const Mistake mistakes[] = {
      {"Population", "no population"}},
     {"  set Type = optimise",
      "  set Type = optimise\n  set Excitations = none",
-     {"Analysis search / Excitations", "of the analysis steady"}},
+     {"Analysis search / Excitations", "in the analysis steady"}},
     {"set Objective = amplitude",
      "set Objective = amplitude\nset Tolerance = 0",
      {"Tolerance", "greater than 0"}},
@@ -186,8 +186,8 @@ TEST(BrokenInputSearchesTest, WithoutABoundSomeMethodsCannotSearch) {
     return message_of(changed(unbounded, "set Repeat = steady", "set Repeat = steady\n" + line));
   };
   EXPECT_NE(with("set Method = DIRECT").find("Optimise / Method"), std::string::npos);
-  EXPECT_NE(with("set Method = ISRES").find("another method where"), std::string::npos);
-  EXPECT_NE(with("set Method = differential evolution").find("another method where"),
+  EXPECT_NE(with("set Method = ISRES").find("another method when"), std::string::npos);
+  EXPECT_NE(with("set Method = differential evolution").find("another method when"),
             std::string::npos);
   EXPECT_NE(with("set Starts = 2").find("Optimise / Starts"), std::string::npos);
 }

@@ -67,8 +67,11 @@ TEST(BrokenInputShellsTest, MessagesNameTheKeyAndWhatIsAllowed) {
       {"load without supports",
        "  subsection Support left\n    set At = left\n    set Fix = all\n  end\n",
        "",
-       {"needs supports that hold it"}},
-      {"no load", "    set Pressure = 2 kPa\n", "", {"Load wind", "does nothing"}},
+       {"must have supports against every rigid motion"}},
+      {"no load",
+       "    set Pressure = 2 kPa\n",
+       "",
+       {"Load wind", "Acceleration or Pressure must be set"}},
       {"too many modes",
        "  subsection Modes\n",
        "  subsection Modes\n    set Number = 1000\n",
@@ -81,7 +84,7 @@ TEST(BrokenInputShellsTest, MessagesNameTheKeyAndWhatIsAllowed) {
       {"cross-section of a beam body",
        "  subsection Material\n",
        "  subsection Section\n    set Width = 1 mm\n  end\n  subsection Material\n",
-       {"no use for a subsection Section"}}};
+       {"when there is a subsection Section"}}};
   expect_messages(sound, cases);
 }
 

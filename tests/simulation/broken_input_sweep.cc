@@ -87,22 +87,22 @@ TEST(BrokenInputSweepTest, Parameter) {
                  {"Parameter", "outside the analyses"});
   expect_message("Contact/stop/Clearance\n    set First = 1 mm\n    set Last = 8 mm",
                  "Contact/stop/Between\n    set First = block.head\n    set Last = block.head",
-                 {"Parameter", "holds one number"});
+                 {"Parameter", "one number as its value"});
   expect_message("Contact/stop/Clearance\n    set First = 1 mm\n    set Last = 8 mm",
                  "Body/beam/Modes/Number\n    set First = 2\n    set Last = 4",
-                 {"Body/beam/Modes/Number", "changes the number of coordinates"});
+                 {"Body/beam/Modes/Number", "change the number of coordinates"});
 }
 
 TEST(BrokenInputSweepTest, Ends) {
   expect_message("set First = 1 mm", "set First = 1 kg", {"1 kg", "length"});
   expect_message("    set First = 1 mm\n", "", {"First", "must be given"});
-  expect_message("set Last = 8 mm", "set Last = 0.8 mm", {"Last", "above First"});
+  expect_message("set Last = 8 mm", "set Last = 0.8 mm", {"Last", "greater than First"});
   expect_message("set Points = 3", "set Points = 3\n    set First frequency = 2 Hz",
                  {"First frequency", "Parameter"});
   expect_message("set Parameter = Contact/stop/Clearance", "set First frequency = 1 Hz",
-                 {"First", "without the key Parameter"});
+                 {"First", "when Parameter is not set"});
   expect_message("set First = 1 mm", "set First = 0 mm\n    set Spacing = logarithmic",
-                 {"First", "above zero"});
+                 {"First", "greater than 0"});
 }
 
 TEST(BrokenInputSweepTest, StartAndJumps) {
@@ -139,7 +139,7 @@ TEST(BrokenInputSweepTest, FrequencyResponse) {
   EXPECT_EQ(message_of(response), "");
   EXPECT_NE(
       message_of(changed(response, "set Last frequency = 9 Hz", "set Last frequency = 0.9 Hz"))
-          .find("above First frequency"),
+          .find("greater than First frequency"),
       std::string::npos);
   EXPECT_NE(message_of(changed(response, "subsection Excitation",
                                "subsection Connection mount\n  set Between = block.head\n"

@@ -4,6 +4,10 @@
 usage: check_language.py PROGRAM MPIEXEC
 """
 import pathlib
+import re
+
+import h5py
+import numpy
 
 from program_runs import ProgramRuns, datasets, main
 
@@ -80,6 +84,57 @@ end
 """
 LEFT = RIGHT.replace("Contact right", "Contact left").format(mirror="set Direction = -x")
 BOTH = RIGHT.format(mirror="set Mirrored as = left")
+PLAIN = """
+set Variables = w = 1.5, delta = 0.3
+subsection Body block
+  set Type = lumped
+  subsection Mass head
+    set Mass = 1 {kg}
+    set Stiffness = 1 {N/m}
+    set Damping = 0.1 {N s/m}
+  end
+end
+subsection Contact right
+  set Between = block.head, stop
+  set Clearance = delta {m}
+  set Law = kelvin-voigt
+  subsection Kelvin-Voigt
+    set Stiffness = 20 {N/m}
+    set Damping constant = 0.2 {N s/m}
+  end
+end
+subsection Excitation push
+  set Type = force
+  set At = block.head
+  set Amplitude = 0.5 {N}
+  set Frequency = w {rad/s}
+end
+subsection Analysis curve
+  set Type = stepped sweep
+  set Record = extreme values, impacts, history, spectrum
+  subsection Stepped sweep
+    set First frequency = 0.7 {rad/s}
+    set Last frequency = 1.9 {rad/s}
+    set Points = 5
+    set Settling cycles = 30
+  end
+end
+subsection Analysis modes
+  set Type = modal
+end
+subsection Derived resonance
+  set From = curve
+  set Operation = position of maximum
+  set Field = point/block.head/displacement_x/largest
+  set Along = frequency
+end
+subsection Derived ratio
+  set From = curve
+  set Operation = expression
+  set Fields = f = frequency
+  set Expression = f / (w {rad/s})
+end
+"""
 GRID = """
 subsection Analysis cases
   set Type = parameter grid
@@ -201,6 +256,56 @@ class OneSystemInOtherWords(ProgramRuns):
                   "3000, Analysis/motion/Steady state/Settling method = transient",
             grid="set Cases = Variables/k [kN/m]; " + "; ".join(str(2 + i) for i in range(12)))))
         self.expect_same_bytes()
+
+
+def with_units(text):
+    """`{N}` as `* 1 N`, or without units."""
+    return re.sub(r"\s*\{([^}]*)\}", r" * 1 \1", text)
+
+
+class WithoutUnits(ProgramRuns):
+    def test_the_results_are_those_in_si_without_units_and_with_angular_frequencies(self):
+        texts = {"SI": with_units(PLAIN),
+                 "plain": "set Units = dimensionless\n" + re.sub(r"\s*\{[^}]*\}", "", PLAIN)}
+        printed = {}
+        for name, text in texts.items():
+            self.file.write_text(text)
+            done = self.run_program(self.file, "--output", name)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            printed[name] = self.run_program(self.file, "--check").stdout
+        self.assertIn("from 0.159155 Hz", printed["SI"])
+        self.assertIn("from 1 to 1,", printed["plain"])
+        self.compare_datasets()
+        summary = (self.folder / "plain/summary.txt").read_text()
+        self.assertIn("body.block.frequency[1] = 1 [1]", summary)
+        self.assertEqual(set(re.findall(r" = \S+ \[(.*?)\]", summary)), {"1"})
+        for arguments in ([self.folder / "plain/parameters.prm", "--output", "again"],
+                          ["--resume", "plain"]):
+            done = self.run_program(*arguments)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(datasets(self.folder / "again"), datasets(self.folder / "plain"))
+
+    def compare_datasets(self):
+        found = set()
+        with h5py.File(self.folder / "SI/results.h5") as si, \
+                h5py.File(self.folder / "plain/results.h5") as plain:
+            def compare(name, item):
+                if not isinstance(item, h5py.Dataset):
+                    return
+                other, unit = plain[name], str(item.attrs["unit"])
+                found.add(unit)
+                self.assertEqual(str(other.attrs["unit"]), "1", name)
+                self.assertNotIn("[", other.attrs["description"], name)
+                if unit == "Hz":
+                    numpy.testing.assert_allclose(other[()], 2 * numpy.pi * item[()], rtol=4e-16)
+                else:
+                    ours, theirs = numpy.asarray(other[()]), numpy.asarray(item[()])
+                    texts = theirs.dtype == object
+                    self.assertEqual(ours.tolist() if texts else ours.tobytes(),
+                                     theirs.tolist() if texts else theirs.tobytes(), name)
+            si.visititems(compare)
+            self.assertIn("angular", plain["analysis/curve/frequency"].attrs["description"])
+        self.assertTrue({"Hz", "m", "N", "s", "kg", "N/m", "1"} <= found, found)
 
 
 if __name__ == "__main__":

@@ -140,7 +140,7 @@ def draw(options: argparse.Namespace) -> int:
         import matplotlib.pyplot as plt
 
         from . import table_points
-        from .labels import ANGULAR
+        from .labels import SHOWN
         from .overlays import attach
         from .style import SETTINGS
 
@@ -148,7 +148,7 @@ def draw(options: argparse.Namespace) -> int:
                   if name.endswith(".csv")]
         attach(results, chosen, [name for name in options.overlay if not name.endswith(".csv")],
                others)
-        ANGULAR["frequencies"] = options.angular
+        SHOWN.update(angular=options.angular, units=not results.dimensionless)
         with plt.rc_context(SETTINGS):
             wanted = [entry for analysis in chosen
                       for entry in wanted_figures(results, analysis, options.figure)]

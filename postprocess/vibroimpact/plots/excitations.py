@@ -11,7 +11,7 @@ from .results import Analysis
 
 
 def frequencies(analysis: Analysis, time: np.ndarray) -> list[tuple[str, np.ndarray]]:
-    """Name and frequency [Hz] of each acting excitation that has one; NaN where it does not act."""
+    """Name and frequency, as results have them, of each acting excitation that has one; NaN where it does not act."""
     section = analysis.parameters.get(f"Analysis {analysis.name}", {})
     acting = section.get("Excitations", "all")
     found = []
@@ -32,7 +32,7 @@ def frequency_of(excitation: dict, parameters: dict, time: np.ndarray):
     value = number(excitation.get("Frequency", ""), parameters)
     if history not in ("harmonic", "ramped harmonic") or value is None:
         return None
-    return np.full(len(time), value / (2 * math.pi))
+    return np.full(len(time), value / turn(parameters))
 
 
 def sweep_frequency(sweep: dict, parameters: dict, time: np.ndarray):
@@ -47,4 +47,9 @@ def sweep_frequency(sweep: dict, parameters: dict, time: np.ndarray):
     else:
         values = first + (last - first) * part
     after = time > duration if sweep.get("After", "hold") == "stop" else np.zeros(len(time), bool)
-    return np.where(after | (time < 0), np.nan, values) / (2 * math.pi)
+    return np.where(after | (time < 0), np.nan, values) / turn(parameters)
+
+
+def turn(parameters: dict) -> float:
+    """Frequencies of parameters are in rad/s, of results in Hz or, without units, angular too."""
+    return 1.0 if parameters.get("Units") == "dimensionless" else 2 * math.pi

@@ -9,7 +9,7 @@ from matplotlib.patches import Patch
 
 from . import style
 from .axis_meaning import Meaning, Panel, note
-from .labels import Scale, quantity_label, scale_for
+from .labels import Scale, quantity_label, scale_for, with_unit
 from .layout import layout_of, place_of, places
 from .motions import Motion, bases, contact_intervals, contacts_of
 from .results import Analysis, Results
@@ -68,7 +68,7 @@ def history(motion: Motion, rows: dict[str, list[str]]):
     handles = [Line2D([], [], color=colour, label=name) for name, colour in colours.items()]
     handles += shade(panels, motion, time, start, scale)
     panels[0].set_title(title(motion))
-    panels[-1].set_xlabel(scale.label(f"Time from {start:.5g} s on" if start else "Time"))
+    panels[-1].set_xlabel(scale.label(f"Time from {with_unit(f'{start:.5g}', 's')} on" if start else "Time"))
     style.legend_beside(panels[0], handles)
     return figure
 

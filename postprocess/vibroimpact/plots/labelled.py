@@ -23,7 +23,7 @@ def open_analysis(file, name: str) -> xarray.Dataset:
 
 def open_group(file, path: str) -> xarray.Dataset:
     """All arrays of a group and those below by their path, in SI, with their axes as coordinates; unit
-    and description as attributes (`units` is where xarray's own figures look)."""
+    and description as attributes (`units`, where xarray's own figures look, is left out for pure numbers)."""
     variables = {}
 
     def collect(path, item):
@@ -31,8 +31,9 @@ def open_group(file, path: str) -> xarray.Dataset:
             own = [path.replace("/", "_")] if h5py.h5ds.is_scale(item.id) else None
             dimensions = own or [scale_name(dimension) for dimension in item.dims]
             array = read_array(item)
-            attributes = {"unit": array.unit, "units": array.unit,
-                          "description": str(item.attrs.get("description", ""))}
+            attributes = {"unit": array.unit, "description": str(item.attrs.get("description", ""))}
+            if array.unit != "1":
+                attributes["units"] = array.unit
             variables[own[0] if own else path] = (dimensions, array.values, attributes)
 
     with h5py.File(file, "r") as results:

@@ -10,7 +10,8 @@ import numpy as np
 PREFIXES = [(1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M"), (1e9, "G")]
 UNITS_WITH_PREFIX = {"m", "s", "N", "J", "W", "m/s", "N s", "N/m", "Pa"}
 TYPESET = {"m/s^2": "m/s²", "rad/s^2": "rad/s²", "N s": "N s"}
-ANGULAR = {"frequencies": False}  # True shows Hz as rad/s; set by the command line
+# What the command line sets: Hz shown as rad/s; False for results of Units = dimensionless.
+SHOWN = {"angular": False, "units": True}
 
 
 @dataclass(frozen=True)
@@ -26,9 +27,9 @@ class Scale:
 
 def scale_for(unit: str, *arrays) -> Scale:
     """The prefix that brings the largest magnitude of the arrays between 1 and 1000."""
-    if unit == "1":
+    if unit == "1" or not SHOWN["units"]:
         return Scale(1.0, "")
-    if unit == "Hz" and ANGULAR["frequencies"]:
+    if unit == "Hz" and SHOWN["angular"]:
         return Scale(1 / (2 * np.pi), "rad/s")
     if unit not in UNITS_WITH_PREFIX:
         return Scale(1.0, typeset(unit))
@@ -38,6 +39,11 @@ def scale_for(unit: str, *arrays) -> Scale:
                and (unit != "s" or prefix[0] <= 1)]
     factor, letter = fitting[-1] if fitting and largest > 0 else (1.0, "")
     return Scale(factor, letter + typeset(unit))
+
+
+def with_unit(text: str, unit: str) -> str:
+    """"2.4 Hz", or the number alone where results have no units."""
+    return f"{text} {unit}" if SHOWN["units"] else text
 
 
 def typeset(unit: str) -> str:

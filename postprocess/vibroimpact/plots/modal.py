@@ -8,7 +8,7 @@ import functools
 import numpy as np
 
 from . import mode_surfaces, style
-from .labels import scale_for
+from .labels import scale_for, with_unit
 from .results import Analysis, Body, Results
 
 MOST_MODES = 7
@@ -36,7 +36,7 @@ def shapes_of(body: Body):
         x, y = curve(length / scale.factor, shape, body.read("lines").values)
         axes.plot(
             x, y, color=style.COLOURS[mode],
-            label=f"{mode + 1}: {frequency[mode]:.4g} Hz, {100 * damping[mode]:.3g} %, {component}",
+            label=f"{mode + 1}: {with_unit(f'{frequency[mode]:.4g}', 'Hz')}, {100 * damping[mode]:.3g} %, {component}",
         )
     axes.set_xlabel(scale.label("Length along the body"))
     axes.set_ylabel("Mode shape / its largest value")

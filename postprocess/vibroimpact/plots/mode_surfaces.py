@@ -17,7 +17,7 @@ from matplotlib.tri import Triangulation
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from . import style
-from .labels import scale_for
+from .labels import scale_for, with_unit
 from .results import Body
 
 MOST_MODES = 9
@@ -48,7 +48,7 @@ class Shell:
         return float(np.linalg.norm(np.ptp(self.nodes, axis=0)))
 
     def title(self, mode: int) -> str:
-        return f"Mode {mode + 1}: {self.frequency[mode]:.4g} Hz"
+        return f"Mode {mode + 1}: {with_unit(f'{self.frequency[mode]:.4g}', 'Hz')}"
 
 
 def shell_of(body: Body) -> Shell:

@@ -162,6 +162,11 @@ class Results:
         """The stored parameters, as sections() gives them."""
         return sections(str(self._file.attrs.get("parameters", "")))
 
+    @property
+    def dimensionless(self) -> bool:
+        """Has the file Units = dimensionless?"""
+        return self.parameters.get("Units", "SI") == "dimensionless"
+
     def take_figures(self, file: Path) -> None:
         """The sections Figure of a parameter file, the symbols of its derived quantities, and its
         variables where the stored parameters have none of the name."""

@@ -63,8 +63,10 @@ void BilinearApproximation::declare(parameters::Section &analysis) {
                   "whatever its law, stitched together from linear responses.")
       .quantity("First frequency", "", dimension::frequency, range::positive, "f_1",
                 "Lowest frequency.")
+      .required()
       .quantity("Last frequency", "", dimension::frequency, range::positive, "f_2",
                 "Highest frequency.")
+      .required()
       .integer("Points", "200", Range{.lower = 1, .upper = 1e6}, "", "Number of frequencies.")
       .choice("Spacing", "linear", {"linear", "logarithmic"}, "How the frequencies are spaced.")
       .text("Excitation", "",
@@ -87,7 +89,7 @@ std::shared_ptr<const Analysis> BilinearApproximation::create(const parameters::
                     .samples = static_cast<std::size_t>(values.integer("Samples per period")),
                     .orders = static_cast<std::size_t>(values.integer("Highest order"))};
   if (4 * settings.orders > settings.samples)
-    values.reject("Highest order", "at most a quarter of Samples per period, which is " +
+    values.reject("Highest order", "must be at most a quarter of Samples per period, which is " +
                                        std::to_string(settings.samples) + ".");
   return std::make_shared<BilinearApproximation>(std::move(settings));
 }

@@ -14,12 +14,12 @@ bool constant(const model::TimeFunction &function) { return function.highest_fre
 void check_sources(const model::Model &model, std::size_t source) {
   const model::Source &driving = model.sources().at(source);
   if (dynamic_cast<const model::Harmonic *>(driving.function.get()) == nullptr)
-    throw InputError(std::string(who) + " needs a harmonic excitation, and " + driving.name +
+    throw InputError(std::string(who) + " must have a harmonic excitation, but " + driving.name +
                      " is none.");
   for (std::size_t s = 0; s < model.sources().size(); ++s)
     if (s != source && !constant(*model.sources()[s].function))
-      throw InputError(std::string(who) + " allows constant excitations beside " + driving.name +
-                       ", and " + model.sources()[s].name +
+      throw InputError(std::string(who) + " must have only constant excitations beside " +
+                       driving.name + ", but " + model.sources()[s].name +
                        " varies in time; the key Excitations of the analysis chooses among them.");
 }
 
@@ -29,21 +29,23 @@ void check_contact(const System &system) {
     std::vector<std::string> names;
     for (const contact::ContactPair &pair : pairs)
       names.push_back(pair.name);
-    throw InputError(std::string(who) + " needs exactly one contact, but there are " +
+    throw InputError(std::string(who) + " must have exactly one contact, but there are " +
                      std::to_string(pairs.size()) +
                      (names.empty() ? "" : ": " + parameters::join(names, ", ")) +
                      "; the key Active contacts of the analysis chooses among them.");
   }
   if (!(pairs[0].gap.row.cwiseAbs().maxCoeff() > 0))
-    throw InputError(std::string(who) + ": neither side of the contact " + pairs[0].name +
-                     " can move.");
+    throw InputError(std::string(who) +
+                     " must have a contact with a side that can move, but neither side of " +
+                     pairs[0].name + " can.");
 }
 
 } // namespace
 
 void TiedSystem::check(const System &system, std::size_t source) {
   if (!system.model.linear())
-    throw InputError(std::string(who) + " needs a linear model, without cubic springs and rotors.");
+    throw InputError(std::string(who) +
+                     " must have a linear model, without cubic springs and rotors.");
   check_sources(system.model, source);
   check_contact(system);
 }

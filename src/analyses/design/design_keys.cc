@@ -29,12 +29,12 @@ double read_start(const Values &section, const DesignKey &key) {
 
 void check_order(const Values &section, const DesignKey &key) {
   if (!(key.lower < key.upper))
-    section.reject("Upper", "a value above Lower.");
+    section.reject("Upper", "must be greater than Lower");
   if (key.start < key.lower || key.start > key.upper)
-    section.reject("Start", "a value from Lower to Upper.");
+    section.reject("Start", "must be from Lower to Upper");
   if (key.logarithmic && !(key.lower > 0 || (key.lower == -infinity && key.start > 0)))
     section.reject(section.has("Lower") ? "Lower" : "Start",
-                   "a value above zero where Scale = logarithmic.");
+                   "must be greater than 0 when Scale = logarithmic");
 }
 
 double read_length(const Values &section, const DesignKey &key, double step) {
@@ -44,8 +44,7 @@ double read_length(const Values &section, const DesignKey &key, double step) {
     return 1;
   const double length = step > 0 ? 10 * step : std::abs(key.start);
   if (!(length > 0))
-    section.reject("Start", "another value than 0, or else Step must be given where a bound is "
-                            "not.");
+    section.reject("Start", "must not be 0 when Step is not set and Lower or Upper is not set");
   return length;
 }
 
@@ -65,10 +64,10 @@ DesignKey read_key(const Values &section, const std::string &name) {
   key.start = read_start(section, key);
   check_order(section, key);
   if (key.logarithmic && section.has("Step"))
-    section.reject("Step", "nothing where Scale = logarithmic.");
+    section.reject("Step", "must not be set when Scale = logarithmic");
   const double step = read_bound(section, "Step", 0);
   if (section.has("Step") && !(step > 0 && step < key.upper - key.lower))
-    section.reject("Step", "a value above zero and below Upper - Lower.");
+    section.reject("Step", "must be greater than 0 and less than Upper - Lower");
   key.length = read_length(section, key, step);
   if (step > 0)
     key.step = step / key.length;
@@ -109,10 +108,14 @@ double DesignKey::value(double coordinate) const {
 void declare_design_keys(parameters::Section &section) {
   section.named_subsection("Key", "A key that is changed.")
       .text("Path", "", "The key, as for --set: Contact/heads/Clearance, or Variables/lambda.")
+      .required()
       .text("Lower", "", "Least value, with its unit.")
+      .required("the analysis is a pareto front or a sensitivity")
       .text("Upper", "", "Largest value, with its unit.")
+      .required("the analysis is a pareto front or a sensitivity")
       .text("Start", "",
             "Value of the first start, with its unit; empty means the middle between the bounds.")
+      .required("Lower or Upper is not given")
       .text("Step", "",
             "First step of the search, with its unit; empty means a tenth of the way between the "
             "bounds or, where one is missing, of Start.")
@@ -130,7 +133,7 @@ std::vector<DesignKey> read_design_keys(const Values &section, const std::string
     keys.push_back(read_key(key, name));
   }
   if (keys.empty())
-    section.reject_section("at least one subsection Key NAME is needed.");
+    section.reject_section("at least one subsection Key NAME must be given");
   return keys;
 }
 
@@ -213,16 +216,20 @@ void check_at_bounds(const std::vector<DesignKey> &keys, const std::string &eval
 void refuse_selections(const Values &analysis, const std::string &evaluated) {
   for (const char *key : {"Excitations", "Active contacts", "Initial conditions"})
     if (analysis.given(key))
-      analysis.reject(key, "nothing: what counts is this key of the analysis " + evaluated + ".");
+      analysis.reject(key, "must not be set here, but in the analysis " + evaluated);
 }
 
 std::string read_evaluated(const Values &section) {
-  const Values root = section.parameters().root();
   section.require("Repeat");
+  return evaluated_analysis(section);
+}
+
+std::string evaluated_analysis(const Values &section) {
+  const Values root = section.parameters().root();
   const std::string name = section.text("Repeat");
   section.require_known("Repeat", name, root.instances("Analysis"));
   if (evaluates_others(root, name))
-    section.reject("Repeat", "an analysis that does not evaluate another one itself.");
+    section.reject("Repeat", "must be an analysis that does not evaluate another one itself");
   return name;
 }
 

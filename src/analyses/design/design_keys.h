@@ -66,5 +66,7 @@ void refuse_selections(const parameters::Values &analysis, const std::string &ev
 
 /// The key Repeat, which must not name an analysis that evaluates others itself.
 std::string read_evaluated(const parameters::Values &section);
+/// The same where Repeat is given.
+std::string evaluated_analysis(const parameters::Values &section);
 
 } // namespace vibroimpact::analyses

@@ -19,14 +19,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void check_settings(const Values &section, const Estimate::Settings &settings) {
   if (settings.starts > 1 && !all_bounded(settings.keys))
-    section.reject("Starts", "1 where a key has no Lower or no Upper, between which starts could "
-                             "be drawn.");
+    section.reject("Starts", "must be 1 when a key has no Lower or no Upper");
   std::size_t data = 0;
   for (const DataSet &set : settings.data)
     data += set.size();
   if (data < settings.keys.size())
-    section.reject_section("there are fewer data than keys: " + std::to_string(data) + " for " +
-                           std::to_string(settings.keys.size()) + ".");
+    section.reject_section("there must be at least as many data as keys, but there are " +
+                           std::to_string(data) + " data and " +
+                           std::to_string(settings.keys.size()) + " keys");
 }
 
 const FitEvaluation *best_fit(const std::deque<FitEvaluation> &evaluations) {

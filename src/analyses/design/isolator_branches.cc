@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vibroimpact::analyses {
 
@@ -20,9 +19,9 @@ SweptParameter read_key(const Values &section, const char *key, const std::strin
   const std::string path = section.key_path(key);
   const auto number = section.parameters().number_at(path);
   if (!number)
-    section.reject(key, "a key with one number as its value.");
+    section.reject(key, "must be a key with one number as its value");
   if (path == other)
-    section.reject(key, "another key than Stiffness key.");
+    section.reject(key, "must be another key than Stiffness key");
   return {.path = path, .unit = number->unit, .values = {}, .origin = section.place(key) + ":"};
 }
 
@@ -66,11 +65,10 @@ void check_ends(const std::vector<double> &reasons) {
                            std::to_string(std::lround(reason)) + ")");
 }
 
-std::vector<double> ratios_of(const std::vector<double> &frequencies,
-                              const IsolatorSystem &isolator) {
+std::vector<double> ratios_of(const Outcome &frequencies, const IsolatorSystem &isolator) {
   std::vector<double> ratios;
-  for (const double hertz : frequencies)
-    ratios.push_back(2 * std::numbers::pi * hertz / isolator.natural_frequency());
+  for (const double frequency : frequencies.values)
+    ratios.push_back(frequencies.one.value * frequency / isolator.natural_frequency());
   return ratios;
 }
 
@@ -92,25 +90,27 @@ void IsolatorBranches::declare(parameters::Section &section) {
       .text("Stiffness key", "",
             "With Repeat: key whose value in SI is the stiffness of the stops, as for --set: "
             "Variables/stop_stiffness.")
+      .required("Repeat is given")
       .text("Clearance key", "",
-            "With Repeat: key whose value in SI is the clearance of both stops.");
+            "With Repeat: key whose value in SI is the clearance of both stops.")
+      .required("Repeat is given");
 }
 
 IsolatorBranches::IsolatorBranches(const Values &section) {
   if (!section.has("Repeat")) {
     for (const char *key : {"Stiffness key", "Clearance key"})
       if (section.has(key))
-        section.reject(key, "nothing without the key Repeat.");
+        section.reject(key, "must not be set when Repeat is not set");
     return;
   }
-  evaluated_ = read_evaluated(section);
+  evaluated_ = evaluated_analysis(section);
   const Values repeated = section.parameters().root().instance("Analysis", evaluated_);
   if (repeated.choice("Type") != "branch")
-    section.reject("Repeat", "an analysis of the type branch.");
+    section.reject("Repeat", "must be an analysis of the type branch");
   if (repeated.subsection("Branch").has("Parameter"))
-    section.reject("Repeat", "a branch over the frequency, without the key Parameter.");
+    section.reject("Repeat", "must be a branch over the frequency, without the key Parameter");
   if (!records_displacements(repeated))
-    section.reject("Repeat", "a branch that records extreme values of displacements.");
+    section.reject("Repeat", "must be a branch that records extreme values of displacements");
   stiffness_ = read_key(section, "Stiffness key", "");
   clearance_ = read_key(section, "Clearance key", stiffness_.path);
 }
@@ -160,7 +160,7 @@ ExactResponse IsolatorBranches::follow(const StopChoice &stop, const IsolatorSys
     const Evaluated points = run(
         {"frequency", "stable", displacement + "maximum", displacement + "minimum", "end/reason"});
     check_ends(values_of(points, 4));
-    response.ratios = ratios_of(values_of(points, 0), isolator);
+    response.ratios = ratios_of(points.outcomes.at(0), isolator);
     response.stable = values_of(points, 1);
     for (std::size_t i = 0; i < response.ratios.size(); ++i) {
       const double largest =
@@ -171,7 +171,7 @@ ExactResponse IsolatorBranches::follow(const StopChoice &stop, const IsolatorSys
     if (!turns(response.ratios))
       return response;
     const Evaluated special = run({"special/frequency", "special/kind"});
-    const std::vector<double> ratios = ratios_of(values_of(special, 0), isolator);
+    const std::vector<double> ratios = ratios_of(special.outcomes.at(0), isolator);
     for (std::size_t i = 0; i < ratios.size(); ++i)
       if (is_turning_point(values_of(special, 1)[i]))
         response.folds.push_back(ratios[i]);

@@ -21,8 +21,8 @@ std::vector<UnfoldingParameters> read_listed(const Values &section) {
   const std::vector<double> first = section.quantities(first_key);
   const std::vector<double> second = section.quantities(second_key);
   if (first.size() != second.size())
-    section.reject(second_key, std::to_string(first.size()) + " values, as many as " +
-                                   std::string(first_key) + " has.");
+    section.reject(second_key, "must have " + std::to_string(first.size()) +
+                                   " values, as many as " + std::string(first_key));
   std::vector<UnfoldingParameters> listed;
   for (std::size_t i = 0; i < first.size(); ++i)
     listed.push_back({.first = first[i], .second = second[i]});
@@ -57,12 +57,14 @@ void declare_conditions(parameters::Section &section) {
       .quantity("Working frequency", "", dimension::frequency, range::positive, "\\omega_w",
                 "Frequency at which the isolator works, above its natural frequency; there the "
                 "stop must not be reached.")
+      .required()
       .quantity("Transmissibility", "", dimension::none,
                 Range{.lower = 0, .upper = 1, .lower_open = true, .upper_open = true}, "T",
                 "Wanted at the working frequency: the least frequency ratio for it is given; empty "
                 "when none is wanted.")
       .quantity("Allowed displacement", "", dimension::length, range::positive, "X",
                 "Amplitude that the resonance may have.")
+      .required()
       .choice("Prefer", "least stiffness", {"least stiffness", "largest clearance"},
               "Which corner of the set of possible stops is chosen.")
       .choice("Jump limit", "hysteresis set", {"hysteresis set", "averaged response"},
@@ -132,12 +134,12 @@ void IsolatorDesign::check(const System &system) const {
   const IsolatorSystem isolator = read_isolator(system, settings_.excitation);
   if (!(settings_.working_frequency > isolator.natural_frequency()))
     settings_.section->reject("Working frequency",
-                              "a frequency above the natural frequency of " +
+                              "must be greater than the natural frequency of " +
                                   std::to_string(isolator.natural_frequency()) + " rad/s.");
   const double rho = isolator.damping_ratios().rho();
   for (const UnfoldingParameters &at : settings_.listed)
     if (region_of(at, rho) == Region::none)
-      settings_.section->reject(second_key, "values below (rho alpha_1/2)^2, which is " +
+      settings_.section->reject(second_key, "must be less than (rho alpha_1/2)^2, which is " +
                                                 std::to_string(set_b2(at.first, rho)) +
                                                 " at alpha_1 = " + std::to_string(at.first) +
                                                 ": above it there is no force.");

@@ -11,7 +11,7 @@ namespace vibroimpact::analyses {
 namespace {
 
 [[noreturn]] void refuse(const std::string &needed) {
-  throw InputError("An isolator design needs " + needed);
+  throw InputError("An isolator design must have " + needed);
 }
 
 void check_model(const model::Model &model) {

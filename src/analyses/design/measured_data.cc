@@ -41,13 +41,16 @@ void DataSet::declare(parameters::Section &section) {
   using namespace parameters;
   section.named_subsection("Data", "Measurements that the model is to meet.")
       .text("Repeat", "", "Name of the analysis that shows the same.")
+      .required()
       .text("Quantity", "",
             "The path of a field of that analysis or the name of a Derived of it; along one axis "
             "where the data are a curve.")
+      .required()
       .text("File", "",
             "Text file, or HDF5 file by its suffix .h5 or .hdf5, relative to the folder of the "
             "parameter file. In a text empty lines and lines from # or % on do not count; its "
             "first line may hold the names of the columns.")
+      .required("Value is not given")
       .text("Abscissa column", "1",
             "Number or name of a column of the text, path of an HDF5 dataset: values of the axis, "
             "increasing.")
@@ -74,7 +77,7 @@ DataSet::DataSet(const Values &section, std::string name)
       weight_(section.quantity("Weight")), section_(section) {
   section.require("Quantity");
   if (section.has("Relative deviation") && section.has("Standard deviation"))
-    section.reject("Relative deviation", "nothing beside the key Standard deviation.");
+    section.reject("Relative deviation", "must not be set when Standard deviation is set");
   if (single_)
     read_single();
   else
@@ -85,13 +88,12 @@ void DataSet::read_single() {
   for (const char *key :
        {"File", "Abscissa column", "Value column", "Separator", "Abscissa unit", "Value unit"})
     if (section_.given(key))
-      section_.reject(key, "nothing beside the key Value.");
+      section_.reject(key, "must not be set when Value is set");
   value_ = {0}; // its unit is that of the quantity, which is not known yet
 }
 
 void DataSet::read_curve() {
-  if (!section_.has("File"))
-    section_.reject("File", "a file, or else Value must be given.");
+  section_.require("File");
   const Values root = section_.parameters().root();
   model::Samples samples =
       model::read_record(section_, root.text("File folder"), root.names("File checksums"),
@@ -116,7 +118,7 @@ std::vector<double> DataSet::deviations(const std::vector<double> &measured,
     std::vector<double> parts;
     for (const double value : measured) {
       if (value == 0)
-        section_.reject("Relative deviation", "nothing where a measured value is zero.");
+        section_.reject("Relative deviation", "must not be set when a measured value is 0");
       parts.push_back(section_.quantity("Relative deviation") * std::abs(value));
     }
     return parts;
@@ -126,7 +128,7 @@ std::vector<double> DataSet::deviations(const std::vector<double> &measured,
     return same(section_.quantity_of("Standard deviation", one.dimension) / one.value);
   const double size = root_mean_square(measured);
   if (!(size > 0))
-    section_.reject_section("values that are all zero need a Standard deviation.");
+    section_.reject_section("Standard deviation must be given when all measured values are 0");
   return same(size);
 }
 
@@ -137,7 +139,7 @@ void DataSet::check_reach(const Outcome &outcome, const std::vector<double> &abs
   for (const double at : {abscissa.front(), abscissa.back()})
     if (axis.size() < 2 || at < *first - reach || at > *last + reach)
       section_.reject("Abscissa column",
-                      "values along the axis " + axis.name + ", which goes from " +
+                      "must have values along the axis " + axis.name + ", which goes from " +
                           parameters::number_text(*first) + " to " +
                           parameters::number_text(*last) + " " + axis.unit + "; the data have " +
                           parameters::number_text(at) + " there");
@@ -169,9 +171,10 @@ std::vector<double> DataSet::interpolated(const Outcome &outcome,
 
 DataSet::Measured DataSet::measured_curve(const Outcome &outcome) const {
   if (outcome.axes.size() != 1 || !outcome.axes[0].labels.empty())
-    section_.reject("Quantity", "a quantity along one axis with numbers; this one goes over " +
-                                    std::to_string(outcome.axes.size()) +
-                                    ". A section Derived with Operation = select makes one of it.");
+    section_.reject("Quantity",
+                    "must be a quantity along one axis with numbers; this one goes over " +
+                        std::to_string(outcome.axes.size()) +
+                        ". A section Derived with Operation = select makes one of it.");
   const double factor = unit_factor("Abscissa unit", outcome.axis_ones[0]);
   const double scale = unit_factor("Value unit", outcome.one);
   Measured data;
@@ -185,7 +188,7 @@ DataSet::Measured DataSet::measured_curve(const Outcome &outcome) const {
 
 DataSet::Measured DataSet::measured(const Outcome &outcome) const {
   if (single_ && outcome.values.size() != 1)
-    section_.reject("Quantity", "a single number beside the key Value.");
+    section_.reject("Quantity", "must be a single number when Value is set");
   Measured data = single_
                       ? Measured{.abscissa = {0},
                                  .values = {section_.quantity_of("Value", outcome.one.dimension) /
@@ -219,7 +222,7 @@ std::vector<DataSet> read_data_sets(const Values &section) {
   for (const std::string &name : section.instances("Data"))
     sets.emplace_back(section.instance("Data", name), name);
   if (sets.empty())
-    section.reject_section("at least one subsection Data NAME is needed.");
+    section.reject_section("at least one subsection Data NAME must be given");
   return sets;
 }
 

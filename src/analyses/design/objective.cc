@@ -28,6 +28,7 @@ void Objective::declare_goal(parameters::Section &section) {
       .text("Objective", "",
             "What is made smallest or largest: the path of a field of the repeated analysis or the "
             "name of a Derived of it; one number.")
+      .required()
       .choice("Sense", "minimise", {"minimise", "maximise"}, "Which of the two.");
 }
 
@@ -44,8 +45,10 @@ void Objective::declare_limits(parameters::Section &section) {
       .named_subsection("Constraint",
                         "A quantity that must stay within limits; for some methods only.")
       .text("Quantity", "", "Field or Derived of the repeated analysis; one number.")
+      .required()
       .quantity("Lower", "", dimension::any, range::any, "", "Least value allowed.")
-      .quantity("Upper", "", dimension::any, range::any, "", "Largest value allowed.");
+      .quantity("Upper", "", dimension::any, range::any, "", "Largest value allowed.")
+      .required("Lower is not given");
   declare_grid_keys(section, worst_kind,
                     "A key whose values make several cases of every evaluation; objective and "
                     "constraints are those of the worst case.");

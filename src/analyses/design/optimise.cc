@@ -28,17 +28,18 @@ SearchMethod abilities(const std::string &name) {
 void check_method(const Values &section, const Optimise::Settings &settings) {
   const SearchMethod method = abilities(settings.method);
   if (!method.takes_constraints && !settings.objective.constraints().empty())
-    section.reject("Method", "differential evolution, COBYLA or ISRES where there are sections "
-                             "Constraint; bounds of keys need none.");
+    section.reject(
+        "Method",
+        "must be differential evolution, COBYLA or ISRES when there are sections Constraint");
   if (!method.needs_bounds && section.given("Population"))
-    section.reject("Population", "nothing: this method has no population.");
+    section.reject("Population", "must not be set when Method = " + section.choice("Method") +
+                                     ", which has no population");
   if (all_bounded(settings.keys))
     return;
   if (method.needs_bounds)
-    section.reject("Method", "another method where a key has no Lower or no Upper.");
+    section.reject("Method", "must be another method when a key has no Lower or no Upper");
   if (settings.starts > 1)
-    section.reject("Starts", "1 where a key has no Lower or no Upper, between which starts could "
-                             "be drawn.");
+    section.reject("Starts", "must be 1 when a key has no Lower or no Upper");
 }
 
 /// What a failed evaluation counts as: worse than all before it. Models of the objective, as BOBYQA
@@ -62,7 +63,7 @@ void Optimise::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
       section_name, "Makes a quantity of another analysis smallest or largest by changing keys.");
-  section.text("Repeat", "", "Name of the analysis that is evaluated.");
+  section.text("Repeat", "", "Name of the analysis that is evaluated.").required();
   Objective::declare_goal(section);
   Objective::declare_limits(section);
   declare_design_keys(section);

@@ -22,7 +22,7 @@ std::vector<Goal> read_goals(const Values &section) {
     goals.back().name = name;
   }
   if (goals.size() < 2)
-    section.reject_section("at least two subsections Objective NAME are needed.");
+    section.reject_section("at least two subsections Objective NAME must be given");
   return goals;
 }
 
@@ -33,11 +33,12 @@ void ParetoFront::declare(parameters::Section &analysis) {
   Section &section = analysis.subsection(
       section_name, "The best compromises between several quantities of another analysis: where "
                     "none of them can become better without another one becoming worse.");
-  section.text("Repeat", "", "Name of the analysis that is evaluated.");
+  section.text("Repeat", "", "Name of the analysis that is evaluated.").required();
   section.named_subsection("Objective", "A quantity that is to be small or large.")
       .text("Quantity", "",
             "The path of a field of the repeated analysis or the name of a Derived of it; one "
             "number.")
+      .required()
       .choice("Sense", "minimise", {"minimise", "maximise"}, "Which of the two.");
   Objective::declare_limits(section);
   declare_design_keys(section);

@@ -69,11 +69,12 @@ void Sensitivity::declare(parameters::Section &analysis) {
   Section &section = analysis.subsection(
       section_name, "Which of several keys decide about quantities of another analysis, when they "
                     "are drawn at random between their bounds: Sobol's indices.");
-  section.text("Repeat", "", "Name of the analysis that is evaluated.");
+  section.text("Repeat", "", "Name of the analysis that is evaluated.").required();
   section.named_subsection("Quantity", "What the keys decide about.")
       .text("Quantity", "",
             "The path of a field of the repeated analysis or the name of a Derived of it; one "
-            "number.");
+            "number.")
+      .required();
   declare_design_keys(section);
   section
       .integer("Samples", "500", Range{.lower = 2, .upper = 1e6}, "",
@@ -97,7 +98,7 @@ std::shared_ptr<const Analysis> Sensitivity::create(const Values &analysis) {
     quantities.push_back({name, {one.text("Quantity"), one.place("Quantity")}});
   }
   if (quantities.empty())
-    section.reject_section("at least one subsection Quantity NAME is needed.");
+    section.reject_section("at least one subsection Quantity NAME must be given");
   return std::make_shared<Sensitivity>(
       Settings{.evaluated = evaluated,
                .keys = std::move(keys),

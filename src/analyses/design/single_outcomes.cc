@@ -16,7 +16,7 @@ void require_single_number(const Outcome &outcome, const std::string &path) {
   std::string axes;
   for (const Axis &axis : outcome.axes)
     axes += (axes.empty() ? "" : ", ") + axis.name;
-  throw InputError("'" + path + "' is no single number but goes over " + axes +
+  throw InputError("'" + path + "' must be a single number, but goes over " + axes +
                    ". A section Derived with an Operation such as maximum, mean or select along "
                    "these axes makes one of it.");
 }

@@ -126,7 +126,7 @@ RecorderFactory LyapunovRecorder::create(const parameters::Values &analysis) {
     const auto states =
         2 * system.model.size() + system.contacts.n_internal() + system.model.n_drive();
     if (settings.exponents > states)
-      values.reject("Exponents", "at most " + std::to_string(states) +
+      values.reject("Exponents", "must be at most " + std::to_string(states) +
                                      ", the number of physical states of the system.");
     return std::make_unique<LyapunovRecorder>(settings);
   };

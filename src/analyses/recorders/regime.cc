@@ -66,7 +66,8 @@ RecorderFactory RegimeRecorder::create(const parameters::Values &analysis) {
     const auto size =
         2 * system.model.size() + system.contacts.n_internal() + system.model.n_drive();
     if (!settings.scales.empty() && static_cast<Index>(settings.scales.size()) != size)
-      values.reject("Scales", std::to_string(size) + " numbers, one for each state, or none.");
+      values.reject("Scales",
+                    "must have " + std::to_string(size) + " numbers, one for each state, or none");
     return std::make_unique<RegimeRecorder>(system, settings);
   };
 }

@@ -65,7 +65,7 @@ RecorderFactory SectionRecorder::create(const parameters::Values &analysis) {
                              .maximum_samples =
                                  static_cast<std::size_t>(values.integer("Maximum samples"))};
     if (settings.channels.empty())
-      values.reject("Points", "at least one point.");
+      values.reject("Points", "must name at least one point");
     return std::make_unique<SectionRecorder>(system, std::move(settings));
   };
 }

@@ -111,9 +111,10 @@ RecorderFactory Stresses::create(const parameters::Values &analysis) {
     for (const std::string &point : points) {
       section.require_known("Points", point, system.model.point_names());
       if (!known(system.model, point))
-        section.reject("Points", "a point of a beam or shell whose cross-section has a known "
-                                 "shape, which " +
-                                     point + " has not.");
+        section.reject(
+            "Points",
+            "must be points of beams or shells whose cross-section has a known shape, which " +
+                point + " has not");
     }
     return std::make_unique<Stresses>(points, system);
   };

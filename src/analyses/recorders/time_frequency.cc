@@ -53,7 +53,7 @@ double hertz(const parameters::Values &values, const std::string &key) {
 void require_sampling(const parameters::Values &values, double highest) {
   values.require("Sampling interval");
   if (values.quantity("Sampling interval") * highest > 0.5)
-    values.reject("Sampling interval", "at most half a period of the highest frequency.");
+    values.reject("Sampling interval", "must be at most half a period of Highest frequency");
 }
 
 std::vector<double> logarithmic(double first, double last, long number) {
@@ -70,7 +70,7 @@ Wavelet read_wavelet(const parameters::Values &values) {
   const double centre = values.quantity("Bump centre");
   const double width = values.quantity("Bump width");
   if (width >= centre)
-    values.reject("Bump width", "less than Bump centre.");
+    values.reject("Bump width", "must be less than Bump centre");
   return Wavelet::bump(centre, width);
 }
 
@@ -93,12 +93,15 @@ void WaveletRecorder::declare(parameters::Section &analysis) {
                 "Centre frequency of the Morlet wavelet; the larger the sharper in frequency.")
       .quantity("Lowest frequency", "", dimension::frequency, range::positive, "",
                 "Lowest scale frequency.")
+      .required()
       .quantity("Highest frequency", "", dimension::frequency, range::positive, "",
                 "Highest scale frequency.")
+      .required()
       .integer("Frequencies", "100", Range{.lower = 2, .upper = 1e5}, "",
                "Number of scale frequencies, spaced logarithmically.")
       .quantity("Sampling interval", "", dimension::time, range::positive, "",
                 "Interval of the samples that are transformed.")
+      .required()
       .integer("Instants", "500", Range{.lower = 2, .upper = 1e7}, "",
                "Number of instants of the result.");
 }
@@ -110,7 +113,7 @@ RecorderFactory WaveletRecorder::create(const parameters::Values &analysis) {
   const double lowest = hertz(values, "Lowest frequency");
   const double highest = hertz(values, "Highest frequency");
   if (highest <= lowest)
-    values.reject("Highest frequency", "a frequency above Lowest frequency.");
+    values.reject("Highest frequency", "must be greater than Lowest frequency");
   require_sampling(values, highest);
   const WaveletSettings settings{.wavelet = read_wavelet(values),
                                  .frequencies =
@@ -163,10 +166,13 @@ void SpectrogramRecorder::declare(parameters::Section &analysis) {
   section
       .quantity("Interval", "", dimension::time, range::positive, "",
                 "Length of an interval; lines are its reciprocal apart.")
+      .required()
       .quantity("Highest frequency", "", dimension::frequency, range::positive, "",
                 "Highest frequency of the result.")
+      .required()
       .quantity("Sampling interval", "", dimension::time, range::positive, "",
                 "Interval of the samples that are transformed.")
+      .required()
       .integer("Instants", "500", Range{.lower = 2, .upper = 1e7}, "",
                "Number of intervals, spread equally over the window.");
 }
@@ -178,7 +184,7 @@ RecorderFactory SpectrogramRecorder::create(const parameters::Values &analysis) 
   const double highest = hertz(values, "Highest frequency");
   require_sampling(values, highest);
   if (values.quantity("Interval") < 4 * values.quantity("Sampling interval"))
-    values.reject("Interval", "at least four sampling intervals.");
+    values.reject("Interval", "must be at least four times Sampling interval");
   const SpectrogramSettings settings{.window = values.quantity("Interval"),
                                      .interval = values.quantity("Sampling interval"),
                                      .highest_frequency = highest,

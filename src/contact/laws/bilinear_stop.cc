@@ -22,6 +22,7 @@ void BilinearStop::declare(parameters::Section &contact) {
                   "F = k u + c u'.")
       .quantity("Stiffness", "", dimension::stiffness, range::non_negative, "k",
                 "Contact force per unit penetration.")
+      .required("Stiffness fraction is not given")
       .quantity("Damping constant", "0 N s/m", dimension::damping, range::non_negative, "c",
                 "Contact force per unit penetration rate.");
 }

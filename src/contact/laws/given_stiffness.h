@@ -8,7 +8,7 @@ namespace vibroimpact::contact {
 /// InputError when the section of a law has a Stiffness beside that of the contact.
 inline void refuse_stiffness(const parameters::Values &law) {
   if (law.given("Stiffness"))
-    law.reject("Stiffness", "left out where the contact has a Stiffness fraction.");
+    law.reject("Stiffness", "must not be set when the contact has a Stiffness fraction");
 }
 
 } // namespace vibroimpact::contact

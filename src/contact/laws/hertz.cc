@@ -29,6 +29,7 @@ void declare_side(parameters::Section &law, const std::string &side, const std::
                "Radius of curvature of the " + which + " side; leave empty for a flat side.")
       .quantity("Young modulus " + side, "", dimension::stress, range::positive, "E_" + side,
                 "Young's modulus of the " + which + " side.")
+      .required("Stiffness is not given")
       .quantity("Poisson ratio " + side, "0.3", dimension::none, Range{.lower = -1, .upper = 0.5},
                 "nu_" + side, "Poisson's ratio of the " + which + " side.");
 }
@@ -67,8 +68,7 @@ HertzConstants read_hertz_constants(const parameters::Values &law, double expone
                 law.quantity_of("Stiffness", {.length = 1 - exponent, .mass = 1, .time = -2}),
             .exponent = exponent};
   if (!law.has("Radius a") && !law.has("Radius b"))
-    law.reject("Radius a", "a radius for at least one side, or Stiffness: two flat sides are no "
-                           "Hertz contact.");
+    law.reject("Radius a", "must be set, or Radius b, when Stiffness is not set");
   return {.stiffness = hertz_stiffness(read_side(law, "a"), read_side(law, "b")),
           .exponent = exponent};
 }
@@ -76,8 +76,7 @@ HertzConstants read_hertz_constants(const parameters::Values &law, double expone
 HertzConstants read_hertz_constants(const parameters::Values &law) {
   const double exponent = law.quantity("Exponent");
   if (exponent != 1.5 && !law.has("Stiffness"))
-    law.reject("Exponent",
-               "1.5 unless Stiffness is given: radii and materials give k for n = 3/2.");
+    law.reject("Exponent", "must be 1.5 when Stiffness is not set");
   return read_hertz_constants(law, exponent);
 }
 

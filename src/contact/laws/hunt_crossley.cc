@@ -125,6 +125,7 @@ void HuntCrossley::declare(parameters::Section &contact_section) {
       .quantity("Restitution coefficient", "", dimension::none,
                 Range{.lower = 0, .upper = 1, .lower_open = true}, "e",
                 "Restitution that two free bodies with this contact show.")
+      .required("Damping factor is not given")
       .choice("Relation", "exact", restitution_relations(),
               "Formula that turns the restitution coefficient into the damping factor.")
       .quantity("Approach speed", "", dimension::velocity, range::positive, "v_c",
@@ -138,9 +139,11 @@ void HuntCrossley::declare(parameters::Section &contact_section) {
 std::shared_ptr<const ContactLaw> HuntCrossley::create(const parameters::Values &contact_values) {
   const parameters::Values law = contact_values.subsection(section_name);
   const HertzConstants constants = read_hertz_constants(law);
-  if (law.has("Damping factor") == law.has("Restitution coefficient"))
+  if (law.has("Damping factor") && law.has("Restitution coefficient"))
     law.reject("Damping factor",
-               "either Damping factor or Restitution coefficient, one of the two.");
+               "Damping factor must not be set when Restitution coefficient is set.");
+  if (!law.has("Damping factor"))
+    law.require("Restitution coefficient");
   if (law.has("Damping factor")) {
     const parameters::Dimension unit{.length = -constants.exponent, .mass = 1, .time = -1};
     return with_dissipation(constants,

@@ -27,6 +27,7 @@ void KelvinVoigt::declare(parameters::Section &contact_section) {
                                 "F = max(0, k u + c u').")
       .quantity("Stiffness", "", dimension::stiffness, range::positive, "k",
                 "Contact force per unit penetration.")
+      .required("Stiffness fraction is not given")
       .quantity("Damping constant", "0 N s/m", dimension::damping, range::non_negative, "c",
                 "Contact force per unit penetration rate.");
 }

@@ -40,9 +40,11 @@ void KelvinVoigtBumper::declare(parameters::Section &contact_section) {
                   "recover by themselves: F = k z + c z' with the compression z of the stop.")
       .quantity("Stiffness", "", dimension::stiffness, range::positive, "k",
                 "Contact force per unit compression.")
+      .required()
       .quantity("Damping constant", "", dimension::damping, range::positive, "c",
                 "Contact force per unit compression rate; the stop recovers with the time constant "
-                "c / k.");
+                "c / k.")
+      .required();
 }
 
 std::shared_ptr<const ContactLaw>

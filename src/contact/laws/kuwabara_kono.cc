@@ -22,7 +22,8 @@ void KuwabaraKono::declare(parameters::Section &contact) {
                     "F = max(0, k u^(3/2) + A (3/2) k u^(1/2) u').");
   declare_hertz_stiffness(law);
   law.quantity("Dissipation time", "", dimension::time, range::non_negative, "A",
-               "Damping force over rate of the elastic force.");
+               "Damping force over rate of the elastic force.")
+      .required();
 }
 
 std::shared_ptr<const ContactLaw> KuwabaraKono::create(const parameters::Values &contact) {

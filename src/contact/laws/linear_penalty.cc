@@ -15,7 +15,8 @@ LinearPenalty::LinearPenalty(double stiffness)
 void LinearPenalty::declare(parameters::Section &contact) {
   contact.subsection(section_name, "Spring that acts while the points overlap: F = k u.")
       .quantity("Stiffness", "", parameters::dimension::stiffness, parameters::range::positive, "k",
-                "Contact force per unit penetration.");
+                "Contact force per unit penetration.")
+      .required("Stiffness fraction is not given");
 }
 
 std::shared_ptr<const ContactLaw> LinearPenalty::create(const parameters::Values &contact) {

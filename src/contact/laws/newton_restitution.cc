@@ -32,7 +32,8 @@ void NewtonRestitution::declare(parameters::Section &contact_section) {
                   "Rigid sides that never overlap: where they meet, the speed of parting is a "
                   "share of that of approach; they stay together as long as they are pressed.")
       .quantity("Restitution coefficient", "", dimension::none, Range{.lower = 0, .upper = 1}, "e",
-                "Speed of parting over speed of approach; 1 loses no energy.");
+                "Speed of parting over speed of approach; 1 loses no energy.")
+      .required();
 }
 
 std::shared_ptr<const ContactLaw>

@@ -35,12 +35,14 @@ void Tsuji::declare(parameters::Section &contact) {
       .quantity("Restitution coefficient", "", dimension::none,
                 Range{.lower = 0, .upper = 1, .lower_open = true}, "e",
                 "Restitution that two free bodies of the effective mass show.")
+      .required("Damping coefficient is not given")
       .quantity(
           "Effective mass", "", dimension::mass, range::positive, "m",
           "Mass that meets at the contact, m_a m_b / (m_a + m_b) of two free bodies. It follows "
           "from the model where both sides are lumped masses, stops or the base; of flexible "
           "bodies "
-          "it must be given, and the modal analysis reports what it is with the modes kept.");
+          "it must be given, and the modal analysis reports what it is with the modes kept.")
+      .required("a side belongs to a body that is not lumped, or there are rotors");
 }
 
 namespace {
@@ -48,9 +50,11 @@ namespace {
 // With alpha, or with that of the restitution coefficient.
 std::shared_ptr<const ContactLaw> with_mass(const parameters::Values &law, double mass) {
   const double stiffness = read_hertz_constants(law, 1.5).stiffness;
-  if (law.has("Damping coefficient") == law.has("Restitution coefficient"))
+  if (law.has("Damping coefficient") && law.has("Restitution coefficient"))
     law.reject("Damping coefficient",
-               "either Damping coefficient or Restitution coefficient, one of the two.");
+               "Damping coefficient must not be set when Restitution coefficient is set.");
+  if (!law.has("Damping coefficient"))
+    law.require("Restitution coefficient");
   const double alpha = law.has("Damping coefficient")
                            ? law.quantity("Damping coefficient")
                            : tsuji_damping(law.quantity("Restitution coefficient"));
@@ -61,9 +65,7 @@ std::shared_ptr<const ContactLaw> with_mass(const parameters::Values &law, doubl
 
 std::shared_ptr<const ContactLaw> Tsuji::create(const parameters::Values &contact) {
   const parameters::Values law = contact.subsection(section_name);
-  if (!law.has("Effective mass"))
-    law.reject_section("Effective mass must be given where a side of the contact belongs "
-                       "to a body that is not lumped, or where there are rotors.");
+  law.require("Effective mass");
   return with_mass(law, law.quantity("Effective mass"));
 }
 

@@ -88,7 +88,7 @@ const Mistake mistakes[] = {
      {"the key Excitation that says"}},
     {"subsection Excitation",
      second_force + "subsection Excitation",
-     {"A bilinear approximation needs one periodic excitation"}},
+     {"A bilinear approximation must have one periodic excitation"}},
     {"  set Frequency = 3 Hz", "  set History = constant", {"has no frequency"}},
     {"set Last frequency = 9 Hz", "set Last frequency = 0.9 Hz", {"above First frequency"}},
     {"set Points = 9", "set Points = 9\nset Highest order = 200", {"Highest order", "720"}},
