@@ -25,7 +25,7 @@ from systems import Table, arguments_of_checks, shown, signed
 HEAD = ("quantity", "reference", "exact", "rk", "exact − reference", "rk − reference",
         "exact − rk")
 TIGHT = ("Integration/Method=rk", "Integration/Relative tolerance=1e-12",
-         "Integration/Absolute tolerance=1e-17 m")
+         "Integration/Absolute tolerance=1e-17")
 
 
 class Integrated(Table):
@@ -52,14 +52,14 @@ def isolator(table):
     """The two motions at λ = 1.3, and the response around the folds of each stop; for stops without
     folds the whole curve at fewer frequencies."""
     analyses = table.run("isolator-stop.prm", "isolator", "Analyses=response, motions",
-                         *frequencies("response", "1.2 rad/s", "1.4 rad/s", 11))["analysis"]
+                         *frequencies("response", 1.2, 1.4, 11))["analysis"]
     check_isolator.motions(table, analyses["response"], analyses["motions"])
     for name, stops in check_isolator.STOPS_OF_ANALYSIS.items():
         for stiffness, force, folds in stops:
             first, last = (0.8, 1.8) if folds is None else (folds[1] - 0.02, folds[0] + 0.02)
             run = table.run("isolator-stop.prm", f"{name}-{stiffness}", "Analyses=response",
                             f"Variables/mu={stiffness}", f"Variables/f={force}",
-                            *frequencies("response", f"{first} rad/s", f"{last} rad/s", 11))
+                            *frequencies("response", first, last, 11))
             ends = [run[f"analysis/response/jump_{end}"][:] for end in check_isolator.ENDS]
             check_isolator.jumps(table, ends, f"μ {stiffness}, f {force}", folds)
 

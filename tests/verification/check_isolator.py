@@ -4,7 +4,6 @@
 The references are periodic orbits found by shooting with located contact, and their folds. The
 paper prints no figures of its own to compare with.
 """
-import math
 
 import numpy
 
@@ -34,7 +33,7 @@ def check(table):
 def motions(table, response, chosen):
     """The small and the large motion, by the sweep and from two initial conditions."""
     peak = "point/isolator.mass/displacement_x/largest"
-    at = nearest(response["frequency"][:] * 2 * math.pi, 1.3)
+    at = nearest(response["frequency"][:], 1.3)
     for name, wanted, direction in [("large", 2.03017588, 0), ("small", .75308873, 1)]:
         table.add(f"max abs y at λ = 1.3, {name} motion, sweep", wanted,
                   response[peak][at, direction], 1e-7)
@@ -47,7 +46,7 @@ def jumps(table, brackets, name, folds):
     to 2e-6; close to a fold the motion needs its time to leave it."""
     found = {}
     for direction, word in enumerate(("upward", "downward")):
-        ends = [end[:, direction] * 2 * math.pi for end in brackets]
+        ends = [end[:, direction] for end in brackets]
         places = numpy.flatnonzero(numpy.isfinite(ends[0]))
         table.add(f"jumps {word}, {name}", 0 if folds is None else 1, len(places), 0, absolute=True)
         found[word] = [(ends[0][i] + ends[1][i]) / 2 for i in places]

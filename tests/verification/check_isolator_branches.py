@@ -39,7 +39,7 @@ def motions(table, orbits):
 
 def special_points(table, branches):
     kinds = branches["special/kind"][:]
-    places = 2 * math.pi * branches["special/frequency"][:]
+    places = branches["special/frequency"][:]
     for case, (stiffness, folds) in enumerate(FOLDS.items()):
         found = numpy.sort(places[case][kinds[case] == FOLD])
         table.add(f"folds, μ {stiffness}", len(folds), len(found), 0, absolute=True)
@@ -61,12 +61,11 @@ def rows(table):
     """From the state of each row, disturbed, Newton's method leads back to it."""
     reference = table.texts("isolator-branch-mu2-f0.52.csv")
     listed = {key: [float(row[key]) for row in reference] for key in ("lambda", "y0", "v0")}
-    path = "Analysis/orbits/Parameter grid/Key {}/Values={}"
-    starts = {"frequency": listed["lambda"], "displacement": [y + 1e-4 for y in listed["y0"]],
-              "velocity": [v - 1e-4 for v in listed["v0"]]}
+    starts = [f"{y + 1e-4!r}, {v - 1e-4!r}, {at!r}"
+              for y, v, at in zip(listed["y0"], listed["v0"], listed["lambda"])]
+    cases = "Variables/y0, Variables/v0, Variables/lambda; " + "; ".join(starts)
     orbits = table.run("isolator-branches.prm", "isolator-rows", "Analyses=orbits",
-                       *[path.format(key, ", ".join(map(repr, values)))
-                         for key, values in starts.items()])["analysis/orbits"]
+                       f"Analysis/orbits/Parameter grid/Cases={cases}")["analysis/orbits"]
     table.add("rows that failed", 0, numpy.count_nonzero(orbits["status"][:]), 0, absolute=True)
     for name, values in [("max|y|", orbits[PEAK][:]), ("y0", orbits["state"][:, 0]),
                          ("v0", orbits["state"][:, 1])]:

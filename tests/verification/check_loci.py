@@ -30,20 +30,20 @@ def isolator(table):
         swap += ([path + "Parameter=Variables/mu", path + f"First={first}", path + f"Last={last}",
                   path + "First frequency=", path + "Last frequency="] if first else
                  [path + "Parameter=", path + "First=", path + "Last=",
-                  path + "First frequency=0.5 rad/s", path + "Last frequency=2 rad/s"])
+                  path + "First frequency=0.5", path + "Last frequency=2"])
     for name, values in (("both folds", ["Analyses=stiffness"]),
                          ("the upper fold", swap + ["Variables/lambda=1.3"]),
                          ("the lower fold", swap + ["Variables/lambda=1.231"])):
         locus = table.run("isolator-loci.prm", "isolator-loci", *values)["analysis/stiffness"]
         cusps = numpy.flatnonzero(locus["special/kind"][()] == CUSP)
         table.add_whole(f"isolator, cusps from {name}", [1], [len(cusps)])
-        for key, wanted, factor in (("frequency", 1.220670223706, 2 * math.pi),
-                                    ("Variables.mu", .782854460508, 1)):
-            table.add(f"isolator, cusp from {name}, {'λ' if factor > 1 else 'μ'}", wanted,
-                      factor * locus["special/" + key][cusps[0]], 1e-9, absolute=True)
+        for symbol, key, wanted in (("λ", "frequency", 1.220670223706),
+                                    ("μ", "Variables.mu", .782854460508)):
+            table.add(f"isolator, cusp from {name}, {symbol}", wanted,
+                      locus["special/" + key][cusps[0]], 1e-9, absolute=True)
     force = table.run("isolator-loci.prm", "isolator-force", "Analyses=force")["analysis/force"]
     touch = force["kind"][()] == 6
-    omega = 2 * math.pi * force["frequency"][touch]
+    omega = force["frequency"][touch]
     table.add("isolator, first touches against |1 − λ² + 2 i ζ₀ λ|, largest difference", 0,
               numpy.abs(force["Variables.f"][touch] - numpy.abs(1 - omega**2 + .02j * omega)).max(),
               1e-12, absolute=True)
@@ -51,12 +51,9 @@ def isolator(table):
 
 def gap_run(table, name, gaps, analysis="loci"):
     """Folds of the bumpers for some gaps, in one run."""
-    path = f"Analysis {analysis}/Parameter grid/Key "
     return table.run("bumpers.prm", name, f"Analyses={analysis}",
-                     f"{path}gap/Values={', '.join(map(repr, gaps))}",
-                     f"{path}stiffness/Values={', '.join(['6'] * len(gaps))}",
-                     f"{path}frequency/Values={', '.join(['1.5 rad/s'] * len(gaps))}",
-                     )["analysis/loci"]
+                     f"Analysis {analysis}/Parameter grid/Cases=Variables/delta0; "
+                     + "; ".join(map(repr, gaps)))["analysis/loci"]
 
 
 def lowest(loci, case, kind):
@@ -127,9 +124,9 @@ def bilinear(table):
 def rigid(table):
     grazes = table.run("verification/rigid-grazes.prm", "rigid-grazes")["analysis/grazes"]
     first = grazes["locus"][()] == 0  # others begin behind it, where the motion already impacts
-    omega = 2 * math.pi * grazes["frequency"][first]
-    table.add("rigid: lowest frequency, rad/s", .29, omega.min(), 1e-15)
-    table.add("rigid: highest frequency, rad/s", 3, omega.max(), 1e-15)
+    omega = grazes["frequency"][first]
+    table.add("rigid: lowest frequency", .29, omega.min(), 1e-15)
+    table.add("rigid: highest frequency", 3, omega.max(), 1e-15)
     exact = numpy.sqrt((1 - omega**2)**2 + .01 * omega**2)
     table.add("rigid: grazing curve, largest difference from the closed form", 0,
               numpy.abs(grazes["Variables.A"][first] - exact).max(), 1e-12, absolute=True)
@@ -145,7 +142,7 @@ def tori(table):
         state = ", ".join(map(repr, locus["state"][place].tolist()))
         orbit = table.run("verification/two-masses-tori.prm", "torus", "Analyses=orbit",
                           f"Variables/c={float(damping[place])!r}",
-                          f"Variables/w={2 * math.pi * float(frequency[place])!r}",
+                          f"Variables/w={float(frequency[place])!r}",
                           f"Analysis orbit/Periodic orbit/State={state}")["analysis/orbit"]
         real, imaginary = (orbit[f"multiplier_{part}"][0] for part in ("real", "imaginary"))
         table.add(f"tori, c = {damping[place]:.4f}: modulus of the multiplier", 1,

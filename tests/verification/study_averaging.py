@@ -48,7 +48,7 @@ def main():
     study = Study(__file__, "μ", "f", "folds by averaging", "jumps of the sweeps")
     analyses = study.run("isolator-stop.prm", "folds", "Analyses=folds, designs")["analysis"]
     for name, stops in (("folds", check_isolator.STOPS), ("designs", check_isolator.DESIGNS)):
-        ends = [analyses[name]["jump_" + end][:] * 2 * math.pi for end in ("from", "to")]
+        ends = [analyses[name]["jump_" + end][:] for end in ("from", "to")]
         places = (ends[0] + ends[1]) / 2
         for case, (mu, f, _) in enumerate(stops):
             jumps = sorted(place for place in places[case].ravel() if math.isfinite(place))

@@ -28,7 +28,7 @@ def main():
         limits = [by_closed_form(study, force, limit)
                   for limit in ("hysteresis set", "averaged response")]
         stiffness = cusps["special/Variables.stiffness"][row, 0]
-        ratio = 2 * math.pi * cusps["special/frequency"][row, 0]
+        ratio = cusps["special/frequency"][row, 0]
         study.row(f"{force:.5g}", *(beside(limit, stiffness) for limit in limits),
                   f"{stiffness:.6f}", f"{ratio:.6f}")
     study.finish()

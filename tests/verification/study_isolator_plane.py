@@ -53,13 +53,13 @@ def by_averaging(study, points):
 def exact(study, stops):
     """The number of folds of each branch, and their frequency ratios."""
     branches = study.run("isolator-design.prm", "exact", "Analyses=branches",
-                         GRID + "Key stiffness/Values=" + listed(stops["stiffness"]),
-                         GRID + "Key clearance/Values=" + listed(stops["clearance"]))
+                         GRID + "Cases=Variables/stiffness, Variables/clearance; "
+                         + "; ".join(map(listed, zip(stops["stiffness"], stops["clearance"]))))
     branches = branches["analysis/branches"]
     if not numpy.isin(branches["end/reason"][:], (0, 1)).all() or branches["status"][:].any():
         raise SystemExit("a branch ends before it has reached its range")
     turns = numpy.isin(branches["special/kind"][:], (FOLD, GRAZING_FOLD))
-    ratios = [sorted(2 * math.pi * row[turn])
+    ratios = [sorted(row[turn])
               for row, turn in zip(branches["special/frequency"][:], turns)]
     return ratios
 

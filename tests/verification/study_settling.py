@@ -46,10 +46,10 @@ def isolator(study):
     def run(name, overrides):
         response = study.run("isolator-stop.prm", "settling-" + name, "Analyses=response",
                              *overrides)["analysis/response"]
-        frequency = response["frequency"][:] * 2 * math.pi
+        frequency = response["frequency"][:]
         peak = response["point/isolator.mass/displacement_x/largest"]
         at = nearest(frequency, 1.3)
-        ends = [response["jump_" + end][:] * 2 * math.pi for end in ("from", "to")]
+        ends = [response["jump_" + end][:] for end in ("from", "to")]
         jump = numpy.nanmax((ends[0] + ends[1]) / 2, axis=0)
         return {"large motion at λ = 1.3": peak[at, 0], "small motion at λ = 1.3": peak[at, 1],
                 "jump upward": jump[0], "jump downward": jump[1]}
