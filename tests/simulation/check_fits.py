@@ -353,7 +353,7 @@ end
         cases = {
             ("column = amplitude", "column = amplitud"): ["Data sweep / Value column", "amplitude"],
             ("set File = data.csv", "set File = dat.csv"): ["Data sweep / File", "can be read"],
-            ("set File = data.csv", ""): ["Data sweep / File", "Value must be given"],
+            ("set File = data.csv", ""): ["Data sweep / File", "when Value is not given"],
             ("set Repeat = curve", "set Repeat = fit"): ["Data sweep / Repeat", "evaluate another"],
             ("set Start = 25", "set Start = 0.5"): ["Key damping / Start", "from Lower to Upper"],
             ("set File = data.csv", "set Value = 3 mm"): ["Data sweep / Abscissa column", "Value"],
@@ -378,7 +378,7 @@ end
 end
 """
         self.run_file(MODEL + few, code=1)
-        self.assertIn("fewer data than keys: 1 for 2", self.done.stderr)
+        self.assertIn("there are 1 data and 2 keys", self.done.stderr)
 
     def refused(self, text, *words):
         """Before anything runs: no folder of results is there."""

@@ -85,12 +85,12 @@ const Mistake mistakes[] = {
      {"exactly one contact, but there are 0"}},
     {"subsection Excitation",
      second_force + "subsection Excitation",
-     {"the key Excitation that says"}},
+     {"the key Excitation where there are several"}},
     {"subsection Excitation",
      second_force + "subsection Excitation",
      {"A bilinear approximation must have one periodic excitation"}},
     {"  set Frequency = 3 Hz", "  set History = constant", {"has no frequency"}},
-    {"set Last frequency = 9 Hz", "set Last frequency = 0.9 Hz", {"above First frequency"}},
+    {"set Last frequency = 9 Hz", "set Last frequency = 0.9 Hz", {"greater than First frequency"}},
     {"set Points = 9", "set Points = 9\nset Highest order = 200", {"Highest order", "720"}},
     {"set Points = 9", "set Points = 9\nset Cells = 2", {"Cells", "2"}},
     {"  set Type = bilinear approximation",
@@ -111,7 +111,7 @@ TEST(BilinearInputTest, OtherExcitationsMustBeConstant) {
       changed(changed(sound, "subsection Excitation", second_force + "subsection Excitation"),
               "set Points = 9", "set Points = 9\nset Excitation = shaker");
   const std::string message = message_of(two);
-  EXPECT_NE(message.find("beside shaker, and other varies in time"), std::string::npos) << message;
+  EXPECT_NE(message.find("beside shaker, but other varies in time"), std::string::npos) << message;
   EXPECT_EQ(message_of(changed(two, "  set Frequency = 4 Hz", "  set History = constant")), "");
 }
 

@@ -166,10 +166,10 @@ TEST_F(MeasuredPulsesFile, WhatCannotBeUsedIsNamed) {
       {"    set Threshold = 50 N\n", "", {"Identify / Threshold", "must be given"}},
       {"set File = force.csv",
        "set File = force.csv\nset Duration = 1 s",
-       {"Identify / Duration", "beside the key File"}},
+       {"Identify / Duration", "when File is set"}},
       {"set File = force.csv\n",
        "set Duration = 1 s\n",
-       {"Identify / Time column", "without the key File"}},
+       {"Identify / Time column", "when File is not set"}},
   };
   for (const auto &[from, to, words] : mistakes) {
     const std::string text = message(from, to);
