@@ -1,0 +1,211 @@
+// Contacts solved in one step, against closed forms.
+#include "motion/collocation/whole_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+namespace vibroimpact::motion {
+namespace {
+
+// F = k u^n (1 + d u')
+class PowerForce : public ContactForce {
+public:
+  PowerForce(double stiffness, double exponent, double dissipation)
+      : k_(stiffness), n_(exponent), d_(dissipation) {}
+
+  void evaluate(int count, const double *penetration, const double *rate,
+                ForceValues &values) const override {
+    for (int i = 0; i < count; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const double u = std::max(0.0, penetration[i]);
+      const double elastic = k_ * std::pow(u, n_);
+      const double factor = 1 + d_ * rate[i];
+      values.force[at] = elastic * factor;
+      values.by_penetration[at] = u > 0 ? n_ * elastic / u * factor : 0;
+      values.by_rate[at] = elastic * d_;
+      values.dissipated[at] = elastic * d_ * rate[i] * rate[i];
+    }
+  }
+  contact::ElasticForce elastic() const override { return {.stiffness = k_, .exponent = n_}; }
+
+private:
+  double k_, n_, d_;
+};
+
+// A mass on a spring and a damper, x = (u, u'): m u'' + c u' + s u = -f. The mass of 1 kg.
+struct Oscillator {
+  Oscillator(double stiffness, double damping)
+      : flow({{.places = {0, 1},
+               .generator = (Matrix(2, 2) << 0, 1, -stiffness, -damping).finished()}},
+             Vector::Unit(2, 1) * -1),
+        output(flow, Vector::Unit(2, 0), 0, WholeContact::most_terms) {}
+  ForcedFlow flow;
+  ForcedOutput output;
+};
+
+// T = 2 u_max / v integral of ds / sqrt(1 - s^(n+1)) over [0, 1], a Beta function.
+double free_duration(double k, double n, double speed) {
+  const double largest = std::pow((n + 1) * speed * speed / (2 * k), 1 / (n + 1));
+  return 2 * largest / speed * std::beta(1 / (n + 1), 0.5) / (n + 1);
+}
+
+TEST(WholeContact, LastsAsLongAsThatOfFreeSpheres) {
+  const Oscillator free(0, 0);
+  for (const double n : {1.0, 1.5, 2.2}) {
+    const PowerForce force(1e9, n, 0);
+    WholeContact contact(free.output, force, n, n, 1e-9);
+    for (const double speed : {1.0, 0.3, 7.0}) {
+      const Vector x = Vector::Unit(2, 1) * speed;
+      ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none) << "n = " << n;
+      EXPECT_NEAR(contact.duration() / free_duration(1e9, n, speed), 1, 2e-8) << "n = " << n;
+      EXPECT_NEAR(contact.impulse(), 2 * speed, 1e-9 * speed);
+      EXPECT_NEAR(contact.release_speed(), speed, 1e-9 * speed);
+      EXPECT_NEAR(contact.mass(), 1, 1e-15);
+    }
+  }
+}
+
+// The duration of free spheres under F = k u^(3/2) to the power that the first singular term beside
+// the weight leaves: x^(n + 1) in f / w, whose coefficients fall like nodes^-(2 (n + 1) + ...).
+TEST(WholeContact, GainsDigitsWithNodes) {
+  const Oscillator free(0, 0);
+  const PowerForce force(1e9, 1.5, 0);
+  const Vector x = Vector::Unit(2, 1);
+  double before = 1;
+  for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
+    WholeContact contact(free.output, force, 1.5, 1.5, tolerance);
+    for (int i = 0; i < 20; ++i) // takes fewer nodes where the tolerance allows it
+      ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none);
+    const double error = std::abs(contact.duration() / free_duration(1e9, 1.5, 1) - 1);
+    EXPECT_LE(error, 10 * tolerance) << contact.nodes();
+    EXPECT_LE(error, before);
+    before = error;
+  }
+}
+
+// V - ln(1 + V) = -W - ln(1 - W) with V = d v before and W = d v after the contact, whatever n is.
+TEST(WholeContact, RestoresAsHuntCrossleySays) {
+  const Oscillator free(0, 0);
+  for (const double n : {1.5, 2.2})
+    for (const double restitution : {0.5, 0.7, 0.9}) {
+      // By bisection for V: W = e V.
+      const auto residual = [&](double v) {
+        return v - std::log1p(v) + restitution * v + std::log1p(-restitution * v);
+      };
+      double low = 1e-6;
+      double high = (1 - 1e-12) / restitution;
+      for (int i = 0; i < 200; ++i) {
+        const double middle = 0.5 * (low + high);
+        (residual(middle) > 0 ? low : high) = middle;
+      }
+      const double speed = 0.4;
+      const PowerForce force(1e8, n, low / speed);
+      WholeContact contact(free.output, force, n, n, 1e-8);
+      const Vector x = Vector::Unit(2, 1) * speed;
+      ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none) << "e = " << restitution;
+      EXPECT_NEAR(contact.release_speed(), restitution * speed, 1e-8 * speed);
+      const double lost = 0.5 * speed * speed * (1 - restitution * restitution);
+      EXPECT_NEAR(contact.dissipated(), lost, 1e-7 * lost);
+    }
+}
+
+// A linear law is part of an oscillator: u = v / w exp(-c t / 2) sin(w t) between touch and
+// release.
+TEST(WholeContact, IsHalfATurnOfALinearOscillator) {
+  const double spring = 4e4;
+  const double stop = 1e6;
+  const double damping = 150;
+  const Oscillator oscillator(spring, damping);
+  const PowerForce force(stop, 1, 0);
+  WholeContact contact(oscillator.output, force, 1, 1, 1e-12);
+  const double speed = 0.7;
+  const Vector x = Vector::Unit(2, 1) * speed;
+  ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none);
+  const double w = std::sqrt(spring + stop - 0.25 * damping * damping);
+  const double duration = std::numbers::pi / w;
+  EXPECT_NEAR(contact.duration() / duration, 1, 1e-12);
+  EXPECT_NEAR(contact.release_speed() / (speed * std::exp(-0.5 * damping * duration)), 1, 1e-11);
+  for (int j = 0; j < contact.nodes(); ++j) {
+    const double t = duration * contact.tools().family.nodes()[j];
+    const double u = speed / w * std::exp(-0.5 * damping * t) * std::sin(w * t);
+    EXPECT_NEAR(contact.penetrations()[j], u, 1e-11 * speed / w);
+    EXPECT_NEAR(contact.forces()[j], stop * u, 1e-10 * stop * speed / w);
+  }
+}
+
+// The state at the end and between, in the coordinates of the system: free motion and force.
+TEST(WholeContact, MovesTheWholeSystem) {
+  const double spring = 4e4;
+  const double stop = 1e6;
+  const Oscillator oscillator(spring, 0);
+  const PowerForce force(stop, 1, 0);
+  WholeContact contact(oscillator.output, force, 1, 1, 1e-9);
+  const Vector x = Vector::Unit(2, 1) * 0.7;
+  ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none);
+  const double w = std::sqrt(spring + stop);
+  const double free = std::sqrt(spring);
+  ShownPoints &shown = contact.tools().shown(9);
+  const std::vector<double> moments = contact.moments(shown.between);
+  for (int i = 0; i < shown.between.n_targets(); ++i) {
+    const double t = static_cast<double>(shown.rule.nodes[i + 1]) * contact.duration();
+    Vector state = Vector::Zero(2);
+    state << x[1] / free * std::sin(free * t), x[1] * std::cos(free * t);
+    oscillator.flow.add(contact.duration(), moments.data() + i * contact.terms(), contact.terms(),
+                        state.data());
+    EXPECT_NEAR(state[0], x[1] / w * std::sin(w * t), 1e-10 * x[1] / w);
+    EXPECT_NEAR(state[1], x[1] * std::cos(w * t), 1e-10 * x[1]);
+  }
+}
+
+// What was kept from the contact before changes the way to the solution only.
+TEST(WholeContact, DependsLittleOnTheOneBefore) {
+  const Oscillator oscillator(3e4, 20);
+  const PowerForce force(1e8, 1.5, 0);
+  WholeContact fresh(oscillator.output, force, 1.5, 1.5, 1e-9);
+  WholeContact used(oscillator.output, force, 1.5, 1.5, 1e-9);
+  const Vector before = Vector::Unit(2, 1) * 0.2;
+  const Vector x = Vector::Unit(2, 1) * 0.5;
+  ASSERT_EQ(used.solve(before.data(), 1), Refusal::none);
+  ASSERT_EQ(used.solve(x.data(), 1), Refusal::none);
+  ASSERT_EQ(fresh.solve(x.data(), 1), Refusal::none);
+  EXPECT_NEAR(used.duration() / fresh.duration(), 1, 1e-9);
+  EXPECT_NEAR(used.release_speed() / fresh.release_speed(), 1, 1e-9);
+  EXPECT_LE(used.sweeps(), fresh.sweeps());
+  used.forget();
+  ASSERT_EQ(used.solve(x.data(), 1), Refusal::none);
+  EXPECT_EQ(used.duration(), fresh.duration()); // to the last bit
+}
+
+// Between free bodies all contacts of a law look alike: two sweeps confirm what was kept.
+TEST(WholeContact, KeepsItsShape) {
+  const Oscillator free(0, 0);
+  const PowerForce force(1e9, 1.5, 0);
+  WholeContact contact(free.output, force, 1.5, 1.5, 1e-9);
+  const Vector x = Vector::Unit(2, 1);
+  const Vector faster = 5 * x;
+  ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none);
+  EXPECT_GT(contact.sweeps(), 2);
+  ASSERT_EQ(contact.solve(faster.data(), 1), Refusal::none);
+  EXPECT_EQ(contact.sweeps(), 2);
+}
+
+// Pressed on by a load that the force cannot throw off within the time given.
+TEST(WholeContact, SaysWhatItCannotDo) {
+  const Oscillator oscillator(3e4, 0);
+  const PowerForce force(1e8, 1.5, 0);
+  WholeContact contact(oscillator.output, force, 1.5, 1.5, 1e-9);
+  const Vector away = Vector::Unit(2, 1) * -0.1;
+  EXPECT_EQ(contact.solve(away.data(), 1), Refusal::no_approach);
+  const Vector x = Vector::Unit(2, 1) * 0.1;
+  ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none);
+  EXPECT_EQ(contact.solve(x.data(), 0.9 * contact.duration()), Refusal::too_long);
+  const Oscillator stiff(1e12, 0);
+  WholeContact slow(stiff.output, PowerForce(1e3, 1.5, 0), 1.5, 1.5, 1e-9);
+  EXPECT_NE(slow.solve(x.data(), 1), Refusal::none);
+}
+
+} // namespace
+} // namespace vibroimpact::motion
