@@ -29,11 +29,11 @@ namespace vibroimpact::output {
 struct RunInformation {
   std::string version;
   std::string commit;
-  std::string parameters;     ///< the complete echo
+  std::string parameters; ///< the complete echo
   std::string command_line;
   std::vector<std::string> libraries; ///< "deal.II 9.4.1"
   int ranks = 1;
-  std::string processor; ///< of the machine of rank 0
+  std::string processor;      ///< of the machine of rank 0
   bool dimensionless = false; ///< Units = dimensionless: no result has a unit
 };
 
