@@ -174,16 +174,3 @@ TEST(Reduce, ImpossibleSelectionsNameTheKey) {
   massless.damping = {.model = Damping::Model::viscous, .viscous_constant = 1};
   EXPECT_NE(key_of(massless).find("Modes/Damping model"), std::string::npos);
 }
-
-// A bar that slides as a rigid body, with a mass at its end: the dashpots lie along the bar alone,
-// so that its rate of decay is c / (m_bar + m_head) in spite of what the mass adds to the matrix.
-TEST(Reduce, ViscousDampingLeavesLumpedMassesOut) {
-  BeamDefinition bar = thin_beam(4);
-  bar.supports.push_back({"line", {"all", {}}, {true, true, false, true, true, true}, {}});
-  bar.points.push_back({"head", {"end", {}}, 3, Vector3::Zero()});
-  BodyDefinition definition = body_of(bar, 1);
-  definition.damping = {.model = Damping::Model::viscous, .viscous_constant = 0.2};
-  const ReducedBody body = reduce(definition, MPI_COMM_WORLD);
-  EXPECT_EQ(body.stiffness[0], 0);
-  EXPECT_NEAR(body.damping(0, 0) * (beam_mass(bar) + 3) / 0.2, 1, 1e-12);
-}
