@@ -20,8 +20,7 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
       collisions_(equations_, settings_, scales_), steppers_(equations_, settings),
       ts_(MotionTs::create(settings, equations_.layout().size())) {
   if (steppers_.exact())
-    path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(),
-                                        settings.event_tolerance);
+    path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(), settings);
 }
 
 Trajectory::~Trajectory() = default;

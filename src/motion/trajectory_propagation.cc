@@ -16,6 +16,7 @@ bool Trajectory::propagate(double limit, Observer &observer) {
   const PathObserver path_observer{
       .monitor = observer.output_monitor(),
       .steps = observer.step_observer(),
+      .everyone = &observer,
       .integrals = integrals_,
       .change = [&](double when, std::size_t contact, std::size_t guard, Vector &changed) {
         change_mode(when, contact, guard, changed, observer);
@@ -30,6 +31,7 @@ bool Trajectory::propagate(double limit, Observer &observer) {
   events_ = events_before + tally.events;
   event_residual_ = std::max(event_residual_, tally.event_residual);
   undecided_ += tally.undecided;
+  exact_ = exact_ && tally.whole_contacts == 0;
   if (tally.events > 0)
     note_path_events();
   if (!moved)

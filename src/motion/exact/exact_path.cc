@@ -39,9 +39,13 @@ void set_modes(const std::vector<int> &modes, Equations &equations) {
 
 } // namespace
 
-ExactPath::ExactPath(Equations &equations, ExactPhases &phases, double event_tolerance)
+ExactPath::ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings)
     : equations_(equations), exact_phases_(phases), kernel_(kernel()),
-      event_tolerance_(event_tolerance), last_event_(-std::numeric_limits<double>::infinity()) {}
+      event_tolerance_(settings.event_tolerance), tolerance_(settings.relative_tolerance),
+      longest_step_(settings.maximum_step > 0 ? settings.maximum_step
+                                              : std::numeric_limits<double>::infinity()),
+      contact_steps_(equations, settings.relative_tolerance),
+      last_event_(-std::numeric_limits<double>::infinity()) {}
 
 void ExactPath::begin() {
   known_ = nullptr;
@@ -49,6 +53,10 @@ void ExactPath::begin() {
   walk_.pieces = 0;
   last_event_ = -std::numeric_limits<double>::infinity();
   exact_phases_.forget();
+  for (auto &[modes, known] : phases_)
+    for (const std::unique_ptr<Transition> &transition : known.transitions)
+      if (transition && transition->contact)
+        transition->contact->forget();
 }
 
 double ExactPath::time_tolerance(double time) const {
@@ -293,27 +301,35 @@ bool ExactPath::begin_guards(const Transition &transition, std::size_t passed) {
 }
 
 // Rounding turns the inputs that are carried along from phase to phase, so that they are taken from
-// their closed form again and again. False: the change is left to others; the motion stands before
-// it.
-bool ExactPath::change_phase() {
+// their closed form again and again.
+void ExactPath::renew_inputs(const ExactPhase &phase, double time, double *amplitudes) {
+  constexpr int carried_changes = 32;
+  if (++changes_ <= carried_changes)
+    return;
+  changes_ = 0;
+  exact_phases_.excitation().coordinates(time, inputs_.data());
+  const auto first = static_cast<std::size_t>(phase.n_modes());
+  for (std::size_t k = 0; k < inputs_.size(); ++k)
+    amplitudes[phase.places()[first + k]] = inputs_[k];
+}
+
+// False: the change is left to others; the motion stands before it.
+bool ExactPath::change_phase(double limit, long &most_events) {
   const double time = origin_ + walk_.time + walk_.to_guard;
   const auto passed = static_cast<std::size_t>(walk_.guard);
   if (time - last_event_ <= time_tolerance(time))
     return false;
   Transition *next = transition(passed);
   if (!next) {
+    if (most_events > 0 && pass_contact(time, passed, limit)) {
+      --most_events;
+      return true;
+    }
     note_pending();
     return false;
   }
   kernel_.change(next->change->view(), walk_.turned, next_.data(), next_rounding_.data());
-  constexpr int carried_changes = 32;
-  if (changes_ >= carried_changes) {
-    const std::vector<int> &places = next->target->phase().places();
-    exact_phases_.excitation().coordinates(time, inputs_.data());
-    const auto first = static_cast<std::size_t>(next->target->phase().n_modes());
-    for (std::size_t k = 0; k < inputs_.size(); ++k)
-      next_[static_cast<std::size_t>(places[first + k])] = inputs_[k];
-  }
+  renew_inputs(next->target->phase(), time, next_.data());
   note_residual();
   if (!begin_guards(*next, passed)) {
     kernel_.guard_noise(known_->view(), rounding_.data(), noise_.data());
@@ -323,7 +339,6 @@ bool ExactPath::change_phase() {
   if (observer_)
     report_change(time);
   ++tally_.events;
-  changes_ = changes_ < carried_changes ? changes_ + 1 : 0;
   last_event_ = origin_ = time;
   std::swap(rounding_, next_rounding_);
   double *const before = walk_.amplitudes;
@@ -384,8 +399,8 @@ bool ExactPath::advance(double &time, const Vector &state, double limit, long mo
     if (end == WalkEnd::limit && until < limit)
       part_the_phase(until);
     else
-      moving =
-          end == WalkEnd::paused || (end == WalkEnd::guard && most_events-- > 0 && change_phase());
+      moving = end == WalkEnd::paused ||
+               (end == WalkEnd::guard && most_events-- > 0 && change_phase(limit, most_events));
   }
   running_ = end == WalkEnd::limit;
   time = running_ ? limit : origin_ + walk_.time + (pending_ ? walk_.to_guard : 0);

@@ -5,9 +5,11 @@
 //
 // Where the kernel cannot prove what happens, where contacts change together or at once again, it
 // stops before and leaves the rest to the steps that every motion can take. At a change into a
-// phase that is not linear, and at an impact, it ends.
+// phase that is not linear, and at an impact, it ends, but for contacts that are solved as a whole
+// (collocation/), from which it goes on in the phase before.
 #pragma once
 
+#include "motion/collocation/contact_steps.h"
 #include "motion/event/zero_guard.h"
 #include "motion/exact/exact_change.h"
 #include "motion/exact/exact_outputs.h"
@@ -28,6 +30,7 @@ namespace vibroimpact::motion {
 struct PathObserver {
   OutputMonitor *monitor = nullptr; ///< none: nobody wants extreme values
   Observer *steps = nullptr;        ///< none: nobody must see steps
+  Observer *everyone = nullptr;     ///< sees the steps of phases that are not linear
   bool integrals = true;            ///< of work and impulses are to be kept
   std::function<void(double time, std::size_t contact, std::size_t guard, Vector &state)> change;
 };
@@ -38,12 +41,13 @@ public:
     long pieces = 0;
     long steps_shown = 0;
     long events = 0;
+    long whole_contacts = 0;   ///< solved as a whole
     long undecided = 0;        ///< touches that rounding hides
     double event_residual = 0; ///< largest uncertainty of an event's instant [s]
   };
 
   /// Keeps references.
-  ExactPath(Equations &equations, ExactPhases &phases, double event_tolerance);
+  ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings);
 
   /// Another motion begins, which must not depend on those before; the excitation may be another.
   void begin();
@@ -80,6 +84,9 @@ private:
     std::vector<double> proportion; ///< of the guards of the target to the one passed
     std::unique_ptr<ExactChange> change{};
     long excitation = -1; ///< that the change is for
+    bool contact_known = false;
+    std::unique_ptr<PhaseContact>
+        contact{}; ///< of a target that is not linear; none: left to others
   };
   // What an observer monitors of a phase.
   struct MonitoredOutputs {
@@ -112,7 +119,12 @@ private:
   void show_steps(double time, const double *amplitudes);
   void report_change(double time);
   void start_walk(KnownPhase &known);
-  bool change_phase();
+  bool change_phase(double limit, long &most_events);
+  PhaseContact *contact_beyond(std::size_t guard);
+  bool pass_contact(double time, std::size_t passed, double limit);
+  bool parts(const PhaseContact &contact);
+  void report_contact(const PhaseContact &contact, double time);
+  void renew_inputs(const ExactPhase &phase, double time, double *amplitudes);
   bool begin_guards(const Transition &transition, std::size_t passed);
   double hidden(const PhaseView &view, std::size_t guard, const double *amplitudes) const;
   double time_tolerance(double time) const;
@@ -123,7 +135,8 @@ private:
   Equations &equations_;
   ExactPhases &exact_phases_;
   const Kernel &kernel_;
-  double event_tolerance_;
+  double event_tolerance_, tolerance_, longest_step_;
+  ContactSteps contact_steps_;
   std::map<std::vector<int>, KnownPhase> phases_;
   std::vector<double> inputs_;
   KnownPhase *known_ = nullptr;

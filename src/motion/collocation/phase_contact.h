@@ -1,0 +1,99 @@
+// A nonlinear contact within a linear phase: while the two sides touch, the phase goes on under one
+// more force, in its own coordinates, and when they have parted it is the same phase again.
+//
+// For laws with power_law(), whose force begins and ends like the power n of the time since touch
+// and until release, and whose internal states do not change meanwhile. The guards of all other
+// contacts are proven to stay positive: with J the impulse, h the value a guard would have without
+// the force, and g what one unit of impulse makes of it,
+//
+//   h(t) + forced part >= h(0) + min(0, h'(0) T) - T^2/2 max|h''|
+//                         - J (max(0, -g(0)) + T max(0, -g'(0)) + T^2/2 max|g''|)
+//
+// What cannot be proven, or is no single hump of force, is left to others.
+#pragma once
+
+#include "motion/collocation/whole_contact.h"
+#include "motion/exact/exact_phases.h"
+
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <optional>
+
+namespace vibroimpact::motion {
+
+class PhaseContact {
+public:
+  /// The contact that begins where `guard` of the phase is passed. nullptr: none of this kind. The
+  /// modes of the equations are those of the phase. Keeps references.
+  static std::unique_ptr<PhaseContact> create(const Equations &equations, LinearPhase &linear,
+                                              std::size_t guard, double tolerance);
+
+  /// Forgets what earlier contacts taught.
+  void forget();
+
+  /// From the amplitudes at the touch. `longest`: what the contact may last [s]. False: it is left
+  /// to others, as are the next few when it was of another kind.
+  bool pass(const double *amplitudes, double longest);
+
+  // Of the contact passed last:
+  double duration() const { return contact_->duration(); } ///< [s]
+  const Amplitudes &after() const { return after_; }
+  std::size_t contact() const { return onset_.contact; }
+  /// Guard of the contact's mode by which it ends.
+  std::size_t release() const { return release_; }
+  /// Largest rounding of each of the phase's groups that the contact has added.
+  void add_rounding(double *rounding) const;
+
+  const WholeContact &solution() const { return *contact_; }
+  const ForcedFlow &flow() const { return *flow_; }
+  LinearPhase &linear() const { return linear_; }
+  /// What amplitudes x mean: the physical state, C x, and the second derivatives of velocities and
+  /// internal states and the third of sources, C S^2 x, rows of C as in ExactPhase::columns().
+  using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  const Rows &state_rows() const { return state_rows_; }
+  const Rows &bent_rows() const { return bent_rows_; }
+  /// Of the physical state: C S b, what one newton adds to these.
+  const Vector &bent_load() const { return bent_load_; }
+  /// Amplitudes at the touch, with the internal states that the contact begins with.
+  const Amplitudes &before() const { return before_; }
+
+private:
+  PhaseContact(const Equations &equations, LinearPhase &linear, const PhaseGuard &onset,
+               std::size_t release, double tolerance);
+
+  const contact::ContactLaw &law() const;
+  const contact::Mode &mode() const {
+    return law().modes()[static_cast<std::size_t>(onset_.target)];
+  }
+  void renew();
+  void set_rows();
+  Vector in_amplitudes(const RowVector &row) const;
+  Vector by_places(const RowVector &seen) const;
+  std::vector<FlowBlock> blocks() const;
+  void reset_internal();
+  bool guards_of_law_hold() const;
+  bool others_stay_away();
+  double second_derivative(std::size_t guard) const;
+  void set_reach(const double *x, double duration);
+
+  const Equations &equations_;
+  LinearPhase &linear_;
+  PhaseGuard onset_;
+  std::size_t release_;
+  double tolerance_;
+  LawForce force_;
+  std::unique_ptr<ForcedFlow> flow_;
+  std::unique_ptr<ForcedOutput> penetration_;
+  std::unique_ptr<WholeContact> contact_;
+  long generation_ = -1, arrangement_ = -1; ///< of the phase that these are for
+  Rows state_rows_, bent_rows_;
+  Vector bent_load_;
+  Amplitudes before_, after_;
+  std::vector<double> internal_;
+  std::vector<double> reach_;
+  Vector state_;
+  int left_out_ = 0; ///< contacts to come that are left to others
+};
+
+} // namespace vibroimpact::motion
