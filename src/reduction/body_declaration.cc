@@ -1,5 +1,7 @@
 // What a `subsection Body NAME` may hold.
+#include "reduction/beam_parameters.h"
 #include "reduction/body_parameters.h"
+#include "reduction/body_sections.h"
 #include "reduction/shell_parameters.h"
 
 namespace vibroimpact::reduction {
@@ -8,6 +10,7 @@ namespace {
 
 using parameters::Range;
 using parameters::Section;
+using sections::declare_place;
 namespace dimension = parameters::dimension;
 namespace range = parameters::range;
 
@@ -23,7 +26,9 @@ void declare_geometry(Section &body) {
       .required("Type = beam and Mesh is not given")
       // The stiffness matrix has a condition of about the fourth power: 1/eps at 10^4 elements.
       .integer("Elements", "40", Range{.lower = 1, .upper = 1e4}, "",
-               "Number of equal elements along Line.")
+               "Number of equal elements along Line. Where nodes must lie elsewhere too (a "
+               "Position, the "
+               "ends of a Member), the pieces between them have equal elements that are no longer.")
       .quantities("Orientation", "", dimension::none, range::any, "",
                   "Direction of the local y axis, the first dimension of the cross-section; only "
                   "its part normal to the beam counts. Without it: global y, or global z for "
@@ -31,10 +36,6 @@ void declare_geometry(Section &body) {
                   "without it.",
                   3, 3);
   declare_shell_geometry(body.subsection("Geometry", ""));
-}
-
-void declare_section(Section &body) {
-  declare_section_keys(body.subsection("Section", "The cross-section of a beam."));
 }
 
 void declare_material(Section &body) {
@@ -47,18 +48,6 @@ void declare_material(Section &body) {
       .quantity("Density", "", dimension::density, range::non_negative, "\\rho",
                 "0 for a massless body between lumped masses.")
       .required("Type = beam, or shell with a section that has none");
-}
-
-void declare_place(Section &section, const char *when = "Position and Near are not given") {
-  section
-      .text("At", "",
-            "start or end of a generated line; left, right, bottom, top or edges of a plate or "
-            "cylinder; the name of a physical group of the mesh; or all nodes. One of At, Position "
-            "and Near.")
-      .required(when)
-      .quantities("Position", "", dimension::length, range::any, "", "Coordinates of a node.", 3, 3)
-      .quantities("Near", "", dimension::length, range::any, "",
-                  "Coordinates; the node nearest to them is meant.", 3, 3);
 }
 
 void declare_support(Section &body) {
@@ -81,7 +70,13 @@ void declare_point(Section &body) {
   declare_place(point);
   point.quantity("Mass", "0 kg", dimension::mass, range::non_negative, "m", "Lumped mass.")
       .quantities("Rotary inertia", "", dimension::rotary_inertia, range::non_negative, "J",
-                  "Of the lumped mass about x, y, z.", 3, 3);
+                  "Of the lumped mass about axes along x, y, z through its centre.", 3, 3)
+      .quantities("Products of inertia", "", dimension::rotary_inertia, range::any, "",
+                  "Of the lumped mass: its integrals of x y, y z and z x from its centre.", 3, 3)
+      .quantities("Offset", "", dimension::length, range::any, "",
+                  "From the node to the centre of the lumped mass along x, y, z: a rigid arm. The "
+                  "point itself stays at the node.",
+                  3, 3);
 }
 
 void declare_interface(Section &body) {
@@ -217,11 +212,15 @@ void declare_rotor(Section &body) {
 void declare_body(Section &root) {
   Section &body = root.named_subsection("Body", "A deformable or lumped body with named points.");
   body.choice("Type", "beam", {"beam", "shell", "lumped", "rotor"},
-              "beam: normal modes of an Euler-Bernoulli frame; shell: normal modes of plates and "
+              "beam: normal modes of a frame of beams; shell: normal modes of plates and "
               "shells with their stiffeners; lumped: masses, springs, dashpots; rotor: an "
               "unbalanced rotor with its motor on a point of another body.");
+  body.choice("Planar", "no", {"no", "xy", "yz", "zx"},
+              "The plane in which a beam or shell moves: the displacement out of it and the "
+              "rotations that turn it out of the plane are held at all nodes. no: it moves in "
+              "space.");
   declare_geometry(body);
-  declare_section(body);
+  declare_beams(body);
   declare_material(body);
   declare_support(body);
   declare_point(body);

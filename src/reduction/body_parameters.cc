@@ -1,5 +1,6 @@
 #include "reduction/body_parameters.h"
 
+#include "reduction/beam_parameters.h"
 #include "reduction/body_sections.h"
 #include "reduction/shell_parameters.h"
 
@@ -10,23 +11,6 @@ namespace vibroimpact::reduction {
 namespace {
 
 using namespace sections;
-
-void read_geometry(const Values &geometry, const std::string &folder, MPI_Comm communicator,
-                   structure::BeamDefinition &beam) {
-  if (geometry.has("Mesh") && geometry.has("Line"))
-    geometry.reject("Line", "must not be set when Mesh is set");
-  if (geometry.has("Mesh")) {
-    if (geometry.given("Elements"))
-      geometry.reject("Elements", "must not be set when Mesh is set, which has its own");
-    beam.mesh_content = read_mesh(geometry, folder, communicator);
-  } else {
-    geometry.require("Line");
-    beam.line = {vector3(geometry, "Line", 0), vector3(geometry, "Line", 3),
-                 static_cast<int>(geometry.integer("Elements"))};
-  }
-  if (geometry.has("Orientation"))
-    beam.local_y = vector3(geometry, "Orientation");
-}
 
 modes::Selection read_selection(const Values &section) {
   modes::Selection selection;
@@ -136,26 +120,30 @@ void read_beam(const Values &body, const std::string &folder, MPI_Comm communica
                 "must not be beam when there is a subsection Mass; a Point can carry a mass");
   refuse(body, {"Rotor", "Motor"}, {"Shell", "Stiffener"});
   refuse_shell_geometry(body);
-  read_geometry(body.subsection("Geometry"), folder, communicator, definition.beam);
-  definition.beam.section = read_section(body.subsection("Section"));
-  definition.beam.material = read_material(body.subsection("Material"));
-  definition.beam.supports = read_supports(body);
-  definition.beam.points = read_points(body);
-  definition.beam.interfaces = read_interfaces(body);
-  definition.beam.loads = read_loads(body);
+  definition.beam = read_beam_definition(body, folder, communicator);
+  definition.beam.plane_normal = read_plane(body);
   read_modes(body, definition);
 }
 
 void read_shell(const Values &body, const std::string &folder, MPI_Comm communicator,
                 BodyDefinition &definition) {
-  refuse(body, {"Section", "Rotor", "Motor"}, {"Mass"});
+  refuse(body, {"Section", "Rotor", "Motor"}, {"Mass", "Member", "Hinge"});
   definition.shell = read_shell_definition(body, folder, communicator);
+  definition.shell.plane_normal = read_plane(body);
   read_modes(body, definition);
 }
 
+/// A body without a mesh has no plane.
+void refuse_plane(const Values &body) {
+  if (body.given("Planar"))
+    body.reject("Planar", "must not be set when Type = " + body.choice("Type"));
+}
+
 void read_rotor(const Values &body, BodyDefinition &definition) {
-  refuse(body, {"Geometry", "Section", "Material", "Modes"},
-         {"Support", "Point", "Interface", "Mass", "Shell", "Stiffener", "Load"});
+  refuse_plane(body);
+  refuse(
+      body, {"Geometry", "Section", "Material", "Modes"},
+      {"Support", "Point", "Interface", "Mass", "Member", "Hinge", "Shell", "Stiffener", "Load"});
   const Values rotor = body.subsection("Rotor");
   rotor.require("Mass");
   rotor.require("Inertia");
@@ -163,8 +151,9 @@ void read_rotor(const Values &body, BodyDefinition &definition) {
 }
 
 void read_lumped(const Values &body, BodyDefinition &definition) {
+  refuse_plane(body);
   refuse(body, {"Geometry", "Section", "Material", "Modes", "Rotor", "Motor"},
-         {"Support", "Point", "Interface", "Shell", "Stiffener", "Load"});
+         {"Support", "Point", "Interface", "Member", "Hinge", "Shell", "Stiffener", "Load"});
   for (const std::string &name : body.instances("Mass"))
     definition.masses.push_back(read_mass(body.instance("Mass", name), name));
 }

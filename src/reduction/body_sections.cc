@@ -2,6 +2,8 @@
 
 #include "reduction/body_file.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,20 +15,6 @@ namespace vibroimpact::reduction::sections {
 namespace {
 
 constexpr std::array<const char *, 6> components = {"x", "y", "z", "rx", "ry", "rz"};
-
-structure::Location read_place(const Values &section) {
-  const int given =
-      int{section.has("At")} + int{section.has("Position")} + int{section.has("Near")};
-  if (given == 0)
-    section.require("At");
-  if (given > 1)
-    section.reject_section("only one of At, Position and Near must be set");
-  if (section.has("Position"))
-    return {"", vector3(section, "Position")};
-  if (section.has("Near"))
-    return {"", vector3(section, "Near"), true};
-  return {section.text("At"), std::nullopt};
-}
 
 void fix(const Values &section, const std::string &word, std::array<bool, 6> &fixed) {
   if (word == "all")
@@ -72,6 +60,41 @@ void check_use(const Values &section, const std::string &chooser, const std::vec
       section.reject(use.key, "must not be set when " + chooser + " = " + choice);
 }
 
+void declare_place(parameters::Section &section, const char *when) {
+  section
+      .text("At", "",
+            "start or end of a generated line; left, right, bottom, top or edges of a plate or "
+            "cylinder; the name of a physical group of the mesh; or all nodes. One of At, Position "
+            "and Near.")
+      .required(when)
+      .quantities("Position", "", parameters::dimension::length, parameters::range::any, "",
+                  "Coordinates of a node. On a generated line of a beam a node is placed there.", 3,
+                  3)
+      .quantities("Near", "", parameters::dimension::length, parameters::range::any, "",
+                  "Coordinates; the node nearest to them is meant.", 3, 3);
+}
+
+structure::Location read_place(const Values &section) {
+  const int given =
+      int{section.has("At")} + int{section.has("Position")} + int{section.has("Near")};
+  if (given == 0)
+    section.require("At");
+  if (given > 1)
+    section.reject_section("only one of At, Position and Near must be set");
+  if (section.has("Position"))
+    return {"", vector3(section, "Position")};
+  if (section.has("Near"))
+    return {"", vector3(section, "Near"), true};
+  return {section.text("At"), std::nullopt};
+}
+
+std::optional<int> read_plane(const Values &body) {
+  const std::string plane = body.choice("Planar");
+  if (plane == "no")
+    return std::nullopt;
+  return (plane[1] - 'x' + 1) % 3;
+}
+
 std::string read_mesh(const Values &geometry, const std::string &folder, MPI_Comm communicator) {
   const auto file = (std::filesystem::path(folder) / geometry.text("Mesh")).string();
   int rank = 0;
@@ -99,20 +122,28 @@ structure::SectionShape read_section(const Values &section) {
   for (const KeyUse &dimension : dimensions)
     if (is_used(dimension, section.choice("Shape")))
       section.require(dimension.key);
+  check_use(section, "Theory", {{"Shear correction", {"Timoshenko"}}});
   using Kind = structure::SectionShape::Kind;
   const std::map<std::string, Kind> kinds = {{"rectangle", Kind::rectangle},
                                              {"circle", Kind::circle},
                                              {"tube", Kind::tube},
                                              {"given", Kind::given}};
-  return {.kind = kinds.at(section.choice("Shape")),
-          .width = optional_quantity(section, "Width"),
-          .thickness = optional_quantity(section, "Thickness"),
-          .diameter = optional_quantity(section, "Diameter"),
-          .wall_thickness = optional_quantity(section, "Wall thickness"),
-          .area = optional_quantity(section, "Area"),
-          .second_moment_y = optional_quantity(section, "Second moment y"),
-          .second_moment_z = optional_quantity(section, "Second moment z"),
-          .torsion_constant = optional_quantity(section, "Torsion constant")};
+  structure::SectionShape shape{.kind = kinds.at(section.choice("Shape")),
+                                .width = optional_quantity(section, "Width"),
+                                .thickness = optional_quantity(section, "Thickness"),
+                                .diameter = optional_quantity(section, "Diameter"),
+                                .wall_thickness = optional_quantity(section, "Wall thickness"),
+                                .area = optional_quantity(section, "Area"),
+                                .second_moment_y = optional_quantity(section, "Second moment y"),
+                                .second_moment_z = optional_quantity(section, "Second moment z"),
+                                .torsion_constant = optional_quantity(section, "Torsion constant")};
+  if (section.choice("Theory") == "Timoshenko")
+    shape.theory = structure::BeamTheory::timoshenko;
+  if (section.has("Shear correction")) {
+    const std::vector<double> factors = section.quantities("Shear correction");
+    shape.shear_correction = {factors.front(), factors.back()};
+  }
+  return shape;
 }
 
 structure::Material read_material(const Values &material) {
@@ -137,10 +168,38 @@ structure::Support read_support(const Values &section, const std::string &name) 
   return support;
 }
 
+namespace {
+
+/// No body has a negative moment of inertia about any axis.
+void check_inertia(const Values &section, const structure::Point &point) {
+  Eigen::Matrix3d inertia = point.rotary_inertia.asDiagonal();
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    inertia(i, j) = inertia(j, i) = -point.products_of_inertia[i];
+  }
+  const Vector3 principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
+  if (principal[0] < -1e-12 * principal[2])
+    section.reject(
+        "Products of inertia",
+        "must be small enough against Rotary inertia that no principal moment of inertia "
+        "is negative");
+}
+
+} // namespace
+
 structure::Point read_point(const Values &section, const std::string &name) {
   structure::Point point{.name = name, .at = read_place(section), .mass = section.quantity("Mass")};
   if (section.has("Rotary inertia"))
     point.rotary_inertia = vector3(section, "Rotary inertia");
+  if (section.has("Products of inertia")) {
+    point.products_of_inertia = vector3(section, "Products of inertia");
+    check_inertia(section, point);
+  }
+  if (section.has("Offset")) {
+    if (point.mass == 0)
+      section.reject("Offset", "must not be set when Mass is 0 kg");
+    point.offset = vector3(section, "Offset");
+  }
   return point;
 }
 

@@ -5,6 +5,7 @@
 #include "structure/shell_definition.h"
 
 #include <mpi.h>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,13 @@ struct KeyUse {
   std::vector<std::string> choices;
 };
 void check_use(const Values &section, const std::string &chooser, const std::vector<KeyUse> &uses);
+
+/// Keys that say where on a body something is, and what they say.
+void declare_place(parameters::Section &section,
+                   const char *when = "Position and Near are not given");
+structure::Location read_place(const Values &section);
+/// The axis along which a body that stays in a plane does not move.
+std::optional<int> read_plane(const Values &body);
 
 /// Content of the file that Mesh names. Collective: rank 0 reads it.
 std::string read_mesh(const Values &geometry, const std::string &folder, MPI_Comm communicator);

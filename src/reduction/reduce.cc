@@ -8,6 +8,7 @@
 #include "reduction/lumped_body.h"
 #include "reduction/point_response.h"
 #include "reduction/rotor_body.h"
+#include "reduction/stability.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,12 +67,10 @@ Matrix diagonal(const Vector &entries) { return entries.asDiagonal(); }
 /// Shapes^T M shapes for the masses at nodes alone; the rows of the shapes are 6 node + component.
 Matrix project_lumped_masses(const structure::BodyModel &model, const Matrix &shapes) {
   Matrix projected = Matrix::Zero(shapes.cols(), shapes.cols());
-  for (std::size_t node = 0; node < model.lumped_mass.size(); ++node)
-    for (int component = 0; component < 6; ++component)
-      if (const double mass = model.lumped_mass[node][component]; mass != 0) {
-        const RowVector row = shapes.row(static_cast<Index>(6 * node) + component);
-        projected += mass * row.transpose() * row;
-      }
+  for (const auto &[node, mass] : model.lumped_masses) {
+    const auto rows = shapes.middleRows(Index{6} * node, 6);
+    projected += rows.transpose() * mass * rows;
+  }
   return projected;
 }
 
@@ -97,7 +96,7 @@ Matrix modal_damping(const Damping &damping, const AssembledBody &body, const Ve
     ratio[j] = damping.ratios[std::min<std::size_t>(j, damping.ratios.size() - 1)];
   ratio.tail(ratio.size() - normal)
       .setConstant(damping.attachment_ratio.value_or(damping.ratios.back()));
-  return diagonal((2 * ratio.array() * stiffness.array().sqrt()).matrix());
+  return diagonal((2 * ratio.array() * stiffness.array().max(0.0).sqrt()).matrix());
 }
 
 void add_points(const structure::BodyModel &model, const Matrix &shapes,
@@ -136,6 +135,7 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
   stages.begin("mesh and matrices", false);
   const AssembledBody assembled = structure::assemble(build_model(definition), communicator);
   const bool large = assembled.free.size >= large_body;
+  check_stability(assembled);
   stages.begin("modes of " + std::to_string(assembled.free.size) + " degrees of freedom", large);
   const modes::EigenProblem problem = problem_of(assembled);
   Basis basis = definition.reduction == BodyDefinition::Reduction::fixed_interface

@@ -18,6 +18,8 @@ using parameters::Values;
   const Values section = error.kind() == "Body" ? body
                          : error.name().empty() ? body.subsection(error.kind())
                                                 : body.instance(error.kind(), error.name());
+  if (error.key().empty())
+    section.reject_section(error.problem());
   section.reject(error.key(), error.problem());
 }
 

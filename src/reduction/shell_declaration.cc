@@ -30,7 +30,23 @@ void declare_section_keys(Section &section) {
       .required("Shape = given")
       .quantity("Torsion constant", "", dimension::second_moment, range::positive, "J",
                 "St Venant torsion.")
-      .required("Shape = given");
+      .required("Shape = given")
+      .choice("Theory", "Euler-Bernoulli", {"Euler-Bernoulli", "Timoshenko"},
+              "Euler-Bernoulli: slender beams; Timoshenko: with shear deformation and the rotary "
+              "inertia of the section in bending.")
+      .quantities("Shear correction", "", dimension::none,
+                  Range{.lower = 0, .upper = 1, .lower_open = true}, "\\kappa",
+                  "Factor of the area for shear forces, for both local axes or along y and z; "
+                  "with Theory = Timoshenko. Without it: Cowper's for the shape (a given section "
+                  "needs it).",
+                  1, 2);
+}
+
+std::vector<std::string> section_keys() {
+  return {"Shape",           "Width",           "Thickness",
+          "Diameter",        "Wall thickness",  "Area",
+          "Second moment y", "Second moment z", "Torsion constant",
+          "Theory",          "Shear correction"};
 }
 
 void declare_shell_geometry(Section &geometry) {
@@ -54,8 +70,6 @@ void declare_shell_geometry(Section &geometry) {
               "Of the elements of a plate or cylinder.");
 }
 
-namespace {
-
 void declare_own_material(Section &section) {
   section
       .quantity("Young modulus", "", dimension::stress, range::positive, "E",
@@ -66,8 +80,6 @@ void declare_own_material(Section &section) {
       .quantity("Density", "", dimension::density, range::non_negative, "\\rho",
                 "Without it, that of Material.");
 }
-
-} // namespace
 
 void declare_shells(Section &body) {
   Section &shell = body.named_subsection("Shell", "Thickness and material of surfaces.");
@@ -88,7 +100,9 @@ void declare_shells(Section &body) {
       .quantities("Offset", "0 m, 0 m", dimension::length, range::any, "",
                   "From the nodes to the centre of the section along its local y and z axes: a "
                   "rigid link.",
-                  2, 2);
+                  2, 2)
+      .quantity("Axial force", "0 N", dimension::force, range::any, "N",
+                "That acts along the beams before any motion, tension positive.");
   declare_section_keys(stiffener);
   declare_own_material(stiffener);
 }

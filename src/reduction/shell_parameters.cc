@@ -97,11 +97,15 @@ double material_value(const Values &section, const Values &material, const char 
   return material.quantity(key);
 }
 
+} // namespace
+
 structure::Material own_material(const Values &section, const Values &material) {
   return {material_value(section, material, "Young modulus"),
           material_value(section, material, "Poisson ratio"),
           material_value(section, material, "Density")};
 }
+
+namespace {
 
 structure::Stiffener read_stiffener(const Values &section, const std::string &name,
                                     const Values &material) {
@@ -116,6 +120,7 @@ structure::Stiffener read_stiffener(const Values &section, const std::string &na
     stiffener.local_y = vector3(section, "Orientation");
   const std::vector<double> offset = section.quantities("Offset");
   stiffener.offset = {offset[0], offset[1]};
+  stiffener.axial_force = section.quantity("Axial force");
   return stiffener;
 }
 

@@ -10,6 +10,11 @@ namespace vibroimpact::reduction {
 
 /// Shape and dimensions of a cross-section, of beams and stiffeners alike.
 void declare_section_keys(parameters::Section &section);
+std::vector<std::string> section_keys();
+/// Young modulus, Poisson ratio and Density that stand for those of the body's Material.
+void declare_own_material(parameters::Section &section);
+structure::Material own_material(const parameters::Values &section,
+                                 const parameters::Values &material);
 /// Plate, Cylinder and their divisions.
 void declare_shell_geometry(parameters::Section &geometry);
 /// `subsection Shell NAME` and `subsection Stiffener NAME` of a body.

@@ -2,6 +2,8 @@
 
 #include "structure/nodal_blocks.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 
 namespace vibroimpact::structure {
@@ -55,10 +57,10 @@ void add_elements(const AssembledBody &body, const Discretisation &space, NodalB
 }
 
 void add_nodes(const BodyModel &model, NodalBlocks &blocks) {
-  for (std::size_t node = 0; node < model.mesh.nodes.size(); ++node) {
+  for (std::size_t node = 0; node < model.mesh.nodes.size(); ++node)
     blocks.add_stiffness(static_cast<int>(node), diagonal_block(model.spring[node]));
-    blocks.add_mass(static_cast<int>(node), diagonal_block(model.lumped_mass[node]));
-  }
+  for (const auto &[node, mass] : model.lumped_masses)
+    blocks.add_mass(node, mass);
 }
 
 vibroimpact::Matrix summed(vibroimpact::Matrix rows, MPI_Comm communicator) {
@@ -89,6 +91,19 @@ vibroimpact::Vector static_load(const AssembledBody &body) {
   return load;
 }
 
+/// Rank of a lumped mass over the components of its node that are not held.
+int rank_of(const LumpedMass &mass, const std::array<int, 6> &dofs) {
+  std::vector<int> free;
+  for (int component = 0; component < 6; ++component)
+    if (dofs[component] >= 0 && mass(component, component) > 0)
+      free.push_back(component);
+  const vibroimpact::Matrix own = mass(free, free);
+  const vibroimpact::Vector scale = own.diagonal().array().rsqrt();
+  const Eigen::SelfAdjointEigenSolver<vibroimpact::Matrix> modes(scale.asDiagonal() * own *
+                                                                 scale.asDiagonal());
+  return free.empty() ? 0 : static_cast<int>((modes.eigenvalues().array() > 1e-12).count());
+}
+
 // The mass matrix of an element with density is positive definite; elsewhere only lumped masses
 // count.
 int count_massive(const BodyModel &model, const FreeDofs &free) {
@@ -99,9 +114,11 @@ int count_massive(const BodyModel &model, const FreeDofs &free) {
         heavy[node] = true;
   int count = 0;
   for (std::size_t node = 0; node < heavy.size(); ++node)
-    for (int component = 0; component < 6; ++component)
-      count += free.number[node][component] >= 0 &&
-               (heavy[node] || model.lumped_mass[node][component] > 0);
+    for (int component = 0; heavy[node] && component < 6; ++component)
+      count += free.number[node][component] >= 0;
+  for (const auto &[node, mass] : model.lumped_masses)
+    if (!heavy[node])
+      count += rank_of(mass, free.number[node]);
   return count;
 }
 

@@ -1,5 +1,5 @@
-// What a beam body is made of, as plain data in SI units: a line or a mesh file, one cross-section,
-// one material, supports and named points.
+// What a beam body is made of, as plain data in SI units: a line or a mesh file, members with their
+// cross-sections and materials, hinges, supports and named points.
 #pragma once
 
 #include "common/error.h"
@@ -32,12 +32,17 @@ private:
   std::string problem_;
 };
 
-/// A straight line of equal elements from `start` to `end` [m].
+/// A straight line from `start` to `end` [m], of equal elements as far as the places allow.
 struct Line {
   Vector3 start = Vector3::Zero();
   Vector3 end = Vector3::Zero();
-  int elements = 40;
+  int elements = 40;            ///< none is longer than the length / elements
+  std::vector<double> places{}; ///< where nodes must be, from the start [m]
 };
+
+/// Euler-Bernoulli: cross-sections stay normal to the axis, and only their polar inertia counts.
+/// Timoshenko: they are sheared, and have rotary inertia in bending.
+enum class BeamTheory { euler_bernoulli, timoshenko };
 
 /// Dimensions of the cross-section [m]; those that its shape does not use stay 0.
 struct SectionShape {
@@ -51,6 +56,14 @@ struct SectionShape {
   double second_moment_y = 0;  ///< integral of z^2 [m^4], given shape
   double second_moment_z = 0;  ///< integral of y^2 [m^4], given shape
   double torsion_constant = 0; ///< [m^4], given shape
+  BeamTheory theory = BeamTheory::euler_bernoulli;
+  /// Timoshenko's factors of the area for forces along local y and z; 0: Cowper's for the shape.
+  std::array<double, 2> shear_correction{};
+  /// Dimensions at the end of a tapered beam; 0: as at its start. They change linearly.
+  double end_width = 0;
+  double end_thickness = 0;
+  double end_diameter = 0;
+  double end_wall_thickness = 0;
 };
 
 struct Material {
@@ -76,12 +89,36 @@ struct Support {
   std::array<double, 6> stiffness{}; ///< [N/m] and [N m/rad]
 };
 
-/// A named node, with or without a lumped mass.
+/// A named node, with or without a lumped mass that is fixed to it, by a rigid arm if need be.
 struct Point {
   std::string name;
   Location at;
-  double mass = 0;                          ///< [kg]
-  Vector3 rotary_inertia = Vector3::Zero(); ///< about the global axes [kg m^2]
+  double mass = 0;                               ///< [kg]
+  Vector3 rotary_inertia = Vector3::Zero();      ///< about global axes through its centre [kg m^2]
+  Vector3 products_of_inertia = Vector3::Zero(); ///< integrals of x y, y z, z x [kg m^2]
+  Vector3 offset = Vector3::Zero();              ///< of the centre of mass from the node [m]
+};
+
+/// Beams along some lines of a body.
+struct Member {
+  std::string name;
+  std::string on = "all"; ///< group of lines
+  std::optional<std::array<double, 2>>
+      between{}; ///< part of the generated line, from its start [m]
+  SectionShape section{};
+  Material material{};
+  std::optional<Vector3> local_y{};
+  std::array<double, 2> offset{}; ///< of the axis from the nodes along local y and z [m]
+  double axial_force = 0;         ///< before any motion, tension positive [N]
+};
+
+/// Where the ends of a member do not follow the nodes: released displacements and rotations, along
+/// and about the local axes of each of its elements that ends there.
+struct Hinge {
+  std::string name;
+  std::string member;
+  Location at;
+  std::array<bool, 6> free{};
 };
 
 /// Nodes at which a body can touch others, one contact each. Their points are called NAME.1,
@@ -110,6 +147,9 @@ struct BeamDefinition {
   std::optional<Vector3> local_y; ///< direction of the section's local y axis; need not be normal
   SectionShape section;
   Material material;
+  std::vector<Member> members{}; ///< lines that belong to none have the section above
+  std::vector<Hinge> hinges{};
+  std::optional<int> plane_normal{}; ///< axis along which nothing moves
   std::vector<Support> supports;
   std::vector<Point> points;
   std::vector<Interface> interfaces;

@@ -1,9 +1,8 @@
 #include "structure/body_model.h"
 
-#include "structure/frame_element.h"
-#include "structure/gmsh_reader.h"
+#include "structure/frame_body.h"
+#include "structure/hinges.h"
 #include "structure/interface_nodes.h"
-#include "structure/mesh_check.h"
 #include "structure/shell_body.h"
 
 #include <algorithm>
@@ -22,6 +21,25 @@ void apply_support(BodyModel &model, const Support &support) {
     }
 }
 
+/// The inertia of a mass m at r from its node, rigidly fixed to it: with the cross product r x as
+/// the matrix R, the displacement u - R theta and the inertia J about the centre of mass
+///   | m 1   -m R       |
+///   | m R   J - m R R  |
+LumpedMass lumped_mass(const Point &point) {
+  Eigen::Matrix3d arm;
+  for (int axis = 0; axis < 3; ++axis)
+    arm.col(axis) = point.offset.cross(Vector3::Unit(axis));
+  Eigen::Matrix3d inertia = point.rotary_inertia.asDiagonal();
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    inertia(i, j) = inertia(j, i) = -point.products_of_inertia[i];
+  }
+  LumpedMass mass;
+  mass << point.mass * Eigen::Matrix3d::Identity(), -point.mass * arm, point.mass * arm,
+      inertia - point.mass * arm * arm;
+  return (mass + mass.transpose()) / 2;
+}
+
 void apply_point(BodyModel &model, const Point &point) {
   const std::vector<int> nodes = find_nodes(model.mesh, point.at, "Point", point.name);
   if (nodes.size() != 1)
@@ -29,10 +47,14 @@ void apply_point(BodyModel &model, const Point &point) {
                           "must mean exactly one node, but " + point.at.group + " has " +
                               std::to_string(nodes.size()));
   model.points.push_back({.name = point.name, .node = nodes[0]});
-  for (int axis = 0; axis < 3; ++axis) {
-    model.lumped_mass[nodes[0]][axis] += point.mass;
-    model.lumped_mass[nodes[0]][3 + axis] += point.rotary_inertia[axis];
-  }
+  const LumpedMass mass = lumped_mass(point);
+  if (!mass.isZero(0))
+    model.lumped_masses.try_emplace(nodes[0], LumpedMass::Zero()).first->second += mass;
+}
+
+void hold_plane(BodyModel &model, int normal) {
+  for (std::array<bool, 6> &fixed : model.fixed)
+    fixed[normal] = fixed[3 + (normal + 1) % 3] = fixed[3 + (normal + 2) % 3] = true;
 }
 
 void add_interface(BodyModel &model, const Interface &interface) {
@@ -60,8 +82,9 @@ template <class Definition> void complete(BodyModel &model, const Definition &de
   const std::size_t nodes = model.mesh.nodes.size();
   model.fixed.assign(nodes, {});
   model.spring.assign(nodes, {});
-  model.lumped_mass.assign(nodes, {});
   model.load.assign(nodes, {});
+  if (definition.plane_normal)
+    hold_plane(model, *definition.plane_normal);
   for (const Support &support : definition.supports)
     apply_support(model, support);
   for (const Point &point : definition.points)
@@ -75,10 +98,6 @@ template <class Definition> void complete(BodyModel &model, const Definition &de
                           "must be greater than 0 for a body without lumped masses");
 }
 
-double wave_speed(const Material &material) {
-  return material.density > 0 ? std::sqrt(material.young_modulus / material.density) : 0;
-}
-
 } // namespace
 
 double BodyModel::distributed_mass() const {
@@ -90,27 +109,23 @@ double BodyModel::distributed_mass() const {
 
 double BodyModel::total_mass() const {
   double mass = distributed_mass();
-  for (const auto &lumped : lumped_mass)
-    mass += lumped[0];
+  for (const auto &[node, lumped] : lumped_masses)
+    mass += lumped(0, 0);
   return mass;
+}
+
+void BodyModel::add_material(const Material &material) {
+  if (material.density > 0)
+    wave_speed = std::max(wave_speed, std::sqrt(material.young_modulus / material.density));
 }
 
 BodyModel build_frame(const BeamDefinition &definition) {
   BodyModel model;
-  model.mesh = definition.mesh_content.empty() ? generate_line(definition.line)
-                                               : parse_gmsh(definition.mesh_content);
-  check_line_mesh(model.mesh);
-  const BeamProperties properties =
-      beam_properties(cross_section(definition.section), definition.material);
-  const auto places = std::make_shared<const SectionPlaces>(
-      SectionPlaces{extreme_fibres(definition.section), section_outline(definition.section)});
-  for (const auto &line : model.mesh.lines)
-    model.elements.push_back(std::make_shared<FrameElement>(
-        line, properties,
-        element_frame(model.mesh.nodes[line[0]], model.mesh.nodes[line[1]], definition.local_y),
-        Vector3::Zero(), places));
-  model.wave_speed = wave_speed(definition.material);
+  model.mesh = frame_mesh(definition);
+  const FrameLines lines = frame_lines(model.mesh, definition);
+  add_frame_elements(model, definition, lines);
   complete(model, definition);
+  check_hinges(model, definition, lines.frames, lines.releases);
   for (const Load &load : definition.loads)
     if (load.pressure != 0)
       throw DefinitionError("Load", load.name, "Pressure", "needs the surfaces of a shell");
@@ -122,7 +137,7 @@ BodyModel build_shell(const ShellDefinition &definition) {
   model.mesh = shell_mesh(definition);
   add_shell_elements(model, definition);
   for (const ShellPart &part : definition.parts)
-    model.wave_speed = std::max(model.wave_speed, wave_speed(part.material));
+    model.add_material(part.material);
   complete(model, definition);
   for (const Load &load : definition.loads)
     if (load.pressure != 0)

@@ -16,22 +16,27 @@ struct NamedNode {
   std::string interface {}; ///< empty for a point by itself
 };
 
+/// Inertia of what is fixed to a node, rows and columns u, v, w, rx, ry, rz [kg, kg m, kg m^2].
+using LumpedMass = Eigen::Matrix<double, 6, 6>;
+
 struct BodyModel {
   Mesh mesh;
-  Elements elements;                              ///< of any kind; they share the mesh's nodes
-  std::vector<std::array<bool, 6>> fixed;         ///< per node and component
-  std::vector<std::array<double, 6>> spring;      ///< per node and component [N/m], [N m/rad]
-  std::vector<std::array<double, 6>> lumped_mass; ///< per node and component [kg], [kg m^2]
+  Elements elements;                         ///< of any kind; they share the mesh's nodes
+  std::vector<std::array<bool, 6>> fixed;    ///< per node and component
+  std::vector<std::array<double, 6>> spring; ///< per node and component [N/m], [N m/rad]
+  std::map<int, LumpedMass> lumped_masses;   ///< by node
   std::vector<NamedNode> points;
   bool loaded = false;
   std::vector<std::array<double, 6>> load; ///< per node and component [N], [N m]
   Vector3 acceleration = Vector3::Zero();  ///< of gravity [m/s^2]
   std::optional<TriangleLocking> locking;  ///< of a shell with triangles that are too large
   double wave_speed = 0;                   ///< largest sqrt(E / rho) of its materials [m/s]
+  bool prestressed = false;                ///< axial forces act before any motion
 
   /// Mass of the elements, without lumped masses [kg].
   double distributed_mass() const;
   double total_mass() const;
+  void add_material(const Material &material);
 };
 
 /// Both throw DefinitionError when the definition cannot be built.

@@ -17,15 +17,19 @@ double positive(const std::string &key, double value) {
   return value;
 }
 
+/// 1 - tanh(n pi a / 2b), a >= b: below 1e-17 from n = 13 on.
+double tail(int n, double a, double b) { return 2 / (std::exp(n * pi * a / b) + 1); }
+
 // Prandtl's stress function of a rectangle a >= b as a Fourier series (Timoshenko and Goodier,
 // Theory of Elasticity, section 109):
 //   J = a b^3 / 3 (1 - 192 b / (pi^5 a) sum over odd n of tanh(n pi a / 2b) / n^5)
+// The sum of 1 / n^5 over odd n is 31/32 zeta(5).
 double rectangle_torsion_constant(double width, double thickness) {
   const double a = std::max(width, thickness);
   const double b = std::min(width, thickness);
-  double sum = 0;
-  for (int n = 1001; n >= 1; n -= 2)
-    sum += std::tanh(n * pi * a / (2 * b)) / std::pow(n, 5);
+  double sum = 31.0 / 32 * 1.0369277551433699;
+  for (int n = 13; n >= 1; n -= 2)
+    sum -= tail(n, a, b) / std::pow(n, 5);
   return a * b * b * b / 3 * (1 - 192 * b / (std::pow(pi, 5) * a) * sum);
 }
 
@@ -73,21 +77,57 @@ CrossSection cross_section(const SectionShape &shape) {
   throw std::logic_error("unknown cross-section shape");
 }
 
-BeamProperties beam_properties(const CrossSection &section, const Material &material) {
-  if (!(material.young_modulus > 0))
-    throw DefinitionError("Material", "", "Young modulus", "must be greater than 0");
-  if (!(material.poisson_ratio > -1 && material.poisson_ratio <= 0.5))
-    throw DefinitionError("Material", "", "Poisson ratio", "must be greater than -1, at most 0.5");
-  if (!(material.density >= 0))
-    throw DefinitionError("Material", "", "Density", "must not be negative");
-  const double shear_modulus = material.young_modulus / (2 * (1 + material.poisson_ratio));
-  const double polar = section.second_moment_y + section.second_moment_z;
-  return {.axial_stiffness = material.young_modulus * section.area,
-          .torsional_stiffness = shear_modulus * section.torsion_constant,
-          .bending_stiffness_y = material.young_modulus * section.second_moment_y,
-          .bending_stiffness_z = material.young_modulus * section.second_moment_z,
-          .mass_per_length = material.density * section.area,
-          .polar_inertia = material.density * polar};
+bool tapered(const SectionShape &shape) {
+  return shape.end_width > 0 || shape.end_thickness > 0 || shape.end_diameter > 0 ||
+         shape.end_wall_thickness > 0;
+}
+
+SectionShape shape_at(const SectionShape &shape, double along) {
+  const auto between = [&](double start, double end) {
+    return end > 0 ? (1 - along) * start + along * end : start;
+  };
+  SectionShape local = shape;
+  local.width = between(shape.width, shape.end_width);
+  local.thickness = between(shape.thickness, shape.end_thickness);
+  local.diameter = between(shape.diameter, shape.end_diameter);
+  local.wall_thickness = between(shape.wall_thickness, shape.end_wall_thickness);
+  local.end_width = local.end_thickness = local.end_diameter = local.end_wall_thickness = 0;
+  return local;
+}
+
+namespace {
+
+// Cowper, The shear coefficient in Timoshenko's beam theory (1966), of a ring with the ratio m of
+// its inner to its outer radius:
+//   6 (1 + nu) (1 + m^2)^2 / ((7 + 6 nu) (1 + m^2)^2 + (20 + 12 nu) m^2)
+double cowper_ring(double ratio, double nu) {
+  const double m = ratio * ratio;
+  const double square = (1 + m) * (1 + m);
+  return 6 * (1 + nu) * square / ((7 + 6 * nu) * square + (20 + 12 * nu) * m);
+}
+
+double cowper(const SectionShape &shape, double nu) {
+  switch (shape.kind) {
+  case SectionShape::Kind::rectangle:
+    return 10 * (1 + nu) / (12 + 11 * nu);
+  case SectionShape::Kind::circle:
+    return cowper_ring(0, nu);
+  case SectionShape::Kind::tube:
+    return cowper_ring(1 - 2 * shape.wall_thickness / shape.diameter, nu);
+  case SectionShape::Kind::given:
+    throw DefinitionError("Section", "", "Shear correction",
+                          "must be set when Shape = given and Theory = Timoshenko");
+  }
+  throw std::logic_error("unknown cross-section shape");
+}
+
+} // namespace
+
+std::array<double, 2> shear_correction(const SectionShape &shape, double poisson_ratio) {
+  if (shape.shear_correction[0] > 0)
+    return shape.shear_correction;
+  const double factor = cowper(shape, poisson_ratio);
+  return {factor, factor};
 }
 
 namespace {
@@ -104,10 +144,11 @@ double middle_of_long_side(double a, double b) {
     sum += 1 / (n * n * std::cosh(std::min(n * pi * a / (2 * b), 700.0)));
   return 1 - 8 / (pi * pi) * sum;
 }
+// The sum of +-1 / n^2 over odd n is Catalan's constant.
 double middle_of_short_side(double a, double b) {
-  double sum = 0;
-  for (int n = 20001; n >= 1; n -= 2)
-    sum += (n % 4 == 1 ? 1 : -1) * std::tanh(n * pi * a / (2 * b)) / (static_cast<double>(n) * n);
+  double sum = 0.91596559417721902;
+  for (int n = 13; n >= 1; n -= 2)
+    sum -= (n % 4 == 1 ? 1 : -1) * tail(n, a, b) / (n * n);
   return 8 / (pi * pi) * sum;
 }
 

@@ -1,4 +1,4 @@
-// Area, second moments and torsion constant of a cross-section, and what they make of a material.
+// Area, second moments, torsion constant and shear correction of a cross-section.
 #pragma once
 
 #include "structure/beam_definition.h"
@@ -14,6 +14,18 @@ struct CrossSection {
 
 /// Throws DefinitionError for dimensions that are missing, not positive or impossible.
 CrossSection cross_section(const SectionShape &shape);
+
+/// Whether a dimension changes along the beam.
+bool tapered(const SectionShape &shape);
+
+/// The dimensions at the fraction `along` of the length of a tapered beam, as those of a uniform
+/// one.
+SectionShape shape_at(const SectionShape &shape, double along);
+
+/// Factors of the area that carry the shear forces along local y and z in Timoshenko's theory:
+/// those that are given, or Cowper's for the shape and Poisson's ratio. Throws DefinitionError for
+/// a section that is given by its constants without them.
+std::array<double, 2> shear_correction(const SectionShape &shape, double poisson_ratio);
 
 /// A place of the cross-section where the stress may be largest: direct stress by axial force and
 /// bending moments, shear stress by torque. (Shear by transverse forces vanishes there or is
@@ -39,18 +51,5 @@ struct SectionPlaces {
   std::vector<Fibre> fibres; ///< where its stress is looked at
   std::vector<Eigen::Vector2d> outline;
 };
-
-/// Stiffness and inertia of a beam per unit length.
-struct BeamProperties {
-  double axial_stiffness = 0;     ///< E A [N]
-  double torsional_stiffness = 0; ///< G J [N m^2]
-  double bending_stiffness_y = 0; ///< E I_y [N m^2]
-  double bending_stiffness_z = 0; ///< E I_z [N m^2]
-  double mass_per_length = 0;     ///< [kg/m]
-  double polar_inertia = 0;       ///< rho (I_y + I_z) [kg m]
-};
-
-/// Throws DefinitionError for a Young modulus or density out of range.
-BeamProperties beam_properties(const CrossSection &section, const Material &material);
 
 } // namespace vibroimpact::structure

@@ -15,46 +15,6 @@ Vector3 reference_direction(const Vector3 &x, const std::optional<Vector3> &loca
   return along_y ? Vector3::UnitZ() : Vector3::UnitY();
 }
 
-/// End moments of a bent element from its end rotations relative to the chord.
-struct EndMoments {
-  double first, second;
-};
-EndMoments end_moments(double bending_stiffness, double length, double first, double second) {
-  const double factor = 2 * bending_stiffness / length;
-  return {factor * (2 * first + second), factor * (first + 2 * second)};
-}
-
-/// Where displacement and rotation of both ends stand in the element vector, for one plane.
-/// `sense` is +1 when the slope equals the rotation, -1 when it is opposite to it.
-struct Plane {
-  std::array<int, 4> dofs;
-  double sense;
-};
-constexpr Plane plane_xy{{1, 5, 7, 11}, 1.0};
-constexpr Plane plane_xz{{2, 4, 8, 10}, -1.0};
-
-void add_plane_mass(ElementMatrix &mass, const Plane &plane, double mass_per_length,
-                    double length) {
-  const double l = length;
-  Eigen::Matrix4d m;
-  m << 156, 22 * l, 54, -13 * l,             //
-      22 * l, 4 * l * l, 13 * l, -3 * l * l, //
-      54, 13 * l, 156, -22 * l,              //
-      -13 * l, -3 * l * l, -22 * l, 4 * l * l;
-  const Eigen::Vector4d sign(1, plane.sense, 1, plane.sense);
-  m = mass_per_length * l / 420 * (sign.asDiagonal() * m * sign.asDiagonal());
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      mass(plane.dofs[i], plane.dofs[j]) += m(i, j);
-}
-
-void add_linear_mass(ElementMatrix &mass, int dof, double inertia) {
-  mass(dof, dof) += inertia / 3;
-  mass(dof + 6, dof + 6) += inertia / 3;
-  mass(dof, dof + 6) += inertia / 6;
-  mass(dof + 6, dof) += inertia / 6;
-}
-
 } // namespace
 
 ElementFrame element_frame(const Vector3 &first, const Vector3 &second,
@@ -72,116 +32,105 @@ ElementFrame element_frame(const Vector3 &first, const Vector3 &second,
   return frame;
 }
 
-ElementVector stiffness_product(const BeamProperties &properties, const ElementFrame &frame,
-                                const ElementVector &u) {
-  const double length = frame.length;
-  const Vector3 stretch = frame.axes * (u.segment<3>(6) - u.segment<3>(0));
-  const Vector3 first = frame.axes * u.segment<3>(3);
-  const Vector3 second = frame.axes * u.segment<3>(9);
+FrameElement::FrameElement(const std::array<int, 2> &nodes, const PropertiesAlong &properties,
+                           const ElementFrame &frame, const Vector3 &offset, EndPlaces places,
+                           const Releases &releases)
+    : nodes_(nodes), frame_(frame), offset_(offset), places_(std::move(places)),
+      matrices_(beam_matrices(properties, frame.length, releases)),
+      prestressed_(!matrices_.geometric.isZero(0)) {}
+
+ElementMatrix FrameElement::to_local() const {
+  ElementMatrix local = ElementMatrix::Zero();
+  for (int block = 0; block < 4; ++block)
+    local.block<3, 3>(3 * block, 3 * block) = frame_.axes;
+  for (const int end : {0, 6})
+    for (int axis = 0; axis < 3; ++axis)
+      local.block<3, 1>(end, end + 3 + axis) = frame_.axes * Vector3::Unit(axis).cross(offset_);
+  return local;
+}
+
+ElementMatrix FrameElement::local_stiffness() const {
+  const Eigen::Matrix<double, 6, 12> deformation = deformation_matrix(frame_.length);
+  return deformation.transpose() * matrices_.stiffness * deformation + matrices_.geometric;
+}
+
+NodalMatrix FrameElement::stiffness() const { return in_nodes(local_stiffness()); }
+
+NodalMatrix FrameElement::mass() const { return in_nodes(matrices_.mass); }
+
+ElementMatrix FrameElement::in_nodes(const ElementMatrix &local) const {
+  const ElementMatrix matrix = to_local().transpose() * local * to_local();
+  return (matrix + matrix.transpose()) / 2;
+}
+
+double FrameElement::total_mass() const { return matrices_.total_mass; }
+
+// From the ends' difference, with the first end as the origin: whatever moves both alike is gone.
+ElementVector FrameElement::local_force(const ElementVector &u) const {
+  const double length = frame_.length;
+  const Vector3 turned = u.segment<3>(9) - u.segment<3>(3);
+  const Vector3 stretch = frame_.axes * (u.segment<3>(6) - u.segment<3>(0) + turned.cross(offset_));
+  const Vector3 first = frame_.axes * u.segment<3>(3);
+  const Vector3 second = frame_.axes * u.segment<3>(9);
   const double chord_y = -stretch[2] / length; // rotation of the chord about local y
   const double chord_z = stretch[1] / length;
-
-  const EndMoments y =
-      end_moments(properties.bending_stiffness_y, length, first[1] - chord_y, second[1] - chord_y);
-  const EndMoments z =
-      end_moments(properties.bending_stiffness_z, length, first[2] - chord_z, second[2] - chord_z);
-  const double twist = properties.torsional_stiffness / length * (second[0] - first[0]);
-  const Vector3 end_force(properties.axial_stiffness / length * stretch[0],
-                          -(z.first + z.second) / length, (y.first + y.second) / length);
-
-  const Eigen::Matrix3d to_global = frame.axes.transpose();
-  ElementVector force;
-  force.segment<3>(6) = to_global * end_force;
-  force.segment<3>(0) = -force.segment<3>(6);
-  force.segment<3>(3) = to_global * Vector3(-twist, y.first, z.first);
-  force.segment<3>(9) = to_global * Vector3(twist, y.second, z.second);
+  DeformationVector deformation;
+  deformation << stretch[0], (frame_.axes * turned)[0], first[1] - chord_y, second[1] - chord_y,
+      first[2] - chord_z, second[2] - chord_z;
+  ElementVector force =
+      deformation_matrix(length).transpose() * (matrices_.stiffness * deformation);
+  if (prestressed_) {
+    ElementVector relative;
+    relative << Vector3::Zero(), first, stretch, second;
+    force += matrices_.geometric * relative;
+  }
   return force;
-}
-
-ElementMatrix stiffness_matrix(const BeamProperties &properties, const ElementFrame &frame) {
-  ElementMatrix stiffness;
-  for (int j = 0; j < 12; ++j)
-    stiffness.col(j) = stiffness_product(properties, frame, ElementVector::Unit(j));
-  return (stiffness + stiffness.transpose()) / 2;
-}
-
-ElementMatrix mass_matrix(const BeamProperties &properties, const ElementFrame &frame) {
-  ElementMatrix local = ElementMatrix::Zero();
-  add_linear_mass(local, 0, properties.mass_per_length * frame.length);
-  add_linear_mass(local, 3, properties.polar_inertia * frame.length);
-  add_plane_mass(local, plane_xy, properties.mass_per_length, frame.length);
-  add_plane_mass(local, plane_xz, properties.mass_per_length, frame.length);
-  ElementMatrix rotation = ElementMatrix::Zero();
-  for (int block = 0; block < 4; ++block)
-    rotation.block<3, 3>(3 * block, 3 * block) = frame.axes;
-  const ElementMatrix mass = rotation.transpose() * local * rotation;
-  return (mass + mass.transpose()) / 2;
-}
-
-FrameElement::FrameElement(const std::array<int, 2> &nodes, const BeamProperties &properties,
-                           const ElementFrame &frame, const Vector3 &offset,
-                           std::shared_ptr<const SectionPlaces> places)
-    : nodes_(nodes), properties_(properties), frame_(frame), offset_(offset),
-      places_(std::move(places)) {}
-
-ElementMatrix FrameElement::link() const {
-  ElementMatrix link = ElementMatrix::Identity();
-  for (const int node : {0, 6})
-    for (int axis = 0; axis < 3; ++axis)
-      link.block<3, 1>(node, node + 3 + axis) = Vector3::Unit(axis).cross(offset_);
-  return link;
-}
-
-NodalMatrix FrameElement::stiffness() const {
-  return link().transpose() * stiffness_matrix(properties_, frame_) * link();
-}
-
-// The section faces along x at the second node, against it at the first.
-Matrix FrameElement::stress(int node) const {
-  if (!places_)
-    return {};
-  const std::vector<Fibre> &fibres = places_->fibres;
-  const double face = node == 0 ? -1 : 1;
-  const ElementMatrix forces = stiffness_matrix(properties_, frame_) * link();
-  const Eigen::Matrix<double, 3, 12> force = face * frame_.axes * forces.middleRows<3>(6 * node);
-  const Eigen::Matrix<double, 3, 12> moment =
-      face * frame_.axes * forces.middleRows<3>(6 * node + 3);
-  Matrix rows = Matrix::Zero(3 * static_cast<Index>(fibres.size()), 12);
-  for (std::size_t i = 0; i < fibres.size(); ++i) {
-    const Fibre &fibre = fibres[i];
-    rows.row(static_cast<Index>(3 * i)) = fibre.by_axial_force * force.row(0) +
-                                          fibre.by_moment_y * moment.row(1) +
-                                          fibre.by_moment_z * moment.row(2);
-    rows.row(static_cast<Index>(3 * i + 2)) = fibre.by_torque * moment.row(0);
-  }
-  return rows;
-}
-
-Matrix FrameElement::outline() const {
-  if (!places_)
-    return {};
-  Matrix around(3, static_cast<Index>(places_->outline.size()));
-  for (Index i = 0; i < around.cols(); ++i) {
-    const Eigen::Vector2d &place = places_->outline[static_cast<std::size_t>(i)];
-    around.col(i) = offset_ + frame_.axes.transpose() * Vector3(0, place.x(), place.y());
-  }
-  return around;
-}
-
-NodalMatrix FrameElement::mass() const {
-  return link().transpose() * mass_matrix(properties_, frame_) * link();
 }
 
 NodalMatrix FrameElement::force(const Eigen::Ref<const Matrix> & /*stiffness*/,
                                 const NodalMatrix &u) const {
+  const ElementMatrix local = to_local();
   NodalMatrix forces(u.rows(), u.cols());
   for (Index j = 0; j < u.cols(); ++j)
-    if (offset_.isZero(0))
-      forces.col(j) = stiffness_product(properties_, frame_, u.col(j));
-    else
-      forces.col(j) =
-          link().transpose() * stiffness_product(properties_, frame_, link() * u.col(j));
+    forces.col(j) = local.transpose() * local_force(u.col(j));
   return forces;
+}
+
+// The section faces along x at the second node, against it at the first. Shear stress follows from
+// St Venant's torque, without the part that the axial force has in it.
+Matrix FrameElement::stress(int node) const {
+  if (!places_[node])
+    return {};
+  const std::vector<Fibre> &fibres = places_[node]->fibres;
+  const double face = node == 0 ? -1 : 1;
+  const ElementMatrix forces = face * local_stiffness() * to_local();
+  const Eigen::Matrix<double, 6, 12> elastic =
+      matrices_.stiffness * deformation_matrix(frame_.length) * to_local();
+  const auto end = forces.middleRows<6>(6 * node);
+  Matrix rows = Matrix::Zero(3 * static_cast<Index>(fibres.size()), 12);
+  for (std::size_t i = 0; i < fibres.size(); ++i) {
+    const Fibre &fibre = fibres[i];
+    rows.row(static_cast<Index>(3 * i)) = fibre.by_axial_force * end.row(0) +
+                                          fibre.by_moment_y * end.row(4) +
+                                          fibre.by_moment_z * end.row(5);
+    rows.row(static_cast<Index>(3 * i + 2)) = fibre.by_torque * elastic.row(1);
+  }
+  return rows;
+}
+
+// The mean of both ends.
+Matrix FrameElement::outline() const {
+  if (!places_[0])
+    return {};
+  const auto &first = places_[0]->outline;
+  const auto &second = places_[1]->outline;
+  Matrix around(3, static_cast<Index>(first.size()));
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const Eigen::Vector2d place = (first[i] + second[i]) / 2;
+    around.col(static_cast<Index>(i)) =
+        offset_ + frame_.axes.transpose() * Vector3(0, place.x(), place.y());
+  }
+  return around;
 }
 
 } // namespace vibroimpact::structure

@@ -1,6 +1,7 @@
 #include "structure/mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <sstream>
 
@@ -50,20 +51,46 @@ double Mesh::line_length(std::size_t line) const {
   return (nodes[lines[line][1]] - nodes[lines[line][0]]).norm();
 }
 
+namespace {
+
+/// Fractions of the length at which the line has nodes: the places divide it into pieces, each of
+/// as few equal elements as keep these short enough.
+std::vector<double> line_nodes(const Line &line) {
+  const double length = (line.end - line.start).norm();
+  std::vector<double> ends = {0, 1};
+  for (const double place : line.places)
+    ends.push_back(place / length);
+  std::sort(ends.begin(), ends.end());
+  std::vector<double> nodes = {0};
+  for (const double end : ends) {
+    const double begin = nodes.back();
+    if (end - begin <= position_tolerance)
+      continue;
+    const int count = std::max(
+        1, static_cast<int>(std::ceil((end - begin) * line.elements - position_tolerance)));
+    for (int i = 1; i < count; ++i)
+      nodes.push_back(begin + (end - begin) * i / count);
+    nodes.push_back(end);
+  }
+  nodes.back() = 1;
+  return nodes;
+}
+
+} // namespace
+
 Mesh generate_line(const Line &line) {
   if (line.elements < 1)
     throw DefinitionError("Geometry", "", "Elements", "must be at least 1");
   if ((line.end - line.start).norm() == 0)
     throw DefinitionError("Geometry", "", "Line", "must have two different ends");
   Mesh mesh;
-  for (int i = 0; i <= line.elements; ++i) {
-    const double along = static_cast<double>(i) / line.elements;
+  for (const double along : line_nodes(line))
     mesh.nodes.emplace_back((1 - along) * line.start + along * line.end);
-  }
-  for (int i = 0; i < line.elements; ++i)
+  const int elements = static_cast<int>(mesh.nodes.size()) - 1;
+  for (int i = 0; i < elements; ++i)
     mesh.lines.push_back({i, i + 1});
   mesh.groups["start"] = {0};
-  mesh.groups["end"] = {line.elements};
+  mesh.groups["end"] = {elements};
   return mesh;
 }
 

@@ -38,7 +38,7 @@ struct Mesh {
 /// "(0, 1, 0.5) m", for messages.
 std::string coordinates(const Vector3 &position);
 
-/// Equal elements along a straight line, with the groups "start" and "end".
+/// Elements along a straight line, with the groups "start" and "end".
 /// Throws DefinitionError for a line without length or elements.
 Mesh generate_line(const Line &line);
 

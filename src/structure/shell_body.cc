@@ -88,8 +88,8 @@ ElementFrame stiffener_frame(const Mesh &mesh, const std::array<int, 2> &line,
 
 void add_stiffener(BodyModel &model, const Stiffener &stiffener,
                    const std::vector<Vector3> &normals) {
-  const BeamProperties properties =
-      beam_properties(cross_section(stiffener.section), stiffener.material);
+  const PropertiesAlong properties =
+      properties_along(stiffener.section, stiffener.material, stiffener.axial_force, 0, 0);
   const auto places = std::make_shared<const SectionPlaces>(
       SectionPlaces{extreme_fibres(stiffener.section), section_outline(stiffener.section)});
   for (const int number : stiffener_lines(model.mesh, stiffener)) {
@@ -98,8 +98,9 @@ void add_stiffener(BodyModel &model, const Stiffener &stiffener,
     const Vector3 offset =
         frame.axes.transpose() * Vector3(0, stiffener.offset[0], stiffener.offset[1]);
     model.elements.push_back(
-        std::make_shared<FrameElement>(line, properties, frame, offset, places));
+        std::make_shared<FrameElement>(line, properties, frame, offset, EndPlaces{places, places}));
   }
+  model.prestressed = model.prestressed || stiffener.axial_force != 0;
 }
 
 } // namespace

@@ -45,6 +45,7 @@ struct Stiffener {
   std::optional<Vector3> local_y; ///< without it, local z is the normal of the shell at the line
   /// From the nodes to the centre of the section along the local y and z axes [m].
   std::array<double, 2> offset{};
+  double axial_force = 0; ///< before any motion, tension positive [N]
 };
 
 struct ShellDefinition {
@@ -53,6 +54,7 @@ struct ShellDefinition {
   std::optional<Cylinder> cylinder;
   std::vector<ShellPart> parts;
   std::vector<Stiffener> stiffeners;
+  std::optional<int> plane_normal{}; ///< axis along which nothing moves
   std::vector<Support> supports;
   std::vector<Point> points;
   std::vector<Interface> interfaces;

@@ -153,7 +153,7 @@ TEST(BodyParameters, SupportErrorsAreClear) {
 }
 
 TEST(BodyParameters, PointErrorsAreClear) {
-  expect_message(head_beam(section("Point odd", "set Position = 0 m, 0 m, 0.1501 m\n")),
+  expect_message(head_beam(section("Point odd", "set Position = 0.001 m, 0 m, 0.15 m\n")),
                  {"Point odd", "Position", "nearest", "0.15) m"});
   expect_message(head_beam(section("Point odd", "set At = all\n")),
                  {"Point odd", "exactly one node", "21"});

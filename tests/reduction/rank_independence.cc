@@ -100,6 +100,25 @@ TEST(RankIndependence, ShellWithStiffenerLoadsAndAttachments) {
             1e-9 * alone.points[0].flexibility.norm());
 }
 
+TEST(RankIndependence, MembersHingesPrestressAndMassesBesideTheAxis) {
+  BeamDefinition beam = square_beam(12);
+  beam.section.theory = structure::BeamTheory::timoshenko;
+  structure::Member arm{.name = "arm", .between = {{0.1, 0.2}}};
+  arm.section = {.width = 0.004, .thickness = 0.006, .end_thickness = 0.003};
+  arm.material = {70e9, 0.33, 2700};
+  arm.axial_force = 20;
+  beam.members = {arm};
+  const Vector3 joint = beam.line.start + (beam.line.end - beam.line.start) * (0.2 / 0.3);
+  beam.hinges = {{"joint", "arm", {"", joint}, {false, false, false, false, true, false}}};
+  beam.points[0].offset = Vector3(0.01, 0, 0.005);
+  beam.points[0].rotary_inertia = Vector3(1e-5, 2e-5, 3e-5);
+  beam.points[0].products_of_inertia = Vector3(1e-6, 2e-6, 0);
+  BodyDefinition definition = body_of(beam, 12);
+  definition.damping.ratios = {0.01};
+  expect_same(definition);
+  expect_same_bytes(definition);
+}
+
 TEST(RankIndependence, TheSameRunGivesTheSameBody) {
   const BodyDefinition definition = body_of(square_beam(30), 9);
   const ReducedBody first = reduce(definition, MPI_COMM_WORLD);

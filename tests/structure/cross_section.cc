@@ -75,20 +75,42 @@ TEST(CrossSection, ImpossibleShapesNameTheKey) {
   EXPECT_EQ(key_of({.kind = Kind::given, .area = 1, .second_moment_y = 1}), "Second moment z");
 }
 
-TEST(CrossSection, PropertiesCombineShapeAndMaterial) {
-  const BeamProperties p = beam_properties({2, 3, 5, 7}, {100, 0.25, 10});
-  EXPECT_DOUBLE_EQ(p.axial_stiffness, 200);
-  EXPECT_DOUBLE_EQ(p.torsional_stiffness, 40 * 7);
-  EXPECT_DOUBLE_EQ(p.bending_stiffness_y, 300);
-  EXPECT_DOUBLE_EQ(p.bending_stiffness_z, 500);
-  EXPECT_DOUBLE_EQ(p.mass_per_length, 20);
-  EXPECT_DOUBLE_EQ(p.polar_inertia, 80);
+// J of a square is 0.1406 a^4, the largest shear stress T / (0.208 a^3) [Timoshenko and Goodier,
+// table of section 109], in the middle of all sides: the two series for these agree.
+TEST(CrossSection, TorsionOfASquare) {
+  const SectionShape square{.width = 0.1, .thickness = 0.1};
+  EXPECT_NEAR(cross_section(square).torsion_constant / 1e-4, 0.1406, 5e-5);
+  double largest = 0;
+  double other = 1e9;
+  for (const Fibre &fibre : extreme_fibres(square))
+    if (fibre.by_torque > 0) {
+      largest = std::max(largest, fibre.by_torque);
+      other = std::min(other, fibre.by_torque);
+    }
+  EXPECT_NEAR(largest / other, 1, 1e-12);
+  EXPECT_NEAR(1 / largest / 1e-3, 0.208, 5e-4);
 }
 
-TEST(CrossSection, MaterialOutOfRangeIsRefused) {
-  EXPECT_THROW(beam_properties({1, 1, 1, 1}, {0, 0.3, 1}), DefinitionError);
-  EXPECT_THROW(beam_properties({1, 1, 1, 1}, {1, 0.6, 1}), DefinitionError);
-  EXPECT_THROW(beam_properties({1, 1, 1, 1}, {1, 0.3, -1}), DefinitionError);
+TEST(CrossSection, DimensionsOfATaperedBeamChangeLinearly) {
+  const SectionShape shape{.width = 0.1, .thickness = 0.2, .end_thickness = 0.1};
+  EXPECT_TRUE(tapered(shape));
+  const SectionShape quarter = shape_at(shape, 0.25);
+  EXPECT_FALSE(tapered(quarter));
+  EXPECT_DOUBLE_EQ(quarter.width, 0.1);
+  EXPECT_DOUBLE_EQ(quarter.thickness, 0.175);
+}
+
+// Cowper 1966: a rectangle 10 (1 + nu) / (12 + 11 nu), a circle 6 (1 + nu) / (7 + 6 nu), a thin
+// tube 2 (1 + nu) / (4 + 3 nu).
+TEST(CrossSection, ShearCorrectionIsCowpers) {
+  EXPECT_NEAR(shear_correction({.width = 1, .thickness = 2}, 0.3)[0], 13 / 15.3, 1e-15);
+  EXPECT_NEAR(shear_correction({.kind = Kind::circle, .diameter = 1}, 0.3)[1], 7.8 / 8.8, 1e-15);
+  const SectionShape thin{.kind = Kind::tube, .diameter = 1, .wall_thickness = 1e-6};
+  EXPECT_NEAR(shear_correction(thin, 0.3)[0], 2.6 / 4.9, 1e-6);
+  const SectionShape full{.kind = Kind::tube, .diameter = 1, .wall_thickness = 0.5};
+  EXPECT_NEAR(shear_correction(full, 0.3)[0], 7.8 / 8.8, 1e-15);
+  EXPECT_EQ(shear_correction({.shear_correction = {0.4, 0.7}}, 0.3)[1], 0.7);
+  EXPECT_THROW(shear_correction({.kind = Kind::given}, 0.3), DefinitionError);
 }
 
 TEST(CrossSection, OutlinesHaveTheDimensionsOfTheSection) {

@@ -1,0 +1,27 @@
+// The elements of a beam body: frame elements on the lines of its mesh, by members.
+#pragma once
+
+#include "structure/body_model.h"
+#include "structure/frame_element.h"
+
+namespace vibroimpact::structure {
+
+/// From the file, or the generated line. Throws DefinitionError.
+Mesh frame_mesh(const BeamDefinition &definition);
+
+/// What the lines of the mesh are, apart from their sections.
+struct FrameLines {
+  std::vector<int> members; ///< positions in the definition; -1: the body's own section
+  std::vector<ElementFrame> frames;
+  std::vector<Releases> releases;
+};
+
+/// Throws DefinitionError.
+FrameLines frame_lines(const Mesh &mesh, const BeamDefinition &definition);
+
+/// One element for each line of the mesh, in its order. Throws DefinitionError for sections and
+/// materials out of range, and for hinges that leave a line loose.
+void add_frame_elements(BodyModel &model, const BeamDefinition &definition,
+                        const FrameLines &lines);
+
+} // namespace vibroimpact::structure
