@@ -47,11 +47,13 @@ public:
       linear_ = SUNLinSol_Dense(y_, matrix_, context_);
       check_cvode(CVodeSetLinearSolver(cvode_, linear_, matrix_), "CVodeSetLinearSolver");
     }
-    check_cvode(CVodeRootInit(cvode_, static_cast<int>(System::contacts) + records, roots),
-                "CVodeRootInit");
+    const int n_roots = static_cast<int>(System::contacts) + records;
+    if (n_roots == 0)
+      return;
+    check_cvode(CVodeRootInit(cvode_, n_roots, roots), "CVodeRootInit");
     std::array<int, System::contacts + 1> direction{};
     direction.fill(-1);
-    direction.back() = 0;
+    direction[System::contacts] = 0;
     check_cvode(CVodeSetRootDirection(cvode_, direction.data()), "CVodeSetRootDirection");
     check_cvode(CVodeSetNoInactiveRootWarn(cvode_), "CVodeSetNoInactiveRootWarn");
   }
