@@ -46,10 +46,15 @@ void print_side(const Case &system, const Side &side, const SideResult &result) 
     std::printf("%8s", "-");
   else
     std::printf("%8.1e", result.setting->tolerance.relative);
-  std::printf(" %8.1e %8.1f %8.2f %9.3g %9.3g %10.3g  %.3g (%.3g-%.3g)\n", result.setting->error,
+  std::printf(" %8.1e %8.1f %8.2f %9.3g %9.3g ", result.setting->error,
               static_cast<double>(outcome.steps) / periods, contacts, recorded,
-              1e6 * result.unrecorded.median / periods, recorded / contacts, result.speed.median,
-              result.speed.lower_quartile, result.speed.upper_quartile);
+              1e6 * result.unrecorded.median / periods);
+  if (contacts > 0)
+    std::printf("%10.3g", recorded / contacts);
+  else
+    std::printf("%10s", "-");
+  std::printf("  %.3g (%.3g-%.3g)\n", result.speed.median, result.speed.lower_quartile,
+              result.speed.upper_quartile);
 }
 
 void print(const Case &system, const CaseResult &result) {

@@ -2,24 +2,17 @@
 import sys
 
 
-def panels(study, rows):
+def panels(study, rows, **more):
     """A figure with panels below each other, and the colours of curves."""
     sys.path.insert(0, str(study.arguments.source / "postprocess"))
     from vibroimpact.plots import style
 
     style.plt.rcParams.update(style.SETTINGS)
-    figure, axes = style.panels(rows)
+    figure, axes = style.panels(rows, **more)
     return figure, axes, style.COLOURS
-
-
-def legend(axes):
-    """Beside the panel, where it hides nothing."""
-    from vibroimpact.plots import style
-
-    style.legend_beside(axes)
 
 
 def save(study, figure, name):
     """In the folder images/ beside the page, or nowhere without a page."""
     if study.arguments.page:
-        figure.savefig(study.arguments.page.parent / "images" / name, dpi=200)
+        figure.savefig(study.arguments.page.parent / "images" / name, dpi=110)

@@ -47,6 +47,7 @@ public:
 
   const WholeContact &solution() const { return *contact_; }
   const ForcedFlow &flow() const { return *flow_; }
+  const ForcedOutput &penetration() const { return *penetration_; }
   LinearPhase &linear() const { return linear_; }
   /// What amplitudes x mean: the physical state, C x, and the second derivatives of velocities and
   /// internal states and the third of sources, C S^2 x, rows of C as in ExactPhase::columns().

@@ -2,6 +2,7 @@
 
 #include "common/error.h"
 #include "motion/trajectory.h"
+#include "motion/variation/contact_deviations.h"
 
 #include <Eigen/QR>
 
@@ -29,6 +30,9 @@ constexpr double short_part = 0.1;
 constexpr int most_joined = 16;
 // Of the fastest mode [rad]: over longer parts contacts observe all modes (observable_columns.h).
 constexpr double longest_turn = 1;
+// Of contacts that may pass as a whole.
+constexpr int most_joined_in_contact = 64;
+constexpr double longest_turn_in_contact = 8;
 
 std::optional<int> mode_without_force(const contact::ContactLaw &law) {
   for (std::size_t i = 0; i < law.modes().size(); ++i) {
@@ -183,7 +187,9 @@ void Variation::step(const StepView &view) {
 // they become so short that the gap within one is nothing but its rounding. Deviations are taken
 // through several at once; the last one waits, since an event may be at its end.
 void Variation::join(const StepView &view) {
-  if (joined_ >= most_joined || turn_of_waiting() > longest_turn)
+  const bool whole = waiting_ && waiting_->from_event && keys_.empty() && whole_contact(equations_);
+  if (joined_ >= (whole ? most_joined_in_contact : most_joined) ||
+      turn_of_waiting() > (whole ? longest_turn_in_contact : longest_turn))
     catch_up();
   if (!waiting_)
     waiting_ = {.start = view.start(),
@@ -208,6 +214,16 @@ void Variation::catch_up() {
   SmoothPart part = std::move(*waiting_);
   waiting_.reset();
   joined_ = 0;
+  const auto contact = keys_.empty() ? whole_contact(equations_) : std::nullopt;
+  const auto divergence = contact ? pass_whole_contact(part, *contact, equations_, phases_,
+                                                       accuracy_.tolerance, columns_)
+                                  : std::nullopt;
+  if (divergence) {
+    determinant_.logarithm += *divergence;
+    last_part_.reset();
+    check(part.end);
+    return;
+  }
   if (last_part_ && part.length() < short_part * last_part_->part.length()) {
     part.start = last_part_->part.start;
     part.start_state = std::move(last_part_->part.start_state);

@@ -1,0 +1,116 @@
+// Deviations through a contact of the whole program: in closed form, and integrated beside the
+// motion.
+#include "motion/variation/contact_deviations.h"
+
+#include "contact/laws/hertz.h"
+#include "contact/laws/hunt_crossley.h"
+#include "motion/trajectory.h"
+#include "support/lumped_models.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vibroimpact::motion {
+namespace {
+
+// The motion from the first touch to the release.
+class FirstContact : public Observer {
+public:
+  void step(const StepView & /*view*/) override {}
+  void event(const ContactEvent &event) override {
+    if (part.from_event && !part.to_event) {
+      part.end = event.time;
+      part.end_state = *event.state;
+      part.to_event = true;
+    } else if (!part.from_event) {
+      part.start = event.time;
+      part.start_state = *event.state;
+      part.from_event = true;
+    }
+  }
+  SmoothPart part;
+};
+
+struct Passed {
+  Matrix columns;
+  double divergence = 0;
+};
+
+// Two masses on springs, the first of them driven, that meet across a gap.
+class ContactDeviations : public ::testing::TestWithParam<double> {
+protected:
+  ContactDeviations()
+      : model_({testing::single_mass("a", 1, 100, 1), testing::single_mass("b", 2, 1500, 2)}) {
+    model_.add_force("force",
+                     std::make_shared<model::Harmonic>(model::Given::displacement, 3, 9, 0.3),
+                     {.body = 0, .point = 0}, Vector3::UnitX());
+    const contact::HertzConstants constants{.stiffness = 1e7, .exponent = 1.5};
+    std::shared_ptr<const contact::ContactLaw> law = std::make_shared<contact::Hertz>(constants);
+    if (GetParam() > 0)
+      law = contact::HuntCrossley::with_dissipation(constants, GetParam());
+    contacts_ =
+        contact::ContactSet({testing::contact_along_x(model_, "a.head", "b.head", 0.01, law)});
+  }
+  SmoothPart first_contact() {
+    Settings settings;
+    settings.relative_tolerance = 1e-12;
+    settings.event_tolerance = 1e-16;
+    Trajectory trajectory(model_, contacts_, settings);
+    FirstContact observer;
+    trajectory.start(0, Vector::Zero(2), Vector{{0.3, 0}});
+    trajectory.advance(1, observer);
+    EXPECT_TRUE(observer.part.to_event);
+    return observer.part;
+  }
+  Equations in_contact() const {
+    Equations equations(model_, contacts_);
+    equations.set_source_break(std::numeric_limits<double>::infinity());
+    equations.set_mode(0, 1);
+    return equations;
+  }
+
+  model::Model model_;
+  contact::ContactSet contacts_;
+};
+
+TEST_P(ContactDeviations, AgreeWithIntegrationBesideTheMotion) {
+  const SmoothPart part = first_contact();
+  Equations equations = in_contact();
+  ASSERT_EQ(whole_contact(equations), 0u);
+  ExactPhases phases(equations, Settings());
+  Passed closed{.columns = Matrix::Identity(4, 4)}, integrated = closed;
+  const std::optional<double> divergence =
+      pass_whole_contact(part, 0, equations, phases, 1e-11, closed.columns);
+  ASSERT_TRUE(divergence);
+  EXPECT_EQ(equations.modes()[0], 1);
+  const VariationAccuracy accuracy{.scale = Vector{{300, 300, 1, 1}}, .tolerance = 1e-12};
+  integrated.divergence =
+      integrate_beside(part, equations, {}, accuracy, nullptr, integrated.columns);
+  EXPECT_NEAR(*divergence, integrated.divergence, 1e-9);
+  for (Index j = 0; j < 4; ++j) {
+    const Vector difference =
+        accuracy.scale.cwiseProduct(closed.columns.col(j) - integrated.columns.col(j));
+    EXPECT_LT(difference.norm(),
+              1e-9 * accuracy.scale.cwiseProduct(integrated.columns.col(j)).norm())
+        << "column " << j;
+  }
+}
+
+TEST_P(ContactDeviations, NeedTouchAndRelease) {
+  SmoothPart part = first_contact();
+  Equations equations = in_contact();
+  ExactPhases phases(equations, Settings());
+  Matrix columns = Matrix::Identity(4, 4);
+  part.to_event = false;
+  EXPECT_FALSE(pass_whole_contact(part, 0, equations, phases, 1e-11, columns));
+  part.to_event = true;
+  part.end = 0.5 * (part.start + part.end);
+  EXPECT_FALSE(pass_whole_contact(part, 0, equations, phases, 1e-11, columns));
+  EXPECT_TRUE(columns.isIdentity(0));
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, ContactDeviations, ::testing::Values(0.0, 0.8));
+
+} // namespace
+} // namespace vibroimpact::motion
