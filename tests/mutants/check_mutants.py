@@ -43,7 +43,7 @@ def wrong(done, codes):
     if done.timed_out and done.code == 4 and 3 in codes:
         return ""  # a long run that was asked for, and that stops when it is asked to
     if done.timed_out:
-        return f"no end within {SECONDS} s"
+        return f"no end within {SECONDS} s of processor time"
     if done.signal:
         return f"ended by signal {done.signal}"
     if done.code not in codes:

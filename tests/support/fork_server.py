@@ -6,7 +6,6 @@
 """
 import dataclasses
 import json
-import os
 import pathlib
 import subprocess
 import tempfile
@@ -17,7 +16,7 @@ class Done:
     code: int               # -1 when a signal ended it
     signal: int
     timed_out: bool
-    seconds: float
+    seconds: float          # of processor time
     peak_megabytes: float
     stdout: str
     stderr: str
@@ -28,10 +27,8 @@ class ForkServer:
 
     def __init__(self, program):
         self.printed = tempfile.TemporaryDirectory()
-        # Runs that end beside this one remove the folder that Open MPI's processes share.
-        own = {**os.environ, "OMPI_MCA_orte_tmpdir_base": self.printed.name}
         self.process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                        text=True, env=own)
+                                        text=True)
 
     def __enter__(self):
         return self
@@ -43,7 +40,7 @@ class ForkServer:
         self.printed.cleanup()
 
     def run(self, arguments, folder, seconds=0, megabytes=0, file_bytes=0):
-        """Runs the program in `folder`; 0 means no limit of time, address space or file size."""
+        """Runs the program in `folder`; limits of processor time, address space, file size; 0: none."""
         files = {name: str(pathlib.Path(self.printed.name) / name) for name in ("stdout", "stderr")}
         request = {"arguments": [str(argument) for argument in arguments], "folder": str(folder),
                    "seconds": seconds, "megabytes": megabytes, "file_bytes": file_bytes, **files}
