@@ -161,7 +161,7 @@ end
         impossible[1, 1] = True
         np.testing.assert_array_equal(self.read(out, "status"), impossible)
         np.testing.assert_array_equal(
-            [b"above First frequency" in reason for reason in self.read(out, "reason").ravel()],
+            [b"greater than First frequency" in reason for reason in self.read(out, "reason").ravel()],
             impossible.ravel())
 
     def test_pictures_are_announced_where_there_are_some(self):

@@ -262,7 +262,7 @@ end
                                   "Objective = point/block.head/displacement_x/amplitude")
                      .replace("Points = 1", "Points = 3")
                      .replace("Last frequency = f", "Last frequency = 2 * f"),
-                     "is no single number but goes over frequency", "Optimise / Objective")
+                     "must be a single number, but goes over frequency", "Optimise / Objective")
         limited = text.replace("    subsection Key", "    set Method = COBYLA\n    subsection "
                                "Constraint low\n      set Quantity = amplitude\n"
                                "      set Upper = 20 mm\n    end\n    subsection Key")

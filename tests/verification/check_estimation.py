@@ -251,7 +251,7 @@ def too_few(table, folder):
                           check=False)
     table.add_whole("exit code of three unknowns and two data", (1,), (done.returncode,))
     table.add_whole("the message names both numbers", (1,),
-                    (int("2 for 3" in done.stdout + done.stderr),))
+                    (int("there are 2 data and 3 keys" in done.stdout + done.stderr),))
 
 
 def main():

@@ -44,6 +44,7 @@ public:
     for (const std::string &name : names) {
       Outcome outcome;
       outcome.values = arrays_.at(name);
+      outcome.one.value = name.ends_with("frequency") ? 2 * M_PI : 1; // Hz
       evaluated.outcomes.push_back(outcome);
     }
     return evaluated;
