@@ -21,8 +21,18 @@ using LongComplex = Eigen::Matrix<LongComplexScalar, Eigen::Dynamic, Eigen::Dyna
 // The norm of the inverse of normalised eigenvectors beyond which more than four digits of the
 // amplitudes cancel when they are summed up again.
 constexpr Real largest_inverse = 1e4L;
-// Eigenvectors of one cluster: |w_i . w_j| above this, then above less and less.
-constexpr Real nearly_parallel[] = {0.9999L, 0.99L, 0.9L, 0.0L};
+// Of eigenvectors and of bases: what A W - W B may be, relative to A.
+constexpr Real largest_residual = 1e-15L;
+
+// Eigenvalues are one cluster whose eigenvectors have |w_i . w_j| above a bound; when that does not
+// do, above less and less. Of several free motions rounding makes eigenvalues and eigenvectors that
+// mean nothing, and only all of them together are an invariant subspace.
+struct Clustering {
+  Real parallel;
+  bool near_values; ///< only of eigenvalues that are nearly equal
+};
+constexpr Clustering clusterings[] = {
+    {0.9999L, true}, {0.99L, true}, {0.0L, true}, {0.9L, false}, {0.0L, false}};
 
 // Powers of two d with D^-1 A D of rows and columns of similar size.
 Vector balance(const Matrix &matrix) {
@@ -77,10 +87,16 @@ Long real_basis(const LongComplex &vectors, Index size) {
   return q;
 }
 
+// |A V - V V^T A V| against |A|, for orthonormal V.
+bool is_invariant(const Long &matrix, const Long &basis) {
+  const Long image = matrix * basis;
+  return (image - basis * (basis.transpose() * image)).norm() <= largest_residual * matrix.norm();
+}
+
 // Eigenvalues that belong together, each list with the conjugates of its members; the lists of all
 // eigenvalues.
 std::vector<std::vector<Index>> clusters(const LongComplex &vectors, const LongComplex &values,
-                                         Real parallel) {
+                                         const Clustering &by) {
   const Index n = vectors.cols();
   std::vector<Index> root(static_cast<std::size_t>(n));
   std::iota(root.begin(), root.end(), Index{0});
@@ -96,11 +112,11 @@ std::vector<std::vector<Index>> clusters(const LongComplex &vectors, const LongC
       const Real distance = std::abs(values(i) - values(j));
       const bool same = distance <= 1e-7L * radius ||
                         distance <= 1e-3L * std::max(std::abs(values(i)), std::abs(values(j)));
-      const bool along = std::abs(vectors.col(i).dot(vectors.col(j))) >= parallel;
+      const bool along = std::abs(vectors.col(i).dot(vectors.col(j))) >= by.parallel;
       const Real size = std::abs(values(i)) + std::abs(values(j));
       const bool conjugate = std::abs(values(i).imag()) > 1e-12L * size &&
                              std::abs(values(i) - std::conj(values(j))) <= 1e-12L * size;
-      if ((along && (same || parallel < 0.99L)) || conjugate)
+      if ((along && (same || !by.near_values)) || conjugate)
         unite(i, j);
     }
   std::vector<std::vector<Index>> lists(static_cast<std::size_t>(n));
@@ -146,7 +162,6 @@ bool ModalForm::diagonalise(const Long &balanced, const Vector &scale) {
   const LongComplex inverse = vectors.inverse();
   const LongComplex rest =
       balanced.cast<LongComplexScalar>() * vectors - vectors * values.asDiagonal();
-  constexpr Real largest_residual = 1e-15L;
   if (!(inverse.rowwise().norm().maxCoeff() <= largest_inverse) ||
       !(rest.norm() <= largest_residual * balanced.norm()))
     return false;
@@ -179,19 +194,22 @@ void ModalForm::separate(const Long &balanced, const Vector &scale) {
   LongComplex vectors(n, n);
   for (Index i = 0; i < n; ++i)
     vectors.col(i) = invariant_subspace(schur.matrixT(), schur.matrixU(), {i});
-  for (const Real parallel : nearly_parallel) {
+  for (const Clustering &by : clusterings) {
     blocks_.clear();
     Long basis(n, n);
     Index column = 0;
-    for (const std::vector<Index> &list : clusters(vectors, values, parallel)) {
+    bool invariant = true;
+    for (const std::vector<Index> &list : clusters(vectors, values, by)) {
       const auto size = static_cast<Index>(list.size());
-      basis.middleCols(column, size) =
-          real_basis(invariant_subspace(schur.matrixT(), schur.matrixU(), list), size);
+      const Long own = real_basis(invariant_subspace(schur.matrixT(), schur.matrixU(), list), size);
+      invariant = invariant && is_invariant(balanced, own);
+      basis.middleCols(column, size) = own;
       blocks_.push_back(
           {.kind = BlockKind::dense, .column = column, .size = size, .generator = {}});
       column += size;
     }
-    if (parallel == 0 || basis.inverse().rowwise().norm().maxCoeff() <= largest_inverse) {
+    const bool one = blocks_.size() == 1;
+    if (one || (invariant && basis.inverse().rowwise().norm().maxCoeff() <= largest_inverse)) {
       finish(balanced, basis, scale);
       return;
     }
