@@ -2,6 +2,8 @@
 // contacts, and the determinants that are known.
 #include "motion/variation/contact_map.h"
 
+#include "support/power_force.h"
+
 #include <gtest/gtest.h>
 
 #include <unsupported/Eigen/MatrixFunctions>
@@ -10,30 +12,6 @@
 
 namespace vibroimpact::motion {
 namespace {
-
-// F = k u^n (1 + d u')
-class PowerForce : public ContactForce {
-public:
-  PowerForce(double stiffness, double exponent, double dissipation)
-      : k_(stiffness), n_(exponent), d_(dissipation) {}
-
-  void evaluate(int count, const double *penetration, const double *rate,
-                ForceValues &values) const override {
-    for (int i = 0; i < count; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      const double u = std::max(0.0, penetration[i]);
-      const double elastic = k_ * std::pow(u, n_);
-      values.force[at] = elastic * (1 + d_ * rate[i]);
-      values.by_penetration[at] = u > 0 ? n_ * elastic / u * (1 + d_ * rate[i]) : 0;
-      values.by_rate[at] = elastic * d_;
-      values.dissipated[at] = elastic * d_ * rate[i] * rate[i];
-    }
-  }
-  contact::ElasticForce elastic() const override { return {.stiffness = k_, .exponent = n_}; }
-
-private:
-  double k_, n_, d_;
-};
 
 // The penetration is the sum of the displacements of two oscillators, x = (a, a', b, b'); masses of
 // 1 kg and 0.5 kg.

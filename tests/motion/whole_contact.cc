@@ -1,6 +1,8 @@
 // Contacts solved in one step, against closed forms.
 #include "motion/collocation/whole_contact.h"
 
+#include "support/power_force.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,31 +11,6 @@
 
 namespace vibroimpact::motion {
 namespace {
-
-// F = k u^n (1 + d u')
-class PowerForce : public ContactForce {
-public:
-  PowerForce(double stiffness, double exponent, double dissipation)
-      : k_(stiffness), n_(exponent), d_(dissipation) {}
-
-  void evaluate(int count, const double *penetration, const double *rate,
-                ForceValues &values) const override {
-    for (int i = 0; i < count; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      const double u = std::max(0.0, penetration[i]);
-      const double elastic = k_ * std::pow(u, n_);
-      const double factor = 1 + d_ * rate[i];
-      values.force[at] = elastic * factor;
-      values.by_penetration[at] = u > 0 ? n_ * elastic / u * factor : 0;
-      values.by_rate[at] = elastic * d_;
-      values.dissipated[at] = elastic * d_ * rate[i] * rate[i];
-    }
-  }
-  contact::ElasticForce elastic() const override { return {.stiffness = k_, .exponent = n_}; }
-
-private:
-  double k_, n_, d_;
-};
 
 // A mass on a spring and a damper, x = (u, u'): m u'' + c u' + s u = -f. The mass of 1 kg.
 struct Oscillator {

@@ -11,29 +11,7 @@ using namespace vibroimpact::examples;
 
 namespace {
 
-BodyDefinition definition_of(const std::string &text) {
-  return read_body(body_values(text), "left", ".", MPI_COMM_SELF);
-}
-
-void expect_message(const std::string &text, const std::vector<std::string> &words) {
-  std::string message = "accepted";
-  try {
-    reduced_text(text, ".", MPI_COMM_SELF);
-  } catch (const InputError &error) {
-    message = error.what();
-  }
-  for (const std::string &word : words)
-    EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
-}
-
-/// `lines` inside a subsection that the text already has.
-std::string inside(const std::string &name, const std::string &lines) {
-  std::string text = head_beam();
-  const std::string begin = "subsection " + name + "\n";
-  return text.insert(text.find(begin) + begin.size(), lines);
-}
-
-std::string in_section(const std::string &lines) { return inside("Section", lines); }
+std::string in_section(const std::string &lines) { return inside(head_beam(), "Section", lines); }
 
 std::string member(const std::string &lines) {
   return head_beam(section("Member root", "set Between = 0 mm, 150 mm\n" + lines));
@@ -44,7 +22,7 @@ std::string hinge(const std::string &lines) {
                    section("Hinge joint", "set Position = 0 m, 0 m, 150 mm\n" + lines));
 }
 
-std::string head(const std::string &lines) { return inside("Point head", lines); }
+std::string head(const std::string &lines) { return inside(head_beam(), "Point head", lines); }
 
 } // namespace
 

@@ -14,39 +14,6 @@ using vibroimpact::testing::TemporaryFolder;
 
 namespace {
 
-BodyDefinition definition_of(const std::string &text) {
-  return read_body(body_values(text), "left", ".", MPI_COMM_SELF);
-}
-
-std::string message_of(const std::string &text, const std::string &folder = ".") {
-  try {
-    reduced_text(text, folder, MPI_COMM_SELF);
-  } catch (const InputError &error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
-void expect_message(const std::string &text, const std::vector<std::string> &words) {
-  const std::string message = message_of(text);
-  for (const std::string &word : words)
-    EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
-}
-
-std::string without(std::string text, const std::string &line) {
-  const std::size_t at = text.find(line);
-  EXPECT_NE(at, std::string::npos) << line;
-  return text.erase(at, line.size());
-}
-
-/// `lines` inside a subsection that the text already has.
-std::string inside(std::string text, const std::string &section_name, const std::string &lines) {
-  const std::string begin = "subsection " + section_name + "\n";
-  const std::size_t at = text.find(begin);
-  EXPECT_NE(at, std::string::npos) << section_name;
-  return text.insert(at + begin.size(), lines);
-}
-
 const std::string line = "    set Line = 0 m, 0 m, 0 m -> 0 m, 0 m, 30 cm\n";
 const std::string elements = "    set Elements = 20\n";
 const std::string density = "    set Density = 7850 kg/m^3\n";

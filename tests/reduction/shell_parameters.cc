@@ -65,21 +65,6 @@ std::string changed(const std::string &from, const std::string &to) {
   return plate.substr(0, at) + to + plate.substr(at + from.size());
 }
 
-BodyDefinition definition_of(const std::string &text) {
-  return read_body(body_values(text), "left", ".", MPI_COMM_SELF);
-}
-
-void expect_message(const std::string &text, const std::vector<std::string> &words) {
-  std::string message = "accepted";
-  try {
-    reduced_text(text, ".", MPI_COMM_SELF);
-  } catch (const InputError &error) {
-    message = error.what();
-  }
-  for (const std::string &word : words)
-    EXPECT_NE(message.find(word), std::string::npos) << word << " is not in: " << message;
-}
-
 } // namespace
 
 TEST(ShellParameters, APlateIsRead) {
