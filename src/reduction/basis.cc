@@ -17,6 +17,10 @@ Matrix node_rows(const structure::FreeDofs &free, const Matrix &shapes) {
     for (int component = 0; component < 6; ++component)
       if (const int dof = free.number[node][component]; dof >= 0)
         rows.row(static_cast<Index>(6 * node) + component) = shapes.row(dof);
+  const Matrix coordinates = free.linked.empty() ? Matrix() : rows;
+  for (const auto &[node, linked] : free.linked)
+    rows.middleRows<6>(Index{6} * node) =
+        linked.motion * coordinates.middleRows<6>(Index{6} * linked.master);
   return rows;
 }
 
@@ -72,7 +76,7 @@ std::vector<InterfaceDof> interface_dofs(const BodyDefinition &definition,
   for (const Attachment &attachment : definition.attachments)
     for (const structure::NamedNode &point : body.model.points)
       if ((point.name == attachment.point || point.interface == attachment.point) &&
-          body.free.number[point.node][attachment.axis] >= 0)
+          !body.free.terms(point.node, attachment.axis).empty())
         dofs.push_back({point.node, attachment.axis});
   return dofs;
 }
@@ -87,7 +91,8 @@ void add_attachment_modes(const AssembledBody &body, const modes::EigenProblem &
                           "must take in an elastic mode of a free body with Attachments");
   Matrix loads = Matrix::Zero(body.free.size, static_cast<Index>(dofs.size()));
   for (std::size_t j = 0; j < dofs.size(); ++j)
-    loads(body.free.number[dofs[j].node][dofs[j].axis], static_cast<Index>(j)) = 1;
+    for (const auto &[row, factor] : body.free.terms(dofs[j].node, dofs[j].axis))
+      loads(row, static_cast<Index>(j)) = factor;
   const modes::AttachmentModes more = modes::residual_attachment_modes(problem, modes, loads);
   const Index size = modes.number + more.eigenvalues.size();
   basis.stiffness.conservativeResize(size);

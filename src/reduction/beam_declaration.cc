@@ -38,7 +38,7 @@ void declare_member(Section &body) {
                   "Instead of On: part of the generated Line, two distances from its start. Nodes "
                   "are placed at both.",
                   2, 2);
-  declare_section_keys(member);
+  declare_section_keys(member, "Shape = rectangle and any key of a section is given");
   declare_taper(member);
   declare_own_material(member);
   member

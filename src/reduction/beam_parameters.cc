@@ -105,6 +105,7 @@ BeamDefinition read_beam_definition(const Values &body, const std::string &folde
     beam.material = read_material(body.subsection("Material"));
   beam.supports = read_supports(body);
   beam.points = read_points(body);
+  beam.links = read_links(body);
   beam.interfaces = read_interfaces(body);
   beam.loads = read_loads(body);
   return beam;

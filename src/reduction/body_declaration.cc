@@ -79,6 +79,20 @@ void declare_point(Section &body) {
                   3, 3);
 }
 
+void declare_link(Section &body) {
+  body.named_subsection(
+          "Rigid link",
+          "Nodes of a beam or shell that move together like one rigid body. It is exact: their "
+          "motion is eliminated, no large stiffness stands in for it. Elements between them do not "
+          "deform, but their mass counts. Links that share a node are one.")
+      .names("At", "",
+             "Groups of nodes: start or end of a generated line; left, right, bottom, top or edges "
+             "of a plate or cylinder; physical groups of the mesh.")
+      .names("Points", "", "Names of points of the body, whose nodes come in addition.")
+      .names("Members", "",
+             "Names of members of a beam: each connected part of their lines is rigid by itself.");
+}
+
 void declare_interface(Section &body) {
   body.named_subsection(
           "Interface",
@@ -224,6 +238,7 @@ void declare_body(Section &root) {
   declare_material(body);
   declare_support(body);
   declare_point(body);
+  declare_link(body);
   declare_interface(body);
   declare_shells(body);
   declare_load(body);

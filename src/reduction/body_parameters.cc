@@ -141,9 +141,9 @@ void refuse_plane(const Values &body) {
 
 void read_rotor(const Values &body, BodyDefinition &definition) {
   refuse_plane(body);
-  refuse(
-      body, {"Geometry", "Section", "Material", "Modes"},
-      {"Support", "Point", "Interface", "Mass", "Member", "Hinge", "Shell", "Stiffener", "Load"});
+  refuse(body, {"Geometry", "Section", "Material", "Modes"},
+         {"Support", "Point", "Rigid link", "Interface", "Mass", "Member", "Hinge", "Shell",
+          "Stiffener", "Load"});
   const Values rotor = body.subsection("Rotor");
   rotor.require("Mass");
   rotor.require("Inertia");
@@ -153,7 +153,8 @@ void read_rotor(const Values &body, BodyDefinition &definition) {
 void read_lumped(const Values &body, BodyDefinition &definition) {
   refuse_plane(body);
   refuse(body, {"Geometry", "Section", "Material", "Modes", "Rotor", "Motor"},
-         {"Support", "Point", "Interface", "Member", "Hinge", "Shell", "Stiffener", "Load"});
+         {"Support", "Point", "Rigid link", "Interface", "Member", "Hinge", "Shell", "Stiffener",
+          "Load"});
   for (const std::string &name : body.instances("Mass"))
     definition.masses.push_back(read_mass(body.instance("Mass", name), name));
 }

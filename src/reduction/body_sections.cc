@@ -289,6 +289,25 @@ std::vector<structure::Point> read_points(const Values &body) {
   return points;
 }
 
+std::vector<structure::RigidLink> read_links(const Values &body) {
+  const std::vector<std::string> points = body.instances("Point");
+  const std::vector<std::string> members = body.instances("Member");
+  std::vector<structure::RigidLink> links;
+  for (const std::string &name : body.instances("Rigid link")) {
+    const Values section = body.instance("Rigid link", name);
+    structure::RigidLink link{.name = name,
+                              .groups = section.names("At"),
+                              .points = section.names("Points"),
+                              .members = section.names("Members")};
+    for (const std::string &point : link.points)
+      section.require_known("Points", point, points);
+    for (const std::string &member : link.members)
+      section.require_known("Members", member, members);
+    links.push_back(std::move(link));
+  }
+  return links;
+}
+
 std::vector<structure::Interface> read_interfaces(const Values &body) {
   const std::vector<std::string> points = body.instances("Point");
   std::vector<structure::Interface> interfaces;

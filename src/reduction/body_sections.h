@@ -43,6 +43,7 @@ structure::Load read_load(const Values &section, const std::string &name);
 /// All of a kind, in the order of the file.
 std::vector<structure::Support> read_supports(const Values &body);
 std::vector<structure::Point> read_points(const Values &body);
+std::vector<structure::RigidLink> read_links(const Values &body);
 /// InputError for one with the name of a point.
 std::vector<structure::Interface> read_interfaces(const Values &body);
 std::vector<structure::Load> read_loads(const Values &body);

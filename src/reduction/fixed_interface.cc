@@ -23,6 +23,14 @@ AssembledBody held_at(const std::vector<InterfaceDof> &dofs, const AssembledBody
   return structure::assemble(std::move(model), communicator);
 }
 
+/// Holding a node of a rigid body leaves no motion in which it moves alone.
+void check_links(const std::vector<InterfaceDof> &dofs, const AssembledBody &body) {
+  for (const InterfaceDof &dof : dofs)
+    if (body.free.linked.contains(dof.node))
+      throw DefinitionError("Modes", "", "Attachments",
+                            "must not name places of a Rigid link for Reduction = fixed interface");
+}
+
 Matrix unit_displacements(const std::vector<InterfaceDof> &dofs, Index rows) {
   Matrix unit = Matrix::Zero(rows, static_cast<Index>(dofs.size()));
   for (std::size_t j = 0; j < dofs.size(); ++j)
@@ -73,6 +81,7 @@ Basis fixed_interface_basis(const BodyDefinition &definition, const AssembledBod
     throw DefinitionError("Modes", "", "Attachments",
                           "must name at least one displacement that no support holds, for "
                           "Reduction = fixed interface");
+  check_links(dofs, body);
   const AssembledBody held = held_at(dofs, body, communicator);
   const modes::EigenProblem held_problem = problem_of(held);
   const modes::NormalModes modes = solve_modes(held_problem, definition.selection);

@@ -16,8 +16,8 @@ Matrix unit_forces(const AssembledBody &body) {
   Matrix forces = Matrix::Zero(body.free.size, 3 * points);
   for (Index p = 0; p < points; ++p)
     for (Index axis = 0; axis < 3; ++axis)
-      if (const int dof = body.free.number[body.model.points[p].node][axis]; dof >= 0)
-        forces(dof, 3 * p + axis) = 1;
+      for (const auto &[dof, factor] : body.free.terms(body.model.points[p].node, axis))
+        forces(dof, 3 * p + axis) = factor;
   return forces;
 }
 
@@ -51,7 +51,7 @@ std::vector<bool> massive_points(const AssembledBody &body) {
   for (const structure::NamedNode &point : body.model.points) {
     bool all = true;
     for (int axis = 0; axis < 3; ++axis)
-      if (const int dof = body.free.number[point.node][axis]; dof >= 0)
+      for (const auto &[dof, factor] : body.free.terms(point.node, axis))
         all = all && mass[dof] > 0;
     massive.push_back(all);
   }

@@ -8,16 +8,16 @@ using parameters::Section;
 namespace dimension = parameters::dimension;
 namespace range = parameters::range;
 
-void declare_section_keys(Section &section) {
+void declare_section_keys(Section &section, const std::string &rectangle) {
   const auto length = [&](const char *name, const char *symbol, const char *sentence,
-                          const char *when) {
+                          const std::string &when) {
     section.quantity(name, "", dimension::length, range::positive, symbol, sentence).required(when);
   };
   section.choice("Shape", "rectangle", {"rectangle", "circle", "tube", "given"},
                  "rectangle: Width, Thickness; circle: Diameter; tube: Diameter, Wall thickness; "
                  "given: area, second moments and torsion constant.");
-  length("Width", "b", "Along the local y axis.", "Shape = rectangle");
-  length("Thickness", "h", "Along the local z axis.", "Shape = rectangle");
+  length("Width", "b", "Along the local y axis.", rectangle);
+  length("Thickness", "h", "Along the local z axis.", rectangle);
   length("Diameter", "d", "Outer diameter.", "Shape = circle or tube");
   length("Wall thickness", "t", "Of a tube.", "Shape = tube");
   section.quantity("Area", "", dimension::area, range::positive, "A", "Of a given section.")

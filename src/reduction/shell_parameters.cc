@@ -152,6 +152,7 @@ ShellDefinition read_shell_definition(const Values &body, const std::string &fol
     shell.stiffeners.push_back(read_stiffener(body.instance("Stiffener", name), name, material));
   shell.supports = read_supports(body);
   shell.points = read_points(body);
+  shell.links = read_links(body);
   shell.interfaces = read_interfaces(body);
   shell.loads = read_loads(body);
   return shell;

@@ -9,7 +9,8 @@
 namespace vibroimpact::reduction {
 
 /// Shape and dimensions of a cross-section, of beams and stiffeners alike.
-void declare_section_keys(parameters::Section &section);
+void declare_section_keys(parameters::Section &section,
+                          const std::string &rectangle = "Shape = rectangle");
 std::vector<std::string> section_keys();
 /// Young modulus, Poisson ratio and Density that stand for those of the body's Material.
 void declare_own_material(parameters::Section &section);

@@ -10,12 +10,12 @@ namespace vibroimpact::structure {
 
 namespace {
 
-FreeDofs number_free(const BodyModel &model, const Discretisation &space) {
-  const std::size_t nodes = model.mesh.nodes.size();
+FreeDofs number_free(Elimination elimination, const Discretisation &space) {
+  const std::size_t nodes = elimination.zero.size();
   std::vector<int> number(6 * nodes, 0);
   for (std::size_t node = 0; node < nodes; ++node)
     for (int component = 0; component < 6; ++component)
-      number[space.dofs[node][component]] = model.fixed[node][component] ? -1 : 0;
+      number[space.dofs[node][component]] = elimination.zero[node][component] ? -1 : 0;
   FreeDofs free;
   for (std::size_t dof = 0; dof < number.size(); ++dof) {
     if (static_cast<int>(dof) == space.own_begin)
@@ -31,6 +31,7 @@ FreeDofs number_free(const BodyModel &model, const Discretisation &space) {
   for (std::size_t node = 0; node < nodes; ++node)
     for (int component = 0; component < 6; ++component)
       free.number[node][component] = number[space.dofs[node][component]];
+  free.linked = std::move(elimination.nodes);
   return free;
 }
 
@@ -38,10 +39,17 @@ NodalBlock diagonal_block(const std::array<double, 6> &entries) {
   return Eigen::Map<const Eigen::Matrix<double, 6, 1>>(entries.data()).asDiagonal();
 }
 
-void add_elements(const AssembledBody &body, const Discretisation &space, NodalBlocks &blocks) {
+/// What is assembled, in terms of the nodes that rigid links leave.
+struct Parts {
+  Elements elements;
+  std::map<int, LumpedMass> masses;
+};
+
+void add_elements(const AssembledBody &body, const Elements &elements, const Discretisation &space,
+                  NodalBlocks &blocks) {
   auto own = space.own_elements.begin();
-  for (std::size_t number = 0; number < body.model.elements.size(); ++number) {
-    const std::shared_ptr<const Element> &element = body.model.elements[number];
+  for (std::size_t number = 0; number < elements.size(); ++number) {
+    const std::shared_ptr<const Element> &element = elements[number];
     const bool is_own = own != space.own_elements.end() && *own == static_cast<int>(number);
     const bool touches = blocks.touched_by(element->nodes());
     if (!is_own && !touches)
@@ -56,10 +64,11 @@ void add_elements(const AssembledBody &body, const Discretisation &space, NodalB
   }
 }
 
-void add_nodes(const BodyModel &model, NodalBlocks &blocks) {
-  for (std::size_t node = 0; node < model.mesh.nodes.size(); ++node)
-    blocks.add_stiffness(static_cast<int>(node), diagonal_block(model.spring[node]));
-  for (const auto &[node, mass] : model.lumped_masses)
+void add_nodes(const AssembledBody &body, const Parts &parts, NodalBlocks &blocks) {
+  for (std::size_t node = 0; node < body.model.mesh.nodes.size(); ++node)
+    if (!body.free.linked.contains(static_cast<int>(node)))
+      blocks.add_stiffness(static_cast<int>(node), diagonal_block(body.model.spring[node]));
+  for (const auto &[node, mass] : parts.masses)
     blocks.add_mass(node, mass);
 }
 
@@ -69,11 +78,12 @@ vibroimpact::Matrix summed(vibroimpact::Matrix rows, MPI_Comm communicator) {
   return rows;
 }
 
-void assemble_matrices(AssembledBody &body, const Discretisation &space, MPI_Comm communicator) {
+void assemble_matrices(AssembledBody &body, const Parts &parts, const Discretisation &space,
+                       MPI_Comm communicator) {
   NodalBlocks blocks(space);
   body.accurate_stiffness = std::make_unique<StiffnessOperator>(body.free);
-  add_elements(body, space, blocks);
-  add_nodes(body.model, blocks);
+  add_elements(body, parts.elements, space, blocks);
+  add_nodes(body, parts, blocks);
   AssembledMatrices matrices = blocks.matrices(body.free, communicator);
   body.stiffness = std::move(matrices.stiffness);
   body.mass = std::move(matrices.mass);
@@ -86,8 +96,8 @@ vibroimpact::Vector static_load(const AssembledBody &body) {
   vibroimpact::Vector load = body.base_inertia * body.model.acceleration;
   for (std::size_t node = 0; node < body.model.load.size(); ++node)
     for (int component = 0; component < 6; ++component)
-      if (const int dof = body.free.number[node][component]; dof >= 0)
-        load[dof] += body.model.load[node][component];
+      for (const auto &[dof, factor] : body.free.terms(static_cast<int>(node), component))
+        load[dof] += factor * body.model.load[node][component];
   return load;
 }
 
@@ -106,9 +116,9 @@ int rank_of(const LumpedMass &mass, const std::array<int, 6> &dofs) {
 
 // The mass matrix of an element with density is positive definite; elsewhere only lumped masses
 // count.
-int count_massive(const BodyModel &model, const FreeDofs &free) {
-  std::vector<bool> heavy(model.mesh.nodes.size(), false);
-  for (const auto &element : model.elements)
+int count_massive(const Parts &parts, const FreeDofs &free) {
+  std::vector<bool> heavy(free.number.size(), false);
+  for (const auto &element : parts.elements)
     if (element->total_mass() > 0)
       for (const int node : element->nodes())
         heavy[node] = true;
@@ -116,7 +126,7 @@ int count_massive(const BodyModel &model, const FreeDofs &free) {
   for (std::size_t node = 0; node < heavy.size(); ++node)
     for (int component = 0; heavy[node] && component < 6; ++component)
       count += free.number[node][component] >= 0;
-  for (const auto &[node, mass] : model.lumped_masses)
+  for (const auto &[node, mass] : parts.masses)
     if (!heavy[node])
       count += rank_of(mass, free.number[node]);
   return count;
@@ -127,15 +137,18 @@ int count_massive(const BodyModel &model, const FreeDofs &free) {
 AssembledBody assemble(BodyModel model, MPI_Comm communicator) {
   AssembledBody body;
   body.model = std::move(model);
+  Elimination elimination = eliminate(body.model);
+  const Parts parts{eliminated_elements(body.model, elimination),
+                    eliminated_masses(body.model, elimination)};
   const Discretisation space =
-      discretise(body.model.mesh.nodes.size(), body.model.elements, communicator);
-  body.free = number_free(body.model, space);
+      discretise(body.model.mesh.nodes.size(), parts.elements, communicator);
+  body.free = number_free(std::move(elimination), space);
   if (body.free.size == 0)
     throw DefinitionError("Modes", "", "Number",
                           "cannot be met: the supports hold every degree of freedom");
-  assemble_matrices(body, space, communicator);
+  assemble_matrices(body, parts, space, communicator);
   body.load = static_load(body);
-  body.massive_dofs = count_massive(body.model, body.free);
+  body.massive_dofs = count_massive(parts, body.free);
   return body;
 }
 

@@ -121,6 +121,15 @@ struct Hinge {
   std::array<bool, 6> free{};
 };
 
+/// Nodes that move together like one rigid body: those of groups and of named points, and those of
+/// members, each connected part of a member by itself.
+struct RigidLink {
+  std::string name;
+  std::vector<std::string> groups{};
+  std::vector<std::string> points{};
+  std::vector<std::string> members{};
+};
+
 /// Nodes at which a body can touch others, one contact each. Their points are called NAME.1,
 /// NAME.2...
 struct Interface {
@@ -152,8 +161,9 @@ struct BeamDefinition {
   std::optional<int> plane_normal{}; ///< axis along which nothing moves
   std::vector<Support> supports;
   std::vector<Point> points;
-  std::vector<Interface> interfaces;
-  std::vector<Load> loads;
+  std::vector<RigidLink> links{};
+  std::vector<Interface> interfaces{};
+  std::vector<Load> loads{};
 };
 
 } // namespace vibroimpact::structure

@@ -3,6 +3,7 @@
 #include "structure/frame_body.h"
 #include "structure/hinges.h"
 #include "structure/interface_nodes.h"
+#include "structure/rigid_links.h"
 #include "structure/shell_body.h"
 
 #include <algorithm>
@@ -125,7 +126,12 @@ BodyModel build_frame(const BeamDefinition &definition) {
   const FrameLines lines = frame_lines(model.mesh, definition);
   add_frame_elements(model, definition, lines);
   complete(model, definition);
+  std::vector<std::string> names;
+  for (const Member &member : definition.members)
+    names.push_back(member.name);
+  model.rigid = rigid_bodies(model, definition.links, names, lines.members);
   check_hinges(model, definition, lines.frames, lines.releases);
+  check_rigid_lines(model, definition, lines.members);
   for (const Load &load : definition.loads)
     if (load.pressure != 0)
       throw DefinitionError("Load", load.name, "Pressure", "needs the surfaces of a shell");
@@ -139,6 +145,7 @@ BodyModel build_shell(const ShellDefinition &definition) {
   for (const ShellPart &part : definition.parts)
     model.add_material(part.material);
   complete(model, definition);
+  model.rigid = rigid_bodies(model, definition.links, {}, {});
   for (const Load &load : definition.loads)
     if (load.pressure != 0)
       add_pressure(model, load);

@@ -26,6 +26,7 @@ struct BodyModel {
   std::vector<std::array<double, 6>> spring; ///< per node and component [N/m], [N m/rad]
   std::map<int, LumpedMass> lumped_masses;   ///< by node
   std::vector<NamedNode> points;
+  std::vector<std::vector<int>> rigid; ///< nodes that move as one rigid body, ascending, each once
   bool loaded = false;
   std::vector<std::array<double, 6>> load; ///< per node and component [N], [N m]
   Vector3 acceleration = Vector3::Zero();  ///< of gravity [m/s^2]

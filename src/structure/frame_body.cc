@@ -5,6 +5,7 @@
 #include "structure/members.h"
 #include "structure/mesh_check.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibroimpact::structure {
@@ -128,6 +129,21 @@ void add_frame_elements(BodyModel &model, const BeamDefinition &definition,
     add_named_member(model, definition.members[m], lines_of(lines, static_cast<int>(m)), lines);
   if (const std::vector<int> own = lines_of(lines, -1); !own.empty())
     add_member(model, own_member(definition), own, lines);
+}
+
+void check_rigid_lines(const BodyModel &model, const BeamDefinition &definition,
+                       const std::vector<int> &members) {
+  const auto within = [&](const std::vector<int> &nodes, const std::array<int, 2> &line) {
+    return std::binary_search(nodes.begin(), nodes.end(), line[0]) &&
+           std::binary_search(nodes.begin(), nodes.end(), line[1]);
+  };
+  for (std::size_t line = 0; line < members.size(); ++line)
+    for (const std::vector<int> &nodes : model.rigid)
+      if (members[line] >= 0 && definition.members[members[line]].axial_force != 0 &&
+          within(nodes, model.mesh.lines[line]))
+        throw DefinitionError("Member", definition.members[members[line]].name, "Axial force",
+                              "must be 0 N for lines within a Rigid link, but the one at " +
+                                  coordinates(model.mesh.nodes[model.mesh.lines[line][0]]) + " is");
 }
 
 } // namespace vibroimpact::structure

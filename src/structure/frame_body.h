@@ -24,4 +24,9 @@ FrameLines frame_lines(const Mesh &mesh, const BeamDefinition &definition);
 void add_frame_elements(BodyModel &model, const BeamDefinition &definition,
                         const FrameLines &lines);
 
+/// Throws DefinitionError for a line under an axial force that is part of a rigid body: what it
+/// does there is not worked out.
+void check_rigid_lines(const BodyModel &model, const BeamDefinition &definition,
+                       const std::vector<int> &members);
+
 } // namespace vibroimpact::structure

@@ -20,11 +20,19 @@ int member_of(const BeamDefinition &definition, const Hinge &hinge) {
 
 using NodeMatrix = Eigen::Matrix<double, 6, 6>;
 
+bool is_linked(const BodyModel &model, int node) {
+  return std::any_of(model.rigid.begin(), model.rigid.end(), [&](const std::vector<int> &nodes) {
+    return std::binary_search(nodes.begin(), nodes.end(), node);
+  });
+}
+
 /// Which motions of a node something follows: the sum of projections on those that each line passes
-/// on, and on those that supports hold.
+/// on, and on those that supports or a rigid link hold.
 NodeMatrix passed_on(const BodyModel &model, const std::vector<ElementFrame> &frames,
                      const std::vector<Releases> &releases, int node) {
   NodeMatrix sum = NodeMatrix::Zero();
+  if (is_linked(model, node))
+    sum.setIdentity();
   for (std::size_t line = 0; line < frames.size(); ++line)
     for (int end = 0; end < 2; ++end)
       if (model.mesh.lines[line][end] == node)

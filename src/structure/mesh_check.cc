@@ -1,9 +1,10 @@
 #include "structure/mesh_check.h"
 
+#include "structure/node_sets.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 namespace vibroimpact::structure {
@@ -19,31 +20,7 @@ constexpr double least_alignment = 0.5;
   throw DefinitionError("Geometry", "", "Mesh", problem);
 }
 
-/// Disjoint sets of nodes.
-class Parts {
-public:
-  explicit Parts(std::size_t nodes) : parent_(nodes), count_(static_cast<int>(nodes)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  void join(int first, int second) {
-    first = root(first);
-    second = root(second);
-    count_ -= first != second;
-    parent_[first] = second;
-  }
-  int count() const { return count_; }
-
-private:
-  int root(int node) {
-    while (parent_[node] != node)
-      node = parent_[node] = parent_[parent_[node]];
-    return node;
-  }
-  std::vector<int> parent_;
-  int count_;
-};
-
-void check_parts(const Parts &parts) {
+void check_parts(const NodeSets &parts) {
   if (parts.count() > 1)
     fail("must be one connected body, but has " + std::to_string(parts.count()) +
          " parts that share no node (coincident nodes must be merged)");
@@ -124,7 +101,7 @@ void check_line_mesh(const Mesh &mesh) {
          " surface cells (they belong to a body of type shell)");
   if (mesh.lines.empty())
     fail("must hold line cells, but has none");
-  Parts parts(mesh.nodes.size());
+  NodeSets parts(mesh.nodes.size());
   for (std::size_t line = 0; line < mesh.lines.size(); ++line) {
     check_length(mesh, static_cast<int>(line));
     parts.join(mesh.lines[line][0], mesh.lines[line][1]);
@@ -139,7 +116,7 @@ void check_surface_mesh(const Mesh &mesh, const std::vector<int> &beams) {
   for (const Surface &surface : mesh.surfaces)
     check_surface(mesh, surface);
   check_orphans(mesh, beams);
-  Parts parts(mesh.nodes.size());
+  NodeSets parts(mesh.nodes.size());
   for (const Surface &surface : mesh.surfaces)
     for (int corner = 1; corner < surface.size; ++corner)
       parts.join(surface.corners[0], surface.corners[corner]);

@@ -33,6 +33,15 @@ petsc::Matrix matrix_of(const FreeDofs &free, const Pattern &pattern,
   return matrix;
 }
 
+/// The coordinates of a node for a unit displacement along x, y and z. Those of a master whose
+/// rigid body is held are zero where its motion follows from them.
+Eigen::Matrix<double, 6, 3> unit_displacements(const FreeDofs &free, int node) {
+  const auto found = free.linked.find(node);
+  if (found == free.linked.end())
+    return Eigen::Matrix<double, 6, 3>::Identity();
+  return found->second.motion.inverse().leftCols<3>();
+}
+
 } // namespace
 
 NodalBlocks::NodalBlocks(const Discretisation &space) : row_of_node_(space.dofs.size(), -1) {
@@ -128,10 +137,13 @@ AssembledMatrices NodalBlocks::matrices(const FreeDofs &free, MPI_Comm communica
 vibroimpact::Matrix NodalBlocks::base_inertia(const FreeDofs &free) const {
   vibroimpact::Matrix inertia = vibroimpact::Matrix::Zero(free.size, 3);
   for (std::size_t n = 0; n < nodes_.size(); ++n)
-    for (int component = 0; component < 6; ++component)
-      if (const int row = free.number[nodes_[n]][component]; row >= 0)
-        for (std::size_t at = begins_[n]; at < begins_[n + 1]; ++at)
-          inertia.row(row) += mass_[at].block<1, 3>(component, 0);
+    for (std::size_t at = begins_[n]; at < begins_[n + 1]; ++at) {
+      const Eigen::Matrix<double, 6, 3> moved =
+          mass_[at] * unit_displacements(free, neighbours_[at]);
+      for (int component = 0; component < 6; ++component)
+        if (const int row = free.number[nodes_[n]][component]; row >= 0)
+          inertia.row(row) += moved.row(component);
+    }
   return inertia;
 }
 

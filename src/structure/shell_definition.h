@@ -57,8 +57,9 @@ struct ShellDefinition {
   std::optional<int> plane_normal{}; ///< axis along which nothing moves
   std::vector<Support> supports;
   std::vector<Point> points;
-  std::vector<Interface> interfaces;
-  std::vector<Load> loads;
+  std::vector<RigidLink> links{};
+  std::vector<Interface> interfaces{};
+  std::vector<Load> loads{};
 };
 
 } // namespace vibroimpact::structure

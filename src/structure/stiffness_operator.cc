@@ -13,6 +13,17 @@ std::vector<int> FreeDofs::of(const Element &element) const {
   return dofs;
 }
 
+std::vector<FreeDofs::Term> FreeDofs::terms(int node, int component) const {
+  const auto found = linked.find(node);
+  const LinkedNode motion = found == linked.end() ? LinkedNode{.master = node} : found->second;
+  std::vector<Term> terms;
+  for (int other = 0; other < 6; ++other)
+    if (const double factor = motion.motion(component, other); factor != 0)
+      if (const int dof = number[motion.master][other]; dof >= 0)
+        terms.push_back({dof, factor});
+  return terms;
+}
+
 StiffnessOperator::StiffnessOperator(const FreeDofs &free)
     : free_(free), local_of_dof_(free.size, -1) {}
 
@@ -49,7 +60,8 @@ void StiffnessOperator::add_springs(const std::vector<std::array<double, 6>> &sp
   for (std::size_t node = 0; node < springs.size(); ++node)
     for (int component = 0; component < 6; ++component) {
       const int dof = free_.number[node][component];
-      if (springs[node][component] != 0 && dof >= free_.own_begin && dof < free_.own_end)
+      if (springs[node][component] != 0 && !free_.linked.contains(static_cast<int>(node)) &&
+          dof >= free_.own_begin && dof < free_.own_end)
         springs_.push_back({local_number(dof), springs[node][component]});
     }
 }

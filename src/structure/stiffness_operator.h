@@ -3,9 +3,9 @@
 // residuals and Rayleigh quotients of low modes of fine meshes need that.
 #pragma once
 
-#include "structure/body_model.h"
 #include "structure/discretisation.h"
 #include "structure/petsc_object.h"
+#include "structure/rigid_links.h"
 
 #include <memory>
 
@@ -17,9 +17,17 @@ struct FreeDofs {
   int size = 0;                           ///< of all ranks
   int own_begin = 0;                      ///< this rank owns own_begin <= number < own_end
   int own_end = 0;
+  std::map<int, LinkedNode> linked{}; ///< nodes of rigid bodies
 
   /// Of all nodes of an element, one after the other.
   std::vector<int> of(const Element &element) const;
+
+  struct Term {
+    int number = 0;
+    double factor = 1;
+  };
+  /// What the displacement or rotation of a node is made of; nothing where it is held.
+  std::vector<Term> terms(int node, int component) const;
 };
 
 /// Filled with the elements and springs of this rank and then finished.
@@ -31,7 +39,7 @@ public:
 
   void add(std::shared_ptr<const Element> element, const NodalMatrix &stiffness,
            const std::vector<int> &dofs);
-  /// Those whose degrees of freedom this rank owns, out of all.
+  /// Those whose degrees of freedom this rank owns, out of all; those of linked nodes are elements.
   void add_springs(const std::vector<std::array<double, 6>> &springs);
   /// Collective.
   void finish(MPI_Comm communicator);

@@ -107,6 +107,42 @@ TEST(BeamParameters, PointAndPlaneErrorsAreClear) {
                  {"Planar", "Type = lumped"});
 }
 
+TEST(BeamParameters, RigidLinksAreReadAndTheirErrorsAreClear) {
+  const auto link = [](const std::string &lines) {
+    return head_beam(section("Member tip", "set Between = 200 mm, 300 mm\n") +
+                     section("Rigid link bar", lines));
+  };
+  const auto read = definition_of(link("set At = end\nset Points = head\nset Members = tip\n"));
+  EXPECT_EQ(read.beam.links.at(0).groups, std::vector<std::string>{"end"});
+  EXPECT_EQ(read.beam.links.at(0).points, std::vector<std::string>{"head"});
+  EXPECT_EQ(read.beam.links.at(0).members, std::vector<std::string>{"tip"});
+  expect_message(link(""), {"Rigid link bar", "At, Points or Members"});
+  expect_message(link("set At = end\nset Points = head\n"), {"Rigid link bar", "two nodes"});
+  expect_message(link("set At = side\n"), {"Rigid link bar", "At", "end, start"});
+  expect_message(link("set Points = tail\n"), {"Rigid link bar", "Points", "'tail'", "head"});
+  expect_message(link("set Members = tail\n"), {"Rigid link bar", "Members", "'tail'"});
+  expect_message(head_beam(section("Member tip", "set Between = 200 mm, 300 mm\n"
+                                                 "set Axial force = 1 N\n") +
+                           section("Rigid link bar", "set Members = tip\n")),
+                 {"Member tip", "Axial force", "within a Rigid link"});
+  expect_message(link("set Members = tip\n"), {"accepted"});
+  expect_message("subsection Body left\nset Type = lumped\n" +
+                     section("Mass ball", "set Mass = 1 kg\n") + section("Rigid link bar", "") +
+                     "end\n",
+                 {"Type", "lumped", "Rigid link"});
+}
+
+TEST(BeamParameters, AttachmentsAtRigidLinksNeedTheFreeInterface) {
+  const auto held = [](const std::string &reduction) {
+    return head_beam(
+        section("Member tip", "set Between = 200 mm, 300 mm\n") +
+        section("Rigid link bar", "set Members = tip\n") +
+        section("Modes", "set Attachments = head.x\nset Reduction = " + reduction + "\n"));
+  };
+  expect_message(held("fixed interface"), {"Attachments", "Rigid link"});
+  expect_message(held("free interface"), {"accepted"});
+}
+
 // Euler: pi^2 EI / 4 L^2 = 5.956 N for the cantilever of these files, the next loads 9 and 25 times
 // as large.
 TEST(BeamParameters, CompressionBeyondTheBucklingLoadIsRefused) {

@@ -119,6 +119,23 @@ TEST(RankIndependence, MembersHingesPrestressAndMassesBesideTheAxis) {
   expect_same_bytes(definition);
 }
 
+TEST(RankIndependence, RigidLinks) {
+  BeamDefinition beam = square_beam(24);
+  const auto along = [&](double share) {
+    return structure::Location{"", (1 - share) * beam.line.start + share * beam.line.end};
+  };
+  beam.supports.push_back({"skew", along(0.5), {}, {1e3, 0, 2e3, 0, 0, 0}});
+  beam.points.push_back({"low", along(0.25), 0, Vector3::Zero()});
+  beam.points.push_back({"middle", along(0.5), 0.03, Vector3(1e-5, 2e-5, 3e-5)});
+  beam.links = {{.name = "far", .groups = {"end"}, .points = {"low"}},
+                {.name = "near", .points = {"low", "middle"}}};
+  BodyDefinition definition = body_of(beam, 12);
+  definition.attachments = {{"middle", 0}, {"head", 1}, {"head", 2}};
+  definition.damping.ratios = {0.01};
+  expect_same(definition);
+  expect_same_bytes(definition);
+}
+
 TEST(RankIndependence, TheSameRunGivesTheSameBody) {
   const BodyDefinition definition = body_of(square_beam(30), 9);
   const ReducedBody first = reduce(definition, MPI_COMM_WORLD);
