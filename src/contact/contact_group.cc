@@ -3,8 +3,11 @@
 #include "contact/pairing.h"
 #include "model/direction.h"
 #include "model/side.h"
+#include "parameters/text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <sstream>
 
 namespace vibroimpact::contact {
@@ -105,14 +108,49 @@ PairSearch read_search(const Values &contact) {
 
 std::vector<NodePair> pairs_in_order(const Values &contact, const Side &a, const Side &b) {
   if (a.points.size() != b.points.size())
-    contact.reject("Between",
-                   "must be two interfaces with equal numbers of nodes when Pairing = list, but " +
-                       a.name + " has " + std::to_string(a.points.size()) + " and " + b.name +
-                       " has " + std::to_string(b.points.size()) + ".");
+    contact.reject(
+        "Between",
+        "must be two interfaces with equal numbers of nodes when Pairing = list and Pairs "
+        "is not given, but " +
+            a.name + " has " + std::to_string(a.points.size()) + " and " + b.name + " has " +
+            std::to_string(b.points.size()) + ".");
   std::vector<NodePair> pairs;
   for (std::size_t i = 0; i < a.points.size(); ++i)
     pairs.push_back({i, i});
   return pairs;
+}
+
+std::size_t node_of(const Values &contact, double number, const Side &side) {
+  if (number != std::floor(number) || number > static_cast<double>(side.points.size()))
+    contact.reject("Pairs", "must be whole numbers of nodes; " + side.name +
+                                " has the nodes 1 to " + std::to_string(side.points.size()) +
+                                ", but one is " + parameters::number_text(number) + ".");
+  return static_cast<std::size_t>(number) - 1;
+}
+
+std::vector<NodePair> given_pairs(const Values &contact, const Side &a, const Side &b) {
+  const std::vector<double> numbers = contact.quantities("Pairs");
+  if (numbers.size() % 2 != 0)
+    contact.reject("Pairs", "must be two numbers for each pair, but are " +
+                                std::to_string(numbers.size()) + " numbers.");
+  std::vector<NodePair> pairs;
+  std::set<NodePair> known;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) {
+    pairs.push_back({node_of(contact, numbers[i], a), node_of(contact, numbers[i + 1], b)});
+    if (!known.insert(pairs.back()).second)
+      contact.reject("Pairs", "must hold each pair once, but " +
+                                  parameters::number_text(numbers[i]) + ", " +
+                                  parameters::number_text(numbers[i + 1]) + " stands there twice.");
+  }
+  return pairs;
+}
+
+/// Nodes of a side that stand in no pair.
+std::size_t alone(const Side &side, const std::vector<NodePair> &pairs, std::size_t which) {
+  std::set<std::size_t> paired;
+  for (const NodePair &pair : pairs)
+    paired.insert(pair[which]);
+  return side.points.size() - paired.size();
 }
 
 // Where the sides touch at rest, the coordinates of the meshes may say otherwise by their rounding.
@@ -165,22 +203,22 @@ Meetings between_interfaces(const Values &contact, const Model &model) {
   std::vector<NodePair> pairs;
   if (contact.choice("Pairing") == "list") {
     refuse(contact, {"Search radius", "Reach"});
-    pairs = pairs_in_order(contact, a, b);
+    pairs = contact.has("Pairs") ? given_pairs(contact, a, b) : pairs_in_order(contact, a, b);
   } else {
+    refuse(contact, {"Pairs"});
     const PairSearch search = read_search(contact);
     pairs = facing_pairs(a.positions, b.positions, search);
     if (pairs.empty())
       reject_search(contact, a, b, search);
   }
-  Meetings meetings{
-      .fixed = "", .list = {}, .unpaired = a.points.size() + b.points.size() - 2 * pairs.size()};
+  Meetings meetings{.fixed = "", .list = {}, .unpaired = alone(a, pairs, 0) + alone(b, pairs, 1)};
   for (const NodePair &pair : pairs)
     meetings.list.push_back(meeting_of(contact, a, b, pair));
   return meetings;
 }
 
 Meetings with_stops(const Values &contact, const Model &model) {
-  refuse(contact, {"Search radius", "Reach", "Normal", "Offset"});
+  refuse(contact, {"Search radius", "Reach", "Normal", "Offset", "Pairs"});
   contact.require("Clearance");
   const model::Sides sides = model::read_sides(contact, {model::side_stop, model::side_base},
                                                interface_names(model), interface_form);
@@ -206,13 +244,19 @@ void declare_pairing(parameters::Section &contact) {
           "NAME.1, NAME.2..., of each pair of nodes of interfaces of bodies (BODY.INTERFACE in "
           "Between). proximity: two nodes that are each other's nearest, so that a node stands "
           "in one pair at most; stops: each node of an interface against stop or base; list: "
-          "the nodes of two interfaces in their order.")
+          "the nodes of two interfaces in their order, or as Pairs says.")
       .quantity("Search radius", "", dimension::length, range::positive, "",
                 "Of a pairing by proximity: largest distance of two nodes across the direction, or "
                 "with Normal = joining line their largest distance.")
       .required("Pairing = proximity")
       .quantity("Reach", "", dimension::length, range::positive, "",
                 "Of a pairing by proximity: largest distance along the direction. Without it: any.")
+      .quantities(
+          "Pairs", "", dimension::none, Range{.lower = 1}, "",
+          "Of a pairing by list: numbers of a node of the first and of one of the second "
+          "interface, two for each pair; node 3 is INTERFACE.3. A node may stand in several "
+          "pairs. A long list can stand in a file of its own, read by include.",
+          2, std::numeric_limits<int>::max())
       .choice("Normal", "direction", {"direction", "joining line"},
               "Contact normal of a pair of two interfaces: Direction, or the line from its first "
               "node to its second.")
@@ -223,7 +267,7 @@ void declare_pairing(parameters::Section &contact) {
 }
 
 void refuse_pairing_keys(const parameters::Values &contact) {
-  refuse(contact, {"Search radius", "Reach", "Normal", "Offset"});
+  refuse(contact, {"Search radius", "Reach", "Normal", "Offset", "Pairs"});
 }
 
 Meetings find_meetings(const parameters::Values &contact, const Model &model) {

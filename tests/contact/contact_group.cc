@@ -71,6 +71,23 @@ TEST(ContactGroupTest, ProximityTakesTheClearanceFromTheGeometry) {
   EXPECT_EQ(set.groups()[0].unpaired, 1U) << "the node at 5 m faces nothing";
 }
 
+TEST(ContactGroupTest, PairsByTheirNumbers) {
+  const ContactSet set = contacts_of("set Between = left.face, right.face\nset Pairing = list\n"
+                                     "set Pairs = 3, 2, 1, 3, 1, 1\n" +
+                                     penalty);
+  ASSERT_EQ(set.size(), 3U);
+  const std::vector<std::array<std::string, 2>> sides = {{"left.face.3", "right.face.2"},
+                                                         {"left.face.1", "right.face.3"},
+                                                         {"left.face.1", "right.face.1"}};
+  const std::vector<double> clearances = {0.4, 0.3, 0.5};
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_EQ(set.pairs()[c].side_a, sides[c][0]);
+    EXPECT_EQ(set.pairs()[c].side_b, sides[c][1]);
+    EXPECT_NEAR(set.pairs()[c].clearance, clearances[c], 1e-15);
+  }
+  EXPECT_EQ(set.groups()[0].unpaired, 2U) << "the nodes left.face.2 and left.face.4";
+}
+
 TEST(ContactGroupTest, TheJoiningLineIsTheNormal) {
   const ContactSet set =
       contacts_of("set Between = left.face, right.face\nset Pairing = proximity\n"

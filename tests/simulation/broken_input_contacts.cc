@@ -130,7 +130,27 @@ TEST(BrokenInputContactsTest, OtherPairings) {
                          {"radius of a list",
                           "Pairing = list\n",
                           "Pairing = list\n  set Search radius = 1 m\n",
-                          {"Search radius", "Pairing = list"}}});
+                          {"Search radius", "Pairing = list"}},
+                         {"half a pair",
+                          "Pairing = list\n",
+                          "Pairing = list\n  set Pairs = 1, 1, 2\n",
+                          {"Pairs", "two numbers for each pair", "3 numbers"}},
+                         {"no such node",
+                          "Pairing = list\n",
+                          "Pairing = list\n  set Pairs = 1, 7\n",
+                          {"Pairs", "right.face has the nodes 1 to 2", "7"}},
+                         {"part of a node",
+                          "Pairing = list\n",
+                          "Pairing = list\n  set Pairs = 1.5, 1\n",
+                          {"Pairs", "whole numbers", "1.5"}},
+                         {"a pair twice",
+                          "Pairing = list\n",
+                          "Pairing = list\n  set Pairs = 1, 2, 1, 2\n",
+                          {"Pairs", "twice"}}});
+  expect_messages(sound, {{"pairs by proximity",
+                           "Pairing = proximity\n",
+                           "Pairing = proximity\n  set Pairs = 1, 1\n",
+                           {"Pairs", "Pairing = proximity"}}});
   const std::string stops =
       changed(changed(sound, "proximity\n  set Search radius = 10 mm\n  set Offset = 5 mm",
                       "stops\n  set Clearance = 1 mm"),
