@@ -80,7 +80,7 @@ void KrylovSpace::append_fresh() {
 
 /// In the norm of M.
 Vector KrylovSpace::column_sizes(const Block &block, const Block &weighted) const {
-  return inner_products(layout_, block, weighted).diagonal().cwiseMax(0.0).cwiseSqrt();
+  return column_products(layout_, block, weighted).cwiseMax(0.0).cwiseSqrt();
 }
 
 /// `block` is orthogonal to the basis but for round-off.

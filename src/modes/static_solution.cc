@@ -33,8 +33,8 @@ Matrix static_solution(const EigenProblem &problem, const Matrix &loads) {
   for (int step = 0; step < most_improvements; ++step) {
     const Block residual = force - multiply(problem.accurate_stiffness, solution);
     const Block correction = factorised.solve(residual);
-    const Vector error = inner_products(layout, residual, correction).diagonal().cwiseAbs();
-    const Vector work = inner_products(layout, force, solution).diagonal().cwiseAbs();
+    const Vector error = column_products(layout, residual, correction).cwiseAbs();
+    const Vector work = column_products(layout, force, solution).cwiseAbs();
     solution += correction;
     const double largest = relative(error, work);
     if (largest <= wanted || (largest <= accepted && largest > previous / 2))

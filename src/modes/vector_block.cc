@@ -90,6 +90,15 @@ Matrix inner_products(const Layout &layout, const Eigen::Ref<const Matrix> &x, c
   return products;
 }
 
+Vector column_products(const Layout &layout, const Block &x, const Block &y) {
+  Vector products(x.cols());
+  for (Index j = 0; j < x.cols(); ++j)
+    products[j] = x.col(j).dot(y.col(j));
+  MPI_Allreduce(MPI_IN_PLACE, products.data(), static_cast<int>(products.size()), MPI_DOUBLE,
+                MPI_SUM, layout.communicator);
+  return products;
+}
+
 Matrix gather(const Layout &layout, const Block &x) {
   int ranks = 1;
   MPI_Comm_size(layout.communicator, &ranks);

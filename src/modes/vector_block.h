@@ -27,6 +27,8 @@ void add_product(double factor, const Eigen::Ref<const Matrix> &x, const Matrix 
                  Eigen::Ref<Matrix> y);
 /// x^T y over all ranks, the same on every rank. Collective.
 Matrix inner_products(const Layout &layout, const Eigen::Ref<const Matrix> &x, const Block &y);
+/// Of each column of x with the same one of y alone. Collective.
+Vector column_products(const Layout &layout, const Block &x, const Block &y);
 /// All rows on every rank. Collective.
 Matrix gather(const Layout &layout, const Block &x);
 /// This rank's rows of a matrix that all ranks hold.

@@ -52,7 +52,7 @@ Matrix constraint_modes(const std::vector<InterfaceDof> &dofs, const AssembledBo
 }
 
 modes::Block normalised(const modes::Layout &layout, Mat mass, const modes::Block &x) {
-  const Vector squares = modes::inner_products(layout, x, modes::multiply(mass, x)).diagonal();
+  const Vector squares = modes::column_products(layout, x, modes::multiply(mass, x));
   return x * squares.cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
