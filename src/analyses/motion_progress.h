@@ -19,7 +19,8 @@ public:
 private:
   void add_forms(const motion::Equations & /*equations*/,
                  std::vector<motion::MonitoredForm> & /*forms*/) override {}
-  void part_done(const motion::Equations & /*equations*/, double /*start*/, double end) override {
+  void part_done(const motion::Equations & /*equations*/, double /*start*/, double end,
+                 const Vector & /*state*/) override {
     note(end);
   }
   void note(double time) {

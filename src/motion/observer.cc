@@ -217,9 +217,15 @@ void Observers::part_begins(const Equations &equations, double start, const Vect
     monitor->part_begins(equations, start, state);
 }
 
-void Observers::part_done(const Equations &equations, double start, double end) {
+void Observers::part_done(const Equations &equations, double start, double end,
+                          const Vector &state) {
   for (OutputMonitor *monitor : monitors_)
-    monitor->part_done(equations, start, end);
+    monitor->part_done(equations, start, end, state);
+}
+
+bool Observers::takes_contacts() const {
+  return std::all_of(monitors_.begin(), monitors_.end(),
+                     [](const OutputMonitor *monitor) { return monitor->takes_contacts(); });
 }
 
 } // namespace vibroimpact::motion

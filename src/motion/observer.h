@@ -140,7 +140,9 @@ private:
   };
   void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override;
   void part_begins(const Equations &equations, double start, const Vector &state) override;
-  void part_done(const Equations &equations, double start, double end) override;
+  void part_done(const Equations &equations, double start, double end,
+                 const Vector &state) override;
+  bool takes_contacts() const override;
 
   std::vector<Observer *> list_;
   std::vector<OutputMonitor *> monitors_;

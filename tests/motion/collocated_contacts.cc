@@ -199,5 +199,131 @@ TEST(CollocatedContacts, LeaveToOthersWhatTheyCannotDo) {
   EXPECT_LT((parts.state().head(2) - all.state().head(2)).norm(), 1e-6);
 }
 
+// Extreme values over each contact of what two masses do, and of the force between one and a stop:
+// as linear forms, or from the steps that are shown.
+class ContactExtremes : public Observer, private OutputMonitor {
+public:
+  ContactExtremes(const Model &model, bool in_steps) : in_steps_(in_steps) {
+    for (const std::size_t body : {0, 1})
+      seen_.push_back(model.displacement({.body = body, .point = 0}, Vector3::UnitX(), true));
+  }
+  OutputMonitor *output_monitor() override { return in_steps_ ? nullptr : this; }
+  void step(const StepView &view) override {
+    if (!inside_)
+      return;
+    auto range = ranges_.begin();
+    for (const Projection &point : seen_) {
+      (range++)->include(view.displacement(point));
+      (range++)->include(view.velocity(point));
+      (range++)->include(view.acceleration(point));
+    }
+    (range++)->include(view.gap(0));
+    range->include(peak_force(view, 0));
+  }
+  void event(const ContactEvent &event) override {
+    if (!event.onset)
+      contacts.push_back(ranges_);
+    inside_ = event.onset;
+    ranges_ = {};
+  }
+
+  using Ranges = std::array<ValueRange, 8>; ///< x, v, a of both masses, gap, force
+  std::vector<Ranges> contacts;
+
+private:
+  void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override {
+    if (!equations.mode(0).in_contact)
+      return;
+    auto range = ranges_.begin();
+    for (const Projection &point : seen_) {
+      forms.push_back(monitored_displacement(equations, point, *range++));
+      forms.push_back(monitored_velocity(equations, point, *range++));
+      forms.push_back(monitored_acceleration(equations, point, *range++));
+    }
+    forms.push_back(monitored_contact(equations, 0, {.gap = 1}, *range++));
+    forms.push_back(monitored_force(equations, 0, *range));
+  }
+
+  bool in_steps_, inside_ = false;
+  std::vector<Projection> seen_;
+  Ranges ranges_;
+};
+
+// A mass that meets a stop and carries another one.
+struct Carrier {
+  explicit Carrier(const std::shared_ptr<const ContactLaw> &law)
+      : model({single_mass("mass", 1, 1, 0.06), single_mass("rider", 0.4, 30, 0.2)}) {
+    model.add_base_motion(
+        "table", std::make_shared<Harmonic>(Given::displacement, 0.3, Shaken::frequency, 0.3),
+        {0, 1}, Vector3::UnitX());
+    Projection elongation = model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), false);
+    elongation.row -= model.displacement({.body = 1, .point = 0}, Vector3::UnitX(), false).row;
+    model.add_connection({.name = "spring",
+                          .side_a = "mass.head",
+                          .side_b = "rider.head",
+                          .elongation = elongation,
+                          .stiffness = 2000,
+                          .damping = 3});
+    contacts = ContactSet({contact_along_x(model, "mass.head", "", 0.25, law)});
+  }
+  std::vector<ContactExtremes::Ranges> extremes(const std::string &method, double tolerance,
+                                                bool in_steps) const {
+    Trajectory trajectory(model, contacts, {.method = method, .relative_tolerance = tolerance});
+    trajectory.start(0, Vector::Zero(2), Vector::Constant(2, 0.5));
+    ContactExtremes seen(model, in_steps);
+    trajectory.advance(20, seen);
+    return seen.contacts;
+  }
+  Model model;
+  ContactSet contacts;
+};
+
+// Of the larger of the two ends.
+double difference(const ValueRange &one, const ValueRange &other) {
+  return std::max(std::abs(one.minimum - other.minimum), std::abs(one.maximum - other.maximum)) /
+         other.peak();
+}
+
+// The same motion, whose contacts are shown in steps: what is seen of it does not change it.
+// Polynomials do not end like accelerations of what touches.
+TEST(CollocatedContacts, HaveTheExtremeValuesOfTheirSteps) {
+  for (const auto &law : laws()) {
+    const Carrier carrier(law);
+    const auto direct = carrier.extremes("exact", 1e-9, false);
+    const auto steps = carrier.extremes("exact", 1e-9, true);
+    ASSERT_EQ(direct.size(), steps.size()) << law->name();
+    EXPECT_GT(direct.size(), 5U);
+    for (std::size_t i = 0; i < direct.size(); ++i)
+      for (std::size_t k = 0; k + 1 < direct[i].size(); ++k)
+        EXPECT_LT(difference(direct[i][k], steps[i][k]), k == 2 ? 1e-5 : 1e-8)
+            << law->name() << ", contact " << i << ", quantity " << k;
+    for (std::size_t i = 0; i < direct.size(); ++i)
+      EXPECT_NEAR(direct[i].back().maximum / steps[i].back().maximum, 1, 1e-8);
+  }
+}
+
+// Steps at a much smaller tolerance, as far as both are still the same motion: each contact makes a
+// few times more of what they differ by. Speeds of approach differ by 1e-8 of the motion's speed,
+// more of that of a weak contact.
+TEST(CollocatedContacts, HaveTheExtremeValuesOfTheMotion) {
+  for (const auto &law : laws()) {
+    const Carrier carrier(law);
+    const auto direct = carrier.extremes("exact", 1e-10, false);
+    const auto steps = carrier.extremes("rk", 1e-13, true);
+    ASSERT_EQ(direct.size(), steps.size()) << law->name();
+    constexpr std::size_t first_contacts = 8;
+    ASSERT_GE(direct.size(), first_contacts);
+    double largest = 0;
+    for (const ContactExtremes::Ranges &of : steps)
+      largest = std::max(largest, of.back().maximum);
+    for (std::size_t i = 0; i < first_contacts; ++i) {
+      for (std::size_t k = 0; k + 1 < direct[i].size(); ++k)
+        EXPECT_LT(difference(direct[i][k], steps[i][k]) * steps[i].back().maximum / largest, 1e-7)
+            << law->name() << ", contact " << i << ", quantity " << k;
+      EXPECT_NEAR(direct[i].back().maximum, steps[i].back().maximum, 1e-7 * largest);
+    }
+  }
+}
+
 } // namespace
 } // namespace vibroimpact::motion

@@ -87,8 +87,8 @@ void ExtremeValues::add_forms(const motion::Equations &equations,
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     forms.push_back(quantities_[i].form(equations, ranges_[i]));
   for (std::size_t c = 0; c < forces_.size(); ++c)
-    if (const contact::Mode &mode = equations.mode(c); mode.in_contact)
-      forms.push_back(motion::monitored_contact(equations, c, mode.affine->force, forces_[c]));
+    if (equations.mode(c).in_contact)
+      forms.push_back(motion::monitored_force(equations, c, forces_[c]));
 }
 
 void ExtremeValues::add_fields(PointResult &result) const {

@@ -95,8 +95,9 @@ void Impacts::add_forms(const motion::Equations &equations,
   log_.output_monitor()->add_forms(equations, forms);
 }
 
-void Impacts::part_done(const motion::Equations &equations, double start, double end) {
-  log_.output_monitor()->part_done(equations, start, end);
+void Impacts::part_done(const motion::Equations &equations, double start, double end,
+                        const Vector &state) {
+  log_.output_monitor()->part_done(equations, start, end, state);
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     if (equations.mode(c).in_contact)
       time_in_contact_[c] += end - start;

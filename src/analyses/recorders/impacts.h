@@ -44,7 +44,8 @@ private:
   };
   void add_forms(const motion::Equations &equations,
                  std::vector<motion::MonitoredForm> &forms) override;
-  void part_done(const motion::Equations &equations, double start, double end) override;
+  void part_done(const motion::Equations &equations, double start, double end,
+                 const Vector &state) override;
 
   const contact::ContactSet &contacts_;
   std::vector<Labels> labels_;

@@ -109,65 +109,27 @@ void ContactSteps::smooth_positions() {
   }
 }
 
-double ContactSteps::power_of_bases(std::size_t contact, const EndPoint &point) const {
-  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
-  double rate = 0;
-  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k)
-    rate += pair.gap.base_coefficients[k] * point.sources[k][1];
-  return -rate * point.rates[equations_.layout().impulse(static_cast<Index>(contact))];
-}
-
-// - integral of f times the rate of the base, by the force's own integrals.
-double ContactSteps::work_of_bases(const PhaseContact &contact, double time) const {
-  const contact::ContactPair &pair = equations_.contacts().pairs()[contact.contact()];
-  const WholeContact &solved = contact.solution();
-  const auto end = solved.tools().at_nodes.term(0).row(solved.nodes());
-  double work = 0;
-  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k) {
-    if (pair.gap.base_coefficients[k] == 0)
-      continue;
-    const model::TimeFunction &source = *equations_.model().sources()[k].function;
-    for (int j = 0; j < solved.nodes(); ++j) {
-      const double t = time + contact.duration() * solved.tools().family.nodes()[j];
-      work -= contact.duration() * end[j] * solved.forces()[j] * pair.gap.base_coefficients[k] *
-              source.rate(equations_.source_time(t));
-    }
-  }
-  return work;
-}
-
 // Between the ends the integrals grow by the trapezoidal rule, which only those see who look into a
-// contact; the sum at the end is that of the quadrature.
-void ContactSteps::set_integrals(const PhaseContact &contact, double time, const Vector &state) {
-  const StateLayout &layout = equations_.layout();
-  const Index first = layout.integrals();
-  const Index count = layout.size() - first;
-  const LongArray &weights = contact.solution().tools().shown(inner_points_).rule.weights;
-  Vector whole = state.tail(count);
-  double bases = work_of_bases(contact, time);
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const double weight = contact.duration() * static_cast<double>(weights[static_cast<Index>(i)]);
-    whole += weight * points_[i].rates.tail(count);
-    bases -= weight * power_of_bases(contact.contact(), points_[i]);
-    if (i > 0)
-      points_[i].state.tail(count) =
-          points_[i - 1].state.tail(count) +
-          0.5 * (points_[i].time - points_[i - 1].time) *
-              (points_[i - 1].rates.tail(count) + points_[i].rates.tail(count));
-  }
-  const auto c = static_cast<Index>(contact.contact());
-  whole[layout.input_work() - first] += bases;
-  whole[layout.impulse(c) - first] = state[layout.impulse(c)] + contact.solution().impulse();
-  whole[layout.contact_work(c) - first] =
-      state[layout.contact_work(c)] + contact.solution().dissipated();
-  points_.back().state.tail(count) = whole;
+// contact; the sum at the end is that of the work.
+void ContactSteps::set_integrals(double time, const Vector &state, ContactWork *work) {
+  const Index count = equations_.layout().size() - equations_.layout().integrals();
+  for (std::size_t i = 1; i < points_.size(); ++i)
+    points_[i].state.tail(count) =
+        points_[i - 1].state.tail(count) +
+        0.5 * (points_[i].time - points_[i - 1].time) *
+            (points_[i - 1].rates.tail(count) + points_[i].rates.tail(count));
+  if (!work)
+    return;
+  Vector whole = state;
+  work->add(time, whole);
+  points_.back().state.tail(count) = whole.tail(count);
 }
 
-int ContactSteps::show(const PhaseContact &contact, double time, Vector &state,
+int ContactSteps::show(const PhaseContact &contact, double time, ContactWork *work, Vector &state,
                        Observer &observer) {
   find_points(contact, time, state);
   smooth_positions();
-  set_integrals(contact, time, state);
+  set_integrals(time, state, work);
   for (std::size_t i = 1; i < points_.size(); ++i)
     observer.step(StepView(equations_, points_[i - 1], points_[i]));
   state = points_.back().state;

@@ -4,12 +4,10 @@
 // (ForceTools::shown), where state, rates and the third derivative are known, so that observers see
 // polynomials of degree 7: their number follows the tolerance to the power -1/8. Next to the ends
 // the motion goes like t^(n + 2), which costs the velocity 1e-2 h^(n + 1) in a step of length h
-// there: 1e-8 of the speed for a Hertz force. Powers of loads and dampers, which are smooth, are
-// integrated with the weights of the same points; what the contact itself does, from its force's
-// own integrals.
+// there: 1e-8 of the speed for a Hertz force.
 #pragma once
 
-#include "motion/collocation/phase_contact.h"
+#include "motion/collocation/contact_work.h"
 #include "motion/observer.h"
 
 namespace vibroimpact::motion {
@@ -23,17 +21,17 @@ public:
   static int inner_points(double tolerance);
 
   /// Shows the contact that was passed last and began at `time`; `state` is that with its work
-  /// integrals then, and at the end of the contact afterwards. Returns how many steps.
-  int show(const PhaseContact &contact, double time, Vector &state, Observer &observer);
+  /// integrals then, and at the end of the contact afterwards. `work`: none where nobody wants
+  /// these integrals. Returns how many steps.
+  int show(const PhaseContact &contact, double time, ContactWork *work, Vector &state,
+           Observer &observer);
 
 private:
   void fill(const PhaseContact &contact, double time, const double *amplitudes, EndPoint &point);
   void find_points(const PhaseContact &contact, double time, const Vector &state);
   void smooth_position(const EndPoint &neighbour, EndPoint &point) const;
   void smooth_positions();
-  void set_integrals(const PhaseContact &contact, double time, const Vector &state);
-  double work_of_bases(const PhaseContact &contact, double time) const;
-  double power_of_bases(std::size_t contact, const EndPoint &point) const;
+  void set_integrals(double time, const Vector &state, ContactWork *work);
 
   const Equations &equations_;
   const int inner_points_;

@@ -46,6 +46,10 @@ std::vector<long double> inner_nodes(const GaussRule &rule) {
 ShownPoints::ShownPoints(const ForceFamily &family, int inner_lobatto_points)
     : rule(shown_rule(inner_lobatto_points)), between(family, inner_nodes(rule)) {}
 
+QuadraturePoints::QuadraturePoints(const ForceFamily &family, int count)
+    : rule(JacobiPolynomials(0, 0, count).rule()),
+      at_nodes(family, {rule.nodes.begin(), rule.nodes.end()}) {}
+
 ForceTools::ForceTools(const ForceShape &shape)
     : family(shape), at_nodes(family, ForceOperators::nodes_and_end(family)) {}
 
@@ -53,6 +57,13 @@ ShownPoints &ForceTools::shown(int inner) {
   std::unique_ptr<ShownPoints> &made = shown_[inner];
   if (!made)
     made = std::make_unique<ShownPoints>(family, inner);
+  return *made;
+}
+
+QuadraturePoints &ForceTools::quadrature(int points) {
+  std::unique_ptr<QuadraturePoints> &made = quadratures_[points];
+  if (!made)
+    made = std::make_unique<QuadraturePoints>(family, points);
   return *made;
 }
 

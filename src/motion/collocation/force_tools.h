@@ -16,6 +16,13 @@ struct ShownPoints {
   ForceOperators between; ///< targets: the inner ones
 };
 
+/// The nodes of a Gauss rule for what is smooth within a step.
+struct QuadraturePoints {
+  QuadraturePoints(const ForceFamily &family, int count);
+  const GaussRule rule;
+  ForceOperators at_nodes;
+};
+
 class ForceTools {
 public:
   explicit ForceTools(const ForceShape &shape);
@@ -25,9 +32,11 @@ public:
   const ForceFamily family;
   ForceOperators at_nodes; ///< targets: the nodes, then the end
   ShownPoints &shown(int inner);
+  QuadraturePoints &quadrature(int points);
 
 private:
   std::map<int, std::unique_ptr<ShownPoints>> shown_;
+  std::map<int, std::unique_ptr<QuadraturePoints>> quadratures_;
 };
 
 /// The same object for the same shape.

@@ -102,6 +102,7 @@ void PhaseContact::renew() {
     return;
   generation_ = phase.generation();
   arrangement_ = phase.arrangement();
+  ++version_;
   const StateLayout &layout = equations_.layout();
   const contact::ContactPair &pair = equations_.contacts().pairs()[onset_.contact];
   Vector unit = Vector::Zero(phase.n_modes());
@@ -157,12 +158,8 @@ bool PhaseContact::pass(const double *amplitudes, double longest) {
   if (refusal == Refusal::none && guards_of_law_hold() && others_stay_away()) {
     after_.resize(before_.size());
     kernel().turn(linear_.phase().view(), before_.data(), duration(), after_.data());
-    ForceOperators &operators = contact_->tools().at_nodes;
-    const std::vector<double> moments = contact_->moments(operators);
-    flow_->add(duration(),
-               moments.data() +
-                   static_cast<std::ptrdiff_t>(operators.n_targets() - 1) * contact_->terms(),
-               contact_->terms(), after_.data());
+    end_moments_ = contact_->end_moments();
+    flow_->add(duration(), end_moments_.data(), contact_->terms(), after_.data());
     return true;
   }
   if (refusal != Refusal::none && refusal != Refusal::too_long)

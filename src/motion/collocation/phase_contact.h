@@ -58,6 +58,15 @@ public:
   const Vector &bent_load() const { return bent_load_; }
   /// Amplitudes at the touch, with the internal states that the contact begins with.
   const Amplitudes &before() const { return before_; }
+  /// (I_k f)(1) of the solution, k < terms().
+  const std::vector<double> &end_moments() const { return end_moments_; }
+  /// The law, with the internal states that the contact keeps.
+  const LawForce &force() const { return force_; }
+
+  /// Counts the systems that flow() has been made for; what was made of an earlier one is outdated.
+  long version() const { return version_; }
+  /// A form of the rows of the phase, by the places of the amplitudes.
+  Vector in_amplitudes(const RowVector &row) const;
 
 private:
   PhaseContact(const Equations &equations, LinearPhase &linear, const PhaseGuard &onset,
@@ -69,7 +78,6 @@ private:
   }
   void renew();
   void set_rows();
-  Vector in_amplitudes(const RowVector &row) const;
   Vector by_places(const RowVector &seen) const;
   std::vector<FlowBlock> blocks() const;
   void reset_internal();
@@ -91,6 +99,8 @@ private:
   Rows state_rows_, bent_rows_;
   Vector bent_load_;
   Amplitudes before_, after_;
+  std::vector<double> end_moments_;
+  long version_ = 0;
   std::vector<double> internal_;
   std::vector<double> reach_;
   Vector state_;

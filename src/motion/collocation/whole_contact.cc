@@ -403,11 +403,17 @@ std::vector<double> WholeContact::moments(ForceOperators &operators) const {
   const auto count = static_cast<std::size_t>(terms_);
   std::vector<double> list(count * static_cast<std::size_t>(operators.n_targets()));
   const ConstVectorView forces(forces_.data(), n_);
-  for (int k = 0; k < terms_; ++k) {
-    const Vector of = operators.term(k) * forces;
-    for (int i = 0; i < operators.n_targets(); ++i)
-      list[static_cast<std::size_t>(i) * count + static_cast<std::size_t>(k)] = of[i];
-  }
+  Eigen::Map<Matrix> of(list.data(), terms_, operators.n_targets());
+  for (int k = 0; k < terms_; ++k)
+    of.row(k).noalias() = (operators.term(k) * forces).transpose();
+  return list;
+}
+
+std::vector<double> WholeContact::end_moments() const {
+  std::vector<double> list(static_cast<std::size_t>(terms_));
+  const ConstVectorView forces(forces_.data(), n_);
+  for (int k = 0; k < terms_; ++k)
+    list[static_cast<std::size_t>(k)] = tools_->at_nodes.term(k).row(n_).dot(forces);
   return list;
 }
 

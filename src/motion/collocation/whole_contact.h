@@ -83,6 +83,8 @@ public:
   double dissipated() const;                            ///< by the law [J]
   /// (I_k f) of each target for k < terms(), k running fastest: what ForcedFlow::add() takes.
   std::vector<double> moments(ForceOperators &operators) const;
+  /// The same of the end alone.
+  std::vector<double> end_moments() const;
 
 private:
   using Targets = std::array<double, most_targets>;

@@ -103,13 +103,14 @@ void ImpactLog::step(const StepView &view) {
 
 void ImpactLog::add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) {
   for (std::size_t c = 0; c < tracks_.size(); ++c)
-    if (const contact::Mode &mode = equations.mode(c); mode.in_contact) {
-      forms.push_back(monitored_contact(equations, c, mode.affine->force, tracks_[c].force));
+    if (equations.mode(c).in_contact) {
+      forms.push_back(monitored_force(equations, c, tracks_[c].force));
       forms.push_back(monitored_contact(equations, c, {.gap = 1}, tracks_[c].gap));
     }
 }
 
-void ImpactLog::part_done(const Equations &equations, double /*start*/, double /*end*/) {
+void ImpactLog::part_done(const Equations &equations, double /*start*/, double /*end*/,
+                          const Vector & /*state*/) {
   for (std::size_t c = 0; c < tracks_.size(); ++c)
     if (equations.mode(c).in_contact) {
       Impact &impact = tracks_[c].current;

@@ -72,7 +72,8 @@ private:
     ValueRange force, gap; ///< of the present impact, in closed form
   };
   void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override;
-  void part_done(const Equations &equations, double start, double end) override;
+  void part_done(const Equations &equations, double start, double end,
+                 const Vector &state) override;
   bool in_contact(std::size_t contact, int mode) const;
   void begin(Track &track, const ContactEvent &event) const;
   void finish(Track &track, const ContactEvent &event) const;

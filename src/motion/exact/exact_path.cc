@@ -56,7 +56,7 @@ void ExactPath::begin() {
   for (auto &[modes, known] : phases_)
     for (const std::unique_ptr<Transition> &transition : known.transitions)
       if (transition && transition->contact)
-        transition->contact->forget();
+        transition->contact->contact->forget();
 }
 
 double ExactPath::time_tolerance(double time) const {
@@ -182,7 +182,7 @@ void ExactPath::prepare_monitoring(KnownPhase &known) {
     observer_->monitor->add_forms(equations_, forms);
     known.monitored = std::make_unique<MonitoredOutputs>(
         MonitoredOutputs{.monitor = monitor, .forms = MonitoredForms(forms)});
-    if (!forms.empty())
+    if (!known.monitored->forms.ranges.empty())
       known.monitored->outputs =
           std::make_unique<ExactOutputs>(known.monitored->forms, known.phase());
   } else if (known.monitored->outputs && known.monitored->excitation != excitation) {
@@ -209,19 +209,19 @@ void ExactPath::begin_part(double time) {
     observer_->monitor->part_begins(equations_, time, state_);
 }
 
-// The modes of the equations are those of the part.
+// The modes of the equations are those of the part. Leaves its state at the end.
 void ExactPath::end_part(double time, const double *amplitudes) {
-  if (!observer_ || time <= part_start_)
-    return;
-  if (observer_->steps)
+  const bool part = observer_ && time > part_start_;
+  if (part && observer_->steps)
     show_steps(time, amplitudes);
-  else if (observer_->integrals)
+  else if (part && observer_->integrals)
     known_->linear->work(equations_).add(part_, amplitudes, time - part_start_, state_);
-  if (!observer_->monitor)
+  known_->phase().state(amplitudes, state_.data());
+  if (!part || !observer_->monitor)
     return;
   if (known_->monitored->outputs)
     known_->monitored->outputs->include(part_, amplitudes, time - part_start_);
-  observer_->monitor->part_done(equations_, part_start_, time);
+  observer_->monitor->part_done(equations_, part_start_, time, state_);
 }
 
 // The part from part_start_ on as steps whose polynomials keep the tolerance, all of them from the
@@ -261,7 +261,6 @@ void ExactPath::show_steps(double time, const double *amplitudes) {
 // Another part of the same phase.
 void ExactPath::part_the_phase(double time) {
   end_part(time, walk_.amplitudes);
-  known_->phase().state(walk_.amplitudes, state_.data());
   begin_part(time);
 }
 
@@ -269,7 +268,6 @@ void ExactPath::part_the_phase(double time) {
 void ExactPath::report_change(double time) {
   const PhaseGuard &passed = known_->guards()[static_cast<std::size_t>(walk_.guard)];
   end_part(time, walk_.turned);
-  known_->phase().state(walk_.turned, state_.data());
   observer_->change(time, passed.contact, passed.guard, state_);
 }
 
@@ -372,7 +370,6 @@ void ExactPath::stand(double time, const double *amplitudes) {
   if (!observer_)
     set_modes(known_->linear->forms().contact_modes(), equations_);
   end_part(time, amplitudes);
-  known_->phase().state(amplitudes, state_.data());
   if (!state_.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");
 }

@@ -9,6 +9,7 @@
 // (collocation/), from which it goes on in the phase before.
 #pragma once
 
+#include "motion/collocation/contact_outputs.h"
 #include "motion/collocation/contact_steps.h"
 #include "motion/event/zero_guard.h"
 #include "motion/exact/exact_change.h"
@@ -30,7 +31,7 @@ namespace vibroimpact::motion {
 struct PathObserver {
   OutputMonitor *monitor = nullptr; ///< none: nobody wants extreme values
   Observer *steps = nullptr;        ///< none: nobody must see steps
-  Observer *everyone = nullptr;     ///< sees the steps of phases that are not linear
+  Observer *everyone = nullptr;     ///< sees steps through contacts that somebody must see so
   bool integrals = true;            ///< of work and impulses are to be kept
   std::function<void(double time, std::size_t contact, std::size_t guard, Vector &state)> change;
 };
@@ -79,13 +80,25 @@ public:
 
 private:
   struct KnownPhase;
+  // What an observer monitors of a contact that is solved as a whole.
+  struct MonitoredContact {
+    long monitor = -1;
+    MonitoredForms forms;
+    std::unique_ptr<ContactOutputs> outputs{};
+  };
+  struct WholeContactPart {
+    std::unique_ptr<PhaseContact> contact;
+    std::unique_ptr<ContactWork> work{}; ///< none until the integrals are asked for
+    /// By the present observer and by the one before.
+    std::unique_ptr<MonitoredContact> monitored{}, monitored_before{};
+  };
   struct Transition {
     KnownPhase *target = nullptr;   ///< none: left to others
     std::vector<double> proportion; ///< of the guards of the target to the one passed
     std::unique_ptr<ExactChange> change{};
     long excitation = -1; ///< that the change is for
     bool contact_known = false;
-    std::unique_ptr<PhaseContact>
+    std::unique_ptr<WholeContactPart>
         contact{}; ///< of a target that is not linear; none: left to others
   };
   // What an observer monitors of a phase.
@@ -120,10 +133,12 @@ private:
   void report_change(double time);
   void start_walk(KnownPhase &known);
   bool change_phase(double limit, long &most_events);
-  PhaseContact *contact_beyond(std::size_t guard);
+  WholeContactPart *contact_beyond(std::size_t guard);
   bool pass_contact(double time, std::size_t passed, double limit);
   bool parts(const PhaseContact &contact);
-  void report_contact(const PhaseContact &contact, double time);
+  void report_contact(WholeContactPart &part, double time);
+  void monitor_contact(WholeContactPart &part, double time);
+  ContactOutputs &outputs_of(WholeContactPart &part);
   void renew_inputs(const ExactPhase &phase, double time, double *amplitudes);
   bool begin_guards(const Transition &transition, std::size_t passed);
   double hidden(const PhaseView &view, std::size_t guard, const double *amplitudes) const;

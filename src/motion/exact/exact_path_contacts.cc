@@ -15,14 +15,16 @@ constexpr double shortest = 16;
 
 // What a contact that begins at a guard of the present phase is solved by; nullptr: it is left to
 // others.
-PhaseContact *ExactPath::contact_beyond(std::size_t guard) {
+ExactPath::WholeContactPart *ExactPath::contact_beyond(std::size_t guard) {
   Transition &known = *known_->transitions[guard];
   if (!known.contact_known) {
     known.contact_known = true;
     const std::vector<int> &modes = known_->linear->forms().contact_modes();
     for (std::size_t c = 0; c < modes.size(); ++c)
       equations_.set_mode(c, modes[c]);
-    known.contact = PhaseContact::create(equations_, *known_->linear, guard, tolerance_);
+    if (auto contact = PhaseContact::create(equations_, *known_->linear, guard, tolerance_))
+      known.contact =
+          std::make_unique<WholeContactPart>(WholeContactPart{.contact = std::move(contact)});
   }
   return known.contact.get();
 }
@@ -50,18 +52,61 @@ bool ExactPath::parts(const PhaseContact &contact) {
   return part;
 }
 
-void ExactPath::report_contact(const PhaseContact &contact, double time) {
+// The forms are those of the monitor in the modes of the contact.
+ContactOutputs &ExactPath::outputs_of(WholeContactPart &part) {
+  const long monitor = observer_->monitor->identity();
+  if (!part.monitored || part.monitored->monitor != monitor)
+    std::swap(part.monitored, part.monitored_before);
+  if (!part.monitored || part.monitored->monitor != monitor) {
+    std::vector<MonitoredForm> forms;
+    observer_->monitor->add_forms(equations_, forms);
+    part.monitored = std::make_unique<MonitoredContact>(
+        MonitoredContact{.monitor = monitor, .forms = MonitoredForms(forms)});
+    part.monitored->outputs =
+        std::make_unique<ContactOutputs>(part.monitored->forms, *part.contact, tolerance_);
+  }
+  return *part.monitored->outputs;
+}
+
+// As one part of the motion.
+void ExactPath::monitor_contact(WholeContactPart &part, double time) {
+  const PhaseContact &contact = *part.contact;
+  if (observer_->monitor)
+    observer_->monitor->part_begins(equations_, time, state_);
+  if (observer_->integrals)
+    part.work->add(time, state_);
+  const ConstVectorView after(contact.after().data(), contact.state_rows().cols());
+  state_.head(contact.state_rows().rows()).noalias() = contact.state_rows() * after;
+  if (!observer_->monitor)
+    return;
+  outputs_of(part).include();
+  observer_->monitor->part_done(equations_, time, time + contact.duration(), state_);
+}
+
+void ExactPath::report_contact(WholeContactPart &part, double time) {
+  const PhaseContact &contact = *part.contact;
+  if (observer_->integrals && !part.work)
+    part.work = std::make_unique<ContactWork>(known_->linear->powers(equations_), contact,
+                                              equations_, tolerance_);
   report_change(time);
-  tally_.steps_shown += contact_steps_.show(contact, time, state_, *observer_->everyone);
+  const bool in_steps =
+      observer_->steps || (observer_->monitor && !observer_->monitor->takes_contacts());
+  if (in_steps)
+    tally_.steps_shown +=
+        contact_steps_.show(contact, time, observer_->integrals ? part.work.get() : nullptr, state_,
+                            *observer_->everyone);
+  else
+    monitor_contact(part, time);
   observer_->change(time + contact.duration(), contact.contact(), contact.release(), state_);
 }
 
 // From touch to release in the present phase, whose guards are then those before. False: it is left
 // to others; nothing has changed.
 bool ExactPath::pass_contact(double time, std::size_t passed, double limit) {
-  PhaseContact *const contact = contact_beyond(passed);
-  if (!contact)
+  WholeContactPart *const part = contact_beyond(passed);
+  if (!part)
     return false;
+  PhaseContact *const contact = part->contact.get();
   const bool solved = contact->pass(walk_.turned, std::min(limit - time, longest_step_)) &&
                       contact->duration() > shortest * time_tolerance(time) && parts(*contact);
   if (!solved) {
@@ -71,7 +116,7 @@ bool ExactPath::pass_contact(double time, std::size_t passed, double limit) {
   const double end = time + contact->duration();
   note_residual();
   if (observer_)
-    report_contact(*contact, time);
+    report_contact(*part, time);
   ++tally_.pieces;
   tally_.events += 2;
   ++tally_.whole_contacts;

@@ -32,11 +32,15 @@ LinearPhase::LinearPhase(const Equations &equations, const Settings &settings, d
       longest_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()) {}
 
-WorkIntegrals &LinearPhase::work(const Equations &equations) {
+const PowerForms &LinearPhase::powers(const Equations &equations) {
   if (!powers_)
     powers_ = std::make_unique<PowerForms>(equations);
+  return *powers_;
+}
+
+WorkIntegrals &LinearPhase::work(const Equations &equations) {
   if (!work_)
-    work_ = std::make_unique<WorkIntegrals>(*powers_, phase_, equations.layout());
+    work_ = std::make_unique<WorkIntegrals>(powers(equations), phase_, equations.layout());
   else if (work_excitation_ != phase_.generation())
     work_->renew();
   work_excitation_ = phase_.generation();

@@ -25,6 +25,7 @@ public:
   ExactPhase &phase() { return phase_; }
   /// The modes of the equations must be those of the phase.
   WorkIntegrals &work(const Equations &equations);
+  const PowerForms &powers(const Equations &equations);
   ExactSegment &segment(const Equations &equations);
 
 private:

@@ -47,6 +47,13 @@ MonitoredForm monitored_contact(const Equations &equations, std::size_t contact,
   return {.row = linear_row(equations, contact, form), .range = &range};
 }
 
+MonitoredForm monitored_force(const Equations &equations, std::size_t contact, ValueRange &range) {
+  const contact::Mode &mode = equations.mode(contact);
+  if (mode.affine)
+    return monitored_contact(equations, contact, mode.affine->force, range);
+  return {.contact = contact, .range = &range};
+}
+
 MonitoredForm monitored_state(const Equations &equations, Index entry, double constant,
                               ValueRange &range) {
   LinearRow form = nothing(equations);
@@ -55,10 +62,15 @@ MonitoredForm monitored_state(const Equations &equations, Index entry, double co
   return {.row = std::move(form), .range = &range};
 }
 
-MonitoredForms::MonitoredForms(const std::vector<MonitoredForm> &forms)
-    : rows(static_cast<Index>(forms.size()), forms.empty() ? 0 : forms[0].row.row.size()) {
+MonitoredForms::MonitoredForms(const std::vector<MonitoredForm> &forms) {
   for (const MonitoredForm &form : forms) {
-    rows.row(static_cast<Index>(ranges.size())) = form.row.row;
+    if (form.contact) {
+      forces.push_back({.contact = *form.contact, .range = form.range});
+      continue;
+    }
+    const auto place = static_cast<Index>(ranges.size());
+    rows.conservativeResize(place + 1, form.row.row.size());
+    rows.row(place) = form.row.row;
     constants.push_back(form.row.constant);
     differentiated.push_back(form.differentiated);
     ranges.push_back(form.range);

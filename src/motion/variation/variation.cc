@@ -247,11 +247,18 @@ void Variation::part_begins(const Equations & /*equations*/, double /*start*/,
   part_state_ = state;
 }
 
-void Variation::part_done(const Equations &equations, double start, double end) {
+void Variation::part_done(const Equations &equations, double start, double end,
+                          const Vector &state) {
   follow(equations, start, part_state_);
   forget_parts();
-  pass_linear(start, part_state_, end - start);
-  check(end);
+  if (pass_linear(start, part_state_, end - start))
+    check(end);
+  else
+    waiting_ = {.start = start,
+                .end = end,
+                .start_state = part_state_,
+                .end_state = state,
+                .from_event = same_instant(start, last_event_)};
 }
 
 // At one instant: do deviating motions have this event at another time than those before?

@@ -101,7 +101,10 @@ private:
   void add_forms(const Equations & /*equations*/, std::vector<MonitoredForm> & /*forms*/) override {
   }
   void part_begins(const Equations &equations, double start, const Vector &state) override;
-  void part_done(const Equations &equations, double start, double end) override;
+  void part_done(const Equations &equations, double start, double end,
+                 const Vector &state) override;
+  /// Keys ask for short parts of a contact.
+  bool takes_contacts() const override { return keys_.empty(); }
 
   bool keys_keep_linear() const;
   Index n_keys() const { return static_cast<Index>(keys_.size()); }
