@@ -222,6 +222,23 @@ def cantilever_stop():
     return sketch
 
 
+def measured_modes():
+    sketch = Sketch("A clamped rod, known at five points that a modal test has measured, above an elastic stop")
+    sketch.ground((40, 50), (40, 130))
+    sketch.path([(40, 84), (400, 84), (400, 96), (40, 96)], closed=True, fill="#dbe4ee")
+    for number, name in enumerate(("root", "p25", "p50", "p75", "tip")):
+        centre = (40 + 88 * number, 90)
+        sketch.circle(centre, 4, fill=MOTION)
+        sketch.words((centre[0] + (22 if name == "root" else 0), 70) if name != "tip" else (418, 95), name,
+                     colour=MOTION)
+    sketch.arrow((392, 24), (392, 78), width=2.2)
+    sketch.symbol((402, 36), "F", colour=MOTION, anchor="start")
+    sketch.stop((392, 210), (392, 124), 22, ("k", "c"))
+    sketch.ground((360, 210), (425, 210))
+    sketch.clearance((372, 96), (372, 124), "δ", offset=14, side=1)
+    return sketch
+
+
 def plate_on_stops(sketch, x, y):
     sketch.line((x, y), (x + 240, y), width=5)
     for end in (x, x + 240):
@@ -342,7 +359,7 @@ SKETCHES = {
     "impacting-beams": impacting_beams, "isolator-stop": isolator_stop, "isolator-design": isolator_design,
     "bumpers": bumpers, "vibro-impact-absorber": absorber, "rigid-stop": rigid_stop,
     "bilinear-oscillator": bilinear_oscillator, "electromechanical": electromechanical,
-    "cantilever-stop": cantilever_stop, "many-contacts": many_contacts, "plates-and-shells": plates_and_shells,
+    "cantilever-stop": cantilever_stop, "measured-modes": measured_modes, "many-contacts": many_contacts, "plates-and-shells": plates_and_shells,
 }
 
 

@@ -11,17 +11,20 @@
 #include "common/work_limit.h"
 #include "contact/contact_set.h"
 #include "contact/laws.h"
+#include "contact/unknown_flexibility.h"
 #include "model/connection.h"
 #include "model/excitation.h"
 #include "model/initial_condition.h"
 #include "motion/settings.h"
 #include "output/figure_sections.h"
+#include "output/mode_tables.h"
 #include "output/result_files.h"
 #include "output/vtu_writer.h"
 #include "parameters/text.h"
 #include "reduction/beam_outlines.h"
 #include "reduction/body_file.h"
 #include "reduction/body_parameters.h"
+#include "reduction/modal_parameters.h"
 #include "reduction/reduce_body.h"
 #include "run_information.h"
 
@@ -120,6 +123,12 @@ void Simulation::note_records() {
     for (const auto &list : {model::record_checksums(parameters_->root(), file_folder()),
                              analyses::data_checksums(parameters_->root(), file_folder())})
       noted.insert(list.begin(), list.end());
+  const Values root = parameters_->root();
+  for (const std::string &name : root.instances("Body"))
+    if (const std::string checksum =
+            reduction::modal_file_checksum(root.instance("Body", name), file_folder());
+        rank == 0 && !checksum.empty())
+      noted.insert(checksum);
   std::string checksums = parameters::join({noted.begin(), noted.end()}, ", ");
   checksums = reduction::broadcast(std::move(checksums), communicator_);
   if (!checksums.empty())
@@ -171,6 +180,7 @@ void Simulation::reduce_bodies(const Values &root) {
     root.reject_section("at least one subsection Body NAME must be given");
   for (const std::string &name : names) {
     const Values body = root.instance("Body", name);
+    reduction::check_modal_file(body, file_folder(), root.names("File checksums"));
     const std::string fingerprint = body.fingerprint();
     if (reduced_.find(fingerprint) != reduced_.end())
       continue;
@@ -318,9 +328,14 @@ std::vector<ContactFigures> Simulation::contacts_of(const std::vector<Job> &jobs
   std::vector<ContactFigures> figures;
   std::set<std::string> groups;
   std::set<std::string> known;
+  std::set<std::string> unknown;
   for (const Job &job : jobs) {
     const analyses::System system = build_case(job, analyses::grid_overrides(job.keys, 0)).system;
     log_groups(system.contacts, groups);
+    if (const std::string warning =
+            contact::unknown_flexibility_warning(system.contacts, system.model, unknown);
+        !warning.empty())
+      log::warning(warning);
     for (const ContactFigures &contact : contact::contact_figures(system.contacts, system.model))
       if (known.insert(contact.name).second)
         figures.push_back(contact);
@@ -392,8 +407,10 @@ RunSummary Simulation::run(const RunOptions &options) {
       reduced, std::chrono::seconds(60), std::move(derived), contacts, std::move(outlines));
   int rank = 0;
   MPI_Comm_rank(communicator_, &rank);
-  if (rank == 0)
+  if (rank == 0) {
     output::write_mode_files(folder, reduced);
+    output::write_mode_tables(folder, reduced, parameters_->dimensionless());
+  }
   warn_of_unused_laws(all);
   try {
     const PetscStage motions("Analyses");

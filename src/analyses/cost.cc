@@ -1,6 +1,7 @@
 #include "analyses/cost.h"
 
 #include "common/work_limit.h"
+#include "reduction/known_flexibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -250,7 +251,7 @@ std::string body_sentence(const reduction::ReducedBody &body, bool dimensionless
   const char *unit = dimensionless ? "" : " Hz";
   std::ostringstream text;
   text.precision(6);
-  text << body.size() << (body.modal() ? " modes from " : " coordinates from ")
+  text << body.size() << (reduction::has_modes(body) ? " modes from " : " coordinates from ")
        << frequency.minCoeff() << unit << " to " << frequency.maxCoeff() << unit << ", "
        << body.points.size() << " points";
   return text.str();

@@ -1,5 +1,8 @@
 #include "contact/local_flexibility.h"
 
+#include "reduction/known_flexibility.h"
+
+#include <cmath>
 #include <stdexcept>
 
 namespace vibroimpact::contact {
@@ -10,27 +13,19 @@ using reduction::ReducedBody;
 
 namespace {
 
-// sum over coordinates of row^2 / stiffness; those without stiffness move as a whole.
-double flexibility_of_coordinates(const ReducedBody &body, const RowVector &row) {
-  double sum = 0;
-  for (Index j = 0; j < body.size(); ++j)
-    if (body.stiffness[j] > 0)
-      sum += row[j] * row[j] / body.stiffness[j];
-  return sum;
-}
-
-bool known(const PointReference &reference, const Model &model) {
+bool known(const PointReference &reference, const Vector3 &normal, const Model &model) {
   const ReducedBody &body = *model.bodies().at(reference.body);
-  return !body.modal() || body.points.at(reference.point).flexibility.size() > 0;
+  return !reduction::has_modes(body) ||
+         !std::isnan(reduction::flexibility_along(body.points.at(reference.point), normal));
 }
 
 LocalFlexibility of_point(const PointReference &reference, const Vector3 &normal,
                           const Model &model) {
   const ReducedBody &body = *model.bodies().at(reference.body);
   const reduction::BodyPoint &point = body.points.at(reference.point);
-  const RowVector row = normal.transpose() * point.rows.topRows(3);
-  const double kept = flexibility_of_coordinates(body, row);
-  return {.whole = body.modal() ? normal.dot(point.flexibility * normal) : kept, .kept = kept};
+  const double kept = reduction::kept_flexibility(body, normal.transpose() * point.rows.topRows(3));
+  return {.whole = reduction::has_modes(body) ? reduction::flexibility_along(point, normal) : kept,
+          .kept = kept};
 }
 
 } // namespace
@@ -38,7 +33,7 @@ LocalFlexibility of_point(const PointReference &reference, const Vector3 &normal
 std::optional<LocalFlexibility> local_flexibility(const PointReference &a,
                                                   const std::optional<PointReference> &b,
                                                   const Vector3 &normal, const Model &model) {
-  if (!known(a, model) || (b && !known(*b, model)))
+  if (!known(a, normal, model) || (b && !known(*b, normal, model)))
     return std::nullopt;
   LocalFlexibility sum = of_point(a, normal, model);
   if (b) {

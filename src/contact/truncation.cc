@@ -1,6 +1,7 @@
 #include "contact/truncation.h"
 
 #include "contact/local_flexibility.h"
+#include "reduction/known_flexibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +89,7 @@ double kept_inverse_mass(const ReducedBody &body, const RowVector &row) {
 
 double lacking_flexibility(const PointReference &point, const Vector3 &normal, const Model &model) {
   const ReducedBody &body = *model.bodies()[point.body];
-  if (body.points[point.point].flexibility.size() == 0)
+  if (std::isnan(reduction::flexibility_along(body.points[point.point], normal)))
     return unknown;
   const auto flexibility = local_flexibility(point, std::nullopt, normal, model);
   // Of the share that attachment modes answer, round-off leaves less than this.
@@ -127,10 +128,11 @@ Remainder remainder_of_both(const Side &a, const Side &b, const Vector3 &normal,
 /// None where a meshed side has no mass at the contact.
 std::optional<std::vector<Remainder>> remainders_of(const ContactPair &pair, const Model &model) {
   std::vector<Side> sides = sides_of(pair, model);
-  sides.erase(
-      std::remove_if(sides.begin(), sides.end(),
-                     [&](const Side &side) { return !model.bodies()[side.point.body]->modal(); }),
-      sides.end());
+  sides.erase(std::remove_if(sides.begin(), sides.end(),
+                             [&](const Side &side) {
+                               return !reduction::has_modes(*model.bodies()[side.point.body]);
+                             }),
+              sides.end());
   for (const Side &side : sides)
     if (std::isnan(whole_inverse_mass(side, pair.normal, model)))
       return std::nullopt;
@@ -211,7 +213,7 @@ std::string flexibility_warning(const std::vector<ContactFigures> &contacts) {
                          "flexibility share asks for at the contacts " +
                              named +
                              "; quasi-static forces there come out too large. Keep more modes, or "
-                             "name the points or interfaces in Modes/Attachments";
+                             "name the points or interfaces in Attachments";
 }
 
 std::string impact_warning(const std::vector<ContactFigures> &contacts) {

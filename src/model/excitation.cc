@@ -60,6 +60,10 @@ std::vector<std::size_t> read_bodies(const parameters::Values &excitation, const
   for (const std::string &name : names) {
     excitation.require_known("Bodies", name, known);
     bodies.push_back(model.find_body(name));
+    if (!model.bodies()[bodies.back()]->base_participation.allFinite())
+      excitation.reject("Bodies", "must name bodies of which it is known how the base moves them; "
+                                  "the modes of " +
+                                      name + " come without their participation");
   }
   return bodies;
 }

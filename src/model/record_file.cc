@@ -1,45 +1,22 @@
 #include "model/record_file.h"
 
 #include "common/hdf5_file.h"
+#include "parameters/table_text.h"
 #include "parameters/text.h"
-#include "reduction/body_file.h"
+#include "reduction/named_file.h"
 
 #include <boost/algorithm/string.hpp>
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <optional>
-#include <sstream>
 
 namespace vibroimpact::model {
 
 namespace {
 
-using Cells = std::vector<std::string>;
-
-Cells split(const std::string &line, const std::string &separator) {
-  Cells cells;
-  if (separator == "space")
-    boost::split(cells, line, boost::is_any_of(" \t"), boost::token_compress_on);
-  else
-    boost::split(cells, line, boost::is_any_of(separator == "comma" ? "," : ";"));
-  for (std::string &cell : cells) {
-    boost::trim(cell);
-    boost::trim_if(cell, boost::is_any_of("\""));
-  }
-  return cells;
-}
-
-std::optional<double> number(const std::string &text) {
-  const char *begin = text.data() + (text.starts_with("+") ? 1 : 0);
-  const char *end = text.data() + text.size();
-  double value = 0;
-  const auto [rest, error] = std::from_chars(begin, end, value);
-  if (error != std::errc() || rest != end)
-    return std::nullopt;
-  return value;
-}
+using parameters::cell_number;
+using parameters::Cells;
 
 /// One column of a text file, by its number or its name.
 class Column {
@@ -72,7 +49,7 @@ public:
       throw RecordError(key_, where + "has only " + std::to_string(cells.size()) +
                                   (cells.size() == 1 ? " column; is the separator right?"
                                                      : " columns; is the separator right?"));
-    const std::optional<double> value = number(cells[*position_]);
+    const std::optional<double> value = cell_number(cells[*position_]);
     if (!value || !std::isfinite(*value))
       throw RecordError(key_,
                         where + "has '" + cells[*position_] + "' there, which is no finite number");
@@ -80,7 +57,7 @@ public:
   }
 
   bool holds_number(const Cells &cells) const {
-    return position_ && *position_ < cells.size() && number(cells[*position_]);
+    return position_ && *position_ < cells.size() && cell_number(cells[*position_]);
   }
 
 private:
@@ -120,35 +97,7 @@ std::vector<double> dataset(const Hdf5File &file, const std::string &key, const 
 
 using parameters::Values;
 
-std::string file_name(const Values &section, const std::string &file_folder) {
-  return (std::filesystem::path(file_folder) / section.text("File")).string();
-}
-
-// The whole file, of either kind.
-std::string file_content(const Values &section, const std::string &file) {
-  std::string content = reduction::read_file(file).value_or("");
-  if (content.empty())
-    section.reject("File",
-                   "must name a file that can be read and is not empty; there is none at " + file);
-  return content;
-}
-
-void check_content(const Values &section, const std::string &content,
-                   const std::vector<std::string> &checksums) {
-  const std::string start = section.text("File") + " ";
-  for (const std::string &checksum : checksums)
-    if (checksum.starts_with(start) && checksum != start + reduction::content_hash(content))
-      section.reject("File", "its content is not what it was when the checksum '" + checksum +
-                                 "' was noted in File checksums; it has " +
-                                 reduction::content_hash(content) + " now");
-}
-
 } // namespace
-
-bool is_hdf5(const std::string &file) {
-  const std::string suffix = boost::to_lower_copy(std::filesystem::path(file).extension().string());
-  return suffix == ".h5" || suffix == ".hdf5";
-}
 
 Samples read_text_record(const std::string &content, const RecordLayout &layout) {
   Column time(layout.time_key, layout.time_column);
@@ -158,28 +107,21 @@ Samples read_text_record(const std::string &content, const RecordLayout &layout)
                       "must be plain text; this file holds NUL bytes, as binary files do and "
                       "texts in UTF-16");
   Samples samples;
-  std::istringstream text(content);
-  std::string line;
   bool first = true;
-  for (long number = 1; std::getline(text, line); ++number) {
-    if (number == 1 && line.starts_with("\xEF\xBB\xBF")) // byte order mark
-      line.erase(0, 3);
-    boost::trim(line);
-    if (line.empty() || line[0] == '#' || line[0] == '%')
-      continue;
-    const Cells cells = split(line, layout.separator);
+  const auto read_line = [&](long number, const Cells &cells) {
     const bool header = first && (time.named() || value.named() ||
                                   !(time.holds_number(cells) || value.holds_number(cells)));
     first = false;
-    if (header) {
-      for (Column *column : {&time, &value})
-        if (column->named())
-          column->find_in(cells);
-      continue;
+    if (!header) {
+      append(samples, time.read(cells, number), value.read(cells, number),
+             "line " + std::to_string(number));
+      return;
     }
-    append(samples, time.read(cells, number), value.read(cells, number),
-           "line " + std::to_string(number));
-  }
+    for (Column *column : {&time, &value})
+      if (column->named())
+        column->find_in(cells);
+  };
+  parameters::for_each_table_line(content, layout.separator, read_line);
   require_two(samples);
   return samples;
 }
@@ -208,11 +150,11 @@ Samples read_hdf5_record(const std::string &file, const RecordLayout &layout) {
 
 Samples read_record(const Values &section, const std::string &file_folder,
                     const std::vector<std::string> &file_checksums, const RecordLayout &layout) {
-  const std::string file = file_name(section, file_folder);
-  const std::string content = file_content(section, file);
-  check_content(section, content, file_checksums);
+  const std::string file = reduction::named_file(section, file_folder);
+  const std::string content = reduction::read_named_file(section, file_folder, file_checksums);
   try {
-    return is_hdf5(file) ? read_hdf5_record(file, layout) : read_text_record(content, layout);
+    return reduction::is_hdf5(file) ? read_hdf5_record(file, layout)
+                                    : read_text_record(content, layout);
   } catch (const RecordError &error) {
     section.reject(error.key() == "Time column" ? layout.time_key : error.key(), error.what());
   }
@@ -221,13 +163,6 @@ Samples read_record(const Values &section, const std::string &file_folder,
 double file_unit(const Values &section, const std::string &key,
                  const parameters::Dimension &dimension) {
   return section.has(key) ? section.part(key, "1 " + section.text(key), dimension) : 1;
-}
-
-std::string file_checksum(const Values &section, const std::string &file_folder) {
-  if (!section.has("File"))
-    return "";
-  const std::string content = reduction::read_file(file_name(section, file_folder)).value_or("");
-  return content.empty() ? "" : section.text("File") + " " + reduction::content_hash(content);
 }
 
 } // namespace vibroimpact::model

@@ -28,9 +28,6 @@ private:
   std::string key_; ///< "File", "Time column", "Value column"
 };
 
-/// Is it an HDF5 file, by its suffix (.h5, .hdf5)?
-bool is_hdf5(const std::string &file);
-
 /// The samples of a text file, whose whole text is `content`, as they stand there. Empty lines and
 /// lines beginning with # or % do not count; the first other line may hold names of the columns.
 /// Throws RecordError, with the number of the line, for a cell that is no finite number, for time
@@ -49,7 +46,5 @@ Samples read_record(const parameters::Values &section, const std::string &file_f
 /// unit of another dimension.
 double file_unit(const parameters::Values &section, const std::string &key,
                  const parameters::Dimension &dimension);
-/// "NAME HASH" of that file; "" where none is named or can be read. Local.
-std::string file_checksum(const parameters::Values &section, const std::string &file_folder);
 
 } // namespace vibroimpact::model

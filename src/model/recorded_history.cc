@@ -3,6 +3,7 @@
 #include "common/linear_algebra.h"
 #include "model/piecewise_function.h"
 #include "model/record_file.h"
+#include "reduction/named_file.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -158,7 +159,9 @@ TimeFunctionPointer create_recorded(const Values &excitation, const HistoryConte
 
 std::string record_checksum(const Values &excitation, const std::string &file_folder) {
   const Values recorded = excitation.subsection("Recorded");
-  return excitation.choice("History") == "recorded" ? file_checksum(recorded, file_folder) : "";
+  return excitation.choice("History") == "recorded"
+             ? reduction::file_checksum(recorded, file_folder)
+             : "";
 }
 
 } // namespace vibroimpact::model

@@ -3,6 +3,7 @@
 #include "derived/dimensionless.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -148,6 +149,7 @@ public:
     file_.set_attribute(path_, "type", body.type);
     lengths_["mode"] = static_cast<std::size_t>(body.size());
     write_index_scale(file_, path_ + "/mode", lengths_["mode"]);
+    index("other_mode", lengths_["mode"]);
     labels("axis", {"x", "y", "z"}, "direction in space");
     labels("component", {"x", "y", "z", "rotation_x", "rotation_y", "rotation_z"},
            "displacement or rotation of a node or point");
@@ -208,7 +210,9 @@ void write_modal_data(BodyGroup &group, const ReducedBody &body) {
               "generalised inertia force of a unit base acceleration, sign reversed");
   group.array("total_mass", {"axis"}, row_major(body.total_mass), "kg",
               "mass that a base motion along an axis moves");
-  if (!body.modal())
+  group.array("damping", {"mode", "other_mode"}, row_major(body.damping), "N s/m",
+              "generalised damping matrix");
+  if (body.eigen_residual.size() == 0)
     return;
   group.array("eigen_residual", mode, row_major(body.eigen_residual), "1",
               "bound of the relative error of the squared frequency, from the residual in the norm "
@@ -231,6 +235,35 @@ void write_points(BodyGroup &group, const ReducedBody &body) {
   group.array("point_position", {"point", "axis"}, positions, "m", "undeformed position");
   group.array("point_rows", {"point", "component", "mode"}, rows, "1",
               "displacement [m] or rotation [rad] of a point per unit coordinate");
+}
+
+/// NaN for points of which it is not known; nothing where it is known of none.
+void write_point_matrices(BodyGroup &group, const ReducedBody &body, const std::string &name,
+                          Matrix reduction::BodyPoint::*matrix, const std::string &unit,
+                          const std::string &description) {
+  std::vector<double> values;
+  bool known = false;
+  for (const reduction::BodyPoint &point : body.points) {
+    const Matrix &own = point.*matrix;
+    known = known || own.size() > 0;
+    const Matrix nothing = Matrix::Constant(3, 3, std::numeric_limits<double>::quiet_NaN());
+    const std::vector<double> entries = row_major(own.size() > 0 ? own : nothing);
+    values.insert(values.end(), entries.begin(), entries.end());
+  }
+  if (known)
+    group.array(name, {"point", "axis", "other_axis"}, values, unit, description);
+}
+
+/// Of the body before reduction.
+void write_point_responses(BodyGroup &group, const ReducedBody &body) {
+  group.labels("other_axis", {"x", "y", "z"}, "direction in space of the cause");
+  write_point_matrices(group, body, "point_flexibility", &reduction::BodyPoint::flexibility, "m/N",
+                       "static displacement along an axis per unit force along another, of the "
+                       "body before reduction; NaN where it is not known");
+  write_point_matrices(group, body, "point_inverse_mass", &reduction::BodyPoint::inverse_mass,
+                       "1/kg",
+                       "velocity along an axis right after a unit impulse along another, of the "
+                       "body before reduction; NaN where it is not known");
 }
 
 void write_lines(BodyGroup &group, const Recovery &recovery) {
@@ -289,6 +322,7 @@ void write_body(Hdf5File &file, const ReducedBody &body, bool dimensionless) {
   BodyGroup group(file, body, dimensionless);
   write_modal_data(group, body);
   write_points(group, body);
+  write_point_responses(group, body);
   write_recovery(group, body.recovery);
 }
 

@@ -1,17 +1,22 @@
 #include "output/summary.h"
 
+#include "reduction/known_flexibility.h"
+
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace vibroimpact::output {
 
 namespace {
 
+/// NaN stands for what is not known.
 void add_along_axes(SummaryList &list, const std::string &name, const RowVector &values,
                     const std::string &unit) {
   constexpr std::array axes = {".x", ".y", ".z"};
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
-    list.add(name + axes[axis], values[static_cast<Index>(axis)], unit);
+    if (const double value = values[static_cast<Index>(axis)]; !std::isnan(value))
+      list.add(name + axes[axis], value, unit);
 }
 
 std::size_t point_count(const AnalysisHeader &header) {
@@ -55,7 +60,9 @@ SummaryList body_summary(const reduction::ReducedBody &body) {
     if (point.interface.empty() && point.flexibility.size() > 0) {
       RowVector share(3);
       for (int axis = 0; axis < 3; ++axis)
-        share[axis] = body.flexibility_share(point, Vector3::Unit(axis));
+        share[axis] = std::isnan(reduction::flexibility_along(point, Vector3::Unit(axis)))
+                          ? std::numeric_limits<double>::quiet_NaN()
+                          : body.flexibility_share(point, Vector3::Unit(axis));
       add_along_axes(list, prefix + "flexibility_share." + point.name, share, "1");
     }
   if (body.modal())

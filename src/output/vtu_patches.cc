@@ -16,6 +16,7 @@ namespace {
 
 using dealii::DataOutBase::Patch;
 using reduction::CellStress;
+using reduction::Recovery;
 
 constexpr unsigned line_subdivisions = 4;
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
@@ -61,11 +62,25 @@ Eigen::Matrix<float, 6, 1> contact_along(const BodyShape &shape, int a, int b, u
   return Eigen::Matrix<float, 6, 1>::Zero();
 }
 
+/// Of a body given by its modes only displacements may be known, and its lines stay straight.
+/// Without any shape nothing says so.
+bool has_rotations(const Recovery &recovery) {
+  if (recovery.shapes.cols() == 0)
+    return true;
+  for (Index node = 0; node < recovery.nodes.cols(); ++node)
+    if (!recovery.shapes.middleRows(6 * node + 3, 3).isZero(0))
+      return true;
+  return false;
+}
+
 void fill_line_point(const BodyShape &shape, const PointData &data, std::size_t line, unsigned i,
-                     dealii::Table<2, float> &table) {
+                     bool curved, dealii::Table<2, float> &table) {
   const auto [a, b] = shape.recovery->lines[line];
   const double t = static_cast<double>(i) / line_subdivisions;
   const auto along = [&](const Vector &values) {
+    if (!curved)
+      return Vector6((1 - t) * values.segment<6>(Index{6} * a) +
+                     t * values.segment<6>(Index{6} * b));
     return beam_curve(shape.recovery->nodes.col(a), shape.recovery->nodes.col(b),
                       values.segment<6>(Index{6} * a), values.segment<6>(Index{6} * b), t);
   };
@@ -132,6 +147,7 @@ PointData BodyShape::surface_data() const {
 }
 
 void add_lines(const BodyShape &shape, const PointData &data, Patches<1> &patches) {
+  const bool curved = has_rotations(*shape.recovery);
   for (std::size_t line = 0; line < shape.recovery->lines.size(); ++line) {
     const auto [a, b] = shape.recovery->lines[line];
     Patch<1, 3> patch;
@@ -142,7 +158,7 @@ void add_lines(const BodyShape &shape, const PointData &data, Patches<1> &patche
     patch.patch_index = static_cast<unsigned>(patches.size());
     patch.data.reinit(data.size(), line_subdivisions + 1);
     for (unsigned i = 0; i <= line_subdivisions; ++i)
-      fill_line_point(shape, data, line, i, patch.data);
+      fill_line_point(shape, data, line, i, curved, patch.data);
     patches.push_back(std::move(patch));
   }
 }

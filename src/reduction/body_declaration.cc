@@ -2,6 +2,7 @@
 #include "reduction/beam_parameters.h"
 #include "reduction/body_parameters.h"
 #include "reduction/body_sections.h"
+#include "reduction/modal_parameters.h"
 #include "reduction/shell_parameters.h"
 
 namespace vibroimpact::reduction {
@@ -77,6 +78,7 @@ void declare_point(Section &body) {
                   "From the node to the centre of the lumped mass along x, y, z: a rigid arm. The "
                   "point itself stays at the node.",
                   3, 3);
+  declare_modal_point(point);
 }
 
 void declare_link(Section &body) {
@@ -225,10 +227,11 @@ void declare_rotor(Section &body) {
 
 void declare_body(Section &root) {
   Section &body = root.named_subsection("Body", "A deformable or lumped body with named points.");
-  body.choice("Type", "beam", {"beam", "shell", "lumped", "rotor"},
+  body.choice("Type", "beam", {"beam", "shell", "lumped", "rotor", "modes"},
               "beam: normal modes of a frame of beams; shell: normal modes of plates and "
               "shells with their stiffeners; lumped: masses, springs, dashpots; rotor: an "
-              "unbalanced rotor with its motor on a point of another body.");
+              "unbalanced rotor with its motor on a point of another body; modes: known modes, "
+              "from a test, another program or the results of a run.");
   body.choice("Planar", "no", {"no", "xy", "yz", "zx"},
               "The plane in which a beam or shell moves: the displacement out of it and the "
               "rotations that turn it out of the plane are held at all nodes. no: it moves in "
@@ -243,6 +246,7 @@ void declare_body(Section &root) {
   declare_shells(body);
   declare_load(body);
   declare_modes(body);
+  declare_modal_data(body);
   declare_mass(body);
   declare_rotor(body);
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "modes/normal_modes.h"
+#include "reduction/attachment.h"
+#include "reduction/modal_definition.h"
 #include "structure/shell_definition.h"
 
 #include <optional>
@@ -24,13 +26,6 @@ struct Damping {
   double viscous_constant = 0;              ///< of the whole body [N s/m]
 };
 
-/// A place of the interface: a point, or each point of a named interface, along an axis (0, 1, 2),
-/// whose static answer is kept beside the modes.
-struct Attachment {
-  std::string point; ///< or interface
-  int axis = 0;
-};
-
 /// One mass of a lumped body: moves along its axes, held to the base by the same spring and dashpot
 /// along each.
 struct LumpedMass {
@@ -49,7 +44,7 @@ struct RotorDefinition {
 };
 
 struct BodyDefinition {
-  enum class Type { beam, shell, lumped, rotor };
+  enum class Type { beam, shell, lumped, rotor, modes };
   enum class Reduction { free_interface, fixed_interface };
   std::string name;
   Type type = Type::beam;
@@ -61,6 +56,7 @@ struct BodyDefinition {
   Damping damping;
   std::vector<LumpedMass> masses;
   RotorDefinition rotor;
+  ModalDefinition modal;
 };
 
 } // namespace vibroimpact::reduction

@@ -1,7 +1,7 @@
 // A reduced body as bytes: for a file that saves the eigen-solution of the next run, and for the
 // copy that every rank gets.
 //
-// Format: the line "vibroimpact reduced body 4", the line "checksum HEX" (FNV-1a, 64 bits, of all
+// Format: the line "vibroimpact reduced body 5", the line "checksum HEX" (FNV-1a, 64 bits, of all
 // that follows), then records. A record is the line "NAME text BYTES" or "NAME matrix ROWS
 // COLUMNS", its data (text, or little-endian doubles, column by column) and a line end.
 #pragma once

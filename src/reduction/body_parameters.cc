@@ -2,6 +2,7 @@
 
 #include "reduction/beam_parameters.h"
 #include "reduction/body_sections.h"
+#include "reduction/modal_parameters.h"
 #include "reduction/shell_parameters.h"
 
 #include <algorithm>
@@ -113,12 +114,23 @@ void refuse(const Values &body, const std::vector<const char *> &fixed,
       reject(unused);
 }
 
+/// What only a body with known modes has.
+void refuse_modal_keys(const Values &body) {
+  refuse(body, {"Modal data"}, {});
+  for (const std::string &name : body.instances("Point"))
+    for (const std::string &key : modal_point_keys())
+      if (body.instance("Point", name).given(key))
+        body.instance("Point", name)
+            .reject(key, "must not be set when Type = " + body.choice("Type"));
+}
+
 void read_beam(const Values &body, const std::string &folder, MPI_Comm communicator,
                BodyDefinition &definition) {
   if (!body.instances("Mass").empty())
     body.reject("Type",
                 "must not be beam when there is a subsection Mass; a Point can carry a mass");
   refuse(body, {"Rotor", "Motor"}, {"Shell", "Stiffener"});
+  refuse_modal_keys(body);
   refuse_shell_geometry(body);
   definition.beam = read_beam_definition(body, folder, communicator);
   definition.beam.plane_normal = read_plane(body);
@@ -128,6 +140,7 @@ void read_beam(const Values &body, const std::string &folder, MPI_Comm communica
 void read_shell(const Values &body, const std::string &folder, MPI_Comm communicator,
                 BodyDefinition &definition) {
   refuse(body, {"Section", "Rotor", "Motor"}, {"Mass", "Member", "Hinge"});
+  refuse_modal_keys(body);
   definition.shell = read_shell_definition(body, folder, communicator);
   definition.shell.plane_normal = read_plane(body);
   read_modes(body, definition);
@@ -141,7 +154,7 @@ void refuse_plane(const Values &body) {
 
 void read_rotor(const Values &body, BodyDefinition &definition) {
   refuse_plane(body);
-  refuse(body, {"Geometry", "Section", "Material", "Modes"},
+  refuse(body, {"Geometry", "Section", "Material", "Modes", "Modal data"},
          {"Support", "Point", "Rigid link", "Interface", "Mass", "Member", "Hinge", "Shell",
           "Stiffener", "Load"});
   const Values rotor = body.subsection("Rotor");
@@ -152,11 +165,19 @@ void read_rotor(const Values &body, BodyDefinition &definition) {
 
 void read_lumped(const Values &body, BodyDefinition &definition) {
   refuse_plane(body);
-  refuse(body, {"Geometry", "Section", "Material", "Modes", "Rotor", "Motor"},
+  refuse(body, {"Geometry", "Section", "Material", "Modes", "Modal data", "Rotor", "Motor"},
          {"Support", "Point", "Rigid link", "Interface", "Member", "Hinge", "Shell", "Stiffener",
           "Load"});
   for (const std::string &name : body.instances("Mass"))
     definition.masses.push_back(read_mass(body.instance("Mass", name), name));
+}
+
+void read_modal(const Values &body, const std::string &folder, BodyDefinition &definition) {
+  refuse_plane(body);
+  refuse(body, {"Geometry", "Section", "Material", "Modes", "Rotor", "Motor"},
+         {"Support", "Rigid link", "Interface", "Mass", "Member", "Hinge", "Shell", "Stiffener",
+          "Load"});
+  definition.modal = read_modal_definition(body, folder);
 }
 
 } // namespace
@@ -171,6 +192,9 @@ BodyDefinition read_body(const Values &body, const std::string &name, const std:
   } else if (body.choice("Type") == "rotor") {
     definition.type = BodyDefinition::Type::rotor;
     read_rotor(body, definition);
+  } else if (body.choice("Type") == "modes") {
+    definition.type = BodyDefinition::Type::modes;
+    read_modal(body, folder, definition);
   } else if (body.choice("Type") == "shell") {
     definition.type = BodyDefinition::Type::shell;
     read_shell(body, folder, communicator, definition);

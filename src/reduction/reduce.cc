@@ -6,6 +6,7 @@
 #include "reduction/body_file.h"
 #include "reduction/element_stress.h"
 #include "reduction/lumped_body.h"
+#include "reduction/modal_body.h"
 #include "reduction/point_response.h"
 #include "reduction/rotor_body.h"
 #include "reduction/stability.h"
@@ -177,6 +178,8 @@ ReducedBody reduce(const BodyDefinition &definition, MPI_Comm communicator) {
     return lumped_body(definition);
   if (definition.type == BodyDefinition::Type::rotor)
     return rotor_body(definition);
+  if (definition.type == BodyDefinition::Type::modes)
+    return modal_body_from_file(definition.name, definition.modal);
   return broadcast(meshed_body(definition, communicator), communicator);
 }
 

@@ -1,5 +1,7 @@
 #include "reduction/reduced_body.h"
 
+#include "reduction/known_flexibility.h"
+
 #include <stdexcept>
 
 namespace vibroimpact::reduction {
@@ -14,11 +16,9 @@ Vector ReducedBody::damping_ratio() const {
 }
 
 double ReducedBody::flexibility_share(const BodyPoint &point, const Vector3 &direction) const {
-  if (point.flexibility.size() == 0)
-    return 1;
-  const double whole = direction.dot(point.flexibility * direction);
+  const double whole = flexibility_along(point, direction);
   const RowVector along = direction.transpose() * point.rows.topRows(3);
-  return whole > 0 ? along.cwiseAbs2().dot(stiffness.cwiseInverse()) / whole : 1;
+  return whole > 0 ? kept_flexibility(*this, along) / whole : 1;
 }
 
 Matrix ReducedBody::effective_mass() const {

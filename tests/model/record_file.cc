@@ -3,6 +3,7 @@
 #include "common/hdf5_file.h"
 #include "model/excitation.h"
 #include "model/histories.h"
+#include "reduction/named_file.h"
 #include "temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -125,8 +126,8 @@ TEST(RecordFileTest, UnitsScaleAndOffset) {
 TEST(RecordFileTest, Hdf5) {
   const testing::TemporaryFolder folder;
   const std::string file = (folder.path() / "record.h5").string();
-  EXPECT_TRUE(is_hdf5(file));
-  EXPECT_FALSE(is_hdf5("record.csv"));
+  EXPECT_TRUE(reduction::is_hdf5(file));
+  EXPECT_FALSE(reduction::is_hdf5("record.csv"));
   Hdf5File made = Hdf5File::create(file);
   made.write("/run/time", {3}, std::vector<double>{0, 1, 2});
   made.write("/run/force", {3}, std::vector<double>{4, 5, 6});

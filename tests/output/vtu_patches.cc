@@ -56,6 +56,18 @@ TEST(VtuPatches, VelocityOfABeamIsThatOfItsBendingLine) {
   }
 }
 
+// The same where the shapes know of no rotation.
+TEST(VtuPatches, ALineWithoutKnownRotationsStaysStraight) {
+  Recovery recovery = beam();
+  recovery.shapes = Matrix::Zero(12, 1);
+  recovery.shapes(7, 0) = 1;
+  const BodyShape shape{.recovery = &recovery, .motion = recovery.shapes.col(0)};
+  Patches<1> patches;
+  add_lines(shape, shape.line_data(), patches);
+  for (unsigned i = 0; i <= 4; ++i)
+    EXPECT_FLOAT_EQ(patches[0].data(1, i), static_cast<float>(i) / 4);
+}
+
 // Two fibres: bending of +-1 Pa at the first node that vanishes at the second, and a shear stress.
 TEST(VtuPatches, StressOfABeamIsLinearAlongItsElements) {
   Recovery recovery = beam();

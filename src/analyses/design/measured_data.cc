@@ -4,6 +4,7 @@
 #include "common/error.h"
 #include "model/record_file.h"
 #include "parameters/text.h"
+#include "reduction/named_file.h"
 
 #include <math.h> // before Boost 1.74, which calls isnan without its namespace
 
@@ -229,7 +230,7 @@ std::vector<DataSet> read_data_sets(const Values &section) {
 std::vector<std::string> data_checksums(const Values &root, const std::string &file_folder) {
   std::vector<std::string> checksums;
   const auto add = [&](const Values &section) {
-    const std::string checksum = model::file_checksum(section, file_folder);
+    const std::string checksum = reduction::file_checksum(section, file_folder);
     if (!checksum.empty())
       checksums.push_back(checksum);
   };

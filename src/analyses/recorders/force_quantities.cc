@@ -2,6 +2,8 @@
 
 #include <Eigen/QR>
 
+#include <cmath>
+
 namespace vibroimpact::analyses {
 
 using model::Connection;
@@ -116,8 +118,10 @@ std::vector<ObservedQuantity> base_forces(const Model &model) {
   for (std::size_t b = 0; b < model.bodies().size(); ++b)
     for (int axis = 0; axis < 3; ++axis) {
       const ReducedBody &body = *model.bodies()[b];
-      if (body.points.empty() || body.base_participation.col(axis).cwiseAbs().maxCoeff() <=
-                                     1e-12 * body.base_participation.cwiseAbs().maxCoeff())
+      if (body.points.empty() || !body.base_participation.allFinite() ||
+          std::isnan(body.total_mass[axis]) ||
+          body.base_participation.col(axis).cwiseAbs().maxCoeff() <=
+              1e-12 * body.base_participation.cwiseAbs().maxCoeff())
         continue;
       const std::string name(1, static_cast<char>('x' + axis));
       list.push_back({"body/" + body.name + "/base_force_" + name, "force", "N",

@@ -1,5 +1,7 @@
 #include "motion/exact/exact_segment.h"
 
+#include "reduction/known_flexibility.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,7 +30,7 @@ void ExactSegment::list_measures(const Equations &equations) {
   for (std::size_t b = 0; b < model.bodies().size(); ++b)
     for (Index j = 0; j < model.bodies()[b]->size(); ++j) {
       measures_.push_back({.row = model.offset(b) + j, .into = n_second_});
-      if (!model.bodies()[b]->modal() || j + 1 == model.bodies()[b]->size())
+      if (!reduction::has_modes(*model.bodies()[b]) || j + 1 == model.bodies()[b]->size())
         ++n_second_;
     }
   for (std::size_t k = 0; k < model.sources().size(); ++k)
