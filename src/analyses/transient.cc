@@ -3,6 +3,7 @@
 #include "analyses/fields.h"
 #include "analyses/motion_progress.h"
 #include "analyses/motion_recorder.h"
+#include "analyses/stress_fields.h"
 #include "analyses/window_recording.h"
 #include "common/error.h"
 #include "common/memory.h"
@@ -32,7 +33,11 @@ void Transient::declare(parameters::Section &analysis) {
       .quantity("First frame", "0 s", dimension::time, range::non_negative, "",
                 "Instant of the first picture.")
       .quantity("Last frame", "", dimension::time, range::positive, "",
-                "Instant of the last picture; empty means the end.");
+                "Instant of the last picture; empty means the end.")
+      .integer("Stress instants", "0", Range{.lower = 0, .upper = 1e6}, "",
+               "Instants from First frame to Last frame at which the stress of all elements is "
+               "looked at: its envelope, and the meshes at the instant of its maximum, for "
+               "ParaView; 0 means none.");
 }
 
 std::shared_ptr<const Analysis> Transient::create(const parameters::Values &analysis) {
@@ -44,8 +49,10 @@ std::shared_ptr<const Analysis> Transient::create(const parameters::Values &anal
       .listed_impacts = static_cast<std::size_t>(values.integer("Listed impacts")),
       .frames = static_cast<std::size_t>(values.integer("Frames")),
       .first_frame = values.quantity("First frame"),
+      .stress_instants = static_cast<std::size_t>(values.integer("Stress instants")),
       .recorders = read_recorders(analysis, {}),
-      .place = values.locate(values.has("Sampling interval") ? "Sampling interval" : "Duration")};
+      .place = values.locate(values.has("Sampling interval") ? "Sampling interval" : "Duration"),
+      .stress_place = values.locate("Stress instants")};
   settings.sampling_interval = values.has("Sampling interval")
                                    ? values.quantity("Sampling interval")
                                    : settings.duration / 1000;
@@ -53,7 +60,7 @@ std::shared_ptr<const Analysis> Transient::create(const parameters::Values &anal
     values.reject("Sampling interval", "must be at least Duration / 1e8");
   settings.last_frame =
       values.has("Last frame") ? values.quantity("Last frame") : settings.duration;
-  if (settings.frames > 1 &&
+  if (std::max(settings.frames, settings.stress_instants) > 1 &&
       (settings.last_frame <= settings.first_frame || settings.last_frame > settings.duration))
     values.reject("Last frame", "must be after First frame and within Duration");
   return std::make_shared<Transient>(settings);
@@ -69,9 +76,23 @@ void Transient::check(const System &system) const {
     throw InputError(settings_.place + "\n  for the histories of " +
                      parameters::number_text(samples) + " samples " + lack +
                      "; a longer Sampling interval takes less.");
+  if (settings_.stress_instants > 0 && !has_known_stress(system.model))
+    throw InputError(settings_.stress_place +
+                     "\n  must be 0 when no body is a beam or shell whose cross-sections have a "
+                     "known shape.");
   motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
+}
+
+/// From the first to the last frame.
+std::vector<double> Transient::instants(std::size_t number) const {
+  std::vector<double> instants;
+  for (std::size_t i = 0; i < number; ++i)
+    instants.push_back(settings_.first_frame +
+                       (settings_.last_frame - settings_.first_frame) * static_cast<double>(i) /
+                           static_cast<double>(std::max<std::size_t>(number - 1, 1)));
+  return instants;
 }
 
 PointResult Transient::compute(const System &system, LineContext &context) const {
@@ -79,14 +100,10 @@ PointResult Transient::compute(const System &system, LineContext &context) const
   motion::ImpactLog log(system.contacts, settings_.recorded_pulses, true);
   MotionRecorder recorder(system,
                           equal_instants(0, settings_.duration, settings_.sampling_interval));
-  std::vector<double> frames;
-  for (std::size_t i = 0; i < settings_.frames; ++i)
-    frames.push_back(settings_.first_frame +
-                     (settings_.last_frame - settings_.first_frame) * static_cast<double>(i) /
-                         static_cast<double>(std::max<std::size_t>(settings_.frames - 1, 1)));
-  FrameRecorder pictures(system, frames);
+  FrameRecorder pictures(system, instants(settings_.frames));
+  FrameRecorder stresses(system, instants(settings_.stress_instants));
   MotionProgress progress(context, 0, settings_.duration);
-  motion::Observers observers({&log, &recorder, &pictures, &progress});
+  motion::Observers observers({&log, &recorder, &pictures, &stresses, &progress});
   WindowRecording recording(settings_.recorders, system);
   PointResult result;
   try {
@@ -102,8 +119,14 @@ PointResult Transient::compute(const System &system, LineContext &context) const
   add_impacts(result, system.contacts, log, settings_.listed_impacts);
   add_pulses(result, system.contacts, log);
   add_accuracy(result, trajectory.accuracy(), system.integration);
-  if (!frames.empty() && result.status == Status::finished)
+  if (result.status != Status::finished)
+    return result;
+  if (settings_.frames + settings_.stress_instants > 0)
     result.motion.push_back(pictures.motion(log));
+  if (settings_.stress_instants > 0) {
+    result.motion.push_back(stresses.motion(log));
+    add_largest_stresses(result, system.model, result.motion.back());
+  }
   return result;
 }
 

@@ -15,8 +15,10 @@ public:
     std::size_t listed_impacts = 0;         ///< impacts in the summary
     std::size_t frames = 0;                 ///< pictures of the meshes
     double first_frame = 0, last_frame = 0; ///< [s]
+    std::size_t stress_instants = 0;        ///< at which all stresses are looked at
     std::vector<RecorderFactory> recorders; ///< of the whole motion
     std::string place{};                    ///< file and line of the sampling, for messages
+    std::string stress_place{};             ///< likewise, of the instants of the stress
   };
   explicit Transient(Settings settings) : settings_(std::move(settings)) {}
 
@@ -29,6 +31,7 @@ public:
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:
+  std::vector<double> instants(std::size_t number) const;
   PointResult compute(const System &system, LineContext &context) const;
 
   Settings settings_;

@@ -213,9 +213,11 @@ SummaryList FileSink::summary(const std::vector<StoredAnalysis> &analyses,
 
 void FileSink::write_motion(const StoredPoints &points) {
   points.visit([this](const PointResult &point) {
-    for (const Motion &motion : point.motion)
-      write_motion_files(folder_, header_.name + index_suffix(point.index), bodies_, outlines_,
-                         motion);
+    const std::string name = header_.name + index_suffix(point.index);
+    if (!point.motion.empty() && !point.motion[0].time.empty())
+      write_motion_files(folder_, name, bodies_, outlines_, point.motion[0]);
+    if (point.motion.size() > 1)
+      write_stress_files(folder_, name, bodies_, outlines_, point.motion[1]);
   });
 }
 

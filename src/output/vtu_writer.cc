@@ -3,6 +3,7 @@
 #include "common/durable_file.h"
 #include "common/signals.h"
 #include "output/vtu_patches.h"
+#include "reduction/stress_envelope.h"
 
 #include <algorithm>
 #include <array>
@@ -280,6 +281,38 @@ Frame write_frame(RunFolder &folder, const std::string &name, const Instant &ins
   return frame;
 }
 
+/// The undeformed bodies with the largest stresses over time, and the instant of the largest of
+/// all.
+struct StressOverTime {
+  std::vector<BodyShape> shapes;
+  double maximum = -1; ///< [Pa]
+  Index instant = 0;
+
+  /// The stress of places of the body that was added last.
+  Vector add(const reduction::CellStress &places, const Matrix &coordinates) {
+    const reduction::StressEnvelope envelope = reduction::stress_envelope(places, coordinates);
+    if (envelope.place >= 0 && envelope.maximum() > maximum) {
+      maximum = envelope.maximum();
+      instant = envelope.instant;
+    }
+    return envelope.as_stress();
+  }
+};
+
+StressOverTime stress_over_time(const std::vector<ReducedBody> &bodies, const Motion &motion) {
+  StressOverTime stress;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (const Recovery &recovery = bodies[b].recovery; !recovery.empty()) {
+      BodyShape shape{.recovery = &recovery,
+                      .number = b + 1,
+                      .motion = Vector::Zero(6 * recovery.nodes.cols())};
+      shape.line_stress = stress.add(recovery.line_stress, motion.coordinates[b]);
+      shape.surface_stress = stress.add(recovery.surface_stress, motion.coordinates[b]);
+      stress.shapes.push_back(std::move(shape));
+    }
+  return stress;
+}
+
 } // namespace
 
 void write_mode_files(RunFolder &folder, const std::vector<ReducedBody> &bodies) {
@@ -301,6 +334,19 @@ void write_motion_files(RunFolder &folder, const std::string &name,
                                  instant + 1, !motion.velocities.empty()));
   if (!stop_requested())
     write_pvd(folder.claim(name + ".pvd"), frames);
+}
+
+void write_stress_files(RunFolder &folder, const std::string &name,
+                        const std::vector<ReducedBody> &bodies, const Outlines &outlines,
+                        const Motion &motion) {
+  const StressOverTime stress = stress_over_time(bodies, motion);
+  write_mesh(folder, name + "/stress-envelope", meshes_of(stress.shapes));
+  const Instant instant(bodies, outlines, motion, static_cast<std::size_t>(stress.instant));
+  const Meshes meshes = meshes_of(instant.shapes());
+  write_mesh(folder, name + "/stress-maximum", meshes);
+  Frame unused{};
+  add_part(folder, name + "/stress-maximum-sections.vtu", meshes.section_data, meshes.sections,
+           unused);
 }
 
 std::string index_suffix(const std::vector<std::size_t> &index) {

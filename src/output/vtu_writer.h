@@ -44,6 +44,18 @@ void write_motion_files(RunFolder &folder, const std::string &name,
                         const std::vector<reduction::ReducedBody> &bodies, const Outlines &outlines,
                         const Motion &motion);
 
+/// Of a motion at the instants at which its stress is looked at:
+///
+/// - NAME/stress-envelope.vtu: the undeformed meshes with the largest von Mises stress over time at
+///   each place ("von_mises_stress" [Pa], for shells that of both faces too), each at its own time.
+/// - NAME/stress-maximum.vtu: the meshes as in a frame, at the instant of the largest of all; and
+///   NAME/stress-maximum-sections.vtu, the sides of beams then.
+///
+/// With surfaces, lines are in files whose names end in -lines.vtu.
+void write_stress_files(RunFolder &folder, const std::string &name,
+                        const std::vector<reduction::ReducedBody> &bodies, const Outlines &outlines,
+                        const Motion &motion);
+
 /// "-2-1-17" for the position of a point along the outer axes, counted from 1.
 std::string index_suffix(const std::vector<std::size_t> &index);
 

@@ -1,0 +1,91 @@
+#include "reduction/stress_envelope.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibroimpact::reduction {
+
+namespace {
+
+// Stresses of so many places at so many instants at a time: 3 * 256 * 512 numbers are 3 MB.
+constexpr Index place_block = 256;
+constexpr Index instant_block = 512;
+
+/// Squares, for a block of places (rows: three for each) and instants (columns).
+Matrix squared_von_mises(const Matrix &stress) {
+  const Index places = stress.rows() / 3;
+  Matrix squared(places, stress.cols());
+  for (Index t = 0; t < stress.cols(); ++t)
+    for (Index p = 0; p < places; ++p) {
+      const double first = stress(3 * p, t);
+      const double second = stress(3 * p + 1, t);
+      const double shear = stress(3 * p + 2, t);
+      squared(p, t) = first * first - first * second + second * second + 3 * shear * shear;
+    }
+  return squared;
+}
+
+/// Squares in `envelope.largest`; `best` is the largest of all so far.
+void take(const Matrix &squared, Index first_place, Index first_instant, double &best,
+          StressEnvelope &envelope) {
+  for (Index p = 0; p < squared.rows(); ++p) {
+    Index instant = 0;
+    const double largest = squared.row(p).maxCoeff(&instant);
+    double &own = envelope.largest[first_place + p];
+    own = std::max(own, largest);
+    if (largest > best) {
+      best = largest;
+      envelope.place = first_place + p;
+      envelope.instant = first_instant + instant;
+    }
+  }
+}
+
+/// The cell whose places a place is among.
+std::size_t cell_of(const CellStress &stress, Index place) {
+  const auto after = std::upper_bound(stress.first.begin(), stress.first.end(), place);
+  return static_cast<std::size_t>(after - stress.first.begin()) - 1;
+}
+
+} // namespace
+
+Vector StressEnvelope::as_stress() const {
+  Vector stress = Vector::Zero(3 * largest.size());
+  for (Index p = 0; p < largest.size(); ++p)
+    stress[3 * p] = largest[p];
+  return stress;
+}
+
+StressEnvelope stress_envelope(const CellStress &stress, const Matrix &coordinates) {
+  const Index places = stress.rows.rows() / 3;
+  const Index instants = coordinates.rows();
+  StressEnvelope envelope{.largest = Vector::Zero(places)};
+  double best = -1;
+  for (Index p = 0; p < places; p += place_block)
+    for (Index t = 0; t < instants; t += instant_block) {
+      const Matrix block =
+          stress.rows.middleRows(3 * p, 3 * std::min(place_block, places - p)) *
+          coordinates.middleRows(t, std::min(instant_block, instants - t)).transpose();
+      take(squared_von_mises(block), p, t, best, envelope);
+    }
+  envelope.largest = envelope.largest.cwiseSqrt();
+  return envelope;
+}
+
+Vector3 place_of_stress(const Recovery &recovery, bool surface, Index place) {
+  if (surface) {
+    const std::array<int, 4> &corners = recovery.surfaces[cell_of(recovery.surface_stress, place)];
+    const int size = corners[3] < 0 ? 3 : 4;
+    Vector3 middle = Vector3::Zero();
+    for (int i = 0; i < size; ++i)
+      middle += recovery.nodes.col(corners[static_cast<std::size_t>(i)]) / size;
+    return middle;
+  }
+  const std::size_t line = cell_of(recovery.line_stress, place);
+  const Index first = recovery.line_stress.first[line];
+  const Index count = recovery.line_stress.first[line + 1] - first;
+  const std::size_t end = 2 * (place - first) < count ? 0 : 1;
+  return recovery.nodes.col(recovery.lines[line][end]);
+}
+
+} // namespace vibroimpact::reduction

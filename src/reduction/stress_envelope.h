@@ -1,0 +1,29 @@
+// The largest von Mises stress over time at each place of a body's elements, from its coordinates.
+#pragma once
+
+#include "reduction/reduced_body.h"
+
+namespace vibroimpact::reduction {
+
+/// Over given instants, at the places of a CellStress.
+struct StressEnvelope {
+  Vector largest{}; ///< for each place [Pa]
+  /// The largest of all: the place and the instant where it stands; negative without any place.
+  Index place = -1;
+  Index instant = -1;
+
+  /// 0 without any place [Pa].
+  double maximum() const { return place < 0 ? 0 : largest[place]; }
+  /// Rows as CellStress has them, for stresses whose von Mises stress is the envelope: uniaxial.
+  Vector as_stress() const;
+};
+
+/// `coordinates`: instants x n. Takes a few MB beside its arguments, however many places and
+/// instants there are.
+StressEnvelope stress_envelope(const CellStress &stress, const Matrix &coordinates);
+
+/// The middle of the cell that a place belongs to [m]; `surface`: of Recovery::surface_stress, else
+/// the end of the line where the place lies.
+Vector3 place_of_stress(const Recovery &recovery, bool surface, Index place);
+
+} // namespace vibroimpact::reduction
