@@ -355,11 +355,28 @@ def plates_and_shells():
     return sketch
 
 
+def given_matrices():
+    sketch = Sketch("An upright bar with a right angle, given by the stiffness and mass of another program, above a stop; "
+                    "the ground moves upwards and downwards")
+    foot, knee, tip = (80, 250), (80, 70), (330, 70)
+    sketch.ground((45, 250), (115, 250))
+    sketch.line(foot, knee, width=4)
+    sketch.line(knee, tip, width=4)
+    sketch.symbol((205, 50), "K, M")
+    sketch.ground((305, 130), (355, 130))
+    sketch.clearance((380, 130), (380, 70), "Δ", side=1)
+    sketch.symbol((290, 160), "k, c", colour=CONTACT)
+    sketch.arrow((150, 285), (150, 235), both=True)
+    sketch.symbol((165, 262), "z_0(t)", colour=MOTION, anchor="start")
+    return sketch
+
+
 SKETCHES = {
     "impacting-beams": impacting_beams, "isolator-stop": isolator_stop, "isolator-design": isolator_design,
     "bumpers": bumpers, "vibro-impact-absorber": absorber, "rigid-stop": rigid_stop,
     "bilinear-oscillator": bilinear_oscillator, "electromechanical": electromechanical,
     "cantilever-stop": cantilever_stop, "measured-modes": measured_modes, "many-contacts": many_contacts, "plates-and-shells": plates_and_shells,
+    "given-matrices": given_matrices,
 }
 
 

@@ -41,7 +41,32 @@ structure::petsc::Matrix regular(Mat mass) {
   return matrix;
 }
 
+// Rounding leaves zeros of some 1e-14, elements some 1e-6 at least.
+constexpr double zero_mass = 1e-10;
+
+/// The diagonal alone, with the pattern of the matrix.
+structure::petsc::Matrix diagonal_matrix(Mat mass) {
+  structure::petsc::Matrix matrix;
+  check(MatDuplicate(mass, MAT_COPY_VALUES, matrix.address()), "Copying a matrix");
+  check(MatZeroEntries(matrix.get()), "Copying a matrix");
+  check(MatDiagonalSet(matrix.get(), diagonal_vector(mass).get(), INSERT_VALUES),
+        "Changing a matrix");
+  return matrix;
+}
+
 } // namespace
+
+MassSigns mass_signs(Mat mass) {
+  const structure::petsc::Matrix matrix = regular(mass);
+  const structure::petsc::Matrix diagonal = diagonal_matrix(mass);
+  Factorisation factorised(matrix.get(), diagonal.get(), zero_mass);
+  const int small = factorised.eigenvalues_below();
+  if (small == 0)
+    return {};
+  factorised.shift_to(-zero_mass);
+  const int negative = factorised.eigenvalues_below();
+  return {.zero = small - negative, .negative = negative};
+}
 
 Vector own_diagonal(Mat matrix) { return own_entries(diagonal_vector(matrix).get()); }
 

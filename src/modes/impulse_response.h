@@ -16,4 +16,14 @@ Vector diagonal(Mat matrix);
 /// fails.
 Matrix impulse_response(Mat mass, const Matrix &impulses);
 
+/// Eigenvalues of a mass matrix, made dimensionless by its diagonal, that count as zero or are
+/// negative, besides those of rows without mass. Elements with reduced integration leave zeros.
+struct MassSigns {
+  int zero = 0;
+  int negative = 0;
+};
+
+/// From the inertia of M -+ 1e-10 diag(M). Collective. Throws NumericalError when MUMPS fails.
+MassSigns mass_signs(Mat mass);
+
 } // namespace vibroimpact::modes

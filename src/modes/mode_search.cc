@@ -39,6 +39,11 @@ double largest_eigenvalue(const EigenProblem &problem) {
   return largest;
 }
 
+/// The bounds that are more than rounding.
+Vector beyond(const Vector &bounds, const Vector &rounding) {
+  return (bounds.array() > rounding.array()).select(bounds, 0.0);
+}
+
 } // namespace
 
 ModeSearch::ModeSearch(const EigenProblem &problem)
@@ -54,7 +59,7 @@ CompletePairs ModeSearch::lowest(int count) {
   for (int asked = count;; asked = std::min(2 * asked, problem_.mass_rank)) {
     Refined found = refined(lowest_eigenvectors(problem_.factorised_at(shift_), problem_.mass,
                                                 asked, problem_.mass_rank));
-    if (found.error_bounds.head(count).maxCoeff() <= accepted_error)
+    if (beyond(found.error_bounds, found.rounding).head(count).maxCoeff() <= accepted_error)
       return group(complete(std::move(found)), count);
     if (asked == problem_.mass_rank || ++enlargements > most_enlargements)
       throw NumericalError("The lowest modes are lost in the round-off of the stiffness matrix: "
@@ -70,6 +75,7 @@ CompletePairs ModeSearch::completed(LowestVectors found) {
 ModeSearch::Refined ModeSearch::refined(LowestVectors found) {
   const Factorisation &shifted = problem_.factorised_at(shift_);
   Eigenpairs pairs = rayleigh_ritz(problem_, std::move(found.vectors));
+  const Vector rounding = rounding_of(pairs);
   double previous = std::numeric_limits<double>::infinity();
   for (int step = 1;; ++step) {
     const Correction correction = inverse_iteration(problem_, shifted, pairs);
@@ -79,12 +85,18 @@ ModeSearch::Refined ModeSearch::refined(LowestVectors found) {
     // No Ritz value lies below its eigenvalue: one that has fallen is still within the bound.
     bounds.array() += (better.values - pairs.values).array().max(0.0) /
                       (pairs.values.array() - shift_) * (1 + bounds.array());
-    const double largest = bounds.maxCoeff();
+    const double largest = beyond(bounds, rounding).maxCoeff();
     if (largest <= wanted_error || largest > previous / 2 || step == most_refinements)
-      return {std::move(better), std::move(bounds), gap};
+      return {std::move(better), std::move(bounds), gap, rounding};
     previous = largest;
     pairs = std::move(better);
   }
+}
+
+/// Of eigenvalues from the shift, relative.
+Vector ModeSearch::rounding_of(const Eigenpairs &pairs) const {
+  return rounding_deviations * rounding_of_quotients(problem_, pairs.vectors).array() /
+         (pairs.values.array() - shift_);
 }
 
 /// What a count shows to be missing is found.

@@ -35,11 +35,13 @@ private:
     Eigenpairs pairs;
     Vector error_bounds; ///< hold when no eigenvalue is missing
     double gap = 0;      ///< behind the last one
+    Vector rounding;     ///< part of the bounds that the rounding of the entries explains
   };
 
   Refined refined(LowestVectors found);
   Refined complete(Refined found);
   Refined sliced(double gap, int expected);
+  Vector rounding_of(const Eigenpairs &pairs) const;
   CompletePairs group(Refined all, int count) const;
 
   EigenProblem problem_;

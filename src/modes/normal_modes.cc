@@ -20,9 +20,11 @@ NormalModes normal_modes_of(const EigenProblem &problem, const ModeSearch &searc
                             const CompletePairs &found) {
   NormalModes modes;
   modes.eigenvalues = found.pairs.values;
-  for (double &value : modes.eigenvalues)
-    if (std::abs(value) <= rigid_fraction * search.largest())
-      value = 0;
+  const Vector noise = rounding_of_quotients(problem, found.pairs.vectors);
+  for (Index j = 0; j < modes.eigenvalues.size(); ++j)
+    if (std::abs(modes.eigenvalues[j]) <=
+        std::max(rigid_fraction * search.largest(), rounding_deviations * noise[j]))
+      modes.eigenvalues[j] = 0;
   modes.shapes = gather(Layout(problem.mass), found.pairs.vectors);
   modes.error_bounds = found.error_bounds;
   for (Index j = 0; j < modes.eigenvalues.size(); ++j)

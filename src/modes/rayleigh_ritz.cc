@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 
+#include <vector>
+
 namespace vibroimpact::modes {
 
 namespace {
@@ -28,6 +30,29 @@ Block residuals(const EigenProblem &problem, const Eigenpairs &pairs) {
          multiply(problem.mass, pairs.vectors) * pairs.values.asDiagonal();
 }
 
+structure::petsc::Matrix squared_entries(Mat matrix) {
+  using structure::petsc::check;
+  structure::petsc::Matrix squares;
+  check(MatDuplicate(matrix, MAT_COPY_VALUES, squares.address()), "Copying a matrix");
+  const Layout layout(matrix);
+  std::vector<double> row_squares;
+  for (PetscInt row = layout.own_begin; row < layout.own_begin + layout.own; ++row) {
+    PetscInt count = 0;
+    const PetscInt *columns = nullptr;
+    const double *values = nullptr;
+    check(MatGetRow(matrix, row, &count, &columns, &values), "Reading a matrix");
+    row_squares.assign(values, values + count);
+    for (double &value : row_squares)
+      value *= value;
+    check(MatSetValues(squares.get(), 1, &row, count, columns, row_squares.data(), INSERT_VALUES),
+          "Changing a matrix");
+    check(MatRestoreRow(matrix, row, &count, &columns, &values), "Reading a matrix");
+  }
+  check(MatAssemblyBegin(squares.get(), MAT_FINAL_ASSEMBLY), "Changing a matrix");
+  check(MatAssemblyEnd(squares.get(), MAT_FINAL_ASSEMBLY), "Changing a matrix");
+  return squares;
+}
+
 } // namespace
 
 Eigenpairs rayleigh_ritz(const EigenProblem &problem, Block x) {
@@ -46,6 +71,17 @@ Correction inverse_iteration(const EigenProblem &problem, const Factorisation &s
   Correction correction{.step = shifted.solve(r), .residual_products = {}};
   correction.residual_products = inner_products(Layout(problem.mass), r, correction.step);
   return correction;
+}
+
+Vector rounding_of_quotients(const EigenProblem &problem, const Block &x) {
+  if (problem.entry_error == 0)
+    return Vector::Zero(x.cols());
+  const structure::petsc::Matrix squares = squared_entries(problem.stiffness);
+  const Layout layout(problem.stiffness);
+  const Block square = x.array().square();
+  const Block product = multiply(squares.get(), square);
+  return problem.entry_error *
+         (2 * inner_products(layout, square, product).diagonal().array()).max(0.0).sqrt();
 }
 
 double orthogonality_residual(const EigenProblem &problem, const Block &x) {

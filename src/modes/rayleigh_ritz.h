@@ -16,6 +16,9 @@ struct EigenProblem {
   Mat mass = nullptr;
   Mat accurate_stiffness = nullptr;
   int mass_rank = 0; ///< number of finite eigenvalues
+  /// Standard deviation, relative, of the rounding of the entries of the stiffness; 0 where the
+  /// accurate one has none to speak of.
+  double entry_error = 0;
   /// Shared by the copies of this problem, so that modes, attachments and static solutions have one
   /// order of elimination and its memory, and solutions with the same shift one factorisation.
   std::shared_ptr<FactorisedPencil> factorised = std::make_shared<FactorisedPencil>();
@@ -43,6 +46,13 @@ struct Correction {
 /// below the spectrum. Collective.
 Correction inverse_iteration(const EigenProblem &problem, const Factorisation &shifted,
                              const Eigenpairs &pairs);
+
+/// Standard deviation of x^T K x for each column from the rounding of the entries of K: an
+/// eigenvalue below a few times that cannot be told from 0. With independent errors of the pairs of
+/// entries it is entry_error sqrt(2 sum K_ij^2 x_i^2 x_j^2). Collective.
+Vector rounding_of_quotients(const EigenProblem &problem, const Block &x);
+/// An eigenvalue below so many standard deviations is that of a rigid motion.
+inline constexpr double rounding_deviations = 10;
 
 /// max |X^T M X - I|
 double orthogonality_residual(const EigenProblem &problem, const Block &x);

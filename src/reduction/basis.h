@@ -33,7 +33,8 @@ Basis fixed_interface_basis(const BodyDefinition &definition, const structure::A
 /// Throws DefinitionError when there are fewer modes than asked for.
 modes::NormalModes solve_modes(const modes::EigenProblem &problem,
                                const modes::Selection &selection);
-/// What is factorised for one use of it serves the others too.
+/// What is factorised for one use of it serves the others too. Collective. Throws DefinitionError
+/// for a given mass that is not positive semidefinite.
 modes::EigenProblem problem_of(const structure::AssembledBody &body);
 
 /// Throws DefinitionError when a body with loads is not held.

@@ -31,7 +31,7 @@ std::vector<Matrix> beam_outlines(const parameters::Values &body, const std::str
   const BodyDefinition definition = read_body(body, name, folder, communicator);
   if (!has_beams(definition))
     return {};
-  const structure::BodyModel model = build_model(definition);
+  const structure::BodyModel model = build_model(definition, communicator);
   const auto known = outlines_by_nodes(model);
   std::vector<Matrix> outlines;
   for (const auto &[a, b] : model.mesh.lines) {

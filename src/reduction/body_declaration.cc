@@ -2,6 +2,7 @@
 #include "reduction/beam_parameters.h"
 #include "reduction/body_parameters.h"
 #include "reduction/body_sections.h"
+#include "reduction/matrix_parameters.h"
 #include "reduction/modal_parameters.h"
 #include "reduction/shell_parameters.h"
 
@@ -21,7 +22,9 @@ void declare_geometry(Section &body) {
       .text("Mesh", "",
             "Gmsh file (version 2.2 or 4.1, ASCII or binary) with lines for a beam, triangles and "
             "quadrilaterals for a shell, relative to the folder of the parameter file. Instead of "
-            "it: Line for a beam, Plate or Cylinder for a shell.")
+            "it: Line for a beam, Plate or Cylinder for a shell. For matrices: the input deck of "
+            "CalculiX or Abaqus (nodes, elements, sets of nodes), which says where the nodes are "
+            "and what is seen of the body; its sets are places by their names in capitals.")
       .quantities("Line", "", dimension::length, range::any, "",
                   "Ends of a straight beam, x, y, z -> x, y, z. Either this or Mesh.", 6, 6)
       .required("Type = beam and Mesh is not given")
@@ -124,7 +127,7 @@ void declare_load(Section &body) {
       "Load", "What acts on a beam or shell in its static solution, which is part of the results "
               "of every run (figures under static in the summary and in ParaView). All loads act "
               "together. It does not act in any other analysis.");
-  declare_place(load, "Force or Moment is given, and Position and Near are not");
+  declare_place(load, "Force or Moment is given, and Position, Near and Node are not");
   load.quantities("Force", "", dimension::force, range::any, "F", "On each node of the place.", 3,
                   3)
       .quantities("Moment", "", dimension::torque, range::any, "M", "On each node of the place.", 3,
@@ -227,9 +230,10 @@ void declare_rotor(Section &body) {
 
 void declare_body(Section &root) {
   Section &body = root.named_subsection("Body", "A deformable or lumped body with named points.");
-  body.choice("Type", "beam", {"beam", "shell", "lumped", "rotor", "modes"},
+  body.choice("Type", "beam", {"beam", "shell", "matrices", "lumped", "rotor", "modes"},
               "beam: normal modes of a frame of beams; shell: normal modes of plates and "
-              "shells with their stiffeners; lumped: masses, springs, dashpots; rotor: an "
+              "shells with their stiffeners; matrices: normal modes of stiffness and mass matrices "
+              "of another program; lumped: masses, springs, dashpots; rotor: an "
               "unbalanced rotor with its motor on a point of another body; modes: known modes, "
               "from a test, another program or the results of a run.");
   body.choice("Planar", "no", {"no", "xy", "yz", "zx"},
@@ -238,6 +242,7 @@ void declare_body(Section &root) {
               "space.");
   declare_geometry(body);
   declare_beams(body);
+  declare_matrices(body);
   declare_material(body);
   declare_support(body);
   declare_point(body);

@@ -4,6 +4,7 @@
 #include "modes/normal_modes.h"
 #include "reduction/attachment.h"
 #include "reduction/modal_definition.h"
+#include "structure/matrix_definition.h"
 #include "structure/shell_definition.h"
 
 #include <optional>
@@ -16,7 +17,8 @@ struct Damping {
   enum class Model {
     ratio,    ///< a fraction of critical damping for each mode
     rayleigh, ///< C = alpha M + beta K
-    viscous   ///< external, spread like the mass of the body: C = (constant / mass) M
+    viscous,  ///< external, spread like the mass of the body: C = (constant / mass) M
+    given     ///< a matrix of the body's degrees of freedom
   };
   Model model = Model::ratio;
   std::vector<double> ratios{0.0};          ///< for the kept modes in order; the last one repeats
@@ -44,12 +46,13 @@ struct RotorDefinition {
 };
 
 struct BodyDefinition {
-  enum class Type { beam, shell, lumped, rotor, modes };
+  enum class Type { beam, shell, matrices, lumped, rotor, modes };
   enum class Reduction { free_interface, fixed_interface };
   std::string name;
   Type type = Type::beam;
   structure::BeamDefinition beam;
   structure::ShellDefinition shell;
+  structure::MatrixDefinition matrices;
   modes::Selection selection; ///< of the modes of the body that is free or held at its attachments
   Reduction reduction = Reduction::free_interface;
   std::vector<Attachment> attachments;

@@ -2,6 +2,7 @@
 
 #include "reduction/beam_parameters.h"
 #include "reduction/body_sections.h"
+#include "reduction/matrix_parameters.h"
 #include "reduction/modal_parameters.h"
 #include "reduction/shell_parameters.h"
 
@@ -129,7 +130,7 @@ void read_beam(const Values &body, const std::string &folder, MPI_Comm communica
   if (!body.instances("Mass").empty())
     body.reject("Type",
                 "must not be beam when there is a subsection Mass; a Point can carry a mass");
-  refuse(body, {"Rotor", "Motor"}, {"Shell", "Stiffener"});
+  refuse(body, {"Rotor", "Motor", "Matrices"}, {"Shell", "Stiffener"});
   refuse_modal_keys(body);
   refuse_shell_geometry(body);
   definition.beam = read_beam_definition(body, folder, communicator);
@@ -139,11 +140,30 @@ void read_beam(const Values &body, const std::string &folder, MPI_Comm communica
 
 void read_shell(const Values &body, const std::string &folder, MPI_Comm communicator,
                 BodyDefinition &definition) {
-  refuse(body, {"Section", "Rotor", "Motor"}, {"Mass", "Member", "Hinge"});
+  refuse(body, {"Section", "Rotor", "Motor", "Matrices"}, {"Mass", "Member", "Hinge"});
   refuse_modal_keys(body);
   definition.shell = read_shell_definition(body, folder, communicator);
   definition.shell.plane_normal = read_plane(body);
   read_modes(body, definition);
+}
+
+void read_matrices(const Values &body, const std::string &folder, MPI_Comm communicator,
+                   BodyDefinition &definition) {
+  refuse(body, {"Section", "Material", "Rotor", "Motor"},
+         {"Mass", "Member", "Hinge", "Shell", "Stiffener", "Rigid link"});
+  refuse_modal_keys(body);
+  definition.matrices = read_matrix_definition(body, folder, communicator);
+  definition.matrices.plane_normal = read_plane(body);
+  read_modes(body, definition);
+  const Values modes = body.subsection("Modes");
+  if (definition.damping.model == Damping::Model::viscous)
+    modes.reject("Damping model", "must not be viscous when Type = matrices");
+  if (definition.matrices.damping_file.empty())
+    return;
+  for (const char *key : {"Damping model", "Damping ratio", "Attachment damping ratio"})
+    if (modes.given(key))
+      modes.reject(key, "must not be set when Matrices / Damping is set");
+  definition.damping.model = Damping::Model::given;
 }
 
 /// A body without a mesh has no plane.
@@ -154,7 +174,7 @@ void refuse_plane(const Values &body) {
 
 void read_rotor(const Values &body, BodyDefinition &definition) {
   refuse_plane(body);
-  refuse(body, {"Geometry", "Section", "Material", "Modes", "Modal data"},
+  refuse(body, {"Geometry", "Section", "Material", "Modes", "Modal data", "Matrices"},
          {"Support", "Point", "Rigid link", "Interface", "Mass", "Member", "Hinge", "Shell",
           "Stiffener", "Load"});
   const Values rotor = body.subsection("Rotor");
@@ -165,7 +185,8 @@ void read_rotor(const Values &body, BodyDefinition &definition) {
 
 void read_lumped(const Values &body, BodyDefinition &definition) {
   refuse_plane(body);
-  refuse(body, {"Geometry", "Section", "Material", "Modes", "Modal data", "Rotor", "Motor"},
+  refuse(body,
+         {"Geometry", "Section", "Material", "Modes", "Modal data", "Rotor", "Motor", "Matrices"},
          {"Support", "Point", "Rigid link", "Interface", "Member", "Hinge", "Shell", "Stiffener",
           "Load"});
   for (const std::string &name : body.instances("Mass"))
@@ -174,7 +195,7 @@ void read_lumped(const Values &body, BodyDefinition &definition) {
 
 void read_modal(const Values &body, const std::string &folder, BodyDefinition &definition) {
   refuse_plane(body);
-  refuse(body, {"Geometry", "Section", "Material", "Modes", "Rotor", "Motor"},
+  refuse(body, {"Geometry", "Section", "Material", "Modes", "Matrices", "Rotor", "Motor"},
          {"Support", "Rigid link", "Interface", "Mass", "Member", "Hinge", "Shell", "Stiffener",
           "Load"});
   definition.modal = read_modal_definition(body, folder);
@@ -198,6 +219,9 @@ BodyDefinition read_body(const Values &body, const std::string &name, const std:
   } else if (body.choice("Type") == "shell") {
     definition.type = BodyDefinition::Type::shell;
     read_shell(body, folder, communicator, definition);
+  } else if (body.choice("Type") == "matrices") {
+    definition.type = BodyDefinition::Type::matrices;
+    read_matrices(body, folder, communicator, definition);
   } else {
     read_beam(body, folder, communicator, definition);
   }

@@ -64,27 +64,31 @@ void declare_place(parameters::Section &section, const char *when) {
   section
       .text("At", "",
             "start or end of a generated line; left, right, bottom, top or edges of a plate or "
-            "cylinder; the name of a physical group of the mesh; or all nodes. One of At, Position "
-            "and Near.")
+            "cylinder; the name of a physical group of the mesh; or all nodes. One of At, "
+            "Position, Near and Node.")
       .required(when)
       .quantities("Position", "", parameters::dimension::length, parameters::range::any, "",
                   "Coordinates of a node. On a generated line of a beam a node is placed there.", 3,
                   3)
       .quantities("Near", "", parameters::dimension::length, parameters::range::any, "",
-                  "Coordinates; the node nearest to them is meant.", 3, 3);
+                  "Coordinates; the node nearest to them is meant.", 3, 3)
+      .integer("Node", "", parameters::Range{.lower = 1, .upper = 2147483647}, "",
+               "Number of a node, for Type = matrices.");
 }
 
 structure::Location read_place(const Values &section) {
-  const int given =
-      int{section.has("At")} + int{section.has("Position")} + int{section.has("Near")};
+  const int given = int{section.has("At")} + int{section.has("Position")} +
+                    int{section.has("Near")} + int{section.has("Node")};
   if (given == 0)
     section.require("At");
   if (given > 1)
-    section.reject_section("only one of At, Position and Near must be set");
+    section.reject_section("only one of At, Position, Near and Node must be set");
   if (section.has("Position"))
     return {"", vector3(section, "Position")};
   if (section.has("Near"))
     return {"", vector3(section, "Near"), true};
+  if (section.has("Node"))
+    return {.group = "", .position = {}, .number = static_cast<int>(section.integer("Node"))};
   return {section.text("At"), std::nullopt};
 }
 
@@ -95,8 +99,13 @@ std::optional<int> read_plane(const Values &body) {
   return (plane[1] - 'x' + 1) % 3;
 }
 
-std::string read_mesh(const Values &geometry, const std::string &folder, MPI_Comm communicator) {
-  const auto file = (std::filesystem::path(folder) / geometry.text("Mesh")).string();
+std::string path_of(const Values &section, const std::string &key, const std::string &folder) {
+  return (std::filesystem::path(folder) / section.text(key)).string();
+}
+
+std::string read_text(const Values &section, const std::string &key, const std::string &folder,
+                      MPI_Comm communicator) {
+  const std::string file = path_of(section, key, folder);
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
   std::string content;
@@ -104,9 +113,13 @@ std::string read_mesh(const Values &geometry, const std::string &folder, MPI_Com
     content = read_file(file).value_or("");
   content = broadcast(std::move(content), communicator);
   if (content.empty())
-    geometry.reject("Mesh",
-                    "must name a file that can be read and is not empty; there is none at " + file);
+    section.reject(key,
+                   "must name a file that can be read and is not empty; there is none at " + file);
   return content;
+}
+
+std::string read_mesh(const Values &geometry, const std::string &folder, MPI_Comm communicator) {
+  return read_text(geometry, "Mesh", folder, communicator);
 }
 
 structure::SectionShape read_section(const Values &section) {
@@ -257,11 +270,12 @@ structure::Interface read_interface(const Values &section, const std::string &na
 structure::Load read_load(const Values &section, const std::string &name) {
   structure::Load load{.name = name, .at = {}};
   const bool nodal = section.has("Force") || section.has("Moment");
-  const bool placed = section.has("At") || section.has("Position") || section.has("Near");
+  const bool placed =
+      section.has("At") || section.has("Position") || section.has("Near") || section.has("Node");
   if (nodal)
     load.at = read_place(section);
   else if (placed)
-    section.reject_section("Force or Moment must be set when At, Position or Near is set");
+    section.reject_section("Force or Moment must be set when At, Position, Near or Node is set");
   if (section.has("Force"))
     load.force = vector3(section, "Force");
   if (section.has("Moment"))

@@ -27,11 +27,16 @@ void check_use(const Values &section, const std::string &chooser, const std::vec
 
 /// Keys that say where on a body something is, and what they say.
 void declare_place(parameters::Section &section,
-                   const char *when = "Position and Near are not given");
+                   const char *when = "Position, Near and Node are not given");
 structure::Location read_place(const Values &section);
 /// The axis along which a body that stays in a plane does not move.
 std::optional<int> read_plane(const Values &body);
 
+/// Of the file that a key names, which is relative to the folder of the parameter file.
+std::string path_of(const Values &section, const std::string &key, const std::string &folder);
+/// Its content. Collective: rank 0 reads it. InputError for one that is empty or cannot be read.
+std::string read_text(const Values &section, const std::string &key, const std::string &folder,
+                      MPI_Comm communicator);
 /// Content of the file that Mesh names. Collective: rank 0 reads it.
 std::string read_mesh(const Values &geometry, const std::string &folder, MPI_Comm communicator);
 structure::SectionShape read_section(const Values &section);

@@ -45,8 +45,8 @@ Matrix constraint_modes(const std::vector<InterfaceDof> &dofs, const AssembledBo
   const Matrix unit =
       unit_displacements(dofs, 6 * static_cast<Index>(body.model.mesh.nodes.size()));
   const modes::Block own = modes::own_rows(layout, free_rows(body.free, unit));
-  const Matrix forces = node_rows(
-      body.free, modes::gather(layout, modes::multiply(body.accurate_stiffness->matrix(), own)));
+  const Matrix forces =
+      node_rows(body.free, modes::gather(layout, modes::multiply(body.best_stiffness(), own)));
   return unit +
          node_rows(held.free, modes::static_solution(held_problem, -free_rows(held.free, forces)));
 }
@@ -93,9 +93,11 @@ Basis fixed_interface_basis(const BodyDefinition &definition, const AssembledBod
       ruled(held, modes.eigenvalues, modes.shapes).middleCols(modes.first, modes.number);
   modes::Eigenpairs pairs =
       best_modes(body, problem, constraint_modes(dofs, body, held, held_problem), normal);
-  for (double &value : pairs.values)
-    if (value <= rigid_fraction * modes.eigenvalues[0])
-      value = 0;
+  const Vector noise = modes::rounding_of_quotients(problem, pairs.vectors);
+  for (Index j = 0; j < pairs.values.size(); ++j)
+    if (pairs.values[j] <=
+        std::max(rigid_fraction * modes.eigenvalues[0], modes::rounding_deviations * noise[j]))
+      pairs.values[j] = 0;
   const modes::Layout layout(body.stiffness.get());
   Basis basis{.stiffness = merge_multiple(pairs.values),
               .shapes = ruled(body, pairs.values, modes::gather(layout, pairs.vectors)),

@@ -80,7 +80,10 @@ PointResponse point_response(const AssembledBody &body, const modes::EigenProble
   if (held)
     solve_statics(body, problem, forces, response);
   problem.factorised->release(); // before that of the mass matrix
-  solve_impulses(body, forces, response);
+  if (problem.mass_rank == body.massive_dofs)
+    solve_impulses(body, forces, response);
+  else // the mass has no inverse
+    response.inverse_mass.resize(body.model.points.size());
   return response;
 }
 

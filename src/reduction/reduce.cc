@@ -10,6 +10,9 @@
 #include "reduction/point_response.h"
 #include "reduction/rotor_body.h"
 #include "reduction/stability.h"
+#include "structure/matrix_body.h"
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -22,18 +25,51 @@ namespace {
 using structure::AssembledBody;
 using structure::DefinitionError;
 
-Recovery recovery(const structure::Mesh &mesh, Matrix shapes) {
+/// Nodes without rotations, those of solids, get that of the lines at them, for the pictures: beams
+/// are drawn with the slope that rotations give them. Per unit length t x du along the line.
+void turn_with_lines(const structure::Mesh &mesh, Matrix &shapes) {
+  std::vector<std::vector<std::size_t>> lines(mesh.nodes.size());
+  for (std::size_t line = 0; line < mesh.lines.size(); ++line)
+    for (const int node : mesh.lines[line])
+      lines[static_cast<std::size_t>(node)].push_back(line);
+  for (std::size_t node = 0; node < lines.size(); ++node) {
+    const auto row = static_cast<Index>(6 * node);
+    auto rotation = shapes.middleRows(row + 3, 3);
+    if (!rotation.isZero(0) || shapes.middleRows(row, 3).isZero(0)) // it turns, or it is held
+      continue;
+    for (const std::size_t line : lines[node]) {
+      const auto [a, b] = mesh.lines[line];
+      const Vector3 along = mesh.nodes[b] - mesh.nodes[a];
+      const Matrix change = shapes.middleRows(Index{6} * b, 3) - shapes.middleRows(Index{6} * a, 3);
+      for (Index j = 0; j < shapes.cols(); ++j)
+        rotation.col(j) += along.cross(Vector3(change.col(j))) / along.squaredNorm() /
+                           static_cast<double>(lines[node].size());
+    }
+  }
+}
+
+/// `shapes` and `deflection` have rows for internal nodes too, which nothing shows.
+Recovery recovery(const structure::BodyModel &model, Matrix shapes, const Vector &deflection) {
+  const structure::Mesh &mesh = model.mesh;
+  const auto count = static_cast<Index>(mesh.places().size());
   Recovery result;
-  result.nodes.resize(3, static_cast<Index>(mesh.nodes.size()));
-  for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
-    result.nodes.col(static_cast<Index>(node)) = mesh.nodes[node];
+  if (mesh.lines.empty() && mesh.surfaces.empty())
+    return result;
+  if (model.given)
+    turn_with_lines(mesh, shapes);
+  result.nodes.resize(3, count);
+  for (Index node = 0; node < count; ++node)
+    result.nodes.col(node) = mesh.nodes[static_cast<std::size_t>(node)];
   result.lines = mesh.lines;
   for (const structure::Surface &surface : mesh.surfaces) {
     result.surfaces.push_back(surface.corners);
     if (surface.size == 3)
       result.surfaces.back()[3] = -1;
   }
+  shapes.conservativeResize(6 * count, Eigen::NoChange);
   result.shapes = std::move(shapes);
+  if (deflection.size() > 0)
+    result.static_displacement = deflection.head(6 * count);
   return result;
 }
 
@@ -56,10 +92,13 @@ void warn_of_implausible(const std::string &name, const AssembledBody &body, dou
   std::ostringstream text;
   text << "body " << name << ": its first natural frequency, " << frequency
        << " Hz, is hardly that of a structure. Are the units right? Its mesh is "
-       << body.model.mesh.extent()
-       << " m across (coordinates in a mesh file are metres), waves run "
-       << "through it at " << body.model.wave_speed << " m/s, and its mass is "
-       << body.model.total_mass() << " kg";
+       << body.model.mesh.extent() << " m across ("
+       << (body.model.given ? "in the Unit system of its matrices"
+                            : "coordinates in a mesh file are metres")
+       << ")";
+  if (body.model.wave_speed > 0)
+    text << ", waves run through it at " << body.model.wave_speed << " m/s";
+  text << ", and its mass is " << body.total_mass.maxCoeff() << " kg";
   log::warning(text.str());
 }
 
@@ -85,11 +124,24 @@ Matrix viscous_damping(const Damping &damping, const AssembledBody &body, const 
   return damping.viscous_constant / mass * (projected + projected.transpose()) / 2;
 }
 
+/// Shapes^T C shapes. Throws DefinitionError where C would feed energy to the shapes.
+Matrix given_damping(const AssembledBody &body, const Matrix &shapes) {
+  const Matrix projected = modes::project(body.damping.get(), free_rows(body.free, shapes));
+  const Matrix damping = (projected + projected.transpose()) / 2;
+  const Vector values = Eigen::SelfAdjointEigenSolver<Matrix>(damping).eigenvalues();
+  if (values[0] < -1e-9 * values.cwiseAbs().maxCoeff())
+    throw DefinitionError("Matrices", "", "Damping",
+                          "must be positive semidefinite, but feeds energy to the kept modes");
+  return damping;
+}
+
 /// Those behind the first `normal` shapes have the damping of the attachments.
 Matrix modal_damping(const Damping &damping, const AssembledBody &body, const Vector &stiffness,
                      const Matrix &shapes, Index normal) {
   if (damping.model == Damping::Model::viscous)
     return viscous_damping(damping, body, shapes);
+  if (damping.model == Damping::Model::given)
+    return given_damping(body, shapes);
   if (damping.model == Damping::Model::rayleigh)
     return diagonal((damping.alpha + damping.beta * stiffness.array()).matrix());
   Vector ratio(stiffness.size());
@@ -102,6 +154,7 @@ Matrix modal_damping(const Damping &damping, const AssembledBody &body, const Ve
 
 void add_points(const structure::BodyModel &model, const Matrix &shapes,
                 const PointResponse &response, ReducedBody &body) {
+  const bool shown = !model.mesh.lines.empty() || !model.mesh.surfaces.empty();
   for (std::size_t p = 0; p < model.points.size(); ++p) {
     const structure::NamedNode &named = model.points[p];
     const Index row = Index{6} * named.node;
@@ -109,7 +162,7 @@ void add_points(const structure::BodyModel &model, const Matrix &shapes,
                     .position = model.mesh.nodes[named.node],
                     .rows = shapes.middleRows(row, 6),
                     .interface = named.interface,
-                    .node = named.node};
+                    .node = shown ? named.node : -1};
     point.stress = stress_at_node(model, named.node, shapes);
     if (response.deflection.size() > 0)
       point.static_displacement = response.deflection.segment(row, 6);
@@ -129,16 +182,23 @@ bool first_rank(MPI_Comm communicator) {
   return rank == 0;
 }
 
+const char *type_name(BodyDefinition::Type type) {
+  if (type == BodyDefinition::Type::matrices)
+    return "matrices";
+  return type == BodyDefinition::Type::shell ? "shell" : "beam";
+}
+
 ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator) {
   // A body that a rank reduces by itself, in the midst of an analysis, is nobody's concern.
   Stages stages("body " + definition.name,
                 communicator != MPI_COMM_SELF && first_rank(communicator));
   stages.begin("mesh and matrices", false);
-  const AssembledBody assembled = structure::assemble(build_model(definition), communicator);
+  const AssembledBody assembled =
+      structure::assemble(build_model(definition, communicator), communicator);
   const bool large = assembled.free.size >= large_body;
-  check_stability(assembled);
   stages.begin("modes of " + std::to_string(assembled.free.size) + " degrees of freedom", large);
   const modes::EigenProblem problem = problem_of(assembled);
+  check_stability(assembled, problem);
   Basis basis = definition.reduction == BodyDefinition::Reduction::fixed_interface
                     ? fixed_interface_basis(definition, assembled, problem, communicator)
                     : free_interface_basis(definition, assembled, problem);
@@ -148,7 +208,7 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
 
   ReducedBody body;
   body.name = definition.name;
-  body.type = definition.type == BodyDefinition::Type::shell ? "shell" : "beam";
+  body.type = type_name(definition.type);
   body.mass = Vector::Ones(basis.stiffness.size());
   body.stiffness = basis.stiffness;
   body.damping =
@@ -156,11 +216,12 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
   body.base_participation =
       free_rows(assembled.free, basis.shapes).transpose() * assembled.base_inertia;
   add_points(assembled.model, basis.shapes, response, body);
-  body.recovery = recovery(assembled.model.mesh, std::move(basis.shapes));
-  body.recovery.line_stress = line_stress(assembled.model, body.recovery.shapes);
-  body.recovery.surface_stress = surface_stress(assembled.model, body.recovery.shapes);
-  body.recovery.static_displacement = response.deflection;
-  body.total_mass.setConstant(assembled.model.total_mass());
+  body.recovery = recovery(assembled.model, std::move(basis.shapes), response.deflection);
+  if (!body.recovery.empty()) {
+    body.recovery.line_stress = line_stress(assembled.model, body.recovery.shapes);
+    body.recovery.surface_stress = surface_stress(assembled.model, body.recovery.shapes);
+  }
+  body.total_mass = assembled.total_mass;
   body.eigen_residual = std::move(basis.error_bounds);
   body.orthogonality_residual = basis.orthogonality_residual;
   return body;
@@ -168,7 +229,9 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
 
 } // namespace
 
-structure::BodyModel build_model(const BodyDefinition &definition) {
+structure::BodyModel build_model(const BodyDefinition &definition, MPI_Comm communicator) {
+  if (definition.type == BodyDefinition::Type::matrices)
+    return structure::build_matrix_body(definition.matrices, communicator);
   return definition.type == BodyDefinition::Type::shell ? structure::build_shell(definition.shell)
                                                         : structure::build_frame(definition.beam);
 }

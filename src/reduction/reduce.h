@@ -9,8 +9,9 @@
 
 namespace vibroimpact::reduction {
 
-/// Nodes and elements of a beam or shell. Throws structure::DefinitionError.
-structure::BodyModel build_model(const BodyDefinition &definition);
+/// Nodes and elements, or matrices, of a body with a mesh. Collective. Throws
+/// structure::DefinitionError.
+structure::BodyModel build_model(const BodyDefinition &definition, MPI_Comm communicator);
 
 /// Collective; every rank gets the same bytes. Throws structure::DefinitionError when the
 /// definition cannot be built, NumericalError when the eigen-solution fails.

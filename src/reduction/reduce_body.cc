@@ -5,6 +5,7 @@
 #include "reduction/body_file.h"
 #include "reduction/body_parameters.h"
 #include "reduction/reduce.h"
+#include "structure/matrix_file.h"
 
 #include <filesystem>
 
@@ -54,17 +55,25 @@ void save(const Values &modes, const std::string &file, const ReducedBody &body,
     modes.reject("Store", "must name a file that can be written; this one cannot: " + file);
 }
 
-std::string fingerprint_of(const Values &body, const BodyDefinition &definition) {
-  return body.fingerprint() +
-         "mesh = " + content_hash(definition.beam.mesh_content + definition.shell.mesh_content) +
-         "\n";
+/// Collective.
+std::string fingerprint_of(const Values &body, const BodyDefinition &definition,
+                           MPI_Comm communicator) {
+  const structure::MatrixDefinition &given = definition.matrices;
+  std::string text = body.fingerprint() + "mesh = " +
+                     content_hash(definition.beam.mesh_content + definition.shell.mesh_content +
+                                  given.deck_content + given.table_content) +
+                     "\n";
+  for (const std::string &file : {given.stiffness_file, given.mass_file, given.damping_file})
+    if (!file.empty())
+      text += "matrix = " + std::to_string(structure::file_hash(file, communicator)) + "\n";
+  return text;
 }
 
 ReducedBody stored_body(const Values &body, const BodyDefinition &definition,
                         const std::string &folder, MPI_Comm communicator) {
   const Values modes = body.subsection("Modes");
   const std::string file = (std::filesystem::path(folder) / modes.text("Store")).string();
-  const std::string fingerprint = fingerprint_of(body, definition);
+  const std::string fingerprint = fingerprint_of(body, definition, communicator);
   if (auto loaded = load(definition.name, file, fingerprint, communicator))
     return std::move(*loaded);
   ReducedBody computed = reduce(definition, communicator);
@@ -97,7 +106,8 @@ ReducedBody cached_body(const Values &body, const BodyDefinition &definition,
                         const BodyCache &cache, MPI_Comm communicator) {
   int ranks = 1;
   MPI_Comm_size(communicator, &ranks);
-  const std::string fingerprint = fingerprint_of(body, definition) + "program = " + cache.program +
+  const std::string fingerprint = fingerprint_of(body, definition, communicator) +
+                                  "program = " + cache.program +
                                   "\nranks = " + std::to_string(ranks) + "\n";
   const std::string file =
       (std::filesystem::path(cache.folder) / (content_hash(fingerprint) + ".body")).string();
@@ -115,8 +125,8 @@ ReducedBody cached_body(const Values &body, const BodyDefinition &definition,
 ReducedBody reduce_body(const Values &body, const std::string &name, const std::string &folder,
                         MPI_Comm communicator, const BodyCache &cache) {
   const BodyDefinition definition = read_body(body, name, folder, communicator);
-  const bool meshed = definition.type == BodyDefinition::Type::beam ||
-                      definition.type == BodyDefinition::Type::shell;
+  const bool meshed = definition.type != BodyDefinition::Type::lumped &&
+                      definition.type != BodyDefinition::Type::rotor;
   try {
     if (meshed && body.subsection("Modes").has("Store"))
       return stored_body(body, definition, folder, communicator);

@@ -30,7 +30,8 @@ struct BodyPoint {
   Matrix flexibility{};
   /// 3 x 3, velocity along an axis (row) right after a unit impulse along another (column), of the
   /// body before reduction: P M^-1 P^T over the free degrees of freedom, with the consistent mass
-  /// [1/kg]. Empty for bodies without a mesh and where the point moves without mass.
+  /// [1/kg]. Empty for bodies without a mesh, where the point moves without mass, and where the
+  /// mass matrix is singular.
   Matrix inverse_mass{};
   std::string interface {}; ///< the interface the point is one of; empty for a point by itself
   int node = -1;            ///< column of Recovery::nodes; -1 for bodies without a mesh
@@ -69,7 +70,7 @@ struct Recovery {
 
 struct ReducedBody {
   std::string name;
-  std::string type; ///< "beam", "shell", "lumped" or "rotor"
+  std::string type; ///< "beam", "shell", "matrices", "lumped" or "rotor"
 
   Vector mass;               ///< n
   Vector stiffness;          ///< n
@@ -88,7 +89,7 @@ struct ReducedBody {
   double orthogonality_residual = 0; ///< max |Phi^T M Phi - I|, for modal bodies
 
   Index size() const { return mass.size(); }
-  bool modal() const { return type == "beam" || type == "shell"; }
+  bool modal() const { return type != "lumped" && type != "rotor"; }
   /// Undamped natural angular frequency of each coordinate by itself [rad/s]; 0 for rigid modes.
   Vector omega() const { return (stiffness.array() / mass.array()).max(0.0).sqrt(); }
   /// Fraction of critical damping of each coordinate by itself; 0 where omega is 0.

@@ -130,7 +130,7 @@ void refuse_shell_geometry(const Values &body) {
   const Values geometry = body.subsection("Geometry");
   for (const char *key : {"Plate", "Cylinder", "Radius", "Angles", "Divisions", "Cell shape"})
     if (geometry.given(key))
-      geometry.reject(key, "must not be set when Type = beam");
+      geometry.reject(key, "must not be set when Type = " + body.choice("Type"));
 }
 
 ShellDefinition read_shell_definition(const Values &body, const std::string &folder,

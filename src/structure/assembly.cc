@@ -1,5 +1,6 @@
 #include "structure/assembly.h"
 
+#include "structure/given_assembly.h"
 #include "structure/nodal_blocks.h"
 
 #include <Eigen/Eigenvalues>
@@ -92,6 +93,16 @@ void assemble_matrices(AssembledBody &body, const Parts &parts, const Discretisa
   body.accurate_stiffness->finish(communicator);
 }
 
+} // namespace
+
+void check_free(const FreeDofs &free) {
+  if (free.size == 0)
+    throw DefinitionError("Modes", "", "Number",
+                          "cannot be met: the supports hold every degree of freedom");
+}
+
+namespace {
+
 vibroimpact::Vector static_load(const AssembledBody &body) {
   vibroimpact::Vector load = body.base_inertia * body.model.acceleration;
   for (std::size_t node = 0; node < body.model.load.size(); ++node)
@@ -137,18 +148,21 @@ int count_massive(const Parts &parts, const FreeDofs &free) {
 AssembledBody assemble(BodyModel model, MPI_Comm communicator) {
   AssembledBody body;
   body.model = std::move(model);
-  Elimination elimination = eliminate(body.model);
-  const Parts parts{eliminated_elements(body.model, elimination),
-                    eliminated_masses(body.model, elimination)};
-  const Discretisation space =
-      discretise(body.model.mesh.nodes.size(), parts.elements, communicator);
-  body.free = number_free(std::move(elimination), space);
-  if (body.free.size == 0)
-    throw DefinitionError("Modes", "", "Number",
-                          "cannot be met: the supports hold every degree of freedom");
-  assemble_matrices(body, parts, space, communicator);
+  if (body.model.given) {
+    assemble_given(body, communicator);
+  } else {
+    Elimination elimination = eliminate(body.model);
+    const Parts parts{eliminated_elements(body.model, elimination),
+                      eliminated_masses(body.model, elimination)};
+    const Discretisation space =
+        discretise(body.model.mesh.nodes.size(), parts.elements, communicator);
+    body.free = number_free(std::move(elimination), space);
+    check_free(body.free);
+    assemble_matrices(body, parts, space, communicator);
+    body.massive_dofs = count_massive(parts, body.free);
+    body.total_mass.setConstant(body.model.total_mass());
+  }
   body.load = static_load(body);
-  body.massive_dofs = count_massive(parts, body.free);
   return body;
 }
 

@@ -73,12 +73,13 @@ struct Material {
 };
 
 /// Where a support or a point is: at the nodes of a group ("start" and "end" of a generated line,
-/// the physical groups of a mesh file, "all"), at the node with these coordinates, or at the node
-/// nearest to them.
+/// the physical groups of a mesh file, "all"), at the node with these coordinates, at the node
+/// nearest to them, or at the node with a number.
 struct Location {
   std::string group;
   std::optional<Vector3> position; ///< [m]
   bool nearest = false;            ///< the position need not be that of a node
+  std::optional<int> number{};     ///< or: of the node in its file
 };
 
 /// Degrees of freedom held, and springs to the base. Components: x, y, z, rx, ry, rz.

@@ -80,26 +80,35 @@ void apply_load(BodyModel &model, const Load &load) {
 
 /// What beams and shells are given alike; the elements are there already.
 template <class Definition> void complete(BodyModel &model, const Definition &definition) {
-  const std::size_t nodes = model.mesh.nodes.size();
-  model.fixed.assign(nodes, {});
-  model.spring.assign(nodes, {});
-  model.load.assign(nodes, {});
-  if (definition.plane_normal)
-    hold_plane(model, *definition.plane_normal);
-  for (const Support &support : definition.supports)
-    apply_support(model, support);
-  for (const Point &point : definition.points)
-    apply_point(model, point);
-  for (const Interface &interface : definition.interfaces)
-    add_interface(model, interface);
-  for (const Load &load : definition.loads)
-    apply_load(model, load);
+  add_parts({.plane_normal = definition.plane_normal,
+             .supports = definition.supports,
+             .points = definition.points,
+             .interfaces = definition.interfaces,
+             .loads = definition.loads},
+            model);
   if (!(model.total_mass() > 0))
     throw DefinitionError("Material", "", "Density",
                           "must be greater than 0 for a body without lumped masses");
 }
 
 } // namespace
+
+void add_parts(const BodyParts &parts, BodyModel &model) {
+  const std::size_t nodes = model.mesh.nodes.size();
+  model.fixed.assign(nodes, {});
+  model.spring.assign(nodes, {});
+  model.load.assign(nodes, {});
+  if (parts.plane_normal)
+    hold_plane(model, *parts.plane_normal);
+  for (const Support &support : parts.supports)
+    apply_support(model, support);
+  for (const Point &point : parts.points)
+    apply_point(model, point);
+  for (const Interface &interface : parts.interfaces)
+    add_interface(model, interface);
+  for (const Load &load : parts.loads)
+    apply_load(model, load);
+}
 
 double BodyModel::distributed_mass() const {
   double mass = 0;

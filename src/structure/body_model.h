@@ -7,6 +7,8 @@
 #include "structure/shell_definition.h"
 #include "structure/triangle_locking.h"
 
+#include <memory>
+
 namespace vibroimpact::structure {
 
 /// A named node, by itself or as one of an interface.
@@ -19,6 +21,8 @@ struct NamedNode {
 /// Inertia of what is fixed to a node, rows and columns u, v, w, rx, ry, rz [kg, kg m, kg m^2].
 using LumpedMass = Eigen::Matrix<double, 6, 6>;
 
+struct GivenMatrices;
+
 struct BodyModel {
   Mesh mesh;
   Elements elements;                         ///< of any kind; they share the mesh's nodes
@@ -28,17 +32,29 @@ struct BodyModel {
   std::vector<NamedNode> points;
   std::vector<std::vector<int>> rigid; ///< nodes that move as one rigid body, ascending, each once
   bool loaded = false;
-  std::vector<std::array<double, 6>> load; ///< per node and component [N], [N m]
-  Vector3 acceleration = Vector3::Zero();  ///< of gravity [m/s^2]
-  std::optional<TriangleLocking> locking;  ///< of a shell with triangles that are too large
-  double wave_speed = 0;                   ///< largest sqrt(E / rho) of its materials [m/s]
-  bool prestressed = false;                ///< axial forces act before any motion
+  std::vector<std::array<double, 6>> load;      ///< per node and component [N], [N m]
+  Vector3 acceleration = Vector3::Zero();       ///< of gravity [m/s^2]
+  std::optional<TriangleLocking> locking;       ///< of a shell with triangles that are too large
+  double wave_speed = 0;                        ///< largest sqrt(E / rho) of its materials [m/s]
+  bool prestressed = false;                     ///< axial forces act before any motion
+  std::shared_ptr<const GivenMatrices> given{}; ///< in the place of elements
 
   /// Mass of the elements, without lumped masses [kg].
   double distributed_mass() const;
   double total_mass() const;
   void add_material(const Material &material);
 };
+
+/// What bodies of all types with a mesh have.
+struct BodyParts {
+  std::optional<int> plane_normal{}; ///< axis along which nothing moves
+  const std::vector<Support> &supports;
+  const std::vector<Point> &points;
+  const std::vector<Interface> &interfaces;
+  const std::vector<Load> &loads;
+};
+/// Finds their nodes in the mesh, which is there already. Throws DefinitionError.
+void add_parts(const BodyParts &parts, BodyModel &model);
 
 /// Both throw DefinitionError when the definition cannot be built.
 BodyModel build_frame(const BeamDefinition &definition);

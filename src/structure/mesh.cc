@@ -33,7 +33,7 @@ double Mesh::extent() const {
     return 0;
   Vector3 lower = nodes.front();
   Vector3 upper = nodes.front();
-  for (const Vector3 &node : nodes) {
+  for (const Vector3 &node : places()) {
     lower = lower.cwiseMin(node);
     upper = upper.cwiseMax(node);
   }
@@ -44,7 +44,8 @@ int Mesh::nearest_node(const Vector3 &position) const {
   const auto closer = [&](const Vector3 &a, const Vector3 &b) {
     return (a - position).squaredNorm() < (b - position).squaredNorm();
   };
-  return static_cast<int>(std::min_element(nodes.begin(), nodes.end(), closer) - nodes.begin());
+  const std::span<const Vector3> all = places();
+  return static_cast<int>(std::min_element(all.begin(), all.end(), closer) - all.begin());
 }
 
 double Mesh::line_length(std::size_t line) const {
@@ -94,8 +95,29 @@ Mesh generate_line(const Line &line) {
   return mesh;
 }
 
+namespace {
+
+int numbered_node(const Mesh &mesh, int number, const std::string &kind, const std::string &name) {
+  if (mesh.numbers.empty())
+    throw DefinitionError(kind, name, "Node",
+                          "must not be set for a body whose nodes have no numbers; only Type = "
+                          "matrices has");
+  const auto found = mesh.numbers.find(number);
+  if (found == mesh.numbers.end())
+    throw DefinitionError(
+        kind, name, "Node",
+        "must be the number of a node of the body with coordinates; they go from " +
+            std::to_string(mesh.numbers.begin()->first) + " to " +
+            std::to_string(mesh.numbers.rbegin()->first));
+  return found->second;
+}
+
+} // namespace
+
 std::vector<int> find_nodes(const Mesh &mesh, const Location &at, const std::string &kind,
                             const std::string &name) {
+  if (at.number)
+    return {numbered_node(mesh, *at.number, kind, name)};
   if (at.position) {
     const int nearest = mesh.nearest_node(*at.position);
     const double distance = (mesh.nodes[nearest] - *at.position).norm();
@@ -106,7 +128,7 @@ std::vector<int> find_nodes(const Mesh &mesh, const Location &at, const std::str
     return {nearest};
   }
   if (at.group == "all") {
-    std::vector<int> everything(mesh.nodes.size());
+    std::vector<int> everything(mesh.places().size());
     std::iota(everything.begin(), everything.end(), 0);
     return everything;
   }

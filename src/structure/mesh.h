@@ -27,7 +27,16 @@ struct Mesh {
   std::map<std::string, std::vector<int>> groups;         ///< nodes
   std::map<std::string, std::vector<int>> line_groups;    ///< positions in lines
   std::map<std::string, std::vector<int>> surface_groups; ///< positions in surfaces
-  int unused_nodes = 0; ///< nodes of a file that no cell uses; they are left out
+  int unused_nodes = 0;         ///< nodes of a file that no cell uses; they are left out
+  std::map<int, int> numbers{}; ///< of the nodes in their file -> position, where they count
+  /// That many at the end of the list are no places: they carry coordinates of given matrices that
+  /// no node with a position has.
+  int internal_nodes = 0;
+
+  /// The nodes that are places.
+  std::span<const Vector3> places() const {
+    return std::span(nodes).first(nodes.size() - static_cast<std::size_t>(internal_nodes));
+  }
 
   /// Diagonal of the box around all nodes [m].
   double extent() const;

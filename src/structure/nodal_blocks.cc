@@ -1,37 +1,12 @@
 #include "structure/nodal_blocks.h"
 
+#include "structure/sparse_rows.h"
+
 #include <algorithm>
 
 namespace vibroimpact::structure {
 
-using petsc::check;
-
 namespace {
-
-/// Compressed rows, as PETSc takes them.
-struct Pattern {
-  std::vector<PetscInt> begins{0};
-  std::vector<PetscInt> columns;
-};
-
-petsc::Matrix matrix_of(const FreeDofs &free, const Pattern &pattern,
-                        const std::vector<double> &values, MPI_Comm communicator) {
-  const PetscInt own = free.own_end - free.own_begin;
-  petsc::Matrix matrix;
-  check(MatCreate(communicator, matrix.address()), "Making a matrix");
-  check(MatSetSizes(matrix.get(), own, own, free.size, free.size), "Making a matrix");
-  check(MatSetType(matrix.get(), MATAIJ), "Making a matrix");
-  // Only the one that fits the number of ranks does anything.
-  check(MatSeqAIJSetPreallocationCSR(matrix.get(), pattern.begins.data(), pattern.columns.data(),
-                                     values.data()),
-        "Assembling a matrix");
-  check(MatMPIAIJSetPreallocationCSR(matrix.get(), pattern.begins.data(), pattern.columns.data(),
-                                     values.data()),
-        "Assembling a matrix");
-  check(MatSetOption(matrix.get(), MAT_SYMMETRIC, PETSC_TRUE), "Marking a matrix symmetric");
-  check(MatSetOption(matrix.get(), MAT_SYMMETRY_ETERNAL, PETSC_TRUE), "Marking a matrix symmetric");
-  return matrix;
-}
 
 /// The coordinates of a node for a unit displacement along x, y and z. Those of a master whose
 /// rigid body is held are zero where its motion follows from them.
@@ -114,7 +89,7 @@ template <class Visit> void NodalBlocks::visit_rows(const FreeDofs &free, Visit 
 }
 
 AssembledMatrices NodalBlocks::matrices(const FreeDofs &free, MPI_Comm communicator) const {
-  Pattern pattern;
+  SparseRows pattern;
   pattern.begins.assign(free.own_end - free.own_begin + 1, 0);
   visit_rows(free,
              [&](int row, int, double, double) { ++pattern.begins[row - free.own_begin + 1]; });
@@ -130,8 +105,8 @@ AssembledMatrices NodalBlocks::matrices(const FreeDofs &free, MPI_Comm communica
     stiffness.push_back(k);
     mass.push_back(m);
   });
-  return {matrix_of(free, pattern, stiffness, communicator),
-          matrix_of(free, pattern, mass, communicator)};
+  return {sparse_matrix(free, pattern, stiffness, communicator),
+          sparse_matrix(free, pattern, mass, communicator)};
 }
 
 vibroimpact::Matrix NodalBlocks::base_inertia(const FreeDofs &free) const {

@@ -113,7 +113,7 @@ TEST(BodyParameters, SupportErrorsAreClear) {
                  {"Support odd", "At", "end, start, all"});
   expect_message(head_beam(section("Support odd", "set At = end\n")), {"Support odd", "Fix"});
   expect_message(head_beam(section("Support odd", "set Fix = all\n")),
-                 {"Support odd / At", "must be given when Position and Near are not given"});
+                 {"Support odd / At", "must be given when Position, Near and Node are not given"});
   expect_message(
       head_beam(section("Support odd", "set At = end\nset Stiffness = -1 N/m, 0 N/m, 0 N/m\n")),
       {"Support odd", "Stiffness"});
