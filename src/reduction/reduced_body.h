@@ -70,7 +70,7 @@ struct Recovery {
 
 struct ReducedBody {
   std::string name;
-  std::string type; ///< "beam", "shell", "matrices", "lumped" or "rotor"
+  std::string type; ///< "beam", "shell", "matrices", "lumped", "rotor" or "modes"
 
   Vector mass;               ///< n
   Vector stiffness;          ///< n

@@ -29,8 +29,11 @@ BEAM = """subsection Body bar
     set Orientation = 0, 1, 0
   end
   subsection Section
-    set Width = 10 mm
-    set Thickness = 10 mm
+    set Shape = given
+    set Area = 100 mm^2
+    set Second moment y = 833.3333333 mm^4
+    set Second moment z = 833.3333333 mm^4
+    set Torsion constant = 1666.666667 mm^4
   end
   subsection Material
     set Young modulus = 210 GPa
@@ -85,6 +88,11 @@ def symmetric(file, size):
     matrix = np.zeros((size, size))
     matrix[rows.astype(int) - 1, columns.astype(int) - 1] = values
     return matrix + np.triu(matrix, 1).T
+
+
+def half_unit(matrix):
+    """Of the last digit of each entry that is not 0."""
+    return np.where(matrix == 0, 0, 0.5 * 10.0 ** (np.floor(np.log10(np.abs(matrix) + 1e-300)) - LAST_DIGIT))
 
 
 def lowest(stiffness, mass, number):
@@ -174,11 +182,13 @@ class ShippedBar(ProgramRuns):
         given = self.run_bar(BAR, "given")
         body = BAR[BAR.index("subsection Body"):BAR.index("  subsection Modes")]
         beams = self.run_bar(BAR.replace(body, BEAM), "beams")
-        # Four quadratic elements are too stiff by 1 % in the lowest two modes.
-        np.testing.assert_allclose(self.frequencies(given)[:2], self.frequencies(beams)[:2], rtol=0.015)
+        # Two quadratic elements for a side are too stiff by 1 %. CalculiX makes the knee rigid over half a thickness,
+        # 1.7 and 1 % of the sides, and frequencies go with the square of these. The section of a single brick does
+        # not warp: its torsion constant is the polar moment of area, which the beams are given too.
+        np.testing.assert_allclose(self.frequencies(given)[:2], self.frequencies(beams)[:2], rtol=0.035)
         first, other = self.impact(given), self.impact(beams)
-        for key in ("time", "approach_speed", "impulse"):
-            self.assertAlmostEqual(first[key] / other[key], 1, delta=0.05, msg=key)
+        self.assertAlmostEqual(first["time"] / other["time"], 1, delta=0.02)
+        self.assertAlmostEqual(first["approach_speed"] / other["approach_speed"], 1, delta=0.05)
 
     def test_ranks_and_resumed_runs_agree(self):
         outs = [self.run_bar(BAR, f"ranks{ranks}", ranks) for ranks in (1, 2, 3)]
@@ -209,17 +219,16 @@ class CalculiX(ProgramRuns):
         return made / (np.sqrt(values) / (2 * np.pi)) - 1
 
     def digits(self):
-        """What another last digit of the entries of K makes of the frequencies, relative."""
+        """Bound of what half a unit in the last digit of each entry of K and M makes of the frequencies, relative, to
+        first order: |phi|^T (dK + lambda dM) |phi| / 2 lambda."""
         size = len((self.folder / "deck.dof").read_text(encoding="utf-8").split())
         stiffness, mass = (symmetric(self.folder / f"deck.{end}", size) for end in ("sti", "mas"))
-        unit = np.where(stiffness == 0, 0, 10.0 ** (np.floor(np.log10(np.abs(stiffness) + 1e-300)) - LAST_DIGIT))
-        random = np.random.default_rng(1)
-        exact = lowest(stiffness, mass, 6)
-        changes = []
-        for _ in range(6):
-            half = np.triu(random.uniform(-0.5, 0.5, stiffness.shape))
-            changes.append(lowest(stiffness + unit * (half + np.triu(half, 1).T), mass, 6) / exact - 1)
-        return np.abs(changes).max(axis=0)
+        values, shapes = linalg.eigh(mass, stiffness)
+        bounds = []
+        for value, shape in zip(values[::-1][:6], shapes.T[::-1][:6]):
+            shape = np.abs(shape) / np.sqrt(value)
+            bounds.append(shape @ (half_unit(stiffness) * value + half_unit(mass)) @ shape / 2)
+        return np.array(bounds)
 
     def test_a_block_has_the_frequencies_of_calculix(self):
         errors = self.compare(solid_deck(), "*SOLID SECTION, ELSET=BODY, MATERIAL=STEEL", 3)
@@ -228,12 +237,12 @@ class CalculiX(ProgramRuns):
     # CalculiX makes solids of shells and beams, whose stiff parts hide the soft ones from 14 digits.
     def test_a_plate_has_them_as_far_as_its_digits_tell(self):
         errors = self.compare(plate_deck(), "*SHELL SECTION, ELSET=BODY, MATERIAL=STEEL\n0.002", 6)
-        np.testing.assert_array_less(np.abs(errors), 1e-8 + 3 * self.digits())
+        np.testing.assert_array_less(np.abs(errors), 1e-8 + self.digits())
 
     def test_a_frame_has_them_as_far_as_its_digits_tell(self):
         errors = self.compare(frame_deck(), "*BEAM SECTION, ELSET=BODY, MATERIAL=STEEL, SECTION=RECT\n0.01, 0.01\n"
                               "0, 1, 0", 6)
-        np.testing.assert_array_less(np.abs(errors), 1e-8 + 3 * self.digits())
+        np.testing.assert_array_less(np.abs(errors), 1e-8 + self.digits())
 
 
 if __name__ == "__main__":
