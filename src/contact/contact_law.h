@@ -15,6 +15,7 @@
 // jump; a mode may hold the gap, so that the force is whatever keeps the gap rate at zero.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -102,6 +103,25 @@ struct ElasticForce {
   double exponent = 1;  ///< n > 0
 };
 
+/// How a force grows from nothing, or falls to it, with the time s since then or until then:
+/// s^power times a series in s^(1/root), where the penetration is smooth but for what the force
+/// itself does.
+struct ForceEdge {
+  double power = 0; ///< > -1
+  int root = 1;     ///< >= 1
+};
+
+/// The force of a mode in contact: from a touch on, and to the guards of the mode at which it ends
+/// without a jump.
+struct ForceCourse {
+  struct End {
+    std::size_t guard = 0; ///< of the mode
+    ForceEdge edge{};
+  };
+  ForceEdge begin{};
+  std::vector<End> ends{};
+};
+
 class ContactLaw {
 public:
   virtual ~ContactLaw() = default;
@@ -132,6 +152,10 @@ public:
   /// The elastic part of the force; nothing for rigid laws and where it is no power of the
   /// penetration. It says how the peak force of an impact grows with the mass: like m^(n/(n+1)).
   virtual std::optional<ElasticForce> elastic_force() const;
+
+  /// Of modes whose force is no affine form and that are entered at a touch; nothing for all
+  /// others, and where internal states change within the mode.
+  virtual std::optional<ForceCourse> force_course(int /*mode*/) const { return std::nullopt; }
 
 protected:
   ContactLaw(std::vector<Mode> modes, std::vector<double> initial_internal);

@@ -3,6 +3,8 @@
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
+#include "contact/laws/kuwabara_kono.h"
+#include "contact/laws/tsuji.h"
 #include "motion/collocation/contact_steps.h"
 #include "motion/event/impact_log.h"
 #include "motion/trajectory.h"
@@ -10,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -46,7 +49,7 @@ struct Shaken {
 // Counts the contacts that were solved as a whole: their steps end at the points of ForceTools.
 class WholeContacts : public Observer {
 public:
-  explicit WholeContacts(double tolerance) : tolerance_(tolerance) {}
+  WholeContacts(const ContactLaw &law, double tolerance) : law_(law), tolerance_(tolerance) {}
   void step(const StepView &view) override {
     if (inside_)
       ends_.push_back(view.end());
@@ -57,20 +60,33 @@ public:
       ends_ = {event.time};
     } else if (inside_) {
       inside_ = false;
-      const LongArray &points = force_tools({.begin = 1, .end = 1, .nodes = 8})
-                                    .shown(ContactSteps::inner_points(tolerance_))
-                                    .rule.nodes;
-      bool whole = ends_.size() == static_cast<std::size_t>(points.size());
-      for (std::size_t i = 0; whole && i < ends_.size(); ++i) {
-        const double part = (ends_[i] - ends_[0]) / (event.time - ends_[0]);
-        whole = std::abs(part - static_cast<double>(points[static_cast<Index>(i)])) < 1e-6;
-      }
+      const ForceCourse course = *law_.force_course(event.from);
+      const bool whole =
+          std::any_of(course.ends.begin(), course.ends.end(), [&](const ForceCourse::End &end) {
+            return ends_at_points({.begin = course.begin.power,
+                                   .end = end.edge.power,
+                                   .nodes = 8,
+                                   .begin_root = course.begin.root,
+                                   .end_root = end.edge.root});
+          });
       ++(whole ? count : others);
     }
   }
   int count = 0, others = 0;
 
 private:
+  bool ends_at_points(const ForceShape &shape) const {
+    const LongArray &points =
+        force_tools(shape).shown(ContactSteps::inner_points(tolerance_)).rule.nodes;
+    bool equal = ends_.size() == static_cast<std::size_t>(points.size());
+    for (std::size_t i = 0; equal && i < ends_.size(); ++i) {
+      const double part = (ends_[i] - ends_[0]) / (ends_.back() - ends_[0]);
+      equal = std::abs(part - static_cast<double>(points[static_cast<Index>(i)])) < 1e-6;
+    }
+    return equal;
+  }
+
+  const ContactLaw &law_;
   double tolerance_;
   bool inside_ = false;
   std::vector<double> ends_;
@@ -90,7 +106,7 @@ Result integrate(const Shaken &shaken, const std::string &method, double toleran
                         {.method = method, .relative_tolerance = tolerance});
   ImpactLog log(shaken.contacts, 0);
   trajectory.start(0, Vector::Zero(1), Vector::Constant(1, 0.5));
-  WholeContacts contacts(tolerance);
+  WholeContacts contacts(*shaken.contacts.pairs()[0].law, tolerance);
   Observers observers({&log, &contacts});
   trajectory.advance(end, observers);
   return {trajectory.state(), log.impacts(0), trajectory.accuracy(), contacts.count,
@@ -101,7 +117,9 @@ std::vector<std::shared_ptr<const ContactLaw>> laws() {
   return {std::make_shared<Hertz>(HertzConstants{.stiffness = 1e6}),
           std::make_shared<Hertz>(HertzConstants{.stiffness = 1e7, .exponent = 2.2}),
           HuntCrossley::with_dissipation({.stiffness = 1e6}, 0.3),
-          HuntCrossley::with_dimensionless_damping({.stiffness = 1e6}, 0.4, 1e-6)};
+          HuntCrossley::with_dimensionless_damping({.stiffness = 1e6}, 0.4, 1e-6),
+          std::make_shared<KuwabaraKono>(1e6, 1e-3),
+          std::make_shared<Tsuji>(1e6, 300)};
 }
 
 TEST(CollocatedContacts, AgreeWithRungeKuttaSteps) {
@@ -189,8 +207,8 @@ TEST(CollocatedContacts, LeaveToOthersWhatTheyCannotDo) {
   for (Trajectory *trajectory : {&parts, &all})
     trajectory->start(0, Vector::Zero(1), Vector::Constant(1, 0.5));
   const double tolerance = Settings{}.relative_tolerance;
-  WholeContacts of_parts(tolerance);
-  WholeContacts of_all(tolerance);
+  WholeContacts of_parts(*law, tolerance);
+  WholeContacts of_all(*law, tolerance);
   for (int i = 1; i <= 4000; ++i)
     parts.advance(0.01 * i, of_parts);
   all.advance(40, of_all);

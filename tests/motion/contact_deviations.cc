@@ -4,6 +4,7 @@
 
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
+#include "contact/laws/kuwabara_kono.h"
 #include "motion/trajectory.h"
 #include "support/lumped_models.h"
 
@@ -38,19 +39,16 @@ struct Passed {
 };
 
 // Two masses on springs, the first of them driven, that meet across a gap.
-class ContactDeviations : public ::testing::TestWithParam<double> {
+class ContactDeviations
+    : public ::testing::TestWithParam<std::shared_ptr<const contact::ContactLaw>> {
 protected:
   ContactDeviations()
       : model_({testing::single_mass("a", 1, 100, 1), testing::single_mass("b", 2, 1500, 2)}) {
     model_.add_force("force",
                      std::make_shared<model::Harmonic>(model::Given::displacement, 3, 9, 0.3),
                      {.body = 0, .point = 0}, Vector3::UnitX());
-    const contact::HertzConstants constants{.stiffness = 1e7, .exponent = 1.5};
-    std::shared_ptr<const contact::ContactLaw> law = std::make_shared<contact::Hertz>(constants);
-    if (GetParam() > 0)
-      law = contact::HuntCrossley::with_dissipation(constants, GetParam());
-    contacts_ =
-        contact::ContactSet({testing::contact_along_x(model_, "a.head", "b.head", 0.01, law)});
+    contacts_ = contact::ContactSet(
+        {testing::contact_along_x(model_, "a.head", "b.head", 0.01, GetParam())});
   }
   SmoothPart first_contact() {
     Settings settings;
@@ -110,7 +108,11 @@ TEST_P(ContactDeviations, NeedTouchAndRelease) {
   EXPECT_TRUE(columns.isIdentity(0));
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, ContactDeviations, ::testing::Values(0.0, 0.8));
+const contact::HertzConstants constants{.stiffness = 1e7, .exponent = 1.5};
+INSTANTIATE_TEST_SUITE_P(Laws, ContactDeviations,
+                         ::testing::Values(std::make_shared<contact::Hertz>(constants),
+                                           contact::HuntCrossley::with_dissipation(constants, 0.8),
+                                           std::make_shared<contact::KuwabaraKono>(1e7, 5e-4)));
 
 } // namespace
 } // namespace vibroimpact::motion

@@ -4,7 +4,9 @@
 #include <boost/math/special_functions/beta.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vibroimpact::motion {
 namespace {
@@ -12,9 +14,10 @@ namespace {
 Vector at_nodes(const ForceFamily &family, int degree) {
   Vector values(family.size());
   for (int j = 0; j < family.size(); ++j) {
-    const long double x = family.rule().nodes[j];
-    values[j] = static_cast<double>(std::pow(x, family.shape().begin + degree) *
-                                    std::pow(family.rule().rest[j], family.shape().end));
+    const TimeStretch::Point at =
+        family.stretch().at(family.rule().nodes[j], family.rule().rest[j]);
+    values[j] = static_cast<double>(std::pow(at.x, family.shape().begin + degree) *
+                                    std::pow(at.rest, family.shape().end));
   }
   return values;
 }
@@ -31,6 +34,11 @@ double integral(int k, double a, double b, double x) {
   return sum / std::tgamma(k + 1.0);
 }
 
+// Of x, which is a polynomial in the parameter of the family itself.
+int highest_degree(const ForceShape &shape) {
+  return (shape.nodes - 1) / (shape.begin_root + shape.end_root - 1);
+}
+
 class ForceOperatorsOfShape : public testing::TestWithParam<ForceShape> {};
 
 TEST_P(ForceOperatorsOfShape, IntegratesPowersTimesPolynomials) {
@@ -38,7 +46,7 @@ TEST_P(ForceOperatorsOfShape, IntegratesPowersTimesPolynomials) {
   ForceOperators operators(family, ForceOperators::nodes_and_end(family));
   operators.require(2);
   operators.require(5); // the first two stay
-  for (const int degree : {0, 1, family.size() - 1}) {
+  for (const int degree : {0, 1, highest_degree(GetParam())}) {
     const Vector forces = at_nodes(family, degree);
     const double a = GetParam().begin + degree;
     for (int k = 0; k < 5; ++k) {
@@ -61,10 +69,12 @@ TEST_P(ForceOperatorsOfShape, IntegratesToTheEnd) {
   const ForceFamily family(GetParam());
   ForceOperators operators(family, {1});
   operators.require(40);
-  const Vector forces = at_nodes(family, 2);
+  const int degree = std::min(2, highest_degree(GetParam()));
+  const Vector forces = at_nodes(family, degree);
   for (int k = 0; k < 40; ++k) {
     const double expected =
-        boost::math::beta(GetParam().begin + 3, GetParam().end + k + 1) / std::tgamma(k + 1.0);
+        boost::math::beta(GetParam().begin + degree + 1, GetParam().end + k + 1) /
+        std::tgamma(k + 1.0);
     EXPECT_NEAR((operators.term(k) * forces)[0], expected, 1e-13 * expected) << "k = " << k;
   }
 }
@@ -78,13 +88,35 @@ TEST_P(ForceOperatorsOfShape, InterpolatesAtItsNodes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, ForceOperatorsOfShape,
-                         testing::Values(ForceShape{.begin = 1.5, .end = 1.5, .nodes = 8},
-                                         ForceShape{.begin = 1.5, .end = 1.5, .nodes = 20},
-                                         ForceShape{.begin = 2.2, .end = 2.2, .nodes = 12},
-                                         ForceShape{.begin = 1.1, .end = 0, .nodes = 10},
-                                         ForceShape{.begin = 0, .end = 3, .nodes = 8},
-                                         ForceShape{.begin = 0, .end = 0, .nodes = 8}));
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, ForceOperatorsOfShape,
+    testing::Values(ForceShape{.begin = 1.5, .end = 1.5, .nodes = 8},
+                    ForceShape{.begin = 1.5, .end = 1.5, .nodes = 20},
+                    ForceShape{.begin = 2.2, .end = 2.2, .nodes = 12},
+                    ForceShape{.begin = 1.1, .end = 0, .nodes = 10},
+                    ForceShape{.begin = 0, .end = 3, .nodes = 8},
+                    ForceShape{.begin = 0, .end = 0, .nodes = 8},
+                    ForceShape{.begin = 0.5, .end = 0, .nodes = 12, .begin_root = 2},
+                    ForceShape{
+                        .begin = 0.25, .end = 0.25, .nodes = 16, .begin_root = 4, .end_root = 4}));
+
+TEST(ForceOperatorsTime, IsAPolynomialWithRootsAtItsEnds) {
+  for (const auto &[p, q] : {std::pair(1, 1), std::pair(2, 1), std::pair(4, 4), std::pair(1, 3)}) {
+    const TimeStretch stretch(p, q);
+    for (const long double xi : {1e-6L, 0.2L, 0.5L, 0.9L}) {
+      const TimeStretch::Point at = stretch.at(xi, 1 - xi);
+      const auto expected = static_cast<double>(boost::math::ibeta(p, q, xi));
+      EXPECT_NEAR(static_cast<double>(at.x) / expected, 1, 1e-14);
+      EXPECT_NEAR(static_cast<double>(at.x + at.rest), 1, 1e-15);
+      EXPECT_NEAR(static_cast<double>(at.begin * std::pow(xi, p)) / expected, 1, 1e-14);
+      EXPECT_NEAR(static_cast<double>(stretch.inverse(at.x, at.rest) / xi), 1, 1e-12);
+      const double slope =
+          static_cast<double>(at.slope_factor * std::pow(xi, p - 1) * std::pow(1 - xi, q - 1));
+      EXPECT_NEAR(slope / boost::math::ibeta_derivative(p, q, static_cast<double>(xi)), 1, 1e-12);
+      EXPECT_LE(slope, stretch.steepest() * (1 + 1e-12));
+    }
+  }
+}
 
 // Weight x^2 (1 - x): the quotient x^3 (1 - x)^3 / w = x (1 - x)^2 has zeros at the ends only; with
 // a factor (x - 1/2) it has one within.

@@ -57,6 +57,8 @@ public:
     return PowerLaw{.stiffness = constants_.stiffness, .exponent = constants_.exponent};
   }
 
+  std::optional<ForceCourse> force_course(int mode) const override;
+
 private:
   HertzConstants constants_;
 };

@@ -113,6 +113,14 @@ std::optional<PowerLaw> HuntCrossley::power_law() const {
   return law;
 }
 
+// Cut off, 1 + d u' falls to zero while there is still penetration.
+std::optional<ForceCourse> HuntCrossley::force_course(int mode) const {
+  if (!acts(mode))
+    return std::nullopt;
+  const ForceEdge touch{.power = constants_.exponent};
+  return ForceCourse{.begin = touch, .ends = {{.guard = 0, .edge = touch}, {.guard = 1}}};
+}
+
 void HuntCrossley::declare(parameters::Section &contact_section) {
   using namespace parameters;
   Section &law = contact_section.subsection(

@@ -47,4 +47,14 @@ void KuwabaraKono::evaluate(int mode, const LocalState &state, LawResponse &resp
   response.dissipated_power = resistance * state.gap_rate * state.gap_rate;
 }
 
+// u^(1/2) u' at the touch; the force is cut off while there is still penetration, but for A = 0.
+std::optional<ForceCourse> KuwabaraKono::force_course(int mode) const {
+  if (mode != 1)
+    return std::nullopt;
+  const ForceEdge elastic{.power = 1.5};
+  if (dissipation_time_ == 0)
+    return ForceCourse{.begin = elastic, .ends = {{.guard = 0, .edge = elastic}}};
+  return ForceCourse{.begin = {.power = 0.5, .root = 2}, .ends = {{.guard = 1}}};
+}
+
 } // namespace vibroimpact::contact

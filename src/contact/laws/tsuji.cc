@@ -90,4 +90,13 @@ void Tsuji::evaluate(int mode, const LocalState &state, LawResponse &response) c
   response.dissipated_power = resistance * state.gap_rate * state.gap_rate;
 }
 
+// u^(1/4) u' at both ends.
+std::optional<ForceCourse> Tsuji::force_course(int mode) const {
+  if (mode != 1)
+    return std::nullopt;
+  const ForceEdge edge =
+      damping_ > 0 ? ForceEdge{.power = 0.25, .root = 4} : ForceEdge{.power = 1.5};
+  return ForceCourse{.begin = edge, .ends = {{.guard = 0, .edge = edge}}};
+}
+
 } // namespace vibroimpact::contact

@@ -9,7 +9,7 @@
 namespace vibroimpact::motion {
 
 /// Nodes of a step, and its end.
-constexpr int most_targets = 24;
+constexpr int most_targets = 36;
 
 /// One entry per instant.
 struct ForceValues {

@@ -5,9 +5,9 @@
 // What forces do to a linear system over a step: I_0 gives the impulse, I_1 what it moves, and the
 // higher ones what the system makes of that meanwhile (forced_output.h). They belong to no system.
 //
-// With y = X s the integrand is s^alpha times what is smooth in s, but for the other end's
-// singularity at s = 1 / X outside: a Gauss rule for s^alpha gives it to better than 1e-15. At X =
-// 1 the family's own weight leaves a polynomial.
+// With y = x(Xi s), X = x(Xi), the integrand is a power of s times what is smooth in s, but for the
+// other end's singularity at s = 1 / Xi outside: a Gauss rule for that power gives it to better
+// than 1e-15. At X = 1 the family's own weight leaves a polynomial, or what is as smooth.
 #pragma once
 
 #include "motion/collocation/force_family.h"
@@ -18,7 +18,7 @@ namespace vibroimpact::motion {
 
 class ForceOperators {
 public:
-  /// X_i: `targets`, each in (0, 1]. Keeps a reference to the family.
+  /// Xi_i of X_i = x(Xi_i): `targets`, each in (0, 1]. Keeps a reference to the family.
   ForceOperators(const ForceFamily &family, std::vector<long double> targets);
 
   /// The nodes of the family, and the end behind them.
@@ -41,7 +41,7 @@ private:
     LongArray distance; ///< (X - y) at the points of the rule
     LongMatrix factors; ///< points x nodes
   };
-  /// `end`: exponent there that the rule's weight does not have.
+  /// `end`: power there that the rule's weight does not have.
   Integrand integrand(long double target, double end, const GaussRule &rule) const;
 
   const ForceFamily &family_;

@@ -1,5 +1,8 @@
 #include "motion/collocation/force_tools.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace vibroimpact::motion {
 
 namespace {
@@ -18,10 +21,27 @@ GaussRule lobatto_rule(int inner) {
   return rule;
 }
 
-// With two more points next to each end, where the motion is least like a polynomial.
-GaussRule shown_rule(int lobatto_points) {
-  const LongArray added = (LongArray(2) << 0.0045L, 0.0145L).finished(); // parts of the contact
-  const LongArray from_end = added.reverse();
+// Points next to an end, from there on, as parts of the step: where a force goes like x^n the
+// velocity goes like x^(n + 1), of which a polynomial of degree 7 misses 1e-2 h^(n + 1) in a first
+// step of length h. Forces that are smooth there need no more than others.
+LongArray points_next_to(double power, int root) {
+  constexpr double last = 0.0145;
+  constexpr double longest = 0.0045;
+  constexpr double missed = 1.4e-8;
+  const bool smooth = root == 1 && power == std::floor(power);
+  const double first =
+      smooth ? longest : std::min(longest, std::pow(100 * missed, 1 / (power + 1)));
+  const auto count = static_cast<Eigen::Index>(std::ceil(std::log(last / first) / std::log(4.0)));
+  LongArray points(count + 1);
+  for (Eigen::Index i = 0; i <= count; ++i)
+    points[i] = static_cast<long double>(
+        first * std::pow(last / first, static_cast<double>(i) / static_cast<double>(count)));
+  return points;
+}
+
+GaussRule shown_rule(const ForceShape &shape, int lobatto_points) {
+  const LongArray added = points_next_to(shape.begin, shape.begin_root);
+  const LongArray from_end = points_next_to(shape.end, shape.end_root).reverse();
   const GaussRule lobatto = lobatto_rule(lobatto_points);
   const Eigen::Index last = lobatto.nodes.size() - 1;
   const auto with_added = [&](const LongArray &list, const LongArray &first,
@@ -30,25 +50,31 @@ GaussRule shown_rule(int lobatto_points) {
     longer << list[0], first, list.segment(1, last - 1), second, list[last];
     return longer;
   };
-  const LongArray one = LongArray::Ones(added.size());
-  const LongArray none = LongArray::Zero(added.size());
-  return {.nodes = with_added(lobatto.nodes, added, one - from_end),
-          .rest = with_added(lobatto.rest, one - added, from_end),
-          .weights = with_added(lobatto.weights, none, none)};
+  const auto beside = [](const LongArray &parts) { return LongArray(1 - parts.array()); };
+  return {.nodes = with_added(lobatto.nodes, added, beside(from_end)),
+          .rest = with_added(lobatto.rest, beside(added), from_end),
+          .weights = with_added(lobatto.weights, LongArray::Zero(added.size()),
+                                LongArray::Zero(from_end.size()))};
 }
 
-std::vector<long double> inner_nodes(const GaussRule &rule) {
-  return {rule.nodes.begin() + 1, rule.nodes.end() - 1};
+/// Of the points of a rule in x but `skipped` at each end.
+std::vector<long double> targets_of(const GaussRule &rule, const TimeStretch &stretch,
+                                    Eigen::Index skipped) {
+  std::vector<long double> targets;
+  for (Eigen::Index i = skipped; i + skipped < rule.nodes.size(); ++i)
+    targets.push_back(stretch.inverse(rule.nodes[i], rule.rest[i]));
+  return targets;
 }
 
 } // namespace
 
 ShownPoints::ShownPoints(const ForceFamily &family, int inner_lobatto_points)
-    : rule(shown_rule(inner_lobatto_points)), between(family, inner_nodes(rule)) {}
+    : rule(shown_rule(family.shape(), inner_lobatto_points)),
+      between(family, targets_of(rule, family.stretch(), 1)) {}
 
 QuadraturePoints::QuadraturePoints(const ForceFamily &family, int count)
     : rule(JacobiPolynomials(0, 0, count).rule()),
-      at_nodes(family, {rule.nodes.begin(), rule.nodes.end()}) {}
+      at_nodes(family, targets_of(rule, family.stretch(), 0)) {}
 
 ForceTools::ForceTools(const ForceShape &shape)
     : family(shape), at_nodes(family, ForceOperators::nodes_and_end(family)) {}

@@ -9,10 +9,11 @@
 namespace vibroimpact::motion {
 
 /// Instants at which the motion within a step is shown, both ends included: the Gauss-Lobatto
-/// points of [0, 1], whose weights integrate what is smooth, and two more next to each end.
+/// points of [0, 1], whose weights integrate what is smooth, and two or more next to each end: the
+/// slower the force begins or ends, the closer.
 struct ShownPoints {
   ShownPoints(const ForceFamily &family, int inner_lobatto_points);
-  const GaussRule rule;
+  const GaussRule rule;   ///< in x
   ForceOperators between; ///< targets: the inner ones
 };
 

@@ -31,6 +31,23 @@ JacobiPolynomials::JacobiPolynomials(double alpha, double beta, int count)
   first_ = std::exp(-0.5L * logarithm);
 }
 
+// Stieltjes' procedure (Gautschi 2004, section 2.2.3).
+JacobiPolynomials::JacobiPolynomials(const GaussRule &weight, int count)
+    : diagonal_(count), beside_(count), first_(1 / std::sqrt(weight.weights.sum())) {
+  LongArray before = LongArray::Zero(weight.nodes.size());
+  LongArray present = LongArray::Constant(weight.nodes.size(), first_);
+  for (int k = 0; k < count; ++k) {
+    const LongArray weighted = present.cwiseProduct(weight.weights);
+    diagonal_[k] = weighted.cwiseProduct(present).dot(weight.nodes);
+    LongArray next = (weight.nodes.array() - diagonal_[k]).matrix().cwiseProduct(present);
+    if (k > 0)
+      next -= beside_[k - 1] * before;
+    beside_[k] = std::sqrt(next.cwiseProduct(next).dot(weight.weights));
+    before = present;
+    present = next / beside_[k];
+  }
+}
+
 LongArray JacobiPolynomials::at(long double x) const {
   LongArray values(diagonal_.size());
   values[0] = first_;

@@ -20,11 +20,14 @@ struct GaussRule {
   LongArray weights; ///< > 0
 };
 
-/// The orthonormal polynomials of the weight x^alpha (1 - x)^beta on [0, 1].
+/// The orthonormal polynomials of the weight x^alpha (1 - x)^beta on [0, 1], or of one like it.
 class JacobiPolynomials {
 public:
   /// alpha, beta > -1; degrees below `count`, which is at least 1.
   JacobiPolynomials(double alpha, double beta, int count);
+  /// Of another weight, given by a rule that is exact for its products of polynomials of degree
+  /// below `count`.
+  JacobiPolynomials(const GaussRule &weight, int count);
 
   /// p_0 ... p_(count-1) at x.
   LongArray at(long double x) const;

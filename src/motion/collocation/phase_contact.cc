@@ -21,13 +21,10 @@ bool is_gap(const AffineForm &form, double sign) {
          std::all_of(form.internal.begin(), form.internal.end(), [](double c) { return c == 0; });
 }
 
-// The guard of a mode in contact by which the gap's return to zero leads back.
-std::optional<std::size_t> release_guard(const Mode &mode, int back) {
-  for (std::size_t g = 0; g < mode.guards.size(); ++g)
-    if (is_gap(mode.guards[g].indicator, -1) && mode.guards[g].target == back &&
-        mode.guards[g].reset.empty() && mode.guards[g].action == contact::GuardAction::change_mode)
-      return g;
-  return std::nullopt;
+bool ends_without_force(const ContactLaw &law, const contact::Guard &guard) {
+  const Mode &behind = law.modes()[static_cast<std::size_t>(guard.target)];
+  return guard.action == contact::GuardAction::change_mode && guard.reset.empty() &&
+         behind.affine && !behind.holds_gap;
 }
 
 } // namespace
@@ -39,20 +36,23 @@ std::unique_ptr<PhaseContact> PhaseContact::create(const Equations &equations, L
   const int open = linear.forms().contact_modes()[onset.contact];
   const contact::Guard &passed = law.modes()[static_cast<std::size_t>(open)].guards[onset.guard];
   const Mode &mode = law.modes()[static_cast<std::size_t>(onset.target)];
-  if (!law.power_law() || mode.affine || mode.holds_gap || !equations.holding().empty() ||
-      !is_gap(passed.indicator, 1) || passed.action != contact::GuardAction::change_mode)
+  if (!law.force_course(onset.target) || !law.elastic_force() || mode.affine || mode.holds_gap ||
+      !equations.holding().empty() || !is_gap(passed.indicator, 1) ||
+      passed.action != contact::GuardAction::change_mode)
     return nullptr;
-  const std::optional<std::size_t> release = release_guard(mode, open);
-  if (!release)
-    return nullptr;
-  return std::unique_ptr<PhaseContact>(
-      new PhaseContact(equations, linear, onset, *release, tolerance));
+  std::unique_ptr<PhaseContact> made(new PhaseContact(equations, linear, onset, tolerance));
+  return made->endings_.empty() ? nullptr : std::move(made);
 }
 
 PhaseContact::PhaseContact(const Equations &equations, LinearPhase &linear, const PhaseGuard &onset,
-                           std::size_t release, double tolerance)
-    : equations_(equations), linear_(linear), onset_(onset), release_(release),
-      tolerance_(tolerance), force_(law(), onset.target) {}
+                           double tolerance)
+    : equations_(equations), linear_(linear), onset_(onset), tolerance_(tolerance),
+      force_(law(), onset.target) {
+  const contact::ForceCourse course = *law().force_course(onset.target);
+  for (const contact::ForceCourse::End &end : course.ends)
+    if (ends_without_force(law(), mode().guards[end.guard]))
+      endings_.push_back({.guard = end.guard, .edge = end.edge});
+}
 
 const ContactLaw &PhaseContact::law() const {
   return *equations_.contacts().pairs()[onset_.contact].law;
@@ -60,8 +60,10 @@ const ContactLaw &PhaseContact::law() const {
 
 void PhaseContact::forget() {
   left_out_ = 0;
-  if (contact_)
-    contact_->forget();
+  ending_ = 0;
+  for (Ending &ending : endings_)
+    if (ending.contact)
+      ending.contact->forget();
 }
 
 // A form of the rows of the phase, or one of its columns, by places.
@@ -114,13 +116,17 @@ void PhaseContact::renew() {
   for (Index k = 0; k < modes.size(); ++k)
     load[phase.places()[static_cast<std::size_t>(k)]] = static_cast<double>(modes[k]);
   const LinearRow gap = linear_row(equations_, onset_.contact, AffineForm{.gap = 1});
-  const double exponent = law().power_law()->exponent;
-  contact_.reset();
+  for (Ending &ending : endings_)
+    ending.contact.reset();
   flow_ = std::make_unique<ForcedFlow>(blocks(), load);
   penetration_ = std::make_unique<ForcedOutput>(*flow_, -in_amplitudes(gap.row), -gap.constant,
                                                 WholeContact::most_terms);
   set_rows();
-  contact_ = std::make_unique<WholeContact>(*penetration_, force_, exponent, exponent, tolerance_);
+  const contact::ForceEdge begin = law().force_course(onset_.target)->begin;
+  for (Ending &ending : endings_)
+    ending.contact =
+        std::make_unique<WholeContact>(*penetration_, force_, begin, ending.edge, tolerance_);
+  contact_ = endings_.front().contact.get();
 }
 
 // Modes of one body move few coordinates of others: most entries are zero.
@@ -154,17 +160,44 @@ bool PhaseContact::pass(const double *amplitudes, double longest) {
   renew();
   before_.assign(amplitudes, amplitudes + linear_.phase().n_amplitudes());
   reset_internal();
-  const Refusal refusal = contact_->solve(before_.data(), longest);
-  if (refusal == Refusal::none && guards_of_law_hold() && others_stay_away()) {
-    after_.resize(before_.size());
-    kernel().turn(linear_.phase().view(), before_.data(), duration(), after_.data());
-    end_moments_ = contact_->end_moments();
-    flow_->add(duration(), end_moments_.data(), contact_->terms(), after_.data());
+  const Refusal refusal = solve(longest);
+  if (refusal == Refusal::none && others_stay_away()) {
+    finish();
     return true;
   }
   if (refusal != Refusal::none && refusal != Refusal::too_long)
     left_out_ = left_out_after_refusal;
   return false;
+}
+
+// By the guard that ended the contact before, or else by another one.
+Refusal PhaseContact::solve(double longest) {
+  Refusal refusal = Refusal::none;
+  for (std::size_t i = 0; i < endings_.size(); ++i) {
+    contact_ = endings_[ending_].contact.get();
+    contact_->set_end(condition(release()));
+    const Refusal present = contact_->solve(before_.data(), longest);
+    if (present == Refusal::none && guards_of_law_hold())
+      return present;
+    if (i == 0)
+      refusal = present == Refusal::none ? Refusal::no_release : present;
+    ending_ = (ending_ + 1) % endings_.size();
+  }
+  return refusal;
+}
+
+EndCondition PhaseContact::condition(std::size_t guard) const {
+  const AffineForm &form = mode().guards[guard].indicator;
+  return {.constant = form({.gap = 0, .gap_rate = 0, .internal = internal_}),
+          .by_penetration = -form.gap,
+          .by_rate = -form.gap_rate};
+}
+
+void PhaseContact::finish() {
+  after_.resize(before_.size());
+  kernel().turn(linear_.phase().view(), before_.data(), duration(), after_.data());
+  end_moments_ = contact_->end_moments();
+  flow_->add(duration(), end_moments_.data(), contact_->terms(), after_.data());
 }
 
 // Internal states follow the touch at once and stay; nothing else depends on them.
@@ -195,14 +228,15 @@ void PhaseContact::reset_internal() {
   force_.set_internal(internal_);
 }
 
-// Guards of the contact's own mode but the release, at the touch, at the nodes and at the end.
-// Between these the force is positive, as they are wherever a law of this kind pushes.
+// Guards of the contact's own mode but that by which it ends, at the touch, at the nodes and at the
+// end. Those of a gap or a force are positive wherever a law pushes, which is proven between these.
 bool PhaseContact::guards_of_law_hold() const {
   for (std::size_t g = 0; g < mode().guards.size(); ++g) {
-    if (g == release_)
+    if (g == release())
       continue;
     const AffineForm &form = mode().guards[g].indicator;
-    if (!(form({.gap = 0, .gap_rate = -contact_->approach_speed(), .internal = internal_}) > 0))
+    if (!is_gap(form, -1) &&
+        !(form({.gap = 0, .gap_rate = -contact_->approach_speed(), .internal = internal_}) > 0))
       return false;
     for (int i = 0; i <= contact_->nodes(); ++i)
       if (!(form({.gap = -contact_->penetrations()[i],
@@ -253,7 +287,8 @@ bool PhaseContact::others_stay_away() {
   if (guards.size() < 2)
     return true;
   const double t = duration();
-  const double impulse = contact_->impulse();
+  const double pull = contact_->pulling_impulse();
+  const double push = contact_->impulse() + pull;
   const Vector &load = flow_->load();
   std::vector<double> least(guards.size());
   set_reach(before_.data(), t);
@@ -270,9 +305,10 @@ bool PhaseContact::others_stay_away() {
     double f[4];
     kernel().derivatives(view, static_cast<int>(g), load.data(), f);
     const double value = f[0] - view.constants[g];
-    const double down =
-        std::max(0.0, -value) + t * std::max(0.0, -f[1]) + 0.5 * t * t * second_derivative(g);
-    if (!(least[g] - impulse * down > 0))
+    const double bend = 0.5 * t * t * second_derivative(g);
+    const double down = std::max(0.0, -value) + t * std::max(0.0, -f[1]) + bend;
+    const double up = std::max(0.0, value) + t * std::max(0.0, f[1]) + bend;
+    if (!(least[g] - push * down - pull * up > 0))
       return false;
   }
   return true;

@@ -1,13 +1,17 @@
 // A nonlinear contact within a linear phase: while the two sides touch, the phase goes on under one
 // more force, in its own coordinates, and when they have parted it is the same phase again.
 //
-// For laws with power_law(), whose force begins and ends like the power n of the time since touch
-// and until release, and whose internal states do not change meanwhile. The guards of all other
-// contacts are proven to stay positive: with J the impulse, h the value a guard would have without
-// the force, and g what one unit of impulse makes of it,
+// For laws with force_course(), which says how the force begins and by which guards of its mode it
+// may end. Of several guards that which ended the contact before is tried first; the others must
+// stay positive. Where the mode behind the guard is another one than that before the touch (inside
+// without force), another linear phase follows. The guards of all other contacts are proven to stay
+// positive: with J the impulse of a force that pushes, h the value a guard would have without the
+// force, and g what one unit of impulse makes of it,
 //
 //   h(t) + forced part >= h(0) + min(0, h'(0) T) - T^2/2 max|h''|
 //                         - J (max(0, -g(0)) + T max(0, -g'(0)) + T^2/2 max|g''|)
+//
+// and with the signs of g turned for what of it pulls.
 //
 // What cannot be proven, or is no single hump of force, is left to others.
 #pragma once
@@ -40,8 +44,9 @@ public:
   double duration() const { return contact_->duration(); } ///< [s]
   const Amplitudes &after() const { return after_; }
   std::size_t contact() const { return onset_.contact; }
-  /// Guard of the contact's mode by which it ends.
-  std::size_t release() const { return release_; }
+  /// Guard of the contact's mode by which its force ends, and the mode behind it.
+  std::size_t release() const { return endings_[ending_].guard; }
+  int mode_after() const { return mode().guards[release()].target; }
   /// Largest rounding of each of the phase's groups that the contact has added.
   void add_rounding(double *rounding) const;
 
@@ -69,8 +74,14 @@ public:
   Vector in_amplitudes(const RowVector &row) const;
 
 private:
+  struct Ending {
+    std::size_t guard = 0; ///< of the contact's mode
+    contact::ForceEdge edge{};
+    std::unique_ptr<WholeContact> contact{};
+  };
+
   PhaseContact(const Equations &equations, LinearPhase &linear, const PhaseGuard &onset,
-               std::size_t release, double tolerance);
+               double tolerance);
 
   const contact::ContactLaw &law() const;
   const contact::Mode &mode() const {
@@ -81,6 +92,9 @@ private:
   Vector by_places(const RowVector &seen) const;
   std::vector<FlowBlock> blocks() const;
   void reset_internal();
+  Refusal solve(double longest);
+  EndCondition condition(std::size_t guard) const;
+  void finish();
   bool guards_of_law_hold() const;
   bool others_stay_away();
   double second_derivative(std::size_t guard) const;
@@ -89,12 +103,13 @@ private:
   const Equations &equations_;
   LinearPhase &linear_;
   PhaseGuard onset_;
-  std::size_t release_;
   double tolerance_;
   LawForce force_;
   std::unique_ptr<ForcedFlow> flow_;
   std::unique_ptr<ForcedOutput> penetration_;
-  std::unique_ptr<WholeContact> contact_;
+  std::vector<Ending> endings_;
+  std::size_t ending_ = 0;                  ///< of the last contact
+  WholeContact *contact_ = nullptr;         ///< by that
   long generation_ = -1, arrangement_ = -1; ///< of the phase that these are for
   Rows state_rows_, bent_rows_;
   Vector bent_load_;

@@ -1,14 +1,15 @@
-// A whole contact, from touch to release, in one step.
+// A whole contact, from the touch to the end of its force, in one step.
 //
 // Two sides of a linear system x' = S x + b f meet at t0, where the penetration u(x) is zero and
-// rises, and part at t0 + T. The force f = F(u, u') is a polynomial times t^alpha (T - t)^beta
-// (force_family.h), so that u is a sum of integrals of its values f_j (forced_flow.h), with
-// theta = T max|exponent|:
+// rises, and the force ends at t0 + T, where an affine form c of u and u' falls to zero: u where
+// they part, another where the law cuts its force off. The force f = F(u, u') is t^alpha (T -
+// t)^beta times a polynomial (force_family.h), so that u is a sum of integrals of its values f_j
+// (forced_flow.h), with theta = T max|exponent|:
 //
 //   u(X)  = sum d_k (theta X)^k + T sum over k > 0 of g_k theta^k (I_k f)(X)
 //   u'(X) = sum k d_k theta^k X^(k-1) / T + sum over k > 0 of g_k theta^k (I_(k-1) f)(X)
 //
-// Newton's method solves F(u_i, u_i') - f_i = 0 at the nodes and u(1) = 0 for f_j and ln T. With
+// Newton's method solves F(u_i, u_i') - f_i = 0 at the nodes and c(1) = 0 for f_j and ln T. With
 // forces in units of S = m v / T (m = -1 / (g_1 max|exponent|) the mass that meets, v its speed)
 // and lengths in v T the matrix has no dimension, and contacts of all speeds have nearly the same:
 // its inverse is kept from contact to contact, as are the forces f T / (m v) and the length T
@@ -17,8 +18,9 @@
 // The error is estimated from the tail a of f / w in the orthonormal polynomials of the family.
 // Gauss nodes square it, unless what the force meets varies within the step:
 //
-//   error = a max(0.1 a, s),  s = min(1, product over k = 1..m of h / (2 k - 1)),
-//   h = T/2 sqrt(max|exponent|^2 + 2 max(f/u) / m)
+//   error = a max(0.1 a, s),  s >= 0.1 of forces with roots of time or a cut-off, else
+//   s = min(1, product over k = 1..m of h / (2 k - 1)),
+//   h = T/2 max(dx/dxi) sqrt(max|exponent|^2 + 2 max(f/u) / m)
 //
 // s bounds the Legendre coefficient of order m of the kernel of the integral. Gauss collocation and
 // its order: Hairer, Norsett and Wanner 1993, section II.7. Between the nodes the force is a
@@ -28,6 +30,8 @@
 #include "motion/collocation/contact_force.h"
 #include "motion/collocation/force_tools.h"
 #include "motion/collocation/forced_flow.h"
+
+#include "contact/contact_law.h"
 
 #include <array>
 #include <vector>
@@ -42,19 +46,37 @@ enum class Refusal {
   too_fast,      ///< the system turns too far within it for a Taylor series
   no_solution,   ///< Newton's method does not converge
   too_coarse,    ///< the error is too large with the most nodes
-  several_humps, ///< the force may be zero before the release: that is not the first zero
+  several_humps, ///< the force may be zero before its end: that is not the first zero
   no_release,    ///< the sides do not move apart at its end
 };
+
+/// The form of penetration u [m] and its rate [m/s] that falls to zero where a force ends.
+struct EndCondition {
+  double constant = 0, by_penetration = 1, by_rate = 0;
+
+  double operator()(double u, double rate) const {
+    return constant + by_penetration * u + by_rate * rate;
+  }
+  bool at_release() const { return by_rate == 0; }
+};
+
+/// How long two free bodies of the effective mass [kg] touch that meet at `speed` [m/s], under an
+/// elastic force [s].
+double free_contact_duration(const contact::ElasticForce &elastic, double mass, double speed);
 
 class WholeContact {
 public:
   /// Coefficients of Taylor series that are made use of at most.
   static constexpr int most_terms = 44;
 
-  /// Keeps references. `penetration` has most_terms coefficients; `begin`, `end`: exponents with
-  /// which the force begins and ends; `tolerance`: relative, of the impulse.
-  WholeContact(const ForcedOutput &penetration, const ContactForce &force, double begin, double end,
-               double tolerance);
+  /// Keeps references. `penetration` has most_terms coefficients; `begin`, `end`: how the force
+  /// begins and ends; `tolerance`: relative, of the impulse.
+  WholeContact(const ForcedOutput &penetration, const ContactForce &force,
+               const contact::ForceEdge &begin, const contact::ForceEdge &end, double tolerance);
+
+  /// Of the contacts to come; before, that is u = 0.
+  void set_end(const EndCondition &condition) { condition_ = condition; }
+  const EndCondition &end() const { return condition_; }
 
   /// Forgets what earlier contacts taught.
   void forget();
@@ -80,6 +102,7 @@ public:
   const double *rates() const { return rates_.data(); } ///< the same [m/s]
   const ForceValues &law() const { return law_; }       ///< at the nodes
   double impulse() const;                               ///< [N s]
+  double pulling_impulse() const;                       ///< of what pulls, >= 0 [N s]
   double dissipated() const;                            ///< by the law [J]
   /// (I_k f) of each target for k < terms(), k running fastest: what ForcedFlow::add() takes.
   std::vector<double> moments(ForceOperators &operators) const;
@@ -104,14 +127,21 @@ private:
   void differentiate();
   void factorise();
   double correct();
+  int highest_count() const;
   Refusal judge();
+  bool is_rough() const;
+  bool ends_first() const;
+  bool overlaps() const;
+  double end_scale() const;
   void find_error();
   void choose_nodes(int nodes);
   void learn();
 
   const ForcedOutput &output_;
   const ContactForce &force_;
-  double begin_, end_, tolerance_, tolerance_of_newton_;
+  contact::ForceEdge begin_, end_;
+  EndCondition condition_;
+  double tolerance_, tolerance_of_newton_;
   double exponent_; ///< n
 
   ForceTools *tools_ = nullptr;

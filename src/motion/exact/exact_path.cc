@@ -32,11 +32,6 @@ const contact::AffineForm &indicator(const Equations &equations, const PhaseGuar
   return law.modes()[mode].guards[guard.guard].indicator;
 }
 
-void set_modes(const std::vector<int> &modes, Equations &equations) {
-  for (std::size_t c = 0; c < modes.size(); ++c)
-    equations.set_mode(c, modes[c]);
-}
-
 } // namespace
 
 ExactPath::ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings)
@@ -61,6 +56,11 @@ void ExactPath::begin() {
 
 double ExactPath::time_tolerance(double time) const {
   return std::max(event_tolerance_, 8 * epsilon * std::abs(time));
+}
+
+void ExactPath::set_modes(const std::vector<int> &modes) {
+  for (std::size_t c = 0; c < modes.size(); ++c)
+    equations_.set_mode(c, modes[c]);
 }
 
 // Of the present modes of the equations, under the present excitation.
@@ -95,7 +95,7 @@ ExactPath::Transition *ExactPath::transition(std::size_t guard) {
 ExactPath::Transition ExactPath::find_transition(const PhaseGuard &passed) {
   if (equations_.contacts().pairs()[passed.contact].law->rigid())
     return {};
-  set_modes(known_->linear->forms().contact_modes(), equations_);
+  set_modes(known_->linear->forms().contact_modes());
   const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
   equations_.set_mode(passed.contact, passed.target);
   Transition transition{.target = &known_phase(), .proportion = {}};
@@ -103,7 +103,7 @@ ExactPath::Transition ExactPath::find_transition(const PhaseGuard &passed) {
     for (const PhaseGuard &other : transition.target->guards())
       transition.proportion.push_back(
           proportion(linear_row(equations_, other.contact, indicator(equations_, other)), form));
-  set_modes(known_->linear->forms().contact_modes(), equations_);
+  set_modes(known_->linear->forms().contact_modes());
   return transition;
 }
 
@@ -368,7 +368,7 @@ void ExactPath::note_residual() {
 // Where nobody observes, the equations need the modes of the last phase only.
 void ExactPath::stand(double time, const double *amplitudes) {
   if (!observer_)
-    set_modes(known_->linear->forms().contact_modes(), equations_);
+    set_modes(known_->linear->forms().contact_modes());
   end_part(time, amplitudes);
   if (!state_.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");

@@ -100,6 +100,8 @@ private:
     bool contact_known = false;
     std::unique_ptr<WholeContactPart>
         contact{}; ///< of a target that is not linear; none: left to others
+    /// The linear phase behind a contact, by the mode that it ends in.
+    std::map<int, std::unique_ptr<Transition>> behind{};
   };
   // What an observer monitors of a phase.
   struct MonitoredOutputs {
@@ -121,6 +123,7 @@ private:
     const PhaseView &view() const { return linear->phase().view(); }
   };
 
+  void set_modes(const std::vector<int> &modes);
   KnownPhase &known_phase();
   Transition *transition(std::size_t guard);
   Transition find_transition(const PhaseGuard &passed);
@@ -135,7 +138,9 @@ private:
   bool change_phase(double limit, long &most_events);
   WholeContactPart *contact_beyond(std::size_t guard);
   bool pass_contact(double time, std::size_t passed, double limit);
-  bool parts(const PhaseContact &contact);
+  Transition *phase_behind(std::size_t passed, const PhaseContact &contact);
+  bool enter_behind(Transition *behind, const PhaseContact &contact);
+  bool parts(const PhaseContact &contact, KnownPhase &behind, const double *amplitudes);
   void report_contact(WholeContactPart &part, double time);
   void monitor_contact(WholeContactPart &part, double time);
   ContactOutputs &outputs_of(WholeContactPart &part);

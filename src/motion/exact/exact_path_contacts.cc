@@ -19,9 +19,7 @@ ExactPath::WholeContactPart *ExactPath::contact_beyond(std::size_t guard) {
   Transition &known = *known_->transitions[guard];
   if (!known.contact_known) {
     known.contact_known = true;
-    const std::vector<int> &modes = known_->linear->forms().contact_modes();
-    for (std::size_t c = 0; c < modes.size(); ++c)
-      equations_.set_mode(c, modes[c]);
+    set_modes(known_->linear->forms().contact_modes());
     if (auto contact = PhaseContact::create(equations_, *known_->linear, guard, tolerance_))
       known.contact =
           std::make_unique<WholeContactPart>(WholeContactPart{.contact = std::move(contact)});
@@ -29,27 +27,70 @@ ExactPath::WholeContactPart *ExactPath::contact_beyond(std::size_t guard) {
   return known.contact.get();
 }
 
-// At a release the gap is zero within the error of the instant, and rises.
-bool ExactPath::parts(const PhaseContact &contact) {
-  const PhaseView &view = known_->view();
-  const std::vector<PhaseGuard> &guards = known_->guards();
+// Where the law cuts its force off while the sides still overlap, the phase behind the contact is
+// another one than that before. nullptr: the same.
+ExactPath::Transition *ExactPath::phase_behind(std::size_t passed, const PhaseContact &contact) {
+  std::vector<int> modes = known_->linear->forms().contact_modes();
+  if (contact.mode_after() == modes[contact.contact()])
+    return nullptr;
+  std::unique_ptr<Transition> &behind = known_->transitions[passed]->behind[contact.mode_after()];
+  const long excitation = exact_phases_.excitation().generation();
+  if (!behind) {
+    modes[contact.contact()] = contact.mode_after();
+    const std::vector<int> present = equations_.modes();
+    set_modes(modes);
+    behind = std::make_unique<Transition>(Transition{.target = &known_phase(), .proportion = {}});
+    set_modes(present);
+  }
+  if (behind->excitation != excitation) {
+    behind->target->phase().take(exact_phases_.excitation());
+    if (behind->change)
+      behind->change->renew();
+  }
+  static const std::vector<PhaseForms::Reset> none;
+  if (!behind->change)
+    behind->change = std::make_unique<ExactChange>(known_->phase(), none, behind->target->phase());
+  behind->excitation = excitation;
+  return behind.get();
+}
+
+// To the amplitudes behind the contact. False: it does not end there.
+bool ExactPath::enter_behind(Transition *behind, const PhaseContact &contact) {
   next_rounding_.assign(next_rounding_.size(), 0);
   contact.add_rounding(next_rounding_.data());
+  if (!behind) {
+    std::copy(contact.after().begin(), contact.after().end(), next_.begin());
+    return parts(contact, *known_, next_.data());
+  }
+  kernel_.change(behind->change->view(), contact.after().data(), next_.data(),
+                 next_rounding_.data());
+  return parts(contact, *behind->target, next_.data());
+}
+
+// One of its guards is zero within the error of the instant, and rises; the others are positive.
+bool ExactPath::parts(const PhaseContact &contact, KnownPhase &behind, const double *amplitudes) {
+  const PhaseView &view = behind.view();
+  const std::vector<PhaseGuard> &guards = behind.guards();
+  noise_.resize(guards.size());
   kernel_.guard_noise(view, next_rounding_.data(), noise_.data());
   order_.assign(guards.size(), 0);
   const double instant = std::max(time_tolerance(origin_), tolerance_ * contact.duration());
-  bool part = true;
+  bool rises = false;
   for (std::size_t g = 0; g < guards.size(); ++g) {
     if (guards[g].contact != contact.contact())
       continue;
     double f[4];
-    kernel_.derivatives(view, static_cast<int>(g), contact.after().data(), f);
-    const double noise = hidden(view, g, contact.after().data()) + 2 * instant * std::abs(f[1]);
-    part = part && std::abs(f[0]) <= noise && f[1] > 0;
-    tally_.event_residual = std::max(tally_.event_residual, f[1] > 0 ? std::abs(f[0]) / f[1] : 0);
+    kernel_.derivatives(view, static_cast<int>(g), amplitudes, f);
+    const double noise = hidden(view, g, amplitudes) + 2 * instant * std::abs(f[1]);
+    if (f[0] < -noise || (f[0] <= noise && !(f[1] > 0)))
+      return false;
+    if (f[0] > noise)
+      continue;
+    rises = true;
+    tally_.event_residual = std::max(tally_.event_residual, std::abs(f[0]) / f[1]);
     order_[g] = 1;
   }
-  return part;
+  return rises;
 }
 
 // The forms are those of the monitor in the modes of the contact.
@@ -100,16 +141,23 @@ void ExactPath::report_contact(WholeContactPart &part, double time) {
   observer_->change(time + contact.duration(), contact.contact(), contact.release(), state_);
 }
 
-// From touch to release in the present phase, whose guards are then those before. False: it is left
-// to others; nothing has changed.
+// From the touch to the end of the force, in the present phase, and into that behind. False: it is
+// left to others; nothing has changed.
 bool ExactPath::pass_contact(double time, std::size_t passed, double limit) {
   WholeContactPart *const part = contact_beyond(passed);
   if (!part)
     return false;
   PhaseContact *const contact = part->contact.get();
-  const bool solved = contact->pass(walk_.turned, std::min(limit - time, longest_step_)) &&
-                      contact->duration() > shortest * time_tolerance(time) && parts(*contact);
+  Transition *behind = nullptr;
+  bool solved = contact->pass(walk_.turned, std::min(limit - time, longest_step_)) &&
+                contact->duration() > shortest * time_tolerance(time);
+  if (solved) {
+    behind = phase_behind(passed, *contact);
+    solved = enter_behind(behind, *contact);
+  }
   if (!solved) {
+    noise_.resize(known_->guards().size());
+    order_.assign(known_->guards().size(), 0);
     kernel_.guard_noise(known_->view(), rounding_.data(), noise_.data());
     return false;
   }
@@ -122,9 +170,10 @@ bool ExactPath::pass_contact(double time, std::size_t passed, double limit) {
   ++tally_.whole_contacts;
   last_event_ = origin_ = end;
   std::swap(rounding_, next_rounding_);
-  std::copy(contact->after().begin(), contact->after().end(), walk_.amplitudes);
-  renew_inputs(known_->phase(), end, walk_.amplitudes);
-  start_walk(*known_);
+  KnownPhase &next = behind ? *behind->target : *known_;
+  std::copy_n(next_.begin(), next.phase().n_amplitudes(), walk_.amplitudes);
+  renew_inputs(next.phase(), end, walk_.amplitudes);
+  start_walk(next);
   begin_part(end);
   return true;
 }

@@ -74,7 +74,8 @@ std::optional<std::size_t> whole_contact(const Equations &equations) {
     if (mode.affine && !mode.holds_gap)
       continue;
     const contact::ContactPair &pair = equations.contacts().pairs()[c];
-    if (only || mode.holds_gap || !pair.law->power_law() || pair.n_internal() > 0)
+    if (only || mode.holds_gap || !pair.law->force_course(equations.modes()[c]) ||
+        pair.n_internal() > 0)
       return std::nullopt;
     only = c;
   }

@@ -47,7 +47,7 @@ void ContactMap::factorise() {
   const double duration = solved_.duration();
   const double fastest = penetration_.flow().fastest();
   const double unit = solved_.mass() * solved_.approach_speed() / duration;
-  const double length = solved_.approach_speed() * duration;
+  const EndCondition &end = solved_.end();
   Matrix by_force = Matrix::Zero(n_ + 1, n_), rate_by_force = by_force;
   Vector by_length(n_ + 1), rate_by_length(n_ + 1);
   Vector slopes = coefficients_;
@@ -75,16 +75,24 @@ void ContactMap::factorise() {
   matrix.topRightCorner(n_, 1) = -(stiffness.cwiseProduct(by_length.head(n_)) +
                                    damping.cwiseProduct(rate_by_length.head(n_))) /
                                  unit;
-  matrix.bottomLeftCorner(1, n_) = unit / length * by_force.row(n_);
-  matrix(n_, n_) = by_length[n_] / length;
+  const double scale = end_scale();
+  matrix.bottomLeftCorner(1, n_) =
+      unit / scale * (end.by_penetration * by_force.row(n_) + end.by_rate * rate_by_force.row(n_));
+  matrix(n_, n_) = (end.by_penetration * by_length[n_] + end.by_rate * rate_by_length[n_]) / scale;
   newton_.compute(matrix);
+}
+
+// Of the form that is zero at the end.
+double ContactMap::end_scale() const {
+  return solved_.approach_speed() * (solved_.duration() * std::abs(solved_.end().by_penetration) +
+                                     std::abs(solved_.end().by_rate));
 }
 
 ContactMap::Shift ContactMap::shift(const Matrix &columns) const {
   const double duration = solved_.duration();
   const double fastest = penetration_.flow().fastest();
   const double unit = solved_.mass() * solved_.approach_speed() / duration;
-  const double length = solved_.approach_speed() * duration;
+  const EndCondition &end = solved_.end();
   const Index terms = powers_.size();
   Matrix coefficients = penetration_.rows().leftCols(terms).transpose() * columns;
   const RowVector late = -coefficients.row(0) / (fastest * coefficients_[1]);
@@ -95,10 +103,12 @@ ContactMap::Shift ContactMap::shift(const Matrix &columns) const {
     for (Index i = 0; i <= n_; ++i) {
       const Polynomial free = evaluate(coefficients.col(c), positions_[i]);
       const auto at = static_cast<std::size_t>(i);
-      right(i, c) = i < n_ ? (solved_.law().by_penetration[at] * free.value +
-                              solved_.law().by_rate[at] * fastest * free.slope) /
-                                 unit
-                           : -free.value / length;
+      right(i, c) = i < n_
+                        ? (solved_.law().by_penetration[at] * free.value +
+                           solved_.law().by_rate[at] * fastest * free.slope) /
+                              unit
+                        : -(end.by_penetration * free.value + end.by_rate * fastest * free.slope) /
+                              end_scale();
     }
   const Matrix solution = newton_.solve(right);
   return {.forces = unit * solution.topRows(n_),

@@ -4,7 +4,7 @@
 // Newton's equations of the contact are differentiated at fixed nodes. With I_k f the repeated
 // integrals of the force, m_k those up to the end, theta = T max|exponent|:
 //
-//   df_i = F_u du_i + F_u' du'_i at the nodes,   du = 0 at the end
+//   df_i = F_u du_i + F_u' du'_i at the nodes,   dc = 0 at the end, c the form that is zero there
 //   du   = sum d_k (theta X)^k + T sum g_k theta^k (I_k df) + dlnT du/dlnT
 //
 // Deviations count at a fixed instant, the contact begins where u = 0: it is late by
@@ -43,6 +43,7 @@ private:
     RowVector instant; ///< dt / T
   };
   Shift shift(const Matrix &columns) const;
+  double end_scale() const;
   void factorise();
 
   const WholeContact &solved_;
