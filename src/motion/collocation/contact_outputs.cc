@@ -51,7 +51,7 @@ void ContactOutputs::renew() {
 // The force acts on the form at once where it sees the velocity of one of the two sides.
 ContactOutputs::Output ContactOutputs::output(std::size_t form) const {
   const Vector row = contact_.in_amplitudes(forms_.rows.row(static_cast<Index>(form)));
-  Output made{.form = {contact_.flow(), row, forms_.constants[form], WholeContact::most_terms},
+  Output made{.form = {contact_.flow(), row, forms_.constants[form], 1},
               .range = forms_.ranges[form]};
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
   const double size = row.cwiseAbs().dot(contact_.flow().load().cwiseAbs());
@@ -62,8 +62,10 @@ ContactOutputs::Output ContactOutputs::output(std::size_t form) const {
 
 void ContactOutputs::include() {
   renew();
-  for (const Output &output : outputs_)
+  for (Output &output : outputs_) {
+    output.form.require(contact_.solution().terms());
     include(output);
+  }
   for (const MonitoredForms::Force &force : forms_.forces)
     if (force.contact == contact_.contact()) {
       require_integrals();

@@ -24,9 +24,15 @@ Vector entries(const Vector &all, const std::vector<int> &places) {
 
 } // namespace
 
-ForcedFlow::ForcedFlow(const std::vector<FlowBlock> &blocks, const Vector &load)
-    : blocks_(blocks), load_(load) {
-  for (const FlowBlock &block : blocks_) {
+ForcedFlow::ForcedFlow(const std::vector<FlowBlock> &blocks, const Vector &load) : load_(load) {
+  for (const FlowBlock &block : blocks) {
+    if (rotates(block.generator))
+      turning_.push_back({.real = block.places[0],
+                          .imaginary = block.places[1],
+                          .rate = block.generator(0, 0),
+                          .frequency = block.generator(1, 0)});
+    else
+      blocks_.push_back(block);
     fastest_ = std::max(fastest_, block.generator.eigenvalues().cwiseAbs().maxCoeff());
     const Vector part = entries(load, block.places);
     if (part.isZero(0))
@@ -49,6 +55,10 @@ ForcedFlow::ForcedFlow(const std::vector<FlowBlock> &blocks, const Vector &load)
 
 Vector ForcedFlow::before(const Vector &row) const {
   Vector result = Vector::Zero(size());
+  for (const Turning &pair : turning_) {
+    result[pair.real] = pair.rate * row[pair.real] + pair.frequency * row[pair.imaginary];
+    result[pair.imaginary] = pair.rate * row[pair.imaginary] - pair.frequency * row[pair.real];
+  }
   for (const FlowBlock &block : blocks_) {
     const Vector part = block.generator.transpose() * entries(row, block.places);
     for (std::size_t i = 0; i < block.places.size(); ++i)
@@ -95,12 +105,24 @@ void ForcedFlow::add_others(double duration, const double *moments, int terms, d
 }
 
 ForcedOutput::ForcedOutput(const ForcedFlow &flow, Vector row, double constant, int terms)
-    : flow_(flow), constant_(constant), rows_(flow.size(), terms), responses_(terms) {
-  for (int k = 0; k < terms; ++k) {
-    if (k > 0)
-      row = flow.before(row) / flow.fastest();
-    responses_[k] = row.dot(flow.load());
-    rows_.col(k) = row / std::tgamma(k + 1.0);
+    : flow_(flow), constant_(constant), last_(std::move(row)), rows_(flow.size(), 0),
+      responses_(0) {
+  require(terms);
+}
+
+void ForcedOutput::require(int terms) {
+  const int known = n_terms();
+  if (terms <= known)
+    return;
+  rows_.conservativeResize(Eigen::NoChange, terms);
+  responses_.conservativeResize(terms);
+  for (int k = known; k < terms; ++k) {
+    if (k > 0) {
+      last_ = flow_.before(last_) / flow_.fastest();
+      factorial_ *= k;
+    }
+    responses_[k] = last_.dot(flow_.load());
+    rows_.col(k) = last_ / factorial_;
   }
 }
 

@@ -45,7 +45,13 @@ private:
   void add_pairs(double duration, const double *moments, int terms, double *x) const;
   void add_others(double duration, const double *moments, int terms, double *x) const;
 
-  std::vector<FlowBlock> blocks_;
+  /// Blocks that rotate: the places of both coordinates, rate, and frequency.
+  struct Turning {
+    int real = 0, imaginary = 0;
+    double rate = 0, frequency = 0;
+  };
+  std::vector<Turning> turning_;
+  std::vector<FlowBlock> blocks_; ///< that do not rotate
   Pairs pairs_;
   std::vector<FlowBlock> others_; ///< all other blocks that it drives
   std::vector<Vector> other_loads_;
@@ -59,6 +65,8 @@ class ForcedOutput {
 public:
   /// Keeps a reference to the flow. Makes `terms` coefficients.
   ForcedOutput(const ForcedFlow &flow, Vector row, double constant, int terms);
+  /// Makes `terms` coefficients at least; those that are there stay.
+  void require(int terms);
 
   const ForcedFlow &flow() const { return flow_; }
   double constant() const { return constant_; }
@@ -74,6 +82,8 @@ public:
 private:
   const ForcedFlow &flow_;
   double constant_;
+  Vector last_; ///< row S^k / fastest^k of the last coefficient
+  double factorial_ = 1;
   Matrix rows_;
   Vector responses_;
 };
