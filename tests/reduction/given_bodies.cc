@@ -90,6 +90,24 @@ std::string problem_of_definition(const BodyDefinition &definition) {
   return "";
 }
 
+/// Two modes of a body with these entries of K and M.
+BodyDefinition from_files(const std::filesystem::path &folder, const std::string &stiffness,
+                          const std::string &mass) {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0) {
+    std::ofstream(folder / "k") << stiffness;
+    std::ofstream(folder / "m") << mass;
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  BodyDefinition definition;
+  definition.type = BodyDefinition::Type::matrices;
+  definition.selection.number = 2;
+  definition.matrices.stiffness_file = folder / "k";
+  definition.matrices.mass_file = folder / "m";
+  return definition;
+}
+
 } // namespace
 
 TEST(GivenBodies, AreTheBodyTheyWereMadeFrom) {
@@ -151,18 +169,8 @@ TEST(GivenBodies, RigidMotionsOfFreeBodiesAreExactlyThat) {
 // Two masses on a line stand for a node that was expanded to two: u_1 + u_2 = 2 u.
 TEST(GivenBodies, SeveralRowsOfOneDirectionMoveByTheirMean) {
   const TemporaryFolder folder(MPI_COMM_WORLD);
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank == 0) {
-    std::ofstream(folder.path() / "k") << "1 1 300\n1 2 -100\n2 2 300\n";
-    std::ofstream(folder.path() / "m") << "1 1 1\n2 2 1\n";
-  }
-  MPI_Barrier(MPI_COMM_WORLD);
-  BodyDefinition definition;
-  definition.type = BodyDefinition::Type::matrices;
-  definition.selection.number = 2;
-  definition.matrices.stiffness_file = folder.path() / "k";
-  definition.matrices.mass_file = folder.path() / "m";
+  BodyDefinition definition =
+      from_files(folder.path(), "1 1 300\n1 2 -100\n2 2 300\n", "1 1 1\n2 2 1\n");
   definition.matrices.table_content = "3.1 0 0 0\n3.1 0 0 0\n";
   definition.matrices.points = {{"p", {.group = "", .position = {}, .number = 3}}};
   const ReducedBody body = make(definition);
@@ -179,19 +187,10 @@ TEST(GivenBodies, SeveralRowsOfOneDirectionMoveByTheirMean) {
 // Rows without mass follow statically; a mass matrix may be singular in other ways too.
 TEST(GivenBodies, SingularMassesAreCounted) {
   const TemporaryFolder folder(MPI_COMM_WORLD);
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank == 0) {
-    std::ofstream(folder.path() / "k") << "1 1 2\n1 2 -1\n2 2 2\n2 3 -1\n3 3 1\n4 4 5\n";
-    // The mass of rows 3 and 4 is that of their sum.
-    std::ofstream(folder.path() / "m") << "1 1 3\n3 3 1\n3 4 1\n4 4 1\n";
-  }
-  MPI_Barrier(MPI_COMM_WORLD);
-  BodyDefinition definition;
-  definition.type = BodyDefinition::Type::matrices;
-  definition.selection.number = 2;
-  definition.matrices.stiffness_file = folder.path() / "k";
-  definition.matrices.mass_file = folder.path() / "m";
+  // The mass of rows 3 and 4 is that of their sum.
+  BodyDefinition definition =
+      from_files(folder.path(), "1 1 2\n1 2 -1\n2 2 2\n2 3 -1\n3 3 1\n4 4 5\n",
+                 "1 1 3\n3 3 1\n3 4 1\n4 4 1\n");
   definition.matrices.table_content = "1.1 0 0 0\n2.1 1 0 0\n3.1 2 0 0\n4.1 3 0 0\n";
   // K^-1 in the masses' coordinates u_1 and u_3 + u_4: 2/3, 1/3 and ... by hand.
   const double a = 1;
