@@ -37,6 +37,12 @@ ContactOutputs::ContactOutputs(const MonitoredForms &forms, const PhaseContact &
                                double tolerance)
     : forms_(forms), contact_(contact), inner_points_(ContactSteps::inner_points(tolerance)) {}
 
+// It goes like t^(n - 1) beside a force that goes like t^n; one that is cut off ends in the midst.
+bool ContactOutputs::possible(const PhaseContact &contact) {
+  const ForceShape &shape = contact.solution().tools().family.shape();
+  return shape.begin >= 1 && (shape.end >= 1 || shape.end == 0);
+}
+
 void ContactOutputs::renew() {
   known_ = false;
   if (version_ == contact_.version())

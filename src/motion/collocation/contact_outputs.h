@@ -24,6 +24,10 @@ namespace vibroimpact::motion {
 
 class ContactOutputs {
 public:
+  /// Whether the rate of the force is finite at both ends of the contact that was passed last, as
+  /// the values between two instants need it.
+  static bool possible(const PhaseContact &contact);
+
   /// Keeps references to both. `tolerance`: relative, of the polynomials.
   ContactOutputs(const MonitoredForms &forms, const PhaseContact &contact, double tolerance);
 

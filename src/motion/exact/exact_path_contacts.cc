@@ -131,7 +131,8 @@ void ExactPath::report_contact(WholeContactPart &part, double time) {
                                               equations_, tolerance_);
   report_change(time);
   const bool in_steps =
-      observer_->steps || (observer_->monitor && !observer_->monitor->takes_contacts());
+      observer_->steps || (observer_->monitor && !(observer_->monitor->takes_contacts() &&
+                                                   ContactOutputs::possible(contact)));
   if (in_steps)
     tally_.steps_shown +=
         contact_steps_.show(contact, time, observer_->integrals ? part.work.get() : nullptr, state_,
