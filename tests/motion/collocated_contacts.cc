@@ -239,7 +239,8 @@ public:
     range->include(peak_force(view, 0));
   }
   void event(const ContactEvent &event) override {
-    if (!event.onset)
+    // A force that is cut off ends before the sides part.
+    if (!event.onset && inside_)
       contacts.push_back(ranges_);
     inside_ = event.onset;
     ranges_ = {};
@@ -322,7 +323,8 @@ TEST(CollocatedContacts, HaveTheExtremeValuesOfTheirSteps) {
 
 // Steps at a much smaller tolerance, as far as both are still the same motion: each contact makes a
 // few times more of what they differ by. Speeds of approach differ by 1e-8 of the motion's speed,
-// more of that of a weak contact.
+// more of that of a weak contact. The accelerations of what touches are no polynomials where the
+// force begins with an infinite rate.
 TEST(CollocatedContacts, HaveTheExtremeValuesOfTheMotion) {
   for (const auto &law : laws()) {
     const Carrier carrier(law);
@@ -331,12 +333,14 @@ TEST(CollocatedContacts, HaveTheExtremeValuesOfTheMotion) {
     ASSERT_EQ(direct.size(), steps.size()) << law->name();
     constexpr std::size_t first_contacts = 8;
     ASSERT_GE(direct.size(), first_contacts);
+    const double of_acceleration = law->power_law() ? 1e-7 : 1e-5;
     double largest = 0;
     for (const ContactExtremes::Ranges &of : steps)
       largest = std::max(largest, of.back().maximum);
     for (std::size_t i = 0; i < first_contacts; ++i) {
       for (std::size_t k = 0; k + 1 < direct[i].size(); ++k)
-        EXPECT_LT(difference(direct[i][k], steps[i][k]) * steps[i].back().maximum / largest, 1e-7)
+        EXPECT_LT(difference(direct[i][k], steps[i][k]) * steps[i].back().maximum / largest,
+                  k == 2 ? of_acceleration : 1e-7)
             << law->name() << ", contact " << i << ", quantity " << k;
       EXPECT_NEAR(direct[i].back().maximum, steps[i].back().maximum, 1e-7 * largest);
     }
