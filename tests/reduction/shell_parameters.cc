@@ -161,7 +161,7 @@ TEST(ShellParameters, LoadsThatDoNothingAreRefused) {
       changed("    set Pressure = 2 kPa\n", "    set Pressure = 2 kPa\n    set At = top\n"),
       {"Load wind", "Force or Moment must be set"});
   expect_message(changed("    set At = top\n", ""),
-                 {"Load push / At", "Position and Near are not"});
+                 {"Load push / At", "Position, Near and Node are not"});
 }
 
 TEST(ShellParameters, BeamsHaveNoPressureAndNoPlates) {
