@@ -1,6 +1,7 @@
 #include "analyses/fields.h"
 
 #include <algorithm>
+#include <array>
 
 namespace vibroimpact::analyses {
 
@@ -32,6 +33,26 @@ struct AccuracyLabels {
                          "touches within the rounding of the gap, taken for none"};
   Label chatters{"chatters", "1",
                  "infinite sequences of rigid impacts that were completed at once"};
+  Label whole_contacts{"whole_contacts", "1",
+                       "contacts with a nonlinear law that were solved as a whole"};
+  Label stepped_contacts{"stepped_contacts", "1",
+                         "contacts with a nonlinear law that were integrated in steps"};
+  std::array<Label, motion::n_step_reasons> reasons{
+      stepped("method", "the method of integration has steps only"),
+      stepped("system", "the phase before was not linear"),
+      stepped("undecided", "a step had to find out what happens in the linear phase before"),
+      stepped("law", "the law does not say how its force begins and ends, or a gap was held"),
+      stepped("interrupted", "a window, a break of a source or Maximum step ended within it"),
+      stepped("fast", "a mode turned too far within it"),
+      stepped("shape", "the force was no single hump, or too coarse with the most nodes"),
+      stepped("neighbour", "another contact might have changed within it"),
+      stepped("shallow", "its two instants, or its release, could not be told apart"),
+      stepped("pause", "one shortly before was left for its shape or a fast mode")};
+
+private:
+  static Label stepped(const std::string &reason, const std::string &why) {
+    return {"stepped_contacts_" + reason, "1", "of the stepped contacts: " + why};
+  }
 };
 
 const AccuracyLabels &accuracy_labels() {
@@ -134,6 +155,14 @@ void add_accuracy(PointResult &result, const motion::Accuracy &accuracy,
   add(labels.events, static_cast<double>(accuracy.events));
   add(labels.undecided_events, static_cast<double>(accuracy.undecided_events));
   add(labels.chatters, static_cast<double>(accuracy.chatters));
+  add(labels.whole_contacts, static_cast<double>(accuracy.whole_contacts));
+  add(labels.stepped_contacts, static_cast<double>(accuracy.stepped_contacts()));
+  for (std::size_t i = 0; i < motion::n_step_reasons; ++i) {
+    const auto count = static_cast<double>(accuracy.step_reasons[i]);
+    result.fields.push_back(scalar_field(labels.reasons[i], count));
+    if (count > 0)
+      result.summary.push_back({.label = labels.reasons[i], .value = count});
+  }
 }
 
 bool unbalanced(const PointResult &result) {

@@ -55,7 +55,8 @@ void Trajectory::start(const MotionState &from) {
   choose_initial_modes(from.time, state);
   scales_.begin(from.time, state);
   collisions_.settle(from.time, settings_.event_tolerance, state);
-  steps_ = events_ = chatters_ = events_at_once_ = undecided_ = 0;
+  steps_ = events_ = chatters_ = events_at_once_ = undecided_ = whole_contacts_ = 0;
+  step_reasons_ = {};
   if (path_)
     path_->begin();
   steppers_.forget(); // so that a case does not depend on what was integrated before it
@@ -296,6 +297,13 @@ void Trajectory::pass_source_break() {
   begin_phase(instant, state);
 }
 
+// Of a contact that begins in a step.
+StepReason Trajectory::reason_for_steps() const {
+  if (!path_)
+    return StepReason::method;
+  return steppers_.present().exact() ? StepReason::undecided : StepReason::system;
+}
+
 void Trajectory::advance(double end, Observer &observer) {
   const bool wanted = observer.wants_integrals();
   if (wanted && !integrals_)
@@ -348,6 +356,7 @@ void Trajectory::move(double end, Observer &observer) {
       observer.step(view());
     scales_.note(time(), state());
     if (changes) {
+      crossing.reason = reason_for_steps();
       change_modes(crossing, observer);
       continue;
     }

@@ -7,6 +7,7 @@
 // does where an excitation is not smooth: no step reaches across such a break.
 #pragma once
 
+#include "motion/collocation/step_reason.h"
 #include "motion/event/collision.h"
 #include "motion/event/contact_scales.h"
 #include "motion/event/zero_guard.h"
@@ -17,6 +18,7 @@
 #include "motion/steps/steppers.h"
 
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace vibroimpact::motion {
@@ -36,7 +38,13 @@ struct Accuracy {
   double event_residual = 0; ///< largest uncertainty of an event's instant [s]
   /// Touches so shallow that rounding decides whether they were contacts; not counted as events.
   long undecided_events = 0;
-  long chatters = 0; ///< infinite sequences of impacts that were completed at once
+  long chatters = 0;          ///< infinite sequences of impacts that were completed at once
+  long whole_contacts = 0;    ///< nonlinear ones that were solved as a whole
+  StepReasons step_reasons{}; ///< nonlinear ones that were integrated in steps
+
+  long stepped_contacts() const {
+    return std::accumulate(step_reasons.begin(), step_reasons.end(), 0L);
+  }
 
   /// False when the energy balance does not close.
   bool balanced() const { return !(energy_residual > energy_threshold); }
@@ -87,6 +95,7 @@ private:
     double residual = 0; ///< |indicator| left where it was located
     double rate = 0;     ///< its rate there [1/s]
     double hidden = 0;   ///< what rounding makes of the instant, where it hides the residual [s]
+    StepReason reason = StepReason::system; ///< where a nonlinear contact begins
   };
 
   struct PresentGuard {
@@ -147,6 +156,7 @@ private:
   double location_tolerance() const;
   double horizon() const;
   void note_change(std::size_t contact, bool at_once);
+  StepReason reason_for_steps() const;
   std::string stall_reason(const std::string &what) const;
   double energy_threshold() const;
 
@@ -166,6 +176,8 @@ private:
   long rejected_before_ = 0;
   long events_ = 0;
   long chatters_ = 0;
+  long whole_contacts_ = 0;
+  StepReasons step_reasons_{};
   long events_at_once_ = 0; ///< events without progress in time
   double last_event_time_ = 0;
   StallBound progress_;

@@ -39,7 +39,9 @@ Accuracy Trajectory::accuracy() const {
           .energy_threshold = energy_threshold(),
           .event_residual = event_residual_,
           .undecided_events = undecided_,
-          .chatters = chatters_};
+          .chatters = chatters_,
+          .whole_contacts = whole_contacts_,
+          .step_reasons = step_reasons_};
 }
 
 } // namespace vibroimpact::motion

@@ -117,7 +117,11 @@ std::vector<Trajectory::KnownZero> Trajectory::known_zeros(const Crossing &first
 void Trajectory::pass_guard(const Crossing &first, bool stuck, Observer &observer) {
   const std::vector<KnownZero> zeros = known_zeros(first, stuck);
   Vector state = steppers_.present().state();
+  const bool apart = !equations_.mode(first.contact).in_contact;
   change_mode(time(), first.contact, first.guard, state, observer);
+  const contact::Mode &mode = equations_.mode(first.contact);
+  if (apart && mode.in_contact && !mode.affine && !mode.holds_gap)
+    ++step_reasons_[static_cast<std::size_t>(first.reason)];
   begin_phase(time(), state);
   std::erase_if(zero_at_start_,
                 [&](const ZeroGuard &zero) { return zero.contact == first.contact; });

@@ -31,6 +31,7 @@ bool Trajectory::propagate(double limit, Observer &observer) {
   events_ = events_before + tally.events;
   event_residual_ = std::max(event_residual_, tally.event_residual);
   undecided_ += tally.undecided;
+  whole_contacts_ += tally.whole_contacts;
   exact_ = exact_ && tally.whole_contacts == 0;
   if (tally.events > 0)
     note_path_events();
@@ -44,7 +45,8 @@ bool Trajectory::propagate(double limit, Observer &observer) {
                   .contact = pending->contact,
                   .guard = pending->guard,
                   .residual = pending->residual,
-                  .rate = pending->rate},
+                  .rate = pending->rate,
+                  .reason = pending->reason},
                  observer);
   return path_->clear();
 }

@@ -27,6 +27,20 @@ bool ends_without_force(const ContactLaw &law, const contact::Guard &guard) {
          behind.affine && !behind.holds_gap;
 }
 
+StepReason reason_of(Refusal refusal) {
+  switch (refusal) {
+  case Refusal::too_long:
+    return StepReason::interrupted;
+  case Refusal::too_fast:
+    return StepReason::fast;
+  case Refusal::no_approach:
+  case Refusal::no_release:
+    return StepReason::shallow;
+  default:
+    return StepReason::shape;
+  }
+}
+
 } // namespace
 
 std::unique_ptr<PhaseContact> PhaseContact::create(const Equations &equations, LinearPhase &linear,
@@ -152,22 +166,24 @@ void PhaseContact::set_rows() {
   bent_rows_ = bent.sparseView(1, 0);
 }
 
-bool PhaseContact::pass(const double *amplitudes, double longest) {
+std::optional<StepReason> PhaseContact::pass(const double *amplitudes, double longest) {
   if (left_out_ > 0) {
     --left_out_;
-    return false;
+    return StepReason::pause;
   }
   renew();
   before_.assign(amplitudes, amplitudes + linear_.phase().n_amplitudes());
   reset_internal();
   const Refusal refusal = solve(longest);
-  if (refusal == Refusal::none && others_stay_away()) {
-    finish();
-    return true;
+  if (refusal != Refusal::none) {
+    if (refusal != Refusal::too_long)
+      left_out_ = left_out_after_refusal;
+    return reason_of(refusal);
   }
-  if (refusal != Refusal::none && refusal != Refusal::too_long)
-    left_out_ = left_out_after_refusal;
-  return false;
+  if (!others_stay_away())
+    return StepReason::neighbour;
+  finish();
+  return {};
 }
 
 // By the guard that ended the contact before, or else by another one.

@@ -16,6 +16,7 @@
 // What cannot be proven, or is no single hump of force, is left to others.
 #pragma once
 
+#include "motion/collocation/step_reason.h"
 #include "motion/collocation/whole_contact.h"
 #include "motion/exact/exact_phases.h"
 
@@ -36,9 +37,9 @@ public:
   /// Forgets what earlier contacts taught.
   void forget();
 
-  /// From the amplitudes at the touch. `longest`: what the contact may last [s]. False: it is left
-  /// to others, as are the next few when it was of another kind.
-  bool pass(const double *amplitudes, double longest);
+  /// From the amplitudes at the touch. `longest`: what the contact may last [s]. A reason: it is
+  /// left to others, as are the next few when it was of another kind.
+  std::optional<StepReason> pass(const double *amplitudes, double longest);
 
   // Of the contact passed last:
   double duration() const { return contact_->duration(); } ///< [s]

@@ -319,12 +319,13 @@ bool ExactPath::change_phase(double limit, long &most_events) {
     return false;
   Transition *next = transition(passed);
   if (!next) {
-    if (most_events > 0 && pass_contact(time, passed, limit)) {
+    const std::optional<StepReason> left =
+        most_events > 0 ? pass_contact(time, passed, limit) : StepReason::interrupted;
+    if (left)
+      note_pending(*left);
+    else
       --most_events;
-      return true;
-    }
-    note_pending();
-    return false;
+    return !left;
   }
   kernel_.change(next->change->view(), walk_.turned, next_.data(), next_rounding_.data());
   renew_inputs(next->target->phase(), time, next_.data());
@@ -347,12 +348,13 @@ bool ExactPath::change_phase(double limit, long &most_events) {
   return true;
 }
 
-void ExactPath::note_pending() {
+void ExactPath::note_pending(StepReason reason) {
   const PhaseGuard &guard = known_->guards()[static_cast<std::size_t>(walk_.guard)];
   pending_ = {.contact = guard.contact,
               .guard = guard.guard,
               .residual = std::abs(walk_.value),
-              .rate = walk_.slope};
+              .rate = walk_.slope,
+              .reason = reason};
   note_residual();
 }
 

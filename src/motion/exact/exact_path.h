@@ -59,8 +59,9 @@ public:
   struct PendingChange {
     std::size_t contact = 0;
     std::size_t guard = 0;
-    double residual = 0; ///< |indicator| left
-    double rate = 0;     ///< its rate [1/s]
+    double residual = 0;                    ///< |indicator| left
+    double rate = 0;                        ///< its rate [1/s]
+    StepReason reason = StepReason::system; ///< where a nonlinear contact begins
   };
 
   /// Goes on from (time, state) in the present modes of the equations, to `limit` (no later than
@@ -137,7 +138,7 @@ private:
   void start_walk(KnownPhase &known);
   bool change_phase(double limit, long &most_events);
   WholeContactPart *contact_beyond(std::size_t guard);
-  bool pass_contact(double time, std::size_t passed, double limit);
+  std::optional<StepReason> pass_contact(double time, std::size_t passed, double limit);
   Transition *phase_behind(std::size_t passed, const PhaseContact &contact);
   bool enter_behind(Transition *behind, const PhaseContact &contact);
   bool parts(const PhaseContact &contact, KnownPhase &behind, const double *amplitudes);
@@ -148,7 +149,7 @@ private:
   bool begin_guards(const Transition &transition, std::size_t passed);
   double hidden(const PhaseView &view, std::size_t guard, const double *amplitudes) const;
   double time_tolerance(double time) const;
-  void note_pending();
+  void note_pending(StepReason reason);
   void note_residual();
   void stand(double time, const double *amplitudes);
 

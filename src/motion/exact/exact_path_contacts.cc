@@ -142,25 +142,26 @@ void ExactPath::report_contact(WholeContactPart &part, double time) {
   observer_->change(time + contact.duration(), contact.contact(), contact.release(), state_);
 }
 
-// From the touch to the end of the force, in the present phase, and into that behind. False: it is
-// left to others; nothing has changed.
-bool ExactPath::pass_contact(double time, std::size_t passed, double limit) {
+// From the touch to the end of the force, in the present phase, and into that behind. A reason: it
+// is left to others; nothing has changed.
+std::optional<StepReason> ExactPath::pass_contact(double time, std::size_t passed, double limit) {
   WholeContactPart *const part = contact_beyond(passed);
   if (!part)
-    return false;
+    return StepReason::law;
   PhaseContact *const contact = part->contact.get();
   Transition *behind = nullptr;
-  bool solved = contact->pass(walk_.turned, std::min(limit - time, longest_step_)) &&
-                contact->duration() > shortest * time_tolerance(time);
-  if (solved) {
+  std::optional<StepReason> left =
+      contact->pass(walk_.turned, std::min(limit - time, longest_step_));
+  if (!left) {
     behind = phase_behind(passed, *contact);
-    solved = enter_behind(behind, *contact);
+    if (contact->duration() <= shortest * time_tolerance(time) || !enter_behind(behind, *contact))
+      left = StepReason::shallow;
   }
-  if (!solved) {
+  if (left) {
     noise_.resize(known_->guards().size());
     order_.assign(known_->guards().size(), 0);
     kernel_.guard_noise(known_->view(), rounding_.data(), noise_.data());
-    return false;
+    return left;
   }
   const double end = time + contact->duration();
   note_residual();
@@ -176,7 +177,7 @@ bool ExactPath::pass_contact(double time, std::size_t passed, double limit) {
   renew_inputs(next.phase(), end, walk_.amplitudes);
   start_walk(next);
   begin_part(end);
-  return true;
+  return {};
 }
 
 } // namespace vibroimpact::motion
