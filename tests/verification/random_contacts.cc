@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 
 namespace vibroimpact::testing {
@@ -21,9 +22,14 @@ TEST(RandomContactsTest, NeverMoreThanTenTimesTheTolerance) {
   double worst = 0;
   for (std::uint64_t seed = 1; seed <= wanted_contacts(); ++seed) {
     const RandomContact tried = random_contact(seed);
-    const MotionError error =
-        compare(program_motion(tried.system, tried.start, tried.end, tried.tolerance), tried.system,
-                reference_motion(tried.system, tried.start, tried.end));
+    MotionError error;
+    try {
+      error = compare(program_motion(tried.system, tried.start, tried.end, tried.tolerance),
+                      tried.system, reference_motion(tried.system, tried.start, tried.end));
+    } catch (const std::exception &failure) {
+      ADD_FAILURE() << "seed " << seed << ": " << failure.what();
+      continue;
+    }
     EXPECT_TRUE(error.same_contacts) << "seed " << seed;
     EXPECT_LE(error.largest(), 10 * tried.tolerance) << "seed " << seed;
     worst = std::max(worst, error.largest() / tried.tolerance);

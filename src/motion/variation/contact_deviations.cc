@@ -46,7 +46,7 @@ std::unique_ptr<PhaseContact> solve(const SmoothPart &part, std::size_t contact,
   phases.excitation().coordinates(part.start, inputs.data());
   Amplitudes amplitudes;
   phase.amplitudes(part.start_state.head(phase.n_modes()), inputs.data(), amplitudes);
-  const bool whole = solved->pass(amplitudes.data(), 2 * part.length()) &&
+  const bool whole = !solved->pass(amplitudes.data(), 2 * part.length()) &&
                      std::abs(solved->duration() - part.length()) <= same_length * part.length();
   return whole ? std::move(solved) : nullptr;
 }
