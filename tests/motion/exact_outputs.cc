@@ -1,5 +1,6 @@
 // Extreme values of sums of exponentials: as dense samples show them, and in closed form.
 #include "motion/exact/exact_outputs.h"
+#include "common/signals.h"
 #include "exponential_sums.h"
 #include "motion/trajectory.h"
 #include "support/lumped_models.h"
@@ -61,7 +62,10 @@ struct Output {
     const Amplitudes start = phase.amplitudes();
     EXPECT_EQ(phase.advance(kernel(), h), WalkEnd::limit);
     outputs.include(start.data(), phase.walk.amplitudes, h);
+    pieces = outputs.pieces();
   }
+
+  mutable long pieces = 0; ///< that the last search has examined
 
   ValueRange extent_over(double h) const {
     ValueRange range;
@@ -102,6 +106,46 @@ TEST(ExactOutputsTest, FastDecayBesideAVibration) {
   const ValueRange range = sum.extent_over(20);
   EXPECT_NEAR(range.maximum, 6, 1e-14);
   EXPECT_NEAR(range.minimum, -1, 1e-14);
+}
+
+// 2 cos(t) - 2 r (exp(-t) - exp(-b t) / b) with r = b / (b - 1): at the start the form and its
+// slope are zero while those of its terms are not, as of a body at rest behind a strong dashpot.
+TEST(ExactOutputsTest, DecaysThatCancelAtTheStart) {
+  for (const double fast : {1.5, 4.0, 100.0, 1e8}) {
+    Output sum({Complex(0, 1), -1.0, -fast});
+    const double ratio = fast / (fast - 1);
+    sum.amplitudes = {2, 1, 1};
+    sum.coefficients = {1, -2 * ratio, 2 * ratio / fast};
+    const ValueRange range = sum.extent_over(0.01);
+    EXPECT_NEAR(range.minimum, std::min(0.0, sum(0.01)), 1e-14) << fast;
+    EXPECT_LT(sum.pieces, 300) << fast;
+  }
+}
+
+// exp(-a t) - exp(-b t) beside a vibration, from soft to rigid and from equal to far apart.
+TEST(ExactOutputsTest, WorkDoesNotGrowWithADecay) {
+  for (double fast = 1e-3; fast < 1e13; fast *= 3)
+    for (const double other : {1 + 1e-9, 1 + 1e-3, 2.0, 1e4}) {
+      Output sum({Complex(0, 1), -fast, -fast * other});
+      sum.amplitudes = {1, 1, 1};
+      sum.coefficients = {0.3, 1, -1};
+      const double top = std::log(other) / (fast * (other - 1)); // of the two decays
+      const double h = 3;
+      const ValueRange range = sum.extent_over(h);
+      EXPECT_LT(sum.pieces, 400) << fast << ' ' << other;
+      EXPECT_GE(range.maximum, sum(std::min(top, h)) - 1e-14) << fast << ' ' << other;
+      EXPECT_LE(range.minimum, sum(h) + 1e-14);
+    }
+}
+
+// A long vibration is searched in many pieces, and left where the run is to stop.
+TEST(ExactOutputsTest, SearchObeysARequestToStop) {
+  Output sum({Complex(0, 3)});
+  sum.amplitudes[0] = sum.coefficients[0] = 1;
+  signals::set_limit_reached(true);
+  EXPECT_THROW(sum.extent_over(1000), Interrupted);
+  signals::set_limit_reached(false);
+  EXPECT_NEAR(sum.extent_over(1000).maximum, 1, 1e-14);
 }
 
 TEST(ExactOutputsTest, AConstantOverAnyLength) {

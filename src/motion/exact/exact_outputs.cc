@@ -131,8 +131,7 @@ double ExactOutputs::seen(std::size_t f, Index coordinate) const {
   return forms_.rows.row(static_cast<Index>(leaders_[f])).dot(phase_.columns().col(coordinate));
 }
 
-// A derivative sees the exponent times what the form sees. Real exponentials are bounded by their
-// ends, without the quintic.
+// A derivative sees the exponent times what the form sees.
 void ExactOutputs::set_pair(std::size_t f, const PhaseGroup &group) {
   const bool is_pair = group.kind == BlockKind::pair;
   Complex c(seen(f, group.coordinates[0]), is_pair ? -seen(f, group.coordinates[1]) : 0);
@@ -144,8 +143,7 @@ void ExactOutputs::set_pair(std::size_t f, const PhaseGroup &group) {
   const double size = std::sqrt(std::norm(c));
   const double squared = std::norm(group.exponent);
   sizes_[place] = size;
-  if (is_pair)
-    sixth_[place] = size * squared * squared * squared;
+  sixth_[place] = size * squared * squared * squared;
   for (Index r = 0; r < 4; ++r, c *= group.exponent)
     store(f, first, r, c.real(), -c.imag());
 }

@@ -19,6 +19,8 @@ public:
   void renew();
 
   std::size_t size() const { return leaders_.size(); }
+  /// That the searches so far have examined, of parts of the motion and blocks of eight outputs.
+  long pieces() const { return view_.pieces; }
 
   /// The ranges grow by a part of the motion, from its amplitudes at both ends, `length` apart [s].
   void include(const double *from, const double *to, double length);

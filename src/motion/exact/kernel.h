@@ -99,6 +99,7 @@ struct OutputsView {
   double *middles = nullptr;                     ///< scratch: most_halvings x 2 x groups
   double *turned = nullptr;                      ///< scratch: 2 x groups
   double *reach = nullptr;                       ///< scratch: groups
+  long pieces = 0;                               ///< of parts, examined so far
 };
 
 struct Walk {

@@ -1,15 +1,24 @@
 // Extreme values of linear forms over a part of the motion, eight side by side; included by the
 // kernel_*.cc only.
 //
-// What oscillates in a form, f_P, lies within h^6 M / 46080 of the quintic q with its values,
-// slopes and curvatures at both ends of a piece, the slope within sqrt(5) h^5 M / 30000 and the
-// curvature within h^4 M / 1920 of that quintic's, M being a bound of the sixth derivative. Real
-// exponentials are monotone, and so are their derivatives: they lie between their values at the
-// ends. The part is halved until these bounds say something. Forms that they leave open are
-// searched: those with one turning point in the piece by Newton's and Halley's method, all others
-// by halving the piece.
+// A form f lies within h^6 M / 46080 of the quintic q with its values, slopes and curvatures at
+// both ends of a piece, its slope within sqrt(5) h^5 M / 30000 and its curvature within h^4 M /
+// 1920 of that quintic's, M being a bound of the sixth derivative. Real exponentials that are fast,
+// |e| h > 1, are no part of that: they are monotone, and so are their derivatives, so that they lie
+// between their values at the ends. Slow ones must be: one by one they would bound a sum in which
+// they cancel no better than to the first order in h. The part is halved until these bounds say
+// something. Forms that they leave open are searched: those with one turning point in the piece by
+// Newton's and Halley's method, all others by halving the piece.
+//
+// The work is bounded. A piece is long while some frequency turns by more than about 4 in it, or a
+// dense block grows beyond use: a part of length T has some T fastest / 2 such pieces, fewer where
+// what is fast has decayed. Where |e| h < 0.02 the quintic is the form but for rounding, and
+// another 20 halvings take the second differences of its coefficients, h^2 f'' / 20, below that:
+// the search ends there. One that is not long is divided into most_refinements pieces at most,
+// which no form without a degenerate extremum asks for; beyond that the values at their ends count.
 #pragma once
 
+#include "common/signals.h"
 #include "motion/exact/kernel_turn.h"
 
 namespace vibroimpact::motion {
@@ -20,6 +29,8 @@ constexpr double slope_error = 2.23606797749979 / 30000;
 constexpr double curvature_error = 1.0 / 1920;
 constexpr double output_rounding = 16 * epsilon;
 constexpr double no_bound = 1e100; // where that of a dense block overflows
+constexpr double fast_decay = 1;   // |e| h of a real exponential
+constexpr int most_refinements = 1000;
 
 /// One form from an instant on, whose amplitudes are given.
 class TurningPoint {
@@ -84,9 +95,10 @@ private:
   const double *rows_;
 };
 
-/// Value, slope and curvature of eight forms at one instant, without their constants.
+/// Value, slope and curvature of eight forms at one instant, without their constants: what a
+/// quintic follows over a piece, and the fast decays.
 struct Output8 {
-  V8 oscillating[3], decaying[3];
+  V8 smooth[3], fast[3];
 };
 
 inline V8 load_at(const double *rows, int r, int part, int n, int j) {
@@ -99,46 +111,52 @@ inline void add_terms(const double *rows, int part, int n, int j, double amplitu
     to[r] = fused(load_at(rows, r, part, n, j), x, to[r]);
 }
 
-inline void sum_output(const PhaseView &p, const double *rows, const double *amplitudes,
+inline bool is_fast(const PhaseView &p, int j, double h) {
+  return __builtin_fabs(p.rate[j]) * h > fast_decay;
+}
+
+// Columns of dense blocks, whose rates are zero, stand behind the real exponentials.
+inline bool any_fast(const PhaseView &p, double h) {
+  for (int j = p.n_pairs; j < p.n_groups; ++j)
+    if (is_fast(p, j, h))
+      return true;
+  return false;
+}
+
+inline void sum_output(const PhaseView &p, const double *rows, const double *amplitudes, double h,
                        Output8 &f) {
   const int n = p.n_padded;
-  V8 pairs[3] = {all(0), all(0), all(0)};
-  V8 reals[3] = {all(0), all(0), all(0)};
+  for (int r = 0; r < 3; ++r)
+    f.smooth[r] = f.fast[r] = all(0);
   for (int j = 0; j < p.n_pairs; ++j) {
-    add_terms(rows, 0, n, j, amplitudes[j], pairs);
-    add_terms(rows, 1, n, j, amplitudes[n + j], pairs);
+    add_terms(rows, 0, n, j, amplitudes[j], f.smooth);
+    add_terms(rows, 1, n, j, amplitudes[n + j], f.smooth);
   }
   for (int j = p.n_pairs; j < p.n_groups; ++j)
-    if (p.rate[j] != 0)
-      add_terms(rows, 0, n, j, amplitudes[j], reals);
-    else
-      add_terms(rows, 0, n, j, amplitudes[j], pairs);
-  for (int r = 0; r < 3; ++r) {
-    f.oscillating[r] = pairs[r];
-    f.decaying[r] = reals[r];
-  }
+    add_terms(rows, 0, n, j, amplitudes[j], is_fast(p, j, h) ? f.fast : f.smooth);
 }
 
 // Bounds of the sixth derivative and of the rounding of eight forms.
 inline void bound_outputs(const PhaseView &p, const OutputsView &o, int block, const double *reach,
-                          V8 &sixth, V8 &size) {
+                          double h, V8 &sixth, V8 &size) {
   const double *m6 = o.sixth + 8 * block * p.n_padded;
   const double *sizes = o.sizes + 8 * block * p.n_padded;
   sixth = all(0);
   size = magnitude(load(o.constants + 8 * block));
   for (int j = 0; j < p.n_groups; ++j) {
     const V8 r = all(reach[j]);
-    sixth = fused(load(m6 + 8 * j), r, sixth);
+    if (j < p.n_pairs || !is_fast(p, j, h))
+      sixth = fused(load(m6 + 8 * j), r, sixth);
     size = fused(load(sizes + 8 * j), r, size);
   }
 }
 
-// The r-th derivatives of the real exponentials of eight forms between the ends of a piece.
-inline void decaying_range(const PhaseView &p, const double *rows, int r, const double *start,
-                           const double *end, V8 &low, V8 &high) {
+// The r-th derivatives of the fast decays of eight forms between the ends of a piece.
+inline void fast_range(const PhaseView &p, const double *rows, int r, const double *start,
+                       const double *end, double h, V8 &low, V8 &high) {
   low = high = all(0);
   for (int j = p.n_pairs; j < p.n_groups; ++j)
-    if (p.rate[j] != 0) {
+    if (is_fast(p, j, h)) {
       const V8 c = load_at(rows, r, 0, p.n_padded, j);
       const V8 a = c * all(start[j]);
       const V8 b = c * all(end[j]);
@@ -215,13 +233,7 @@ public:
       : p_(phase), o_(outputs), block_(block), rows_(outputs.rows + 48 * block * phase.n_padded) {}
 
   void include(const double *start, const double *end, double h) {
-    End a;
-    End z;
-    a.amplitudes = start;
-    z.amplitudes = end;
-    sum_output(p_, rows_, start, a.values);
-    sum_output(p_, rows_, end, z.values);
-    include(a, z, h, 0xff, 0);
+    include(end_of(start, h), end_of(end, h), h, 0xff, 0);
   }
 
 private:
@@ -230,13 +242,22 @@ private:
     Output8 values;
   };
 
+  // Of a piece of length h.
+  End end_of(const double *amplitudes, double h) const {
+    End end;
+    end.amplitudes = amplitudes;
+    sum_output(p_, rows_, amplitudes, h, end.values);
+    return end;
+  }
+
   // Of the forms `which`.
   void include(const End &start, const End &end, double h, unsigned which, int halvings) {
     a_ = &start;
     z_ = &end;
     h_ = h;
+    ++o_.pieces;
     include_ends();
-    if (is_long() && halvings < most_halvings) {
+    if (is_long() && !refining_ && halvings < most_halvings) {
       halve(start, end, h, which, halvings);
       return;
     }
@@ -248,7 +269,7 @@ private:
     if (const unsigned turning = open & bends & turns(); turning != 0)
       include_turns(turning);
     if ((open & ~bends) != 0 && halvings < most_halvings)
-      halve(start, end, h, open & ~bends, halvings);
+      refine(start, end, h, open & ~bends, halvings);
   }
 
   // Is the quintic too far from some form to say anything?
@@ -256,39 +277,59 @@ private:
     constexpr double tolerated = 1e-1;
     bound_reach(p_, o_, a_->amplitudes, z_->amplitudes, h_, o_.reach);
     V8 size;
-    bound_outputs(p_, o_, block_, o_.reach, sixth_, size);
+    bound_outputs(p_, o_, block_, o_.reach, h_, sixth_, size);
     rounding_ = all(output_rounding) * size;
     const double h2 = h_ * h_;
     sixth_ = sixth_ * all(h2 * h2 * h2);
     return below(all(tolerated / value_error) * size, sixth_) != 0;
   }
 
+  // Of a piece that is not long.
+  void refine(const End &start, const End &end, double h, unsigned which, int halvings) {
+    const bool first = !refining_;
+    if (first)
+      refinements_ = most_refinements;
+    refining_ = true;
+    if (refinements_-- > 0)
+      halve(start, end, h, which, halvings);
+    refining_ = !first;
+  }
+
+  // What is fast in a piece may be slow in its halves.
   void halve(const End &start, const End &end, double h, unsigned which, int halvings) {
+    leave_if_stopped();
+    if (!any_fast(p_, h)) {
+      halve_at(start, end, 0.5 * h, which, halvings);
+      return;
+    }
+    halve_at(end_of(start.amplitudes, 0.5 * h), end_of(end.amplitudes, 0.5 * h), 0.5 * h, which,
+             halvings);
+  }
+
+  void halve_at(const End &start, const End &end, double half, unsigned which, int halvings) {
     double *middle = o_.middles + 2 * p_.n_padded * halvings;
-    turn(p_, start.amplitudes, 0.5 * h, middle);
-    End between;
-    between.amplitudes = middle;
-    sum_output(p_, rows_, middle, between.values);
-    include(start, between, 0.5 * h, which, halvings + 1);
-    include(between, end, 0.5 * h, which, halvings + 1);
+    turn(p_, start.amplitudes, half, middle);
+    const End between = end_of(middle, half);
+    include(start, between, half, which, halvings + 1);
+    include(between, end, half, which, halvings + 1);
   }
 
   void include_ends() {
     double *maximum = o_.maximum + 8 * block_;
     double *minimum = o_.minimum + 8 * block_;
     const V8 constant = load(o_.constants + 8 * block_);
-    const V8 at_start = constant + a_->values.oscillating[0] + a_->values.decaying[0];
-    const V8 at_end = constant + z_->values.oscillating[0] + z_->values.decaying[0];
+    const V8 at_start = constant + a_->values.smooth[0] + a_->values.fast[0];
+    const V8 at_end = constant + z_->values.smooth[0] + z_->values.fast[0];
     store(maximum, upper(load(maximum), upper(at_start, at_end)));
     store(minimum, lower(load(minimum), lower(at_start, at_end)));
   }
 
   // Forms that may exceed the extremes so far.
   unsigned beyond() {
-    quintic(a_->values.oscillating, z_->values.oscillating, h_, b_);
+    quintic(a_->values.smooth, z_->values.smooth, h_, b_);
     V8 low;
     V8 high;
-    decaying_range(p_, rows_, 0, a_->amplitudes, z_->amplitudes, low, high);
+    fast_range(p_, rows_, 0, a_->amplitudes, z_->amplitudes, h_, low, high);
     const V8 constant = load(o_.constants + 8 * block_);
     const V8 error = sixth_ * all(value_error);
     return below(load(o_.maximum + 8 * block_) + rounding_,
@@ -312,7 +353,7 @@ private:
   unsigned one_sign(int r, V8 least, V8 most, double bound) const {
     V8 low;
     V8 high;
-    decaying_range(p_, rows_, r, a_->amplitudes, z_->amplitudes, low, high);
+    fast_range(p_, rows_, r, a_->amplitudes, z_->amplitudes, h_, low, high);
     const V8 unit = all(r == 1 ? h_ : h_ * h_);
     const V8 error = sixth_ * all(bound);
     return below(all(0), fused(low, unit, least - error)) |
@@ -321,8 +362,8 @@ private:
 
   // Forms whose slope differs in sign at the ends.
   unsigned turns() const {
-    const V8 s = a_->values.oscillating[1] + a_->values.decaying[1];
-    const V8 t = z_->values.oscillating[1] + z_->values.decaying[1];
+    const V8 s = a_->values.smooth[1] + a_->values.fast[1];
+    const V8 t = z_->values.smooth[1] + z_->values.fast[1];
     return below(all(0), s) ^ below(all(0), t);
   }
 
@@ -332,8 +373,8 @@ private:
     V8 start[3];
     V8 end[3];
     for (int r = 0; r < 3; ++r) {
-      start[r] = a_->values.oscillating[r] + a_->values.decaying[r];
-      end[r] = z_->values.oscillating[r] + z_->values.decaying[r];
+      start[r] = a_->values.smooth[r] + a_->values.fast[r];
+      end[r] = z_->values.smooth[r] + z_->values.fast[r];
     }
     V8 b[6];
     V8 d[5];
@@ -359,7 +400,7 @@ private:
     double slope[8];
     double noise[8];
     store(x, turning_points());
-    store(slope, a_->values.oscillating[1] + a_->values.decaying[1]);
+    store(slope, a_->values.smooth[1] + a_->values.fast[1]);
     store(noise, rounding_);
     for (; which != 0; which &= which - 1) {
       const int i = __builtin_ctz(which);
@@ -375,8 +416,10 @@ private:
   // Of the present piece:
   const End *a_ = nullptr, *z_ = nullptr;
   double h_ = 0;
-  V8 sixth_, rounding_; ///< h^6 M, and what rounding may hide
-  V8 b_[6], slope_[5];  ///< of what oscillates
+  V8 sixth_, rounding_;   ///< h^6 M, and what rounding may hide
+  V8 b_[6], slope_[5];    ///< of what is smooth
+  bool refining_ = false; ///< a piece that was not long
+  int refinements_ = 0;   ///< that it may still be divided by
 };
 
 /// The extremes grow by a part of length h.
