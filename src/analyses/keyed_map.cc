@@ -6,6 +6,7 @@
 #include "periodic/open_contact.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace vibroimpact::analyses {
@@ -131,7 +132,21 @@ void KeyedMap::finish(Maps &maps, Neighbours neighbours) const {
   maps.map->set_keys(std::move(keys));
 }
 
-const StroboscopicMap &KeyedMap::at(const Vector &values) {
+// The end of a key is where its system may end too: rounding leads to no value beyond it.
+Vector KeyedMap::within_ends(Vector values) const {
+  constexpr double rounding = 1e-11; // of the range
+  for (std::size_t k = 0; k < keys_.size(); ++k) {
+    const double first = keys_[k].values.front(), last = keys_[k].values.back();
+    double &value = values[static_cast<Index>(k)];
+    const double inside = std::clamp(value, first, last);
+    if (std::abs(value - inside) <= rounding * (last - first))
+      value = inside;
+  }
+  return values;
+}
+
+const StroboscopicMap &KeyedMap::at(const Vector &point) {
+  const Vector values = within_ends(point);
   if (values_ && *values_ == values)
     return *maps_.map;
   try {
@@ -153,7 +168,7 @@ const StroboscopicMap &KeyedMap::with_open(const Vector &values, std::size_t con
     maps.contacts =
         std::make_unique<contact::ContactSet>(periodic::with_open(present_->contacts, contact));
   make_forced(maps);
-  Neighbours near = neighbours(values);
+  Neighbours near = neighbours(within_ends(values));
   for (std::vector<motion::KeyNeighbour> &along_one : near)
     for (motion::KeyNeighbour &neighbour : along_one)
       neighbour.contacts = periodic::with_open(neighbour.contacts, contact);

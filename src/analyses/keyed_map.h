@@ -19,7 +19,7 @@ public:
   KeyedMap(std::vector<SweptParameter> keys, const std::string &excitation, System &system,
            const LineContext &context, motion::VariationAccuracy accuracy, double size);
 
-  const periodic::StroboscopicMap &at(const Vector &values) override;
+  const periodic::StroboscopicMap &at(const Vector &point) override;
   const periodic::StroboscopicMap &with_open(const Vector &values, std::size_t contact) override;
   /// Of the last at().
   const System &system() const { return *present_; }
@@ -37,6 +37,7 @@ private:
   /// Neighbours along each key.
   using Neighbours = std::vector<std::vector<motion::KeyNeighbour>>;
 
+  Vector within_ends(Vector values) const;
   void move_to(const Vector &values);
   std::vector<parameters::Override> overrides(const Vector &values) const;
   void set_frequency(System &system, const Vector &values) const;
