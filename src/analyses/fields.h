@@ -11,6 +11,9 @@
 
 namespace vibroimpact::analyses {
 
+/// Dimension of states. Another name than that of the field, whose values are no coordinate.
+inline constexpr const char *state_dimension = "state_index";
+
 Field scalar_field(const Label &label, double value);
 Field scalar_field(const std::string &name, double value, const std::string &unit,
                    const std::string &description);

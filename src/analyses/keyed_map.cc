@@ -6,6 +6,7 @@
 #include "periodic/open_contact.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace vibroimpact::analyses {
@@ -80,7 +81,7 @@ void KeyedMap::move_to(const Vector &values) {
   };
   std::vector<parameters::Override> wanted = overrides(values);
   if (!std::equal(wanted.begin(), wanted.end(), built_with_.begin(), built_with_.end(), same)) {
-    open_.clear();
+    overlooking_.clear();
     maps_ = {};
     built_with_.clear();
     built_ = std::make_unique<System>(context_.build(wanted));
@@ -89,7 +90,7 @@ void KeyedMap::move_to(const Vector &values) {
   }
   set_frequency(*present_, values);
   maps_.keys.clear();
-  for (auto &[contact, maps] : open_)
+  for (auto &[overlooked, maps] : overlooking_)
     maps.keys.clear();
   make_forced(maps_);
 }
@@ -131,7 +132,21 @@ void KeyedMap::finish(Maps &maps, Neighbours neighbours) const {
   maps.map->set_keys(std::move(keys));
 }
 
-const StroboscopicMap &KeyedMap::at(const Vector &values) {
+// The end of a key is where its system may end too: rounding leads to no value beyond it.
+Vector KeyedMap::within_ends(Vector values) const {
+  constexpr double rounding = 1e-11; // of the range
+  for (std::size_t k = 0; k < keys_.size(); ++k) {
+    const double first = keys_[k].values.front(), last = keys_[k].values.back();
+    double &value = values[static_cast<Index>(k)];
+    const double inside = std::clamp(value, first, last);
+    if (std::abs(value - inside) <= rounding * (last - first))
+      value = inside;
+  }
+  return values;
+}
+
+const StroboscopicMap &KeyedMap::at(const Vector &point) {
+  const Vector values = within_ends(point);
   if (values_ && *values_ == values)
     return *maps_.map;
   try {
@@ -144,19 +159,20 @@ const StroboscopicMap &KeyedMap::at(const Vector &values) {
   return *maps_.map;
 }
 
-const StroboscopicMap &KeyedMap::with_open(const Vector &values, std::size_t contact) {
+const StroboscopicMap &KeyedMap::overlooking(const Vector &values,
+                                             const periodic::Overlooked &overlooked) {
   at(values);
-  Maps &maps = open_[contact];
+  Maps &maps = overlooking_[overlooked];
   if (!maps.keys.empty())
     return *maps.map;
   if (!maps.contacts)
-    maps.contacts =
-        std::make_unique<contact::ContactSet>(periodic::with_open(present_->contacts, contact));
+    maps.contacts = std::make_unique<contact::ContactSet>(
+        periodic::overlooking(present_->contacts, overlooked));
   make_forced(maps);
-  Neighbours near = neighbours(values);
+  Neighbours near = neighbours(within_ends(values));
   for (std::vector<motion::KeyNeighbour> &along_one : near)
     for (motion::KeyNeighbour &neighbour : along_one)
-      neighbour.contacts = periodic::with_open(neighbour.contacts, contact);
+      neighbour.contacts = periodic::overlooking(neighbour.contacts, overlooked);
   finish(maps, std::move(near));
   return *maps.map;
 }

@@ -19,8 +19,9 @@ public:
   KeyedMap(std::vector<SweptParameter> keys, const std::string &excitation, System &system,
            const LineContext &context, motion::VariationAccuracy accuracy, double size);
 
-  const periodic::StroboscopicMap &at(const Vector &values) override;
-  const periodic::StroboscopicMap &with_open(const Vector &values, std::size_t contact) override;
+  const periodic::StroboscopicMap &at(const Vector &point) override;
+  const periodic::StroboscopicMap &overlooking(const Vector &values,
+                                               const periodic::Overlooked &overlooked) override;
   /// Of the last at().
   const System &system() const { return *present_; }
   motion::Trajectory &trajectory() { return maps_.forced->trajectory(); }
@@ -37,6 +38,7 @@ private:
   /// Neighbours along each key.
   using Neighbours = std::vector<std::vector<motion::KeyNeighbour>>;
 
+  Vector within_ends(Vector values) const;
   void move_to(const Vector &values);
   std::vector<parameters::Override> overrides(const Vector &values) const;
   void set_frequency(System &system, const Vector &values) const;
@@ -56,8 +58,8 @@ private:
   System *present_;
   std::vector<parameters::Override> built_with_;
   Maps maps_;
-  std::map<std::size_t, Maps> open_; ///< by the contact that stays open
-  std::optional<Vector> values_;     ///< at which the maps have their keys
+  std::map<periodic::Overlooked, Maps> overlooking_;
+  std::optional<Vector> values_; ///< at which the maps have their keys
 };
 
 } // namespace vibroimpact::analyses

@@ -120,7 +120,7 @@ void add_number(PointResult &result, const std::string &name, double value, cons
 
 void add_state(PointResult &result, const OrbitKey &key, const Vector &values) {
   result.fields.push_back(series_field(
-      "derivative/" + key.name + "/state", "state", {values.begin(), values.end()}, "SI",
+      "derivative/" + key.name + "/state", state_dimension, {values.begin(), values.end()}, "SI",
       "derivative of the state at the forcing phase of time zero, by "
       "the key in " +
           key.parameter.unit));

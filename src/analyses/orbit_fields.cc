@@ -31,7 +31,7 @@ struct OrbitLabels {
               "SI",
               "state at the forcing phase of time zero: coordinates, their rates, internal states "
               "of contacts",
-              {"state"}};
+              {state_dimension}};
 };
 
 const OrbitLabels &orbit_labels() {

@@ -39,7 +39,7 @@ Label state_label(const char *name, const std::string &description) {
           "SI",
           description + ": coordinates, their rates, internal states of contacts, torques of "
                         "motors",
-          {"state"}};
+          {state_dimension}};
 }
 
 Field state_field(const Label &label, const Vector &physical) {

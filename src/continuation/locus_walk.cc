@@ -67,7 +67,17 @@ void LocusWalk::find_first(const LocusStart &start) {
       recorded_step("first equation", [&] { return equation_->evaluate(here_.u, here_.chart); });
   here_ = solve(here_.u, first_tangent(start.forward), settings_.longest_step, Until::tolerance);
   here_.arclength = 0;
+  hold_at_bounds();
   equation_->renew(here_.at.at, here_.chart);
+}
+
+// The last correction of a start at the end of a range may lead beyond it by rounding.
+void LocusWalk::hold_at_bounds() {
+  const double rounding = 10 * settings_.tolerance;
+  for (int key = 0; key < 2; ++key)
+    if (const auto bound = bound_passed(here_.u);
+        bound && std::abs(here_.u(bound->unknown) - bound->value) <= rounding)
+      here_.u(bound->unknown) = bound->value;
 }
 
 Linearisation LocusWalk::linearisation(const Vector &u, double chart) const {

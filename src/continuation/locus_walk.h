@@ -34,6 +34,7 @@ private:
   /// `compute()`, or what it gave in an earlier run, with what the problem remembers then.
   template <class Compute> auto recorded_step(const char *kind, const Compute &compute) const;
   void find_first(const LocusStart &start);
+  void hold_at_bounds();
   void step();
   LocusNode next_node();
   LocusNode at_bound(const Vector &beyond, const Bound &bound, double largest) const;

@@ -47,7 +47,7 @@ Walk::Walk(Problem &problem, const Start &start, const Settings &settings, const
 }
 
 Branch Walk::run() {
-  if (const auto bound = bound_passed(here_))
+  if (const auto bound = bound_passed(here_.u))
     end(bound->end, "the start lies outside the bounds of the key");
   while (!ended_) {
     leave_if_stopped();
@@ -126,21 +126,31 @@ std::optional<Walk::Behind> Walk::behind_graze() const {
   return behind;
 }
 
+// Beyond a bound there may be no solutions at all: a step that fails there ends at the bound.
 Node Walk::next_node() {
-  Node next = recorded(record_, "point", [&] { return attempt(); });
-  bound_ = bound_passed(next);
-  closes_ = passes_start(next);
+  Node next;
+  Vector beyond = here_.u + step_ * here_.tangent;
+  closes_ = false;
+  try {
+    next = recorded(record_, "point", [&] { return attempt(beyond); });
+    beyond = next.u;
+    closes_ = passes_start(next);
+  } catch (const NumericalError &) {
+    if (!bound_passed(beyond))
+      throw;
+  }
+  bound_ = bound_passed(beyond);
   if (closes_)
     next = first_;
   else if (bound_)
-    next = recorded(record_, "point at a bound", [&] { return at_bound(next, *bound_); });
+    next = recorded(record_, "point at a bound", [&] { return at_bound(beyond, *bound_); });
   next.arclength = here_.arclength + (next.u - here_.u).norm();
   return next;
 }
 
-Node Walk::attempt() const {
-  Corrected corrected = correct(problem_, here_.u + step_ * here_.tangent, here_.chart,
-                                here_.tangent, settings_.largest_correction * step_, settings_);
+Node Walk::attempt(const Vector &ahead) const {
+  Corrected corrected = correct(problem_, ahead, here_.chart, here_.tangent,
+                                settings_.largest_correction * step_, settings_);
   Node next = make_node(problem_, corrected.u, here_.chart, std::move(corrected.at), here_.tangent);
   next.iterations = corrected.iterations;
   if (angle(here_, next) > settings_.largest_angle)
@@ -148,10 +158,10 @@ Node Walk::attempt() const {
   return next;
 }
 
-Node Walk::at_bound(const Node &beyond, const Bound &bound) const {
+Node Walk::at_bound(const Vector &beyond, const Bound &bound) const {
   const Index key = problem_.states();
-  const double share = (bound.value - here_.u(key)) / (beyond.u(key) - here_.u(key));
-  Vector guess = here_.u + share * (beyond.u - here_.u);
+  const double share = (bound.value - here_.u(key)) / (beyond(key) - here_.u(key));
+  Vector guess = here_.u + share * (beyond - here_.u);
   guess(key) = bound.value;
   Corrected corrected = correct(problem_, guess, here_.chart, Vector::Unit(key + 1, key),
                                 settings_.largest_correction * step_, settings_);
@@ -283,12 +293,12 @@ void Walk::add(BranchPoint point, std::vector<SpecialPoint> special) {
   branch_.points.push_back(std::move(point));
 }
 
-std::optional<Walk::Bound> Walk::bound_passed(const Node &node) const {
+std::optional<Walk::Bound> Walk::bound_passed(const Vector &u) const {
   const Index key = problem_.states();
   const double scale = problem_.scales()(key);
-  if (node.u(key) < settings_.first_key.lower / scale)
+  if (u(key) < settings_.first_key.lower / scale)
     return Bound{End::lower_bound, settings_.first_key.lower / scale};
-  if (node.u(key) > settings_.first_key.upper / scale)
+  if (u(key) > settings_.first_key.upper / scale)
     return Bound{End::upper_bound, settings_.first_key.upper / scale};
   return std::nullopt;
 }

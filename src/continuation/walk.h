@@ -38,8 +38,8 @@ private:
   bool cross();
   /// The point at the distance of a step, or the start or a bound where that lies before it.
   Node next_node();
-  Node attempt() const;
-  Node at_bound(const Node &beyond, const Bound &bound) const;
+  Node attempt(const Vector &ahead) const;
+  Node at_bound(const Vector &beyond, const Bound &bound) const;
   /// Special points up to the next point; its arclength is that through the graze on the way.
   std::vector<SpecialPoint> examine(Node &next);
   std::vector<SpecialPoint> special_up_to(Node &next, const Piece &piece) const;
@@ -54,7 +54,7 @@ private:
   void choose_step(const Node &next);
   void add(BranchPoint point, std::vector<SpecialPoint> special);
 
-  std::optional<Bound> bound_passed(const Node &node) const;
+  std::optional<Bound> bound_passed(const Vector &u) const;
   bool passes_start(const Node &next) const;
   void take_chart_of_start();
   bool move_for_pattern(const Node &next);

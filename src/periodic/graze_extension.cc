@@ -1,7 +1,6 @@
 #include "periodic/graze_extension.h"
 
 #include "common/error.h"
-#include "periodic/open_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +17,10 @@ using continuation::Touch;
 
 namespace {
 
-constexpr double widest = 0.25;  // of a window, to either side [periods]
-constexpr double farthest = 0.1; // least value or depth over the size of the motion
-constexpr std::size_t most_windows = 4;
+constexpr double widest = 0.25;         // of a window, to either side [periods]
+constexpr double farthest = 0.1;        // least value or depth over the size of the motion
+constexpr double longest_dip = 0.5;     // below zero [periods]; longer ones are no dips
+constexpr std::size_t most_windows = 4; // of touches, and of other grazes
 
 // Of the displacements of a contact's sides in the section.
 double gap_size(const StroboscopicMap &map, const ContactPair &pair, const Vector &state) {
@@ -31,27 +31,37 @@ double gap_size(const StroboscopicMap &map, const ContactPair &pair, const Vecto
 
 // With the acceleration w^2 x a touch of speed v reaches v^2 / (2 w^2 x) deep.
 double nearness_of(const GuardMinimum &minimum, double size, double period) {
-  if (!minimum.touched)
+  if (!minimum.passed)
     return minimum.value / size;
   const double speed = minimum.value * period / (2 * std::numbers::pi * size);
   return speed * speed / 2;
 }
 
-// Between the touches before and behind of the same contact.
+// Half-way to the neighbours of the same contact: the touches before and behind a touch, and the
+// changes of mode between which a mode in contact lasts.
 GrazeWindow window_of(const std::vector<GuardMinimum> &minima, const GuardMinimum &chosen,
                       double start, double end, double period) {
   double from = start, to = end;
+  const auto keep_from = [&](double first, double last) {
+    if (last < chosen.begin || (last == chosen.begin && !chosen.in_contact))
+      from = std::max(from, (last + chosen.begin) / 2);
+    if (first > chosen.end || (first == chosen.end && !chosen.in_contact))
+      to = std::min(to, (first + chosen.end) / 2);
+  };
   for (const GuardMinimum &other : minima) {
-    if (!other.touched || other.contact != chosen.contact || &other == &chosen)
+    if (!other.passed || other.contact != chosen.contact || &other == &chosen)
       continue;
-    if (other.end <= chosen.begin)
-      from = std::max(from, (other.end + chosen.begin) / 2);
-    if (other.begin >= chosen.end)
-      to = std::min(to, (other.begin + chosen.end) / 2);
+    if (chosen.in_contact) {
+      keep_from(other.begin, other.begin);
+      keep_from(other.end, other.end);
+    } else if (!other.in_contact) {
+      keep_from(other.begin, other.end);
+    }
   }
   return {.contact = chosen.contact,
           .mode = chosen.mode,
           .guard = chosen.guard,
+          .in_contact = chosen.in_contact,
           .begin = std::max(from / period, chosen.begin / period - widest),
           .position = chosen.time / period,
           .end = std::min(to / period, chosen.end / period + widest)};
@@ -89,6 +99,12 @@ struct Chain {
   }
 };
 
+bool is_of(const GrazeWindow &window, const GuardMinimum &minimum) {
+  if (minimum.contact != window.contact || minimum.in_contact != window.in_contact)
+    return false;
+  return !window.in_contact || (minimum.mode == window.mode && minimum.guard == window.guard);
+}
+
 // The instant [periods] of the minimum nearest to the position of the window.
 double minimum_near(const StroboscopicMap &map, const StroboscopicMap &open, double begin,
                     double end, double position, const GrazeWindow &window, const Vector &state) {
@@ -97,7 +113,7 @@ double minimum_near(const StroboscopicMap &map, const StroboscopicMap &open, dou
   double best = std::numeric_limits<double>::quiet_NaN();
   for (const GuardMinimum &minimum : observer.minima()) {
     const double instant = minimum.time / map.period();
-    if (minimum.contact == window.contact && !minimum.touched &&
+    if (is_of(window, minimum) && !minimum.passed &&
         !(std::abs(instant - position) >= std::abs(best - position)))
       best = instant;
   }
@@ -148,6 +164,8 @@ public:
   }
 
   Touch kind() const {
+    if (pair_.law->modes()[mode_].in_contact)
+      return Touch::smooth;
     if (pair_.law->rigid())
       return Touch::square_root;
     return dashpot() != 0 && lets_go() ? Touch::corner : Touch::smooth;
@@ -198,6 +216,22 @@ private:
   LocalState local_;
 };
 
+// What has not come back at the end of the section goes on at its start.
+bool is_dip(const MinimumObserver &observer, const GuardMinimum &minimum, double start, double end,
+            double period) {
+  const bool lasts = observer.lasts(minimum);
+  const double back = observer.first_parting(minimum.contact).value_or(start);
+  const double length = lasts ? end - minimum.begin + back - start : minimum.end - minimum.begin;
+  return !(lasts && minimum.in_contact) && length <= longest_dip * period;
+}
+
+void keep_nearest(std::vector<GrazeWindow> &windows) {
+  std::stable_sort(windows.begin(), windows.end(), [](const GrazeWindow &a, const GrazeWindow &b) {
+    return std::abs(a.nearness) < std::abs(b.nearness);
+  });
+  windows.resize(std::min(windows.size(), most_windows));
+}
+
 } // namespace
 
 std::vector<GrazeWindow> graze_windows(const StroboscopicMap &map, const Section &section,
@@ -206,21 +240,23 @@ std::vector<GrazeWindow> graze_windows(const StroboscopicMap &map, const Section
   MinimumObserver observer(map.system().contacts());
   const double end = section.phase + section.length();
   map.observe(section.phase, end, state, observer);
-  std::vector<GrazeWindow> windows;
+  std::vector<GrazeWindow> touches, releases;
   for (const GuardMinimum &minimum : observer.minima()) {
     const ContactPair &pair = map.system().contacts().pairs()[minimum.contact];
-    const double near = nearness_of(minimum, gap_size(map, pair, state), period);
-    if (!(std::abs(near) < farthest))
+    const double size = minimum.in_contact ? observer.largest(minimum) : gap_size(map, pair, state);
+    const double near = nearness_of(minimum, size, period);
+    if (!(std::abs(near) < farthest) ||
+        !is_dip(observer, minimum, section.phase * period, end * period, period))
       continue;
+    std::vector<GrazeWindow> &windows = minimum.in_contact ? releases : touches;
     windows.push_back(
         window_of(observer.minima(), minimum, section.phase * period, end * period, period));
     windows.back().nearness = near;
   }
-  std::stable_sort(windows.begin(), windows.end(), [](const GrazeWindow &a, const GrazeWindow &b) {
-    return std::abs(a.nearness) < std::abs(b.nearness);
-  });
-  windows.resize(std::min(windows.size(), most_windows));
-  return windows;
+  keep_nearest(touches);
+  keep_nearest(releases);
+  touches.insert(touches.end(), releases.begin(), releases.end());
+  return touches;
 }
 
 GrazingFlow extend(const StroboscopicMap &map, const StroboscopicMap &open, const Section &section,

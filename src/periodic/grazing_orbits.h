@@ -32,7 +32,7 @@ private:
   Section section_at(double chart) const { return {.phase = chart, .halves = halves_}; }
   double wrapped(double phase) const;
   const StroboscopicMap &open_at(const Vector &keys) {
-    return maps_.with_open(keys, window_.contact);
+    return maps_.overlooking(keys, window_.overlooked());
   }
   /// The window follows its graze.
   GrazingFlow flow(const continuation::Point &point);

@@ -20,6 +20,13 @@ std::vector<Mode> without_closing(const ContactLaw &law) {
   return modes;
 }
 
+std::vector<Mode> without_guard(const ContactLaw &law, const Overlooked &overlooked) {
+  std::vector<Mode> modes = law.modes();
+  std::vector<Guard> &guards = modes[static_cast<std::size_t>(overlooked.kept_mode)].guards;
+  guards.erase(guards.begin() + static_cast<std::ptrdiff_t>(overlooked.guard));
+  return modes;
+}
+
 } // namespace
 
 bool closes(const ContactLaw &law, const Guard &guard) {
@@ -39,9 +46,17 @@ int OpenContact::initial_mode(const contact::LocalState &state) const {
   return static_cast<int>(open - modes().begin());
 }
 
-ContactSet with_open(const ContactSet &contacts, std::size_t contact) {
+KeptContact::KeptContact(std::shared_ptr<const ContactLaw> law, const Overlooked &overlooked)
+    : ContactLaw(without_guard(*law, overlooked), law->initial_internal()), law_(std::move(law)),
+      mode_(overlooked.kept_mode) {}
+
+ContactSet overlooking(const ContactSet &contacts, const Overlooked &overlooked) {
   std::vector<ContactPair> pairs = contacts.pairs();
-  pairs[contact].law = std::make_shared<OpenContact>(pairs[contact].law);
+  std::shared_ptr<const ContactLaw> &law = pairs[overlooked.contact].law;
+  if (overlooked.kept_mode < 0)
+    law = std::make_shared<OpenContact>(law);
+  else
+    law = std::make_shared<KeptContact>(law, overlooked);
   return ContactSet(std::move(pairs), contacts.groups());
 }
 

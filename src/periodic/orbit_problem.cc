@@ -81,8 +81,8 @@ std::vector<continuation::Graze> OrbitProblem::grazes_near(const Point &point) {
 continuation::Extension OrbitProblem::extend(const Point &point, const continuation::Graze &graze) {
   const GrazeWindow &window = windows_.at(static_cast<std::size_t>(graze.guard));
   const StroboscopicMap &map = maps_.at(point.keys);
-  return periodic::extend(map, maps_.with_open(point.keys, window.contact), section_at(point.chart),
-                          point.state, window)
+  return periodic::extend(map, maps_.overlooking(point.keys, window.overlooked()),
+                          section_at(point.chart), point.state, window)
       .extension;
 }
 

@@ -18,8 +18,8 @@ public:
   /// The map at these values, with its derivatives by the keys; valid until the next call.
   /// NumericalError when there is no system at these values.
   virtual const StroboscopicMap &at(const Vector &keys) = 0;
-  /// The same map with a contact that stays open; valid as long as at() of the same values.
-  virtual const StroboscopicMap &with_open(const Vector &keys, std::size_t contact) = 0;
+  /// The same map overlooking guards; valid as long as at() of the same values.
+  virtual const StroboscopicMap &overlooking(const Vector &keys, const Overlooked &overlooked) = 0;
 };
 
 class OrbitProblem : public continuation::Problem {

@@ -122,6 +122,35 @@ TEST(OrbitBranchTest, FoldAlongAnotherKey) {
   EXPECT_NEAR(folds[0], 2, 1e-9);
 }
 
+// Beyond its ends the key has no systems, nor are there any for differences. The branch turns on
+// the way.
+TEST(OrbitBranchTest, GoesToTheEndsThatItsKeyAllows) {
+  class Limited : public IsolatorPoint {
+  public:
+    using IsolatorPoint::IsolatorPoint;
+    System build(const std::vector<parameters::Override> &overrides) const override {
+      const double mu = std::stod(overrides.at(0).value);
+      if (mu < 1.1 || mu > 2.9)
+        throw InputError("mu must be between 1.1 and 2.9");
+      return IsolatorPoint::build(overrides);
+    }
+  };
+  OrbitBranch::Settings settings = along_frequency(1, 2);
+  settings.parameter = {.path = "Contact/right/Stiffness", .unit = "1", .values = {1.1, 2.9}};
+  settings.continuation.first_key = {.lower = 1.1, .upper = 2.9};
+  settings.start_value = 2.5;
+  settings.start.state = {-1.9, 1.0};
+  Limited point(1.3);
+  System system = isolator_system(1.3, 2.5);
+  OrbitBranch(settings).run_line(0, system, point);
+  ASSERT_EQ(point.result.status, Status::finished) << point.result.reason;
+  EXPECT_EQ(point.result.reason, "");
+  const std::vector<double> &mu = field_of(point.result, "Contact.right.Stiffness").values;
+  EXPECT_EQ(mu.front(), 2.9);
+  EXPECT_EQ(mu.back(), 2.9);
+  EXPECT_EQ(field_of(point.result, "end/reason").values, (std::vector<double>{1, 1}));
+}
+
 // A recorder that fails leaves the motions, with what has failed as the reason.
 TEST(OrbitBranchTest, MotionsThatAreNotRecordedSayWhy) {
   class Failing : public Recorder {

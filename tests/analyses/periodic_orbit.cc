@@ -99,6 +99,13 @@ TEST(PeriodicOrbitTest, StoredStateLeadsBack) {
   EXPECT_NEAR(value_of(again, peak), value_of(first, peak), 1e-12);
 }
 
+// An array along a dimension of its own name would be the coordinate of that dimension.
+TEST(PeriodicOrbitTest, StateIsNoCoordinate) {
+  const Field state = field_of(run(settled(0), isolator(1.3)), "state");
+  EXPECT_EQ(state.dimensions(), std::vector<std::string>{"state_index"});
+  EXPECT_EQ(state.shape, std::vector<std::size_t>{2});
+}
+
 TEST(PeriodicOrbitTest, FailureIsRecordedWithItsReason) {
   model::Model model({testing::single_mass("block", 1, 1, 0)});
   model.add_force("push", std::make_shared<model::Harmonic>(model::Given::displacement, 1, 1, 0),

@@ -98,6 +98,27 @@ TEST(BranchTest, EndsAtBoundsExactly) {
   EXPECT_EQ(follow(parabola, up, settings).points.size(), 1u) << "the start is outside";
 }
 
+// Beyond the bounds there are no values, and rounding there is none of the bounds either.
+TEST(BranchTest, EndsAtBoundsBehindWhichThereIsNothing) {
+  Settings settings;
+  settings.first_key = {0.3, 1};
+  Algebraic root(
+      [](const Point &at) {
+        if (at.keys(0) < 0.3 || at.keys(0) > 1)
+          throw NumericalError("nothing beyond");
+        return scalar(at.state(0) * at.state(0) - at.keys(0), 2 * at.state(0), -1);
+      },
+      vector({1, 1}));
+  for (const bool forward : {true, false}) {
+    const Branch branch = follow(root, {{vector({0.8}), vector({0.64})}, {}, forward}, settings);
+    EXPECT_EQ(branch.end, forward ? End::upper_bound : End::lower_bound) << branch.reason;
+    const Point &last = branch.points.back().point;
+    EXPECT_EQ(last.keys(0), forward ? 1 : 0.3);
+    EXPECT_NEAR(last.state(0), std::sqrt(last.keys(0)), 1e-14);
+    EXPECT_LT(branch.points.size(), 20u);
+  }
+}
+
 // p = x^3 - 3 a^2 x turns at -a and a; steps of 0.1 would see two tangents next to parallel.
 TEST(BranchTest, FindsTwoTurnsWithinOneStep) {
   constexpr double a = 0.02;

@@ -60,6 +60,21 @@ TEST(LociTest, OfFoldsPassTheirCusp) {
   }
 }
 
+// A range that begins at the start, or by rounding behind it.
+TEST(LociTest, BeginAtTheEndOfAKey) {
+  Algebraic problem(cusp_normal_form, vector({1, 1, 1, 1}));
+  const Point start = on_cusp_fold(0.8);
+  for (const double rounding : {0.0, 1e-15, 1e-14})
+    for (const bool forward : {true, false}) {
+      const double lower = start.keys(1) + rounding;
+      const Locus locus =
+          follow_locus(problem, {LocusKind::fold, start, {}, forward}, within({-5, 5}, {lower, 3}));
+      EXPECT_EQ(locus.end, LocusEnd::bounds) << locus.reason;
+      EXPECT_NEAR(locus.points.back().point.keys(1), forward ? 3 : lower, 1e-14) << locus.reason;
+      EXPECT_EQ(locus.points.size() > 10, forward);
+    }
+}
+
 TEST(LociTest, OfTheHenonMap) {
   PowerOfMap map(henon_map, vector({1, 1, 1, 1}));
   for (const LocusKind kind : {LocusKind::fold, LocusKind::flip}) {

@@ -23,20 +23,21 @@ public:
   const periodic::StroboscopicMap &at(double value) { return at(Vector::Constant(1, value)); }
   const periodic::StroboscopicMap &at(const Vector &keys) override {
     if (!present_ || values_ != keys) {
-      open_.clear();
+      overlooking_.clear();
       present_ = std::make_unique<Member>(make_, keys, symmetric_);
       values_ = keys;
     }
     return present_->forced->map;
   }
-  const periodic::StroboscopicMap &with_open(const Vector &keys, std::size_t contact) override {
+  const periodic::StroboscopicMap &overlooking(const Vector &keys,
+                                               const periodic::Overlooked &overlooked) override {
     at(keys);
-    std::unique_ptr<Member> &member = open_[contact];
+    std::unique_ptr<Member> &member = overlooking_[overlooked];
     if (!member)
       member = std::make_unique<Member>(
-          [this, contact](const Vector &at) {
+          [this, overlooked](const Vector &at) {
             Oscillator oscillator = make_(at);
-            oscillator.contacts = periodic::with_open(oscillator.contacts, contact);
+            oscillator.contacts = periodic::overlooking(oscillator.contacts, overlooked);
             return oscillator;
           },
           keys, false);
@@ -76,7 +77,7 @@ private:
   Make make_;
   bool symmetric_;
   std::unique_ptr<Member> present_;
-  std::map<std::size_t, std::unique_ptr<Member>> open_;
+  std::map<periodic::Overlooked, std::unique_ptr<Member>> overlooking_;
   Vector values_;
 };
 

@@ -4,6 +4,8 @@
 
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
+#include "contact/laws/linear_penalty.h"
+#include "continuation/branch.h"
 #include "family.h"
 #include "periodic/guard_minima.h"
 
@@ -244,6 +246,121 @@ TEST(GrazesTest, CornerBehindAGraze) {
       EXPECT_LT(error, last);
       last = error;
     }
+  }
+}
+
+// Pressed on a stop by 1/2 as long as the force does not let go:
+//
+//     x'' + (0.1 + c) x' + (1 + k) x = -k / 2 + a sin(w t),   force k (1/2 + x) + c x'
+//
+// of which k / (2 (1 + k)) is constant, and |k + i c w| |X| vibrates.
+struct Pressed {
+  double w, k, c;
+  std::complex<double> amplitude(double a) const {
+    return a / std::complex<double>(1 + k - w * w, (damping + c) * w);
+  }
+  double grazing() const {
+    return k / (2 * (1 + k)) / std::abs(std::complex<double>(k, c * w) * amplitude(1));
+  }
+  // A section this far behind the least force.
+  double section(double behind) const {
+    const double angle = std::arg(std::complex<double>(k, c * w) * amplitude(1));
+    const double phase = -0.25 - angle / (2 * std::numbers::pi) + behind;
+    return phase - std::floor(phase);
+  }
+  // With the compression of a stop that has one.
+  Vector state(double a, double periods, Index size) const {
+    const std::complex<double> x = amplitude(a) * std::polar(1.0, 2 * std::numbers::pi * periods);
+    const double place = x.imag() - k / (2 * (1 + k));
+    Vector all(size);
+    all << place, (x * std::complex<double>(0, w)).imag(), Vector::Constant(size - 2, 0.5 + place);
+    return all;
+  }
+};
+
+std::vector<std::shared_ptr<const contact::ContactLaw>> pressed_laws(double k, double c) {
+  if (c == 0)
+    return {std::make_shared<contact::LinearPenalty>(k)};
+  return {std::make_shared<contact::KelvinVoigt>(k, c),
+          std::make_shared<contact::KelvinVoigtBumper>(k, c)};
+}
+
+Family pressed_family(double w, const std::shared_ptr<const contact::ContactLaw> &law) {
+  return Family(
+      [w, law](double a) {
+        Oscillator model = oscillator(1, 1, damping);
+        model.push(a, w);
+        model.stop({{-0.5, law}});
+        return model;
+      },
+      false);
+}
+
+// The first release, or the end of the force inside, from both sides of it and for any section.
+TEST(GrazesTest, FirstReleaseOfAPressedContact) {
+  for (const Pressed pressed : {Pressed{1.5, 8, 0}, Pressed{4, 8, 0}, Pressed{1.5, 8, 0.3}})
+    for (const auto &law : pressed_laws(pressed.k, pressed.c))
+      for (const double share : {0.97, 1.0003}) {
+        const Index size = 2 + law->n_internal();
+        Family family = pressed_family(pressed.w, law);
+        OrbitProblem problem(family, 2, Vector::Ones(size + 1));
+        for (const double behind : {0.2, 0.5, 0.8}) {
+          const double chart = pressed.section(behind);
+          const double a = share * pressed.grazing();
+          const Point found = graze_from(problem, {.state = pressed.state(a, chart, size),
+                                                   .keys = Vector::Constant(1, a),
+                                                   .chart = chart});
+          EXPECT_NEAR(found.keys[0], pressed.grazing(), 1e-12) << pressed.w << " " << pressed.c;
+          const Extension at = problem.extend(found, problem.grazes_near(found).at(0));
+          EXPECT_EQ(at.touch, Touch::smooth);
+          EXPECT_LT((found.state - pressed.state(pressed.grazing(), chart, size)).norm(), 1e-11);
+        }
+      }
+}
+
+// Behind it derivatives are those of the extension but for the root of the depth.
+TEST(GrazesTest, DerivativesAreContinuousAtARelease) {
+  const Pressed pressed{1.5, 8, 0.3};
+  for (const auto &law : pressed_laws(pressed.k, pressed.c)) {
+    const Index size = 2 + law->n_internal();
+    Family family = pressed_family(pressed.w, law);
+    OrbitProblem problem(family, 2, Vector::Ones(size + 1));
+    double last = 1;
+    for (const double depth : {1e-4, 1e-6, 1e-8}) {
+      const double a = (1 + depth) * pressed.grazing();
+      const Point point{
+          .state = pressed.state(a, 0.2, size), .keys = Vector::Constant(1, a), .chart = 0.2};
+      const Extension at = problem.extend(point, problem.grazes_near(point).at(0));
+      EXPECT_LT(at.value, 0);
+      const double error = (problem.evaluate(point).by_state - at.smooth.by_state).norm();
+      EXPECT_GT(error, 0);
+      EXPECT_LT(error, 30 * std::sqrt(depth));
+      EXPECT_LT(error, last);
+      last = error / 3;
+    }
+  }
+}
+
+// The branch passes it, wherever its steps lie.
+TEST(GrazesTest, BranchesPassTheFirstRelease) {
+  const Pressed pressed{1.5, 8, 0};
+  const double exact = pressed.grazing();
+  Family family = pressed_family(pressed.w, pressed_laws(pressed.k, pressed.c).at(0));
+  for (const double step : {0.1, 0.05, 0.017}) {
+    OrbitProblem problem(family, 2, Vector::Ones(3));
+    continuation::Settings settings;
+    settings.first_key = {.lower = 0.9 * exact, .upper = 1.1 * exact};
+    settings.longest_step = settings.first_step = step;
+    const continuation::Branch branch =
+        follow(problem,
+               {.point = {.state = pressed.state(0.95 * exact, 0, 2),
+                          .keys = Vector::Constant(1, 0.95 * exact)},
+                .direction = {}},
+               settings);
+    EXPECT_EQ(branch.end, continuation::End::upper_bound) << branch.reason;
+    ASSERT_EQ(branch.special.size(), 1u) << step;
+    EXPECT_EQ(branch.special[0].kind, continuation::Special::graze);
+    EXPECT_NEAR(branch.special[0].at.point.keys[0], exact, 1e-12);
   }
 }
 

@@ -2,6 +2,7 @@
 // independent continuation.
 #include "continuation/locus.h"
 
+#include "contact/laws/linear_penalty.h"
 #include "family.h"
 
 #include <gtest/gtest.h>
@@ -71,6 +72,37 @@ TEST(LociTest, GrazesOfARigidStopThroughResonance) {
                   std::exp(-damping * period), 1e-9);
     }
     EXPECT_EQ(charts > 0, forward); // half a period over the resonance
+  }
+}
+
+// Pressed on a spring of 8 by 1/2: the contact lets go where 8 |X| is the constant force 4 / 9.
+TEST(LociTest, GrazesOfAReleaseThroughResonance) {
+  Family family(Family::Make([](const Vector &keys) {
+                  Oscillator model = oscillator(1, 1, damping);
+                  model.push(keys[0], keys[1]);
+                  model.stop({{-0.5, std::make_shared<contact::LinearPenalty>(8)}});
+                  return model;
+                }),
+                false);
+  const auto exact = [](double w) { return std::hypot(9 - w * w, damping * w) / 18; };
+  const Vector keys = vector_of({0.999 * exact(2), 2});
+  const Orbit orbit = find_orbit(family.at(keys), 1, vector_of({-4.0 / 9, 0}));
+  OrbitProblem problem(family, 2, vector_of({0.1, 0.1, 1, 3}));
+  const Point start{.state = orbit.point.state, .keys = keys, .chart = orbit.section.phase};
+  const auto grazes = problem.grazes_near(start);
+  ASSERT_FALSE(grazes.empty());
+  continuation::Settings settings;
+  settings.longest_step = 0.05;
+  settings.first_key = {.lower = 0, .upper = 1};
+  settings.second_key = {.lower = 1, .upper = 4};
+  for (const bool forward : {true, false}) {
+    const Locus locus = follow_locus(
+        problem, {.kind = LocusKind::graze, .point = start, .graze = grazes[0], .forward = forward},
+        settings);
+    EXPECT_EQ(locus.end, LocusEnd::bounds) << locus.reason;
+    EXPECT_DOUBLE_EQ(locus.points.back().point.keys[1], forward ? 4 : 1);
+    for (const LocusPoint &point : locus.points)
+      EXPECT_NEAR(point.point.keys[0], exact(point.point.keys[1]), 1e-12);
   }
 }
 
