@@ -23,6 +23,7 @@ ALLOWED = {"common": {"common"}, "parameters": {"common", "parameters"},
 PROGRAM = {"command_line": set(), "launcher": set(), "run_information": set(),
            "simulation": {"run_information"},
            "simulation_cases": {"simulation"}, "simulation_checks": {"simulation"},
+           "simulation_cost": {"simulation"},
            "program": {"command_line", "launcher", "run_information", "simulation"},
            "main": {"program"}}
 GENERATED = {"version.h"}
