@@ -2,13 +2,11 @@
 
 #include "analyses/case_table.h"
 #include "analyses/constants.h"
-#include "analyses/cost.h"
 #include "analyses/design/measured_data.h"
 #include "common/error.h"
 #include "common/log.h"
 #include "common/petsc_stage.h"
 #include "common/signals.h"
-#include "common/work_limit.h"
 #include "contact/contact_set.h"
 #include "contact/laws.h"
 #include "contact/unknown_flexibility.h"
@@ -67,11 +65,6 @@ namespace {
 std::filesystem::path body_file_name(const std::string &fingerprint) {
   return std::filesystem::path("bodies") / (reduction::content_hash(fingerprint) + ".body");
 }
-
-// Of processor time, in --check [s].
-constexpr double longest_reduction_in_check = 7;
-constexpr double longest_trial = 2.5;  // of all analyses together
-constexpr double shortest_trial = 0.2; // of those that are left, whatever their set-up took
 
 // Can a key at this path change a body?
 bool reaches_bodies(const std::string &path) {
@@ -279,20 +272,6 @@ derived::DerivedQuantities Simulation::derived_quantities(const std::vector<Job>
   return quantities;
 }
 
-// Rank 0 tries for so many seconds at most; the others have nothing to do. Returns the estimate
-// [s].
-double Simulation::log_cost(const Job &job, double seconds) const {
-  int rank = 0;
-  MPI_Comm_rank(communicator_, &rank);
-  if (rank != 0)
-    return 0;
-  const analyses::Cost cost = analyses::estimate_cost(
-      job.keys, [&](const std::vector<Override> &overrides) { return build_case(job, overrides); },
-      seconds);
-  log::info("analysis " + job.name + ": " + cost.sentence());
-  return cost.seconds;
-}
-
 namespace {
 
 void log_groups(const contact::ContactSet &contacts, std::set<std::string> &reported) {
@@ -345,37 +324,6 @@ std::vector<ContactFigures> Simulation::contacts_of(const std::vector<Job> &jobs
     if (!warning.empty())
       log::warning(warning);
   return figures;
-}
-
-void Simulation::check() {
-  const std::vector<Job> all = jobs();
-  derived_quantities(all);
-  int rank = 0;
-  MPI_Comm_rank(communicator_, &rank);
-  {
-    const EndAtLimit limit(longest_reduction_in_check,
-                           "The keys of the file are good. Its bodies take longer to reduce than a "
-                           "check may, so that contacts, analyses and cost are not checked; the "
-                           "run itself checks them before it computes anything.",
-                           rank == 0);
-    reduce_all(all);
-  }
-  for (const auto &body : bodies(parameters_->root()))
-    log::info("body " + body->name + ": " +
-              analyses::body_sentence(*body, parameters_->dimensionless()));
-  for (const Job &job : all)
-    check_cases(job);
-  try_evaluated(all);
-  warn_of_unused_laws(all);
-  contacts_of(all);
-  const double so_far = processor_seconds();
-  double seconds = so_far;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    seconds +=
-        log_cost(all[i], std::max(shortest_trial, so_far + longest_trial - processor_seconds()) /
-                             static_cast<double>(all.size() - i));
-  log::info("in all about " + analyses::short_number(seconds) + " s on one core, " +
-            analyses::short_number(so_far) + " s of them for the bodies and before");
 }
 
 RunSummary Simulation::run(const RunOptions &options) {

@@ -1,7 +1,7 @@
 // Owns the stages of a run in the order data flows; alone sees every folder.
 #pragma once
 
-#include "analyses/runner.h"
+#include "analyses/cost.h"
 #include "contact/truncation.h"
 #include "derived/derived_quantities.h"
 #include "derived/repeated_analysis.h"
@@ -39,7 +39,7 @@ public:
              const std::string &body_cache = "");
 
   /// Collective. Reduces the bodies, builds every analysis without running it and logs what it
-  /// would cost. Throws InputError.
+  /// would cost; warns of a run of more than an hour. Throws InputError.
   void check();
 
   /// Collective. Runs all analyses and writes the results. Throws InputError before anything runs,
@@ -83,7 +83,8 @@ private:
   void try_evaluated(const std::vector<Job> &jobs) const;
   void refuse_swept(const Job &job, const analyses::GridKey &key, const std::string &swept) const;
   void warn_of_unused_laws(const std::vector<Job> &jobs) const;
-  double log_cost(const Job &job, double seconds) const;
+  analyses::Cost log_cost(const Job &job, double seconds) const;
+  void log_costs(const std::vector<Job> &jobs) const;
   analyses::RunSummary run_jobs(const std::vector<Job> &jobs, output::FileSink &sink);
   std::vector<contact::ContactFigures> contacts_of(const std::vector<Job> &jobs) const;
   std::string file_folder() const;

@@ -19,6 +19,15 @@ constexpr std::size_t least_places = 8;
 constexpr double good_enough = 0.05;    // relative standard error
 constexpr double least_reported = 0.01; // [s]
 
+/// Of a point, in the journal and in the arrays over all points, both of which are held when the
+/// results are put together [B].
+double stored_size(const PointResult &point) {
+  double numbers = 0;
+  for (const Field &field : point.fields)
+    numbers += static_cast<double>(field.values.size());
+  return 2 * sizeof(double) * numbers + sizeof(std::int64_t) + sizeof(std::string);
+}
+
 /// The steps first ... last of a line, the others being left out, and the time each takes.
 class TriedSteps : public LineContext {
 public:
@@ -36,6 +45,7 @@ public:
     times_.push_back(now - begun_);
     begun_ = now;
     share_ = 0;
+    memory_ = std::max(memory_, stored_size(result));
     if (result.status == Status::failed && failed_++ == 0)
       reason_ = result.reason;
     if (first_ + times_.size() > last_)
@@ -56,6 +66,7 @@ public:
   const std::string &reason() const { return reason_; }
   /// Of the step at which the limit was reached.
   double share() const { return share_; }
+  double memory() const { return memory_; }                          ///< of the largest point [B]
   double since_last() const { return processor_seconds() - begun_; } ///< [s]
 
 private:
@@ -68,6 +79,7 @@ private:
   std::size_t failed_ = 0;
   std::string reason_;
   double share_ = 0;
+  double memory_ = 0;
 };
 
 /// Times of tried parts that have the same meaning.
@@ -172,10 +184,13 @@ private:
     if (times.size() > 1)
       following_.add(std::accumulate(times.begin() + 1, times.end(), 0.0) /
                      static_cast<double>(times.size() - 1));
-    if (cut && steps.share() > 0) // left out, the slow ones would be missed
-      (times.empty() ? beginning_ : following_).add(steps.since_last() / steps.share());
-    else if (cut)
-      longest_cut_ = std::max(longest_cut_, steps.since_last());
+    memory_ = std::max(memory_, steps.memory());
+    if (!cut)
+      return;
+    // Left out, the slow ones would be missed. Without a share it is a lower bound.
+    const bool known = steps.share() > 0;
+    (times.empty() ? beginning_ : following_).add(steps.since_last() / (known ? steps.share() : 1));
+    cost_.at_least = cost_.at_least || !known;
   }
 
   void note_failure(std::size_t failed, const std::string &reason) {
@@ -189,10 +204,10 @@ private:
     const auto tasks = static_cast<double>(tasks_);
     const double others = static_cast<double>(cost_.points) - tasks;
     const Sample &following = following_.count() > 0 ? following_ : beginning_;
-    cost_.by_parts = cost_.tried == 0 && beginning_.count() > 0;
-    cost_.at_least = beginning_.count() == 0 && longest_cut_ > 0;
-    cost_.seconds =
-        tasks * (building_.mean() + beginning_.mean()) + others * following.mean() + longest_cut_;
+    cost_.by_parts = cost_.tried == 0 && beginning_.count() > 0 && !cost_.at_least;
+    cost_.seconds = tasks * (building_.mean() + beginning_.mean()) + others * following.mean();
+    cost_.memory = static_cast<double>(cost_.points) * memory_;
+    cost_.memory_known = cost_.tried > cost_.failed;
     if (cost_.tried < cost_.points)
       cost_.error = std::hypot(tasks * beginning_.error(), others * following.error());
   }
@@ -205,20 +220,26 @@ private:
   std::size_t parts_ = 1; ///< of a line
   std::size_t tasks_ = 1; ///< lines of all grid points
   Sample building_, beginning_, following_;
-  double longest_cut_ = 0;
+  double memory_ = 0; ///< of the largest point [B]
   Cost cost_;
 };
 
 } // namespace
 
-// Two digits, or whole seconds.
-std::string short_number(double seconds) {
+std::string duration_text(double seconds) {
+  constexpr double minute = 60, hour = 60 * minute, day = 24 * hour;
   std::ostringstream text;
   text.precision(2);
-  if (seconds >= 100)
-    text << std::llround(seconds);
+  if (seconds >= 2 * day)
+    text << std::llround(seconds / day) << " days";
+  else if (seconds >= 100 * minute)
+    text << seconds / hour << " h";
+  else if (seconds >= 10 * minute)
+    text << seconds / minute << " min";
+  else if (seconds >= 100)
+    text << std::llround(seconds) << " s";
   else
-    text << seconds;
+    text << seconds << " s";
   return text.str();
 }
 
@@ -226,16 +247,18 @@ std::string Cost::sentence() const {
   std::ostringstream text;
   text << points << (points == 1 ? " point, " : " points, ");
   if (!at_least && seconds + 2 * error < least_reported)
-    text << "less than " << least_reported;
+    text << "less than " << duration_text(least_reported);
   else
-    text << (at_least ? "more than " : "about ") << short_number(seconds);
-  text << " s of computing on one core";
+    text << (at_least ? "more than " : "about ") << duration_text(seconds);
+  text << " of computing on one core";
   const double twice = 2 * error;
   if (by_parts)
     text << " by a part of the motion; less if it settles early";
+  else if (at_least)
+    text << "; " << tried << " points tried, others came to no end within the check";
   else if (tried < points && error > 0) {
-    text << " (" << short_number(std::max(seconds - twice, seconds / 10)) << " to "
-         << short_number(seconds + twice) << " s; " << tried << " points tried)";
+    text << " (" << duration_text(std::max(seconds - twice, seconds / 10)) << " to "
+         << duration_text(seconds + twice) << "; " << tried << " points tried)";
   }
   if (failed > 0)
     text << "; " << failed << " of " << tried << " tried points failed: " << reason;

@@ -20,15 +20,17 @@ struct Cost {
   /// No place came to its end: the estimate goes by the share of a single motion that was tried,
   /// and is too high where that settles early.
   bool by_parts = false;
-  /// None did even a part that could be measured: the run will take more than that.
+  /// A point was cut off without a word of how far it had come: the run will take more than that.
   bool at_least = false;
+  bool memory_known = true; ///< Was a point tried to its end?
+  double memory = 0; ///< of the results, all points as large as the largest that was tried [B]
 
   /// "about 0.35 s of computing on one core (0.3 to 0.4 s; 60 of 2008 points tried)"
   std::string sentence() const;
 };
 
-/// "0.35", "12", "1650"
-std::string short_number(double seconds);
+/// "0.35 s", "12 s", "28 min", "4.5 h", "42 days"
+std::string duration_text(double seconds);
 
 /// Tries short parts of the lines, spread evenly over all grid points and lines, as the run will
 /// compute them, for at most `seconds` of processor time. A part begins with a point whose state

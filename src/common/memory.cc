@@ -50,6 +50,18 @@ double left_of_container() {
            number_in("/sys/fs/cgroup/memory/memory.usage_in_bytes")));
 }
 
+} // namespace
+
+double available_memory() {
+  return std::min({kilobytes_in("/proc/meminfo", "MemAvailable"), left_of_address_space(),
+                   left_of_container()});
+}
+
+double peak_memory() {
+  const double peak = kilobytes_in("/proc/self/status", "VmHWM");
+  return peak < unlimited ? peak : 0;
+}
+
 std::string memory_text(double bytes) {
   constexpr std::array units{"B", "kB", "MB", "GB", "TB", "PB"};
   std::size_t unit = 0;
@@ -59,13 +71,6 @@ std::string memory_text(double bytes) {
   text.precision(bytes < 1000 ? 3 : 6);
   text << bytes << " " << units[unit];
   return text.str();
-}
-
-} // namespace
-
-double available_memory() {
-  return std::min({kilobytes_in("/proc/meminfo", "MemAvailable"), left_of_address_space(),
-                   left_of_container()});
 }
 
 std::string lack_of_memory(double bytes) {

@@ -9,6 +9,12 @@ namespace vibroimpact {
 /// limits on the process and on the container it runs in.
 double available_memory();
 
+/// The most that this process has held so far [B].
+double peak_memory();
+
+/// "1.2 kB", "24 GB"
+std::string memory_text(double bytes);
+
 /// Empty when `bytes` are available; otherwise "about 12 TB of memory are needed, but 20 GB are
 /// available".
 std::string lack_of_memory(double bytes);

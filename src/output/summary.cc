@@ -97,7 +97,8 @@ SummaryList analysis_summary(const AnalysisHeader &header, const derived::PointS
       return;
     const std::string point_prefix =
         point.summary.empty() ? "" : prefix + index_in_brackets(point.index) + ".";
-    if (point.status == Status::finished && !point.reason.empty())
+    // Of points without numbers the totals give the reasons.
+    if (!point.reason.empty() && (point.status == Status::finished || !point.summary.empty()))
       list.add_note(prefix + index_in_brackets(point.index), point.reason);
     for (const SummaryLine &line : point.summary) {
       const bool absolute = line.name().starts_with('/');

@@ -2,6 +2,7 @@
 // read the same clock, so that a busy machine changes nothing.
 #include "analyses/cost.h"
 
+#include "analyses/fields.h"
 #include "common/work_limit.h"
 #include "support/recorded_windows.h"
 
@@ -45,9 +46,11 @@ public:
       compute_for(carried ? seconds_ : 10 * seconds_);
       carried = true;
       tried.insert(i);
-      context.store({.index = {i},
-                     .status = reason_.empty() ? Status::finished : Status::failed,
-                     .reason = reason_});
+      context.store(
+          {.index = {i},
+           .status = reason_.empty() ? Status::finished : Status::failed,
+           .reason = reason_,
+           .fields = {series_field("numbers", "number", std::vector<double>(100), "1", "")}});
     }
   }
 
@@ -59,10 +62,11 @@ private:
   std::string reason_;
 };
 
-/// One motion that takes `seconds`, and notes its progress.
+/// One motion that takes `seconds`, and notes its progress, or only that it goes on.
 class Motion : public Analysis {
 public:
-  explicit Motion(double seconds) : seconds_(seconds) {}
+  explicit Motion(double seconds, bool says_share = true)
+      : seconds_(seconds), says_share_(says_share) {}
 
   std::string type() const override { return "motion"; }
   std::vector<Axis> axes() const override { return {}; }
@@ -70,12 +74,13 @@ public:
   void run_line(std::size_t /*line*/, System & /*system*/, LineContext &context) const override {
     const double start = processor_seconds();
     for (double share = 0; share < 1; share = (processor_seconds() - start) / seconds_)
-      context.note_progress(share);
+      context.note_progress(says_share_ ? share : 0);
     context.store({.index = {}});
   }
 
 private:
   double seconds_;
+  bool says_share_;
 };
 
 CaseFactory factory(std::shared_ptr<const Analysis> analysis) {
@@ -127,6 +132,31 @@ TEST(CostTest, OfALongMotionAPartIsTried) {
   EXPECT_NEAR(cost.seconds, 50, 10);
   EXPECT_TRUE(cost.sentence().starts_with("1 point, ")) << cost.sentence();
   EXPECT_NE(cost.sentence().find("settles early"), std::string::npos);
+}
+
+// Each case takes at least as long as it was tried.
+TEST(CostTest, CasesOfUnknownLengthAllCount) {
+  const GridKey key{.path = "Variables/x", .values = std::vector<std::string>(1000, "1")};
+  const Cost cost = estimate_cost({key}, factory(std::make_shared<Motion>(50, false)), 0.4);
+  EXPECT_TRUE(cost.at_least);
+  EXPECT_GT(cost.seconds, 10);
+  EXPECT_FALSE(cost.memory_known);
+  EXPECT_TRUE(cost.sentence().starts_with("1000 points, more than ")) << cost.sentence();
+}
+
+TEST(CostTest, ResultsNeedTheMemoryOfAllPoints) {
+  const Cost cost = estimate_cost({}, factory(std::make_shared<Steps>(2000, 1e-5)), 0.2);
+  EXPECT_TRUE(cost.memory_known);
+  EXPECT_GT(cost.memory, 2 * 2000 * 100 * 8); // in the journal and in the arrays
+  EXPECT_LT(cost.memory, 2 * 2000 * 110 * 8);
+}
+
+TEST(CostTest, DurationsHaveTheirUnit) {
+  EXPECT_EQ(duration_text(0.349), "0.35 s");
+  EXPECT_EQ(duration_text(432), "432 s");
+  EXPECT_EQ(duration_text(1800), "30 min");
+  EXPECT_EQ(duration_text(9000), "2.5 h");
+  EXPECT_EQ(duration_text(3608404), "42 days");
 }
 
 TEST(CostTest, FailedPointsAreTold) {

@@ -23,6 +23,7 @@ ALLOWED = {"common": {"common"}, "parameters": {"common", "parameters"},
 PROGRAM = {"command_line": set(), "launcher": set(), "run_information": set(),
            "simulation": {"run_information"},
            "simulation_cases": {"simulation"}, "simulation_checks": {"simulation"},
+           "simulation_cost": {"simulation"},
            "program": {"command_line", "launcher", "run_information", "simulation"},
            "main": {"program"}}
 GENERATED = {"version.h"}
@@ -40,8 +41,8 @@ FENCES = [
     (r"petscversion\.h", r"structure/|modes/|motion/|program\.cc|run_information\.cc",
      "PETSc belongs to structure/, modes/ and motion/"),
     (r"petsc(?!version|ts\.)",
-     r"common/petsc_(error|stage)\.cc|structure/|modes/|motion/|analyses/design/least_squares\.cc|"
-     r"program\.cc", "PETSc belongs to structure/, modes/, motion/ and least_squares"),
+     r"common/petsc_(error|stage)\.cc|structure/|modes/|motion/|program\.cc",
+     "PETSc belongs to structure/, modes/ and motion/"),
     (r"(hdf5(_hl)?|H5\w+)\.h", r"common/hdf5_file(_driver)?\.",
      "HDF5 is used through common/hdf5_file.h"),
     (r"(structure|modes)/", r"structure/|modes/|reduction/",

@@ -263,12 +263,30 @@ end
         checked = self.run_program(self.file, "--check")
         self.assertEqual(checked.returncode, 0)
         self.assertIn("of computing", checked.stdout)
+        self.assertRegex(checked.stdout, r"in all .* on one core, .*; about \S+ MB of memory")
+        self.assertNotIn("warning", checked.stdout)
         self.assertFalse((self.folder / "output").exists())
         for wrong in (["--sett", "a=b"], [], ["nowhere.prm"], [self.file, self.file],
                       [self.file, "--set", "novalue"], ["--print-parameters", "html"]):
             done = self.run_program(*wrong)
             self.assertEqual(done.returncode, 1, wrong)
             self.assertTrue(done.stderr.strip())
+
+    def test_a_check_warns_of_a_run_of_days(self):
+        # A motion of 1e11 periods, which can only be followed.
+        self.file.write_text(FILE.replace("POINTS", "8") + """
+subsection Analysis motion
+  set Type = transient
+  subsection Transient
+    set Duration = 2e10 s
+    set Sampling interval = 1e10 s
+  end
+end
+""")
+        checked = self.run_program(self.file, "--check", "--set", "Analyses=motion")
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        self.assertRegex(checked.stdout, r"in all about \d+ days on one core")
+        self.assertRegex(checked.stdout, r"warning: a run takes about \d+ days on one core")
 
     def test_json_gives_the_same_results(self):
         reference = self.folder / "prm"

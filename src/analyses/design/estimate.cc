@@ -152,19 +152,11 @@ void Estimate::try_outcomes(const Outcomes &outcomes) const {
            settings_.data);
 }
 
-// A failed evaluation counts as ten times worse than the worst before it.
 Vector Estimate::residuals(const Vector &coordinates, FitEvaluations &evaluations) const {
   const FitValue &value = evaluations.at(coordinates).value;
-  if (!value.failed())
-    return value.residuals();
-  Vector worst;
-  for (const FitEvaluation &other : evaluations.all())
-    if (!other.value.failed() &&
-        (worst.size() == 0 || other.value.residuals().squaredNorm() > worst.squaredNorm()))
-      worst = other.value.residuals();
-  if (worst.size() == 0)
-    throw NumericalError("the evaluation at the start failed: " + value.failure);
-  return 10 * worst;
+  if (value.failed())
+    throw NumericalError("the evaluation failed: " + value.failure);
+  return value.residuals();
 }
 
 void Estimate::leave_if_spent(const FitEvaluations &evaluations) const {
@@ -196,10 +188,7 @@ std::optional<std::pair<double, Vector>> Estimate::beside(const Vector &coordina
 // end: a combination that the data leave free shows by the errors of the differences alone.
 Matrix Estimate::jacobian(const Vector &coordinates, bool second_order,
                           FitEvaluations &evaluations) const {
-  const FitValue &value = evaluations.at(coordinates).value;
-  if (value.failed())
-    throw NumericalError("no derivatives where the evaluation failed: " + value.failure);
-  const Vector here = value.residuals();
+  const Vector here = residuals(coordinates, evaluations);
   Matrix jacobian(here.size(), coordinates.size());
   const double h = settings_.difference;
   for (Index k = 0; k < coordinates.size(); ++k) {
@@ -228,16 +217,15 @@ Matrix Estimate::jacobian(const Vector &coordinates, bool second_order,
   return jacobian;
 }
 
-SearchEnd Estimate::fit_from(std::size_t line, FitEvaluations &evaluations) const {
+Estimate::Ended Estimate::fit_from(std::size_t line, FitEvaluations &evaluations) const {
   const auto n = static_cast<Index>(settings_.keys.size());
   LeastSquaresProblem problem{.lower = Vector(n),
                               .upper = Vector(n),
                               .start = start_of_search(settings_.keys, settings_.seed, line),
                               .residuals = {},
                               .jacobian = {},
-                              .size = 0,
                               .tolerance = settings_.tolerance,
-                              .most_iterations = static_cast<int>(settings_.most)};
+                              .most_steps = static_cast<int>(settings_.most)};
   for (Index k = 0; k < n; ++k) {
     const DesignKey &key = settings_.keys[static_cast<std::size_t>(k)];
     problem.lower[k] = std::isfinite(key.lower) ? key.coordinate(key.lower) : -infinity;
@@ -247,16 +235,26 @@ SearchEnd Estimate::fit_from(std::size_t line, FitEvaluations &evaluations) cons
     leave_if_spent(evaluations);
     return residuals(coordinates, evaluations);
   };
+  int places = 0; // the start and those that steps have led to
   problem.jacobian = [&](const Vector &coordinates) {
+    ++places;
     return jacobian(coordinates, false, evaluations);
   };
+  const auto not_converged = [&](const std::string &why) {
+    return (places > 1 ? "the search has not converged: " : "no search was made: ") + why;
+  };
   try {
-    problem.size = residuals(problem.start, evaluations).size();
-    return least_squares(problem);
+    const SearchEnd end = least_squares(problem);
+    if (end == SearchEnd::evaluations)
+      throw EvaluationsSpent{};
+    return {end, end == SearchEnd::other
+                     ? not_converged("from the best values on, evaluations fail at every step")
+                     : ""};
   } catch (const EvaluationsSpent &) {
-    return SearchEnd::evaluations;
-  } catch (const NumericalError &) {
-    return SearchEnd::other; // the evaluations say why
+    return {SearchEnd::evaluations,
+            not_converged("it ended at Most evaluations = " + std::to_string(settings_.most))};
+  } catch (const NumericalError &error) {
+    return {SearchEnd::other, not_converged(error.what())};
   }
 }
 
@@ -300,7 +298,8 @@ void Estimate::add_statistics(PointResult &result, const FitEvaluation &best,
   result.reason = combinations_in_words(statistics, names);
 }
 
-PointResult Estimate::result(std::size_t line, FitEvaluations &evaluations, SearchEnd end) const {
+PointResult Estimate::result(std::size_t line, FitEvaluations &evaluations,
+                             const Ended &ended) const {
   const std::vector<std::size_t> index{line, 0};
   const FitEvaluation *best = best_fit(evaluations.all());
   if (best == nullptr)
@@ -323,12 +322,16 @@ PointResult Estimate::result(std::size_t line, FitEvaluations &evaluations, Sear
   } catch (const EvaluationsSpent &) {
     result.reason = "no standard errors: too many of the evaluations for them failed";
   }
+  if (!ended.not_converged.empty()) {
+    result.status = Status::failed;
+    result.reason = ended.not_converged;
+  }
   add_search(result, "best", static_cast<double>(best->number), "number of the best evaluation");
   add_search(result, "evaluations", static_cast<double>(evaluations.all().size()),
              "evaluations of the fit, those for derivatives included");
   add_search(result, "failed", static_cast<double>(failures(evaluations.all())),
              "of these, those that failed");
-  add_search(result, "end", static_cast<double>(end),
+  add_search(result, "end", static_cast<double>(ended.end),
              "why the fit ended: 1 the keys change by less than Tolerance, 2 the sum of squares by "
              "less than "
              "1e-9 of it, "
@@ -344,8 +347,8 @@ void Estimate::run_line(std::size_t line, System & /*system*/, LineContext &cont
   const bool done = context.find({line, 0}) != nullptr;
   FitEvaluations evaluations(settings_.keys, settings_.data, line, all_evaluations(), context);
   if (!done) {
-    const SearchEnd end = fit_from(line, evaluations);
-    context.store(result(line, evaluations, end));
+    const Ended ended = fit_from(line, evaluations);
+    context.store(result(line, evaluations, ended));
   }
   skip_the_rest(all_evaluations(), evaluations.all().size() + (done ? 0 : 1), context);
 }

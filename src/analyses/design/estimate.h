@@ -50,8 +50,12 @@ private:
                                                   FitEvaluations &evaluations,
                                                   std::string &failure) const;
   Matrix jacobian(const Vector &coordinates, bool second_order, FitEvaluations &evaluations) const;
-  SearchEnd fit_from(std::size_t line, FitEvaluations &evaluations) const;
-  PointResult result(std::size_t line, FitEvaluations &evaluations, SearchEnd end) const;
+  struct Ended {
+    SearchEnd end;
+    std::string not_converged{}; ///< why the result is not what the data say; empty if it is
+  };
+  Ended fit_from(std::size_t line, FitEvaluations &evaluations) const;
+  PointResult result(std::size_t line, FitEvaluations &evaluations, const Ended &ended) const;
   void add_statistics(PointResult &result, const FitEvaluation &best,
                       FitEvaluations &evaluations) const;
 

@@ -1,168 +1,185 @@
 #include "analyses/design/least_squares.h"
 
 #include "common/error.h"
-#include "common/petsc_error.h"
 
-#include <exception>
-#include <petsctao.h>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 namespace vibroimpact::analyses {
 
 namespace {
 
-/// Destroys a PETSc object with its own function.
-template <class Object, PetscErrorCode (*destroy)(Object *)> class Owned {
+/// Far below what the noise of any data makes of the sum of squares.
+constexpr double least_fit_decrease = 1e-9; // relative
+/// Of the largest squared column of the Jacobian.
+constexpr double first_fit_damping = 1e-3;
+
+/// The p between `lower` <= 0 and `upper` >= 0 of least |R p + c|^2 + w |p|^2. That is strictly
+/// convex, so that it is found by an active set: the free coordinates go to the minimum over them
+/// or to the first bound on the way, which holds from then on; at such a minimum the bound with the
+/// largest multiplier of the wrong sign is released.
+class BoxedStep {
 public:
-  Owned() = default;
-  ~Owned() { destroy(&object_); }
-  Owned(const Owned &) = delete;
-  Owned &operator=(const Owned &) = delete;
-  operator Object() const { return object_; }
-  Object *place() { return &object_; }
+  BoxedStep(const Matrix &r, const Vector &c, Vector lower, Vector upper)
+      : r_(r), c_(c), lower_(std::move(lower)), upper_(std::move(upper)) {}
+
+  Vector at(double damping) {
+    damping_ = damping;
+    p_ = Vector::Zero(r_.cols());
+    free_.resize(static_cast<std::size_t>(r_.cols()));
+    for (Index k = 0; k < r_.cols(); ++k)
+      free_[static_cast<std::size_t>(k)] = k;
+    for (Index round = 0; round < 10 * (r_.cols() + 1); ++round)
+      if (go_to_minimum() && !release_bound())
+        break;
+    return p_;
+  }
 
 private:
-  Object object_ = nullptr;
-};
-using OwnedVec = Owned<Vec, VecDestroy>;
-using OwnedMat = Owned<Mat, MatDestroy>;
-using OwnedTao = Owned<Tao, TaoDestroy>;
+  /// Over the free coordinates, as if they had no bounds.
+  Vector free_minimum() const {
+    const auto n = static_cast<Index>(free_.size());
+    Matrix stacked(r_.rows() + n, n);
+    Vector held = p_;
+    held(free_).setZero();
+    stacked << r_(Eigen::all, free_), Matrix::Identity(n, n) * std::sqrt(damping_);
+    Vector right = Vector::Zero(r_.rows() + n);
+    right.head(r_.rows()) = -(c_ + r_ * held);
+    return stacked.colPivHouseholderQr().solve(right);
+  }
 
-/// C++ exceptions must not pass through PETSc, which is C.
-struct Calls {
-  const LeastSquaresProblem &problem;
-  std::exception_ptr error{};
-  Vector last{}; ///< coordinates of the iteration before
-  double last_sum = 0;
+  /// False where a bound was met on the way.
+  bool go_to_minimum() {
+    if (free_.empty())
+      return true;
+    const Vector way = free_minimum() - p_(free_);
+    double share = 1;
+    auto met = free_.end();
+    for (auto k = free_.begin(); k != free_.end(); ++k) {
+      const double here = way[k - free_.begin()];
+      const double room = (here > 0 ? upper_ : lower_)[*k] - p_[*k];
+      if (std::abs(here) * share > std::abs(room)) {
+        share = room / here;
+        met = k;
+      }
+    }
+    p_(free_) += share * way;
+    if (met == free_.end())
+      return true;
+    p_[*met] = way[met - free_.begin()] > 0 ? upper_[*met] : lower_[*met];
+    free_.erase(met);
+    return false;
+  }
+
+  bool release_bound() {
+    const Vector slope = r_.transpose() * (r_ * p_ + c_) + damping_ * p_;
+    const double rounding = 1e-14 * (r_.cwiseAbs().transpose() * c_.cwiseAbs()).maxCoeff();
+    Index released = -1;
+    double most = rounding;
+    for (Index k = 0; k < p_.size(); ++k)
+      if (const double inwards = p_[k] >= upper_[k] ? slope[k] : -slope[k];
+          inwards > most && std::find(free_.begin(), free_.end(), k) == free_.end()) {
+        most = inwards;
+        released = k;
+      }
+    if (released >= 0)
+      free_.push_back(released);
+    return released >= 0;
+  }
+
+  const Matrix &r_;
+  const Vector &c_;
+  const Vector lower_, upper_;
+  double damping_ = 0;
+  Vector p_;
+  std::vector<Index> free_;
 };
 
-template <class Work> PetscErrorCode guarded(Calls &calls, Work work) {
+/// Residuals and derivatives at an iterate, the latter as R of J = Q R, with c = Q^T r.
+struct FitIterate {
+  Vector x;
+  double sum = 0; ///< of squares
+  Matrix r;
+  Vector c;
+};
+
+FitIterate fit_iterate_at(const LeastSquaresProblem &problem, const Vector &x,
+                          const Vector &residuals) {
+  const Matrix jacobian = problem.jacobian(x);
+  const Index n = std::min(jacobian.rows(), jacobian.cols());
+  const Eigen::HouseholderQR<Matrix> factors(jacobian);
+  const Vector turned = factors.householderQ().transpose() * residuals;
+  return {.x = x,
+          .sum = residuals.squaredNorm(),
+          .r = factors.matrixQR().topRows(n).triangularView<Eigen::Upper>(),
+          .c = turned.head(n)};
+}
+
+std::optional<Vector> fit_residuals_at(const LeastSquaresProblem &problem, const Vector &x) {
   try {
-    work();
-    return 0;
-  } catch (...) {
-    calls.error = std::current_exception();
-    return PETSC_ERR_USER;
+    return problem.residuals(x);
+  } catch (const NumericalError &) {
+    return std::nullopt;
   }
 }
 
-Vector values_of(Vec x) {
-  PetscInt size = 0;
-  const PetscScalar *values = nullptr;
-  VecGetSize(x, &size);
-  VecGetArrayRead(x, &values);
-  const Vector copy = Eigen::Map<const Vector>(values, size);
-  VecRestoreArrayRead(x, &values);
-  return copy;
-}
+/// The damping by the ratio of the decrease to that of the linear model (H. B. Nielsen).
+class MarquardtDamping {
+public:
+  explicit MarquardtDamping(const FitIterate &first)
+      : value_(first_fit_damping * first.r.colwise().squaredNorm().maxCoeff()) {}
 
-void set_values(Vec x, const Vector &values) {
-  PetscScalar *place = nullptr;
-  VecGetArray(x, &place);
-  Eigen::Map<Vector>(place, values.size()) = values;
-  VecRestoreArray(x, &place);
-}
-
-PetscErrorCode residuals(Tao, Vec x, Vec r, void *data) {
-  Calls &calls = *static_cast<Calls *>(data);
-  return guarded(calls, [&] { set_values(r, calls.problem.residuals(values_of(x))); });
-}
-
-PetscErrorCode jacobian(Tao, Vec x, Mat j, Mat, void *data) {
-  Calls &calls = *static_cast<Calls *>(data);
-  return guarded(calls, [&] {
-    const Matrix matrix = calls.problem.jacobian(values_of(x));
-    PetscScalar *place = nullptr;
-    MatDenseGetArray(j, &place);
-    Eigen::Map<Matrix>(place, matrix.rows(), matrix.cols()) = matrix; // both by columns
-    MatDenseRestoreArray(j, &place);
-    MatAssemblyBegin(j, MAT_FINAL_ASSEMBLY);
-    MatAssemblyEnd(j, MAT_FINAL_ASSEMBLY);
-  });
-}
-
-/// Far below what the noise of any data makes of the sum of squares.
-constexpr double least_decrease = 1e-9; // relative
-
-/// PETSc's own test by the gradient, and those by the step and the sum of squares.
-PetscErrorCode converged(Tao tao, void *data) {
-  Calls &calls = *static_cast<Calls *>(data);
-  Vec x = nullptr;
-  TaoGetSolution(tao, &x);
-  const Vector now = values_of(x);
-  if (calls.last.size() == now.size() &&
-      (now - calls.last).cwiseAbs().maxCoeff() < calls.problem.tolerance &&
-      (now - calls.last).cwiseAbs().maxCoeff() > 0)
-    return TaoSetConvergedReason(tao, TAO_CONVERGED_STEPTOL);
-  PetscReal sum = 0;
-  TaoGetSolutionStatus(tao, nullptr, &sum, nullptr, nullptr, nullptr, nullptr);
-  if (calls.last.size() == now.size() && calls.last_sum - sum < least_decrease * sum &&
-      calls.last != now)
-    return TaoSetConvergedReason(tao, TAO_CONVERGED_USER);
-  calls.last = now;
-  calls.last_sum = sum;
-  return TaoDefaultConvergenceTest(tao, nullptr);
-}
-
-SearchEnd end_of(TaoConvergedReason reason) {
-  switch (reason) {
-  case TAO_CONVERGED_STEPTOL:
-    return SearchEnd::tolerance;
-  case TAO_CONVERGED_GATOL:
-  case TAO_CONVERGED_GRTOL:
-  case TAO_CONVERGED_GTTOL:
-  case TAO_CONVERGED_USER:
-    return SearchEnd::objective_tolerance;
-  case TAO_DIVERGED_MAXITS:
-  case TAO_DIVERGED_MAXFCN:
-    return SearchEnd::evaluations;
-  case TAO_DIVERGED_LS_FAILURE:
-  case TAO_DIVERGED_TR_REDUCTION:
-    return SearchEnd::rounding;
-  default:
-    return SearchEnd::other;
+  double value() const { return value_; }
+  void held(double ratio) {
+    value_ *= std::max(1.0 / 3, 1 - std::pow(2 * ratio - 1, 3));
+    factor_ = 2;
   }
-}
+  void failed() {
+    value_ = std::max(value_, std::numeric_limits<double>::min()) * factor_;
+    factor_ *= 2;
+  }
+
+private:
+  double value_;
+  double factor_ = 2;
+};
 
 } // namespace
 
 SearchEnd least_squares(const LeastSquaresProblem &problem) {
-  const auto n = static_cast<PetscInt>(problem.start.size());
-  const auto m = static_cast<PetscInt>(problem.size);
-  Calls calls{.problem = problem};
-  OwnedVec x, lower, upper, r;
-  OwnedMat j;
-  OwnedTao tao;
-  VecCreateSeq(PETSC_COMM_SELF, n, x.place());
-  VecCreateSeq(PETSC_COMM_SELF, n, lower.place());
-  VecCreateSeq(PETSC_COMM_SELF, n, upper.place());
-  VecCreateSeq(PETSC_COMM_SELF, m, r.place());
-  MatCreateSeqDense(PETSC_COMM_SELF, m, n, nullptr, j.place());
-  set_values(x, problem.start);
-  set_values(lower, problem.lower.cwiseMax(PETSC_NINFINITY));
-  set_values(upper, problem.upper.cwiseMin(PETSC_INFINITY));
-
-  TaoCreate(PETSC_COMM_SELF, tao.place());
-  TaoSetType(tao, TAOBRGN);
-  TaoSetSolution(tao, x);
-  TaoSetVariableBounds(tao, lower, upper);
-  TaoSetResidualRoutine(tao, r, residuals, &calls);
-  TaoSetJacobianResidualRoutine(tao, j, j, jacobian, &calls);
-  TaoSetMaximumIterations(tao, problem.most_iterations);
-  Tao inner = nullptr;
-  TaoBRGNGetSubsolver(tao, &inner);
-  TaoSetConvergenceTest(inner, converged, &calls);
-  TaoLineSearch line_search = nullptr;
-  TaoGetLineSearch(inner, &line_search);
-  if (line_search != nullptr) // by values alone: a gradient takes an evaluation for each key
-    TaoLineSearchSetType(line_search, TAOLINESEARCHARMIJO);
-  const PetscErrorCode failed = TaoSolve(tao);
-  if (calls.error)
-    std::rethrow_exception(calls.error);
-  if (failed != 0)
-    throw NumericalError("the least squares failed: " + taken_petsc_error());
-  TaoConvergedReason reason = TAO_CONTINUE_ITERATING;
-  TaoGetConvergedReason(inner, &reason);
-  return end_of(reason);
+  FitIterate here = fit_iterate_at(problem, problem.start, problem.residuals(problem.start));
+  MarquardtDamping damping(here);
+  bool evaluation_failed = false; // since the last step
+  for (int number = 0; number < problem.most_steps; ++number) {
+    const Vector step = BoxedStep(here.r, here.c, problem.lower - here.x, problem.upper - here.x)
+                            .at(damping.value());
+    const double length = step.cwiseAbs().maxCoeff();
+    if (length == 0)
+      return SearchEnd::objective_tolerance;
+    const Vector there = (here.x + step).cwiseMax(problem.lower).cwiseMin(problem.upper);
+    const std::optional<Vector> residuals = fit_residuals_at(problem, there);
+    const double decrease = residuals ? here.sum - residuals->squaredNorm() : -here.sum;
+    evaluation_failed = evaluation_failed || !residuals;
+    if (!(decrease > 0)) {
+      if (length < problem.tolerance)
+        return evaluation_failed ? SearchEnd::other : SearchEnd::rounding;
+      damping.failed();
+      continue;
+    }
+    const double model = here.c.squaredNorm() - (here.r * step + here.c).squaredNorm();
+    if (length < problem.tolerance)
+      return evaluation_failed ? SearchEnd::other : SearchEnd::tolerance;
+    if (decrease < least_fit_decrease * residuals->squaredNorm())
+      return SearchEnd::objective_tolerance;
+    damping.held(decrease / model);
+    here = fit_iterate_at(problem, there, *residuals);
+    evaluation_failed = false;
+  }
+  return SearchEnd::evaluations;
 }
 
 } // namespace vibroimpact::analyses

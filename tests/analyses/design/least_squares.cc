@@ -1,6 +1,8 @@
 // Least squares with known minima, inside and at bounds.
 #include "analyses/design/least_squares.h"
 
+#include "common/error.h"
+
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
@@ -26,9 +28,8 @@ struct Decay {
                   j << e, -p[0] * x.cwiseProduct(e), Vector::Ones(x.size());
                   return j;
                 },
-            .size = 20,
             .tolerance = 1e-10,
-            .most_iterations = 200};
+            .most_steps = 200};
   }
 };
 
@@ -78,9 +79,8 @@ TEST(LeastSquaresTest, AFreeDirectionDoesNoHarm) {
                               .start = Eigen::Vector2d(1, 1),
                               .residuals = {},
                               .jacobian = {},
-                              .size = 10,
                               .tolerance = 1e-10,
-                              .most_iterations = 200};
+                              .most_steps = 200};
   Vector last;
   problem.residuals = [&](const Vector &p) {
     last = p;
@@ -94,6 +94,81 @@ TEST(LeastSquaresTest, AFreeDirectionDoesNoHarm) {
   };
   least_squares(problem);
   EXPECT_NEAR(last[1] / last[0], 1.3, 1e-5);
+}
+
+// Only b / a counts, and derivatives are differences: their error makes the Jacobian regular, and a
+// Gauss-Newton step goes some 1e4 along the free direction. A negative a has no residuals.
+TEST(LeastSquaresTest, ErrorsOfDerivativesMoveNothingAlongAFreeDirection) {
+  const Vector x = Vector::LinSpaced(10, 0, 2);
+  Vector y = (-1.3 * x.array()).exp();
+  y[3] += 0.01;
+  LeastSquaresProblem problem{.lower = Vector::Constant(2, -infinity),
+                              .upper = Vector::Constant(2, infinity),
+                              .start = Eigen::Vector2d(1, 0.2),
+                              .residuals = {},
+                              .jacobian = {},
+                              .tolerance = 1e-8,
+                              .most_steps = 100};
+  Vector last;
+  problem.residuals = [&](const Vector &p) {
+    if (p[0] <= 0)
+      throw NumericalError("no mass");
+    last = p;
+    return Vector(1000 * ((-p[1] / p[0] * x.array()).exp().matrix() - y));
+  };
+  problem.jacobian = [&](const Vector &p) {
+    const Vector here = problem.residuals(p);
+    Matrix j(10, 2);
+    for (Index k = 0; k < 2; ++k)
+      j.col(k) = (problem.residuals(p + 1e-4 * Vector::Unit(2, k)) - here) / 1e-4;
+    return j;
+  };
+  const SearchEnd end = least_squares(problem);
+  EXPECT_TRUE(end == SearchEnd::tolerance || end == SearchEnd::objective_tolerance);
+  EXPECT_NEAR(last[1] / last[0], 1.3, 0.02);
+  EXPECT_LT(last.norm(), 10);
+}
+
+// From far off the first step of the linear model leads to where nothing is defined.
+TEST(LeastSquaresTest, AStepThatFailsIsShortened) {
+  LeastSquaresProblem problem{.lower = Vector::Constant(1, -infinity),
+                              .upper = Vector::Constant(1, infinity),
+                              .start = Vector::Constant(1, 50),
+                              .residuals = {},
+                              .jacobian = {},
+                              .tolerance = 1e-10,
+                              .most_steps = 100};
+  int failed = 0;
+  double last = 0;
+  problem.residuals = [&](const Vector &p) -> Vector {
+    failed += p[0] <= 0 ? 1 : 0;
+    if (p[0] <= 0)
+      throw NumericalError("no logarithm");
+    last = p[0];
+    return Vector::Constant(1, std::log(p[0]));
+  };
+  problem.jacobian = [](const Vector &p) { return Matrix::Constant(1, 1, 1 / p[0]); };
+  EXPECT_NE(least_squares(problem), SearchEnd::other);
+  EXPECT_GT(failed, 0);
+  EXPECT_NEAR(last, 1, 1e-9);
+}
+
+// The least value lies where nothing is defined any more: no end is a minimum there.
+TEST(LeastSquaresTest, StepsThatFailToTheLastAreNoConvergence) {
+  LeastSquaresProblem problem{.lower = Vector::Constant(1, -infinity),
+                              .upper = Vector::Constant(1, infinity),
+                              .start = Vector::Constant(1, 2),
+                              .residuals = {},
+                              .jacobian = {},
+                              .tolerance = 1e-6,
+                              .most_steps = 500};
+  problem.residuals = [&](const Vector &p) -> Vector {
+    if (p[0] < 1)
+      throw NumericalError("too small");
+    return p;
+  };
+  problem.jacobian = [](const Vector &) { return Matrix::Ones(1, 1); };
+  EXPECT_EQ(least_squares(problem), SearchEnd::other);
 }
 
 TEST(LeastSquaresTest, ExceptionsComeThrough) {
