@@ -18,8 +18,8 @@ using continuation::Touch;
 
 namespace {
 
-constexpr double widest = 0.25;  // of a window, to either side [periods]
-constexpr double farthest = 0.1; // least value or depth over the size of the motion
+constexpr double widest_window = 0.25; // of a window, to either side [periods]
+constexpr double farthest_value = 0.1; // least value or depth over the size of the motion
 constexpr std::size_t most_windows = 4;
 
 // Of the displacements of a contact's sides in the section.
@@ -52,9 +52,9 @@ GrazeWindow window_of(const std::vector<GuardMinimum> &minima, const GuardMinimu
   return {.contact = chosen.contact,
           .mode = chosen.mode,
           .guard = chosen.guard,
-          .begin = std::max(from / period, chosen.begin / period - widest),
+          .begin = std::max(from / period, chosen.begin / period - widest_window),
           .position = chosen.time / period,
-          .end = std::min(to / period, chosen.end / period + widest)};
+          .end = std::min(to / period, chosen.end / period + widest_window)};
 }
 
 /// Parts of a motion one behind the other, with the derivatives of the whole.
@@ -210,7 +210,7 @@ std::vector<GrazeWindow> graze_windows(const StroboscopicMap &map, const Section
   for (const GuardMinimum &minimum : observer.minima()) {
     const ContactPair &pair = map.system().contacts().pairs()[minimum.contact];
     const double near = nearness_of(minimum, gap_size(map, pair, state), period);
-    if (!(std::abs(near) < farthest))
+    if (!(std::abs(near) < farthest_value))
       continue;
     windows.push_back(
         window_of(observer.minima(), minimum, section.phase * period, end * period, period));

@@ -11,7 +11,7 @@
 #include <random>
 
 namespace vibroimpact::motion {
-namespace {
+namespace exact_outputs_tests {
 
 // One form of a phase made of given exponentials.
 struct Output {
@@ -235,5 +235,5 @@ TEST(ExactOutputsTest, Resonance) {
     }
 }
 
-} // namespace
+} // namespace exact_outputs_tests
 } // namespace vibroimpact::motion

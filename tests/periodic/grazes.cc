@@ -15,7 +15,7 @@
 #include <complex>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace grazes_tests {
 
 using continuation::Extension;
 using continuation::Point;
@@ -247,5 +247,5 @@ TEST(GrazesTest, CornerBehindAGraze) {
   }
 }
 
-} // namespace
+} // namespace grazes_tests
 } // namespace vibroimpact::periodic

@@ -9,7 +9,7 @@
 #include <complex>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace loci_tests {
 
 using continuation::Locus;
 using continuation::LocusEnd;
@@ -141,5 +141,5 @@ TEST(LociTest, DerivativesByTwoKeys) {
   }
 }
 
-} // namespace
+} // namespace loci_tests
 } // namespace vibroimpact::periodic

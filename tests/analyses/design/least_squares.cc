@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace least_squares_tests {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -109,5 +109,5 @@ TEST(LeastSquaresTest, ExceptionsComeThrough) {
   EXPECT_EQ(calls, 3);
 }
 
-} // namespace
+} // namespace least_squares_tests
 } // namespace vibroimpact::analyses

@@ -11,7 +11,7 @@
 #include <random>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace measured_pulses_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -178,5 +178,5 @@ TEST_F(MeasuredPulsesFile, WhatCannotBeUsedIsNamed) {
   }
 }
 
-} // namespace
+} // namespace measured_pulses_tests
 } // namespace vibroimpact::analyses
