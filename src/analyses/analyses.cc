@@ -36,7 +36,7 @@ struct Entry {
   bool records = false; ///< has recorders
 };
 
-constexpr Entry entries[] = {
+constexpr Entry known_analyses[] = {
     {"modal", Modal::declare, Modal::create},
     {"transient", Transient::declare, Transient::create, true},
     {"stepped sweep", SteppedSweep::declare, SteppedSweep::create, true},
@@ -64,21 +64,21 @@ void declare_analyses(parameters::Section &root) {
       root.named_subsection("Analysis", "Something to compute; its keys stand in the section of "
                                         "its type.");
   std::vector<std::string> types;
-  for (const Entry &entry : entries)
+  for (const Entry &entry : known_analyses)
     types.emplace_back(entry.type);
   types.emplace_back(grid_type);
   analysis.choice("Type", "transient", types, "What is computed.");
   declare_constants(analysis);
   declare_selection(analysis, "all");
   declare_recorders(analysis);
-  for (const Entry &entry : entries)
+  for (const Entry &entry : known_analyses)
     entry.declare(analysis);
   declare_grid(analysis);
 }
 
 std::shared_ptr<const Analysis> create_analysis(const parameters::Values &analysis) {
   const std::string type = analysis.choice("Type");
-  for (const Entry &entry : entries)
+  for (const Entry &entry : known_analyses)
     if (type == entry.type) {
       if (!entry.records && analysis.given("Record"))
         analysis.reject("Record", "must not be set when Type = " + analysis.choice("Type") +

@@ -21,8 +21,8 @@ using periodic::HarmonicGrid;
 
 namespace {
 
-constexpr const char *section_name = "Harmonic balance";
-constexpr const char *who = "A harmonic balance";
+constexpr const char *balance_branch_section = "Harmonic balance";
+constexpr const char *balance_subject = "A harmonic balance";
 
 // Largest amplitude of the displacements, or clearance where nothing moves.
 Vector sizes(const Matrix &elements, const contact::ContactSet &contacts) {
@@ -84,9 +84,10 @@ private:
 
 void BalanceBranch::declare(parameters::Section &analysis) {
   using namespace parameters;
-  Section &section = analysis.subsection(
-      section_name, "Periodic motions along a key as Fourier series of few harmonics: an "
-                    "approximation to those of a branch, and with one harmonic averaging.");
+  Section &section =
+      analysis.subsection(balance_branch_section,
+                          "Periodic motions along a key as Fourier series of few harmonics: an "
+                          "approximation to those of a branch, and with one harmonic averaging.");
   declare_branch_keys(section);
   section
       .integer("Harmonics", "5", Range{.lower = 1, .upper = 1000}, "H",
@@ -108,7 +109,7 @@ void BalanceBranch::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> BalanceBranch::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(balance_branch_section);
   const SweptParameter parameter = read_key_range(values);
   Settings settings{.parameter = parameter,
                     .start_value = read_start(parameter, values),
@@ -135,8 +136,8 @@ Index BalanceBranch::intervals() const {
 // At both ends of a frequency the other excitations must fit too.
 void BalanceBranch::check(const System &system) const {
   const SweptParameter &parameter = settings_.parameter;
-  check_start(parameter, settings_.start_value, system, settings_.excitation, who);
-  const std::size_t source = sweep_source(system, settings_.excitation, who);
+  check_start(parameter, settings_.start_value, system, settings_.excitation, balance_subject);
+  const std::size_t source = sweep_source(system, settings_.excitation, balance_subject);
   check_harmonic(system.model, system.contacts, source, settings_.harmonics);
   if (parameter.is_frequency()) {
     model::Model model = system.model;
@@ -168,7 +169,7 @@ Matrix BalanceBranch::guess(Index coordinates) const {
 PointResult BalanceBranch::compute(System &system, LineContext &context) const {
   const SweptParameter &parameter = settings_.parameter;
   const double key =
-      start_value(parameter, settings_.start_value, system, settings_.excitation, who);
+      start_value(parameter, settings_.start_value, system, settings_.excitation, balance_subject);
   const double range = parameter.values.back() - parameter.values.front();
   KeyedBalance balance(parameter, settings_.excitation, system, context, settings_.harmonics,
                        intervals());

@@ -6,12 +6,10 @@
 
 namespace vibroimpact::analyses {
 
-using periodic::Outcome;
-
 double mark_of(const periodic::Decision &decision, std::size_t known) {
-  if (decision.outcome == Outcome::failed)
+  if (decision.outcome == periodic::Outcome::failed)
     return no_motion;
-  if (decision.outcome == Outcome::undecided)
+  if (decision.outcome == periodic::Outcome::undecided)
     return undecided;
   return decision.attractor < known ? static_cast<double>(decision.attractor) : another;
 }

@@ -14,7 +14,6 @@ namespace vibroimpact::analyses {
 
 using periodic::Decision;
 using periodic::FoundMotion;
-using periodic::Outcome;
 
 namespace {
 
@@ -138,7 +137,7 @@ Decision BasinSearch::follow(const model::InitialState &start) {
   try {
     return attractors_->follow(scaled_start(start));
   } catch (const InputError &) { // rigid sides overlap there
-    return {.outcome = Outcome::failed};
+    return {.outcome = periodic::Outcome::failed};
   }
 }
 
@@ -165,7 +164,7 @@ Decision BasinSearch::approximate(const model::InitialState &start) {
         },
         caught_when_interpolated);
   } catch (const InputError &) { // rigid sides overlap there
-    return {.outcome = Outcome::failed};
+    return {.outcome = periodic::Outcome::failed};
   }
 }
 

@@ -13,7 +13,7 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-constexpr const char *section_name = "Basin shares";
+constexpr const char *basin_shares_section = "Basin shares";
 constexpr const char *kind = "Range";
 
 } // namespace
@@ -21,7 +21,7 @@ constexpr const char *kind = "Range";
 void BasinShares::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name, "How many of random starts in a box lead to which periodic motion.");
+      basin_shares_section, "How many of random starts in a box lead to which periodic motion.");
   declare_key_range(
       section.named_subsection(
           kind, "An initial condition of the box, by a key that changes nothing else."),
@@ -35,7 +35,7 @@ void BasinShares::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> BasinShares::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(basin_shares_section);
   Settings settings{.keys = {},
                     .starts = values.integer("Starts"),
                     .seed = values.integer("Seed"),

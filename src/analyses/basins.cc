@@ -3,12 +3,12 @@
 #include "analyses/basin_fields.h"
 #include "analyses/fields.h"
 #include "common/error.h"
+#include "common/scalar.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vibroimpact::analyses {
 
@@ -16,7 +16,7 @@ using periodic::Decision;
 
 namespace {
 
-constexpr const char *section_name = "Basins";
+constexpr const char *basins_section = "Basins";
 constexpr const char *first_axis = "First axis", *second_axis = "Second axis";
 /// Rows are distributed over so many lines. Each rank searches the coarse part by itself, once.
 constexpr std::size_t most_lines = 16;
@@ -89,7 +89,6 @@ public:
   /// Both keys at which a motion would start like an attractor, in their units; NaN where the plane
   /// of the cells is not that of all states.
   Eigen::Vector2d place(const Vector &state) const {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (!whole_plane_)
       return {nan, nan};
     const Eigen::Vector2d shares = plane_.partialPivLu().solve(Eigen::Vector2d(state) - corner_);
@@ -157,7 +156,7 @@ private:
 void Basins::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name, "Which periodic motion each start of a grid of cells leads to.");
+      basins_section, "Which periodic motion each start of a grid of cells leads to.");
   declare_cell_axis(section, first_axis,
                     "An initial condition, by a key that changes nothing else.");
   declare_cell_axis(section, second_axis, "Another one, or any other key.");
@@ -175,7 +174,7 @@ void Basins::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> Basins::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(basins_section);
   Settings settings{.first = read_cell_axis(values, first_axis),
                     .second = read_cell_axis(values, second_axis),
                     .search = read_basin_search(values),

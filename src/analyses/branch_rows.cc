@@ -11,13 +11,15 @@ using continuation::End;
 
 namespace {
 
-constexpr const char *kinds = "1 fold, 2 branch point, 3 period doubling, 4 loss of symmetry, 5 "
-                              "Neimark-Sacker, 6 graze, 7 grazing fold, 8 change of the contact "
-                              "changes";
-constexpr const char *reasons = "0 lower end of the key, 1 upper end of the key, 2 the branch "
-                                "closes on itself, 3 it falls onto motions of a smaller multiple, "
-                                "4 least step, 5 most points, 6 a graze it returns to again and "
-                                "again, 7 the motion grows beyond all measure";
+constexpr const char *special_kinds =
+    "1 fold, 2 branch point, 3 period doubling, 4 loss of symmetry, 5 "
+    "Neimark-Sacker, 6 graze, 7 grazing fold, 8 change of the contact "
+    "changes";
+constexpr const char *branch_ends =
+    "0 lower end of the key, 1 upper end of the key, 2 the branch "
+    "closes on itself, 3 it falls onto motions of a smaller multiple, "
+    "4 least step, 5 most points, 6 a graze it returns to again and "
+    "again, 7 the motion grows beyond all measure";
 
 int number_of(End end) {
   switch (end) {
@@ -71,7 +73,7 @@ void BranchRows::add_point(const BranchPoint &point, PointResult values) {
 
 void BranchRows::add_special(const BranchPoint &point, int kind, PointResult values) {
   special_.push_back(row(point, std::move(values)));
-  special_.back().values.fields.push_back(scalar_field("kind", kind, "1", kinds));
+  special_.back().values.fields.push_back(scalar_field("kind", kind, "1", special_kinds));
 }
 
 void BranchRows::end(const continuation::Branch &branch) {
@@ -81,7 +83,7 @@ void BranchRows::end(const continuation::Branch &branch) {
   CurveRow row{.arclength = sign_ * last.arclength, .curve = number_};
   row.values.fields = {scalar_field(branch_, static_cast<double>(number_)),
                        scalar_field(key_, last.point.keys[0]),
-                       scalar_field("reason", number_of(branch.end), "1", reasons)};
+                       scalar_field("reason", number_of(branch.end), "1", branch_ends)};
   ends_.push_back(std::move(row));
 }
 

@@ -18,13 +18,13 @@ namespace {
 
 constexpr const char *cases_key = "Cases";
 
-struct Column {
+struct CaseColumn {
   std::string path;
   std::string unit; ///< may be empty
 };
 
 /// "Variables/beta [rad/s]"
-Column read_column(const Values &grid, const std::string &head) {
+CaseColumn read_column(const Values &grid, const std::string &head) {
   const std::size_t bracket = head.find('[');
   if (bracket == std::string::npos)
     return {.path = head, .unit = ""};
@@ -59,7 +59,7 @@ std::vector<std::string> rows_of(const Values &grid) {
 }
 
 GridKey key_of(const Values &grid, const std::string &head) {
-  const Column column = read_column(grid, head);
+  const CaseColumn column = read_column(grid, head);
   GridKey key{.path = column.path, .values = {}, .origin = grid.place(cases_key) + ":"};
   try {
     key.target = grid.parameters().key_path(column.path);
@@ -132,9 +132,10 @@ std::vector<parameters::Override> tables_from_files(const Values &root, const st
     const Values grid = root.instance("Analysis", name).subsection("Parameter grid");
     const std::string file = grid.text(cases_key);
     if (file.ends_with(".csv"))
-      tables.push_back({.path = "Analysis/" + name + "/Parameter grid/" + cases_key,
-                        .value = inline_table(grid, (std::filesystem::path(folder) / file).string()),
-                        .origin = "table of " + file + ":"});
+      tables.push_back(
+          {.path = "Analysis/" + name + "/Parameter grid/" + cases_key,
+           .value = inline_table(grid, (std::filesystem::path(folder) / file).string()),
+           .origin = "table of " + file + ":"});
   }
   return tables;
 }

@@ -115,9 +115,9 @@ std::size_t stride_over(std::size_t places) {
   return stride;
 }
 
-class Estimate {
+class CostEstimate {
 public:
-  Estimate(const std::vector<GridKey> &keys, const CaseFactory &factory)
+  CostEstimate(const std::vector<GridKey> &keys, const CaseFactory &factory)
       : keys_(keys), factory_(factory), first_(factory(grid_overrides(keys, 0))),
         lines_(first_.analysis->lines()) {
     std::size_t points = 1;
@@ -266,7 +266,7 @@ std::string Cost::sentence() const {
 }
 
 Cost estimate_cost(const std::vector<GridKey> &keys, const CaseFactory &factory, double seconds) {
-  return Estimate(keys, factory).within(seconds);
+  return CostEstimate(keys, factory).within(seconds);
 }
 
 std::string body_sentence(const reduction::ReducedBody &body, bool dimensionless) {

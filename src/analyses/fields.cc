@@ -10,7 +10,7 @@ using motion::ImpactLog;
 
 namespace {
 
-struct Column {
+struct PatternColumn {
   const char *name;
   const char *unit;
   const char *description;
@@ -83,7 +83,7 @@ double scalar_of(const PointResult &result, const Label &label, double otherwise
   return found == nullptr || found->values.empty() ? otherwise : found->values[0];
 }
 
-constexpr Column columns[] = {
+constexpr PatternColumn columns[] = {
     {"time", "s", "instant at which the sides meet", [](const Impact &i) { return i.start_time; }},
     {"duration", "s", "time in contact", [](const Impact &i) { return i.duration; }},
     {"approach_speed", "m/s", "closing speed just before contact",
@@ -216,7 +216,7 @@ void add_impacts(PointResult &result, const contact::ContactSet &contacts, const
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::string &name = contacts.pairs()[c].name;
     const std::vector<Impact> &impacts = log.impacts(c);
-    for (const Column &column : columns) {
+    for (const PatternColumn &column : columns) {
       std::vector<double> values;
       std::transform(impacts.begin(), impacts.end(), std::back_inserter(values), column.value);
       result.fields.push_back(series_field("contact/" + name + "/impact/" + column.name,
@@ -226,7 +226,7 @@ void add_impacts(PointResult &result, const contact::ContactSet &contacts, const
     result.summary.push_back(
         scalar_line("contact." + name + ".impacts", static_cast<double>(impacts.size()), "1"));
     for (std::size_t i = 0; i < std::min(summary_lines, impacts.size()); ++i)
-      for (const Column &column : columns)
+      for (const PatternColumn &column : columns)
         result.summary.push_back(
             scalar_line("contact." + name + ".impact[" + std::to_string(i + 1) + "]." + column.name,
                         column.value(impacts[i]), column.unit));

@@ -19,7 +19,7 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-constexpr const char *section_name = "Frequency response";
+constexpr const char *frequency_response_section = "Frequency response";
 
 // One quantity of one channel: (i w)^order times the amplitude of a displacement.
 struct Quantity {
@@ -92,8 +92,9 @@ void add_peak(PointResult &result, const Quantity &quantity, const Peak &peak) {
 void FrequencyResponse::declare(parameters::Section &analysis) {
   using namespace parameters;
   analysis
-      .subsection(section_name, "Exact steady response of the linear model to a harmonic "
-                                "excitation, as if no contact could close.")
+      .subsection(frequency_response_section,
+                  "Exact steady response of the linear model to a harmonic "
+                  "excitation, as if no contact could close.")
       .quantity("First frequency", "", dimension::frequency, range::positive, "f_1",
                 "Lowest frequency.")
       .required()
@@ -108,7 +109,7 @@ void FrequencyResponse::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> FrequencyResponse::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(frequency_response_section);
   return std::make_shared<FrequencyResponse>(
       Settings{.frequencies = read_frequencies(values), .excitation = values.text("Excitation")});
 }

@@ -11,7 +11,7 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-constexpr const char *section_name = "Parameter grid";
+constexpr const char *grid_section = "Parameter grid";
 
 // Equally spaced values as expressions of the two ends, so that any unit will do.
 std::vector<std::string> between(const std::string &first, const std::string &last, long points) {
@@ -101,7 +101,7 @@ void declare_grid_keys(parameters::Section &section, const std::string &kind,
 
 void declare_grid(parameters::Section &analysis) {
   parameters::Section &grid = analysis.subsection(
-      section_name, "Repeats another analysis at every combination of the values of some keys.");
+      grid_section, "Repeats another analysis at every combination of the values of some keys.");
   grid.text("Repeat", "", "Name of the analysis to repeat.").required();
   declare_case_table(grid);
   declare_grid_keys(grid, "Key", "A key that takes several values; the last one varies fastest.");
@@ -153,7 +153,7 @@ std::vector<GridKey> read_table(const parameters::Values &grid, const std::strin
 
 std::vector<GridKey> read_grid(const parameters::Values &analysis, const std::string &repeated,
                                std::vector<std::string> taken) {
-  const parameters::Values grid = analysis.subsection(section_name);
+  const parameters::Values grid = analysis.subsection(grid_section);
   if (grid.has("Cases"))
     return read_table(grid, repeated, taken);
   std::vector<GridKey> keys = read_grid_keys(grid, "Key", repeated, "grid", taken);
@@ -174,7 +174,7 @@ std::vector<std::string> grid_paths(const std::vector<GridKey> &keys) {
 
 std::string repeated_analysis(const parameters::Values &analysis,
                               const std::vector<std::string> &known) {
-  const parameters::Values grid = analysis.subsection(section_name);
+  const parameters::Values grid = analysis.subsection(grid_section);
   grid.require("Repeat");
   grid.require_known("Repeat", grid.text("Repeat"), known);
   return grid.text("Repeat");

@@ -12,7 +12,7 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-constexpr const char *section_name = "Identify";
+constexpr const char *identify_section = "Identify";
 
 void declare_uncertainties(parameters::Section &section) {
   using namespace parameters;
@@ -72,8 +72,9 @@ double read_sampling_frequency(const parameters::Values &values) {
 void Identify::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name, "Restitution, approach speed and damping factor of impacts from the history of "
-                    "the contact force, by three sets of formulas.");
+      identify_section,
+      "Restitution, approach speed and damping factor of impacts from the history of "
+      "the contact force, by three sets of formulas.");
   section
       .quantity("Duration", "", dimension::time, range::positive, "T",
                 "Length of the motion; not given beside a File.")
@@ -97,7 +98,7 @@ void Identify::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> Identify::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(identify_section);
   std::optional<MeasuredForce> measured;
   if (has_measured_force(values)) {
     refuse_keys_of_motions(values);

@@ -1,18 +1,15 @@
 #include "analyses/identify_fits.h"
 
+#include "common/decompositions.h"
 #include "common/linear_algebra.h"
+#include "common/scalar.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 
 namespace vibroimpact::analyses {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Of the intervals of 95 % of the coefficients of a linear fit.
 Vector half_widths(const Matrix &factors, const Vector &residuals) {
@@ -20,7 +17,7 @@ Vector half_widths(const Matrix &factors, const Vector &residuals) {
   if (freedom <= 0)
     return Vector::Constant(factors.cols(), nan);
   const double variance = residuals.squaredNorm() / static_cast<double>(freedom);
-  const Matrix inverse = (factors.transpose() * factors).inverse();
+  const Matrix inverse = vibroimpact::inverse(Matrix(factors.transpose() * factors));
   const boost::math::students_t distribution(static_cast<double>(freedom));
   return boost::math::quantile(distribution, 0.975) * (variance * inverse.diagonal()).cwiseSqrt();
 }
@@ -60,7 +57,7 @@ PowerFit fit_power(const std::vector<Identified> &impacts, double speed_unit) {
                .impacts = usable.size()};
   if (rows < 2)
     return fit;
-  const auto decomposition = factors.colPivHouseholderQr();
+  const PivotedQr decomposition(factors);
   if (decomposition.rank() < 2)
     return fit;
   const Vector solution = decomposition.solve(logarithms);

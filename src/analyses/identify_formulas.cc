@@ -1,5 +1,6 @@
 #include "analyses/identify_formulas.h"
 
+#include "common/scalar.h"
 #include "contact/restitution_relation.h"
 
 #include <boost/math/special_functions/log1p.hpp>
@@ -14,7 +15,6 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double smallest_restitution = 1e-6;
 
 // Integral of w/(1 + d w) over w from v to 1. With u' = w v_c it is the energy that has left the
@@ -64,7 +64,7 @@ double exact_damping(double e) {
 }
 
 // All combinations of the four quantities at the ends of their intervals.
-constexpr unsigned corners = 1U << 4U;
+constexpr unsigned interval_corners = 1U << 4U;
 double at_corner(double value, double uncertainty, unsigned corner, unsigned bit) {
   return value * ((corner >> bit & 1U) != 0 ? 1 + uncertainty : 1 - uncertainty);
 }
@@ -128,7 +128,7 @@ Interval restitution_interval(const FormulaSet &set, const PulseFigures &pulse,
   Interval interval{.low = std::numeric_limits<double>::infinity(),
                     .high = -std::numeric_limits<double>::infinity()};
   bool solvable = false;
-  for (unsigned corner = 0; corner < corners; ++corner) {
+  for (unsigned corner = 0; corner < interval_corners; ++corner) {
     const PulseFigures shown{.impulse = at_corner(pulse.impulse, uncertainties.impulse, corner, 0),
                              .peak_force =
                                  at_corner(pulse.peak_force, uncertainties.peak_force, corner, 1)};

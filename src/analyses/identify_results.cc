@@ -16,7 +16,7 @@ std::string damping_factor_unit(double n) {
   return parameters::si_unit({.length = -n, .mass = 1, .time = -1});
 }
 
-std::string with(std::string text, char from, char to) {
+std::string with_replaced(std::string text, char from, char to) {
   std::replace(text.begin(), text.end(), from, to);
   return text;
 }
@@ -31,21 +31,23 @@ public:
   void scalar(const std::string &name, double value, const std::string &unit,
               const std::string &description) {
     result_.fields.push_back(scalar_field(base_ + name, value, unit, description));
-    result_.summary.push_back(scalar_line(with(base_ + name, '/', '.'), value, unit));
+    result_.summary.push_back(scalar_line(with_replaced(base_ + name, '/', '.'), value, unit));
   }
 
   // One value per impact, the first `listed` of them in the summary.
   void impacts(const std::string &name, const std::vector<double> &values, const std::string &unit,
                const std::string &description, std::size_t listed) {
     result_.fields.push_back(series_field(base_ + name, impacts_, values, unit, description));
-    const std::string base = with(base_, '/', '.') + "impact[";
+    const std::string base = with_replaced(base_, '/', '.') + "impact[";
     for (std::size_t i = 0; i < std::min(listed, values.size()); ++i)
-      result_.summary.push_back(
-          scalar_line(base + std::to_string(i + 1) + "]." + with(name, '/', '.'), values[i], unit));
+      result_.summary.push_back(scalar_line(
+          base + std::to_string(i + 1) + "]." + with_replaced(name, '/', '.'), values[i], unit));
   }
 
   // The dimension whose coordinate is the field `name`.
-  std::string dimension(const std::string &name) const { return with(base_ + name, '/', '_'); }
+  std::string dimension(const std::string &name) const {
+    return with_replaced(base_ + name, '/', '_');
+  }
 
   void series(const std::string &name, const std::string &along, const std::vector<double> &values,
               const std::string &unit, const std::string &description) {

@@ -1,16 +1,16 @@
 #include "analyses/linear_response.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
 
-#include <Eigen/LU>
 #include <limits>
 
 namespace vibroimpact::analyses {
 
 namespace {
 
-using Complex = std::complex<double>;
-constexpr Complex i(0, 1);
+using ComplexAmplitude = std::complex<double>;
+constexpr ComplexAmplitude i(0, 1);
 
 } // namespace
 
@@ -30,24 +30,24 @@ ComplexAmplitudes LinearResponse::at(double angular_frequency) const {
   const model::Source &driving = model_.sources()[source_];
   const auto function = driving.function->with_frequency(angular_frequency);
   // s = Im(S exp(i w t)): s(0) = Im S, s'(0) = w Re S.
-  const Complex amplitude(function->rate(0) / angular_frequency, function->value(0));
+  const ComplexAmplitude amplitude(function->rate(0) / angular_frequency, function->value(0));
   const double squared = angular_frequency * angular_frequency;
-  Eigen::MatrixXcd dynamic = stiffness_.cast<Complex>();
-  dynamic += i * angular_frequency * damping_.cast<Complex>();
-  dynamic.diagonal() -= (squared * model_.mass()).cast<Complex>();
-  Eigen::VectorXcd load = (driving.load - squared * driving.inertial_load).cast<Complex>();
-  load += i * angular_frequency * driving.rate_load.cast<Complex>();
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> factors(dynamic);
-  if (!(factors.rcond() > std::numeric_limits<double>::epsilon()))
+  Eigen::MatrixXcd dynamic = stiffness_.cast<ComplexAmplitude>();
+  dynamic += i * angular_frequency * damping_.cast<ComplexAmplitude>();
+  dynamic.diagonal() -= (squared * model_.mass()).cast<ComplexAmplitude>();
+  Eigen::VectorXcd load = (driving.load - squared * driving.inertial_load).cast<ComplexAmplitude>();
+  load += i * angular_frequency * driving.rate_load.cast<ComplexAmplitude>();
+  const LuFactors<ComplexMatrix> factors(dynamic);
+  if (!(factors.reciprocal_condition() > std::numeric_limits<double>::epsilon()))
     throw NumericalError("the response without damping is unbounded at this frequency");
   return {.angular_frequency = angular_frequency,
           .source = amplitude,
-          .coordinates = factors.solve(load * amplitude)};
+          .coordinates = factors.solve(ComplexVector(load * amplitude))};
 }
 
-Complex LinearResponse::observed(const model::Projection &projection,
-                                 const ComplexAmplitudes &amplitudes) const {
-  Complex sum = projection.row.cast<Complex>() * amplitudes.coordinates;
+ComplexAmplitude LinearResponse::observed(const model::Projection &projection,
+                                          const ComplexAmplitudes &amplitudes) const {
+  ComplexAmplitude sum = projection.row.cast<ComplexAmplitude>() * amplitudes.coordinates;
   return sum + projection.base_coefficients[source_] * amplitudes.source;
 }
 

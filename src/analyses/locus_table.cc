@@ -19,10 +19,10 @@ using periodic::Section;
 
 namespace {
 
-constexpr const char *kinds =
+constexpr const char *locus_kinds =
     "of the locus: 1 fold, 3 period doubling, 4 loss of symmetry, 5 Neimark-Sacker, 6 graze";
 constexpr const char *special_kinds = "1 cusp, 2 end on a grazing curve";
-constexpr const char *reasons =
+constexpr const char *locus_ends =
     "0 end of a key, 1 the locus closes on itself, 2 it meets a grazing "
     "curve, 3 the pair of multipliers becomes real, 4 least step, 5 "
     "most points, 6 the motion grows beyond all measure, 7 the locus "
@@ -83,7 +83,7 @@ LocusTable::LocusTable(const std::vector<SweptParameter> &keys, KeyedMap &maps,
       kept_(steps), keys_{key_label(keys[0], "first"), key_label(keys[1], "second")},
       arclength_("arclength", "1",
                  "from the start of the locus, in unknowns made comparable; negative behind it"),
-      locus_("locus", "1", "number of the locus, from 0"), kind_("kind", "1", kinds) {}
+      locus_("locus", "1", "number of the locus, from 0"), kind_("kind", "1", locus_kinds) {}
 
 void LocusTable::begin(long number, LocusKind kind, long halves, double sign) {
   number_ = number;
@@ -165,7 +165,7 @@ void LocusTable::end_at_start(const Vector &keys) { add_end(keys, 0, not_entered
 void LocusTable::add_end(const Vector &keys, double arclength, int reason) {
   CurveRow row{.arclength = sign_ * arclength, .curve = number_};
   add_keys(row.values, keys);
-  row.values.fields.push_back(scalar_field("reason", reason, "1", reasons));
+  row.values.fields.push_back(scalar_field("reason", reason, "1", locus_ends));
   ends_.push_back(std::move(row));
 }
 

@@ -14,14 +14,14 @@ using periodic::OrbitProblem;
 
 namespace {
 
-constexpr const char *section_name = "Branch";
+constexpr const char *orbit_branch_section = "Branch";
 
 } // namespace
 
 void OrbitBranch::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name,
+      orbit_branch_section,
       "Periodic motions, stable and unstable, along a key, from the one that the file "
       "describes: where they turn, double their period or lose their symmetry.");
   declare_branch_keys(section);
@@ -36,7 +36,7 @@ void OrbitBranch::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> OrbitBranch::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(orbit_branch_section);
   const SweptParameter parameter = read_key_range(values);
   Settings settings{.parameter = parameter,
                     .start_value = read_start(parameter, values),

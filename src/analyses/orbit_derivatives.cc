@@ -4,6 +4,7 @@
 #include "analyses/key_neighbours.h"
 #include "analyses/tangents/measure_tangents.h"
 #include "analyses/window_recording.h"
+#include "common/decompositions.h"
 #include "common/error.h"
 
 #include <algorithm>
@@ -39,11 +40,12 @@ Vector state_by_key(const RecordedOrbit &motion) {
   const Vector scale = motion.map.scale();
   const Matrix rest = Matrix::Identity(scale.size(), scale.size()) -
                       scale.asDiagonal() * flow.by_state * scale.cwiseInverse().asDiagonal();
-  const Eigen::JacobiSVD<Matrix> svd(rest, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  if (svd.singularValues().minCoeff() < nearly_singular)
+  const auto by_key =
+      solve_well_conditioned(rest, scale.cwiseProduct(flow.by_keys.col(0)), nearly_singular);
+  if (!by_key)
     throw NumericalError("the motion stands at a fold or at the end of its stability, where it has "
                          "no derivative by a key");
-  return scale.cwiseInverse().cwiseProduct(svd.solve(scale.cwiseProduct(flow.by_keys.col(0))));
+  return scale.cwiseInverse().cwiseProduct(*by_key);
 }
 
 /// At the forcing phase of time zero.
@@ -96,7 +98,7 @@ Vector weights(const std::vector<KeyNeighbour> &neighbours) {
     for (Index i = 0; i < n; ++i)
       powers(m, i) = std::pow(neighbours[static_cast<std::size_t>(i)].offset / size,
                               static_cast<double>(m + 1));
-  return powers.fullPivLu().solve(Vector::Unit(n, 0)) / size;
+  return solve_fully_pivoted(powers, Vector::Unit(n, 0)) / size;
 }
 
 std::string unit_by_key(const std::string &unit, const std::string &key_unit) {
@@ -110,8 +112,8 @@ const Field *find(const PointResult &point, const std::string &name) {
   return nullptr;
 }
 
-void add_number(PointResult &result, const std::string &name, double value, const std::string &unit,
-                const std::string &description) {
+void add_derivative_number(PointResult &result, const std::string &name, double value,
+                           const std::string &unit, const std::string &description) {
   result.fields.push_back(scalar_field(name, value, unit, description));
   std::string line = name;
   std::replace(line.begin(), line.end(), '/', '.');
@@ -142,9 +144,10 @@ void add_recorded(PointResult &result, const OrbitKey &key, const Recorded &pres
     if (!field.shape.empty() || field.unit() == "1" || !std::isfinite(field.values[0]))
       continue;
     const auto known = tangents.find(field.name());
-    add_number(result, "derivative/" + key.name + "/" + field.name(),
-               known != tangents.end() ? known->second : difference(field, near, weight),
-               unit_by_key(field.unit(), key.parameter.unit), "derivative: " + field.description());
+    add_derivative_number(result, "derivative/" + key.name + "/" + field.name(),
+                          known != tangents.end() ? known->second : difference(field, near, weight),
+                          unit_by_key(field.unit(), key.parameter.unit),
+                          "derivative: " + field.description());
   }
 }
 
@@ -196,12 +199,13 @@ void add_derivatives(PointResult &result, const OrbitKey &key, const RecordedOrb
   const std::vector<Recorded> near = record_neighbours(std::move(neighbours), by_key, motion);
   const bool smooth = std::all_of(
       near.begin(), near.end(), [&](const Recorded &one) { return one.events == present.events; });
-  add_number(result, "derivative/" + key.name + "/smooth", smooth ? 1 : 0, "1",
-             "0 where motions with the key some thousandths off have another number of contact "
-             "changes, so that derivatives of what other recorders give may be of no use");
+  add_derivative_number(
+      result, "derivative/" + key.name + "/smooth", smooth ? 1 : 0, "1",
+      "0 where motions with the key some thousandths off have another number of contact "
+      "changes, so that derivatives of what other recorders give may be of no use");
   if (!key.parameter.is_frequency())
-    add_number(result, "derivative/" + key.name + "/value", key.parameter.values[0],
-               key.parameter.unit, "value of the key " + key.parameter.path);
+    add_derivative_number(result, "derivative/" + key.name + "/value", key.parameter.values[0],
+                          key.parameter.unit, "value of the key " + key.parameter.path);
   add_recorded(result, key, present, tangents, near, weight);
 }
 

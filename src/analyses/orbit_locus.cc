@@ -14,12 +14,12 @@ using periodic::OrbitProblem;
 
 namespace {
 
-constexpr const char *section_name = "Locus";
+constexpr const char *orbit_locus_section = "Locus";
 constexpr const char *key_sections[] = {"First key", "Second key"};
-constexpr const char *who = "A locus";
+constexpr const char *locus_subject = "A locus";
 
 // In the order of LocusOf.
-const std::vector<std::string> &kind_names() {
+const std::vector<std::string> &locus_kind_names() {
   static const std::vector<std::string> names = {"fold", "period doubling", "loss of symmetry",
                                                  "Neimark-Sacker", "graze"};
   return names;
@@ -29,30 +29,31 @@ std::vector<LocusOf> read_kinds(const parameters::Values &values) {
   std::vector<LocusOf> kinds;
   if (values.names("Kinds").empty())
     values.reject("Kinds",
-                  "must name at least one of " + parameters::join(kind_names(), ", ") + ".");
+                  "must name at least one of " + parameters::join(locus_kind_names(), ", ") + ".");
   for (const std::string &name : values.names("Kinds")) {
-    values.require_known("Kinds", name, kind_names());
-    const auto place = std::find(kind_names().begin(), kind_names().end(), name);
-    kinds.push_back(static_cast<LocusOf>(place - kind_names().begin()));
+    values.require_known("Kinds", name, locus_kind_names());
+    const auto place = std::find(locus_kind_names().begin(), locus_kind_names().end(), name);
+    kinds.push_back(static_cast<LocusOf>(place - locus_kind_names().begin()));
   }
   return kinds;
 }
 
 // At the corners of the plane; a frequency needs no other system.
-std::vector<std::vector<parameters::Override>> corners(const std::vector<SweptParameter> &keys) {
-  std::vector<std::vector<parameters::Override>> corners{{}};
+std::vector<std::vector<parameters::Override>>
+key_corners(const std::vector<SweptParameter> &keys) {
+  std::vector<std::vector<parameters::Override>> key_corners{{}};
   for (const SweptParameter &key : keys) {
     if (key.is_frequency())
       continue;
     std::vector<std::vector<parameters::Override>> more;
-    for (const std::vector<parameters::Override> &corner : corners)
+    for (const std::vector<parameters::Override> &corner : key_corners)
       for (const double end : {key.values.front(), key.values.back()}) {
         more.push_back(corner);
         more.back().push_back(key.at(end));
       }
-    corners = std::move(more);
+    key_corners = std::move(more);
   }
-  return corners;
+  return key_corners;
 }
 
 } // namespace
@@ -60,9 +61,10 @@ std::vector<std::vector<parameters::Override>> corners(const std::vector<SweptPa
 void OrbitLocus::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name, "Special points of periodic motions followed in the plane of two keys: where a "
-                    "fold, a period "
-                    "doubling or the first touch of a contact goes when a second key changes.");
+      orbit_locus_section,
+      "Special points of periodic motions followed in the plane of two keys: where a "
+      "fold, a period "
+      "doubling or the first touch of a contact goes when a second key changes.");
   section.names("Kinds", "fold",
                 "Which special points are followed: fold, period doubling, loss of symmetry, "
                 "Neimark-Sacker, graze. They are looked for on the branch along the first key, "
@@ -82,7 +84,7 @@ void OrbitLocus::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> OrbitLocus::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(orbit_locus_section);
   Settings settings{.keys = {},
                     .start_values = {},
                     .kinds = read_kinds(values),
@@ -110,25 +112,28 @@ Vector OrbitLocus::start_values(const System &system) const {
   Vector values(2);
   for (std::size_t k = 0; k < 2; ++k)
     values[static_cast<Index>(k)] = start_value(settings_.keys[k], settings_.start_values[k],
-                                                system, settings_.excitation, who);
+                                                system, settings_.excitation, locus_subject);
   return values;
 }
 
 void OrbitLocus::check(const System &system) const {
   for (std::size_t k = 0; k < 2; ++k)
-    check_start(settings_.keys[k], settings_.start_values[k], system, settings_.excitation, who);
-  OrbitSearch search(system, sweep_source(system, settings_.excitation, who), settings_.start);
+    check_start(settings_.keys[k], settings_.start_values[k], system, settings_.excitation,
+                locus_subject);
+  OrbitSearch search(system, sweep_source(system, settings_.excitation, locus_subject),
+                     settings_.start);
   search.forced().trajectory().start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
 }
 
 std::vector<std::vector<parameters::Override>> OrbitLocus::variants() const {
-  return corners(settings_.keys);
+  return key_corners(settings_.keys);
 }
 
 OrbitLocus::Motion OrbitLocus::first_motion(System &system, LineContext &context,
                                             StepRecord *steps) const {
-  OrbitSearch search(system, sweep_source(system, settings_.excitation, who), settings_.start);
+  OrbitSearch search(system, sweep_source(system, settings_.excitation, locus_subject),
+                     settings_.start);
   Motion motion{.orbit = search.run([&](long /*periods*/) { context.note_progress(0); }, steps)};
   Vector ranges(2);
   for (std::size_t k = 0; k < 2; ++k)

@@ -11,12 +11,12 @@
 namespace vibroimpact::analyses {
 
 namespace {
-constexpr const char *section_name = "Periodic orbit";
+constexpr const char *periodic_orbit_section = "Periodic orbit";
 } // namespace
 
 void PeriodicOrbit::declare(parameters::Section &analysis) {
   parameters::Section &section = analysis.subsection(
-      section_name,
+      periodic_orbit_section,
       "A motion that repeats itself, stable or not: where a settled motion or a given "
       "state leads by Newton's method, with its multipliers.");
   declare_orbit_start(section);
@@ -27,7 +27,7 @@ void PeriodicOrbit::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> PeriodicOrbit::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(periodic_orbit_section);
   return std::make_shared<PeriodicOrbit>(
       Settings{.start = read_orbit_start(values),
                .excitation = values.text("Excitation"),

@@ -20,7 +20,7 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-constexpr RecorderKind kinds[] = {
+constexpr RecorderKind recorder_kinds[] = {
     {"extreme values", "smallest and largest values", ExtremeValues::declare,
      ExtremeValues::create},
     {"statistics", "means and root mean squares", Statistics::declare, Statistics::create},
@@ -43,9 +43,9 @@ constexpr RecorderKind kinds[] = {
      SpectrogramRecorder::create},
 };
 
-std::vector<std::string> kind_names() {
+std::vector<std::string> recorder_names() {
   std::vector<std::string> names;
-  for (const RecorderKind &kind : kinds)
+  for (const RecorderKind &kind : recorder_kinds)
     names.emplace_back(kind.name);
   return names;
 }
@@ -54,13 +54,13 @@ std::vector<std::string> kind_names() {
 
 void declare_recorders(parameters::Section &analysis) {
   std::string list;
-  for (const RecorderKind &kind : kinds)
+  for (const RecorderKind &kind : recorder_kinds)
     list += (list.empty() ? "" : ", ") + std::string(kind.name) + " (" + kind.description + ")";
   analysis.names("Record", "",
                  "What is kept of the recorded window: " + list +
                      ", or none. Empty means extreme values and impacts, and none in a transient "
                      "analysis, which has its histories.");
-  for (const RecorderKind &kind : kinds)
+  for (const RecorderKind &kind : recorder_kinds)
     kind.declare(analysis);
 }
 
@@ -70,9 +70,9 @@ std::vector<RecorderFactory> read_recorders(const parameters::Values &analysis,
   if (names == std::vector<std::string>{"none"})
     names.clear();
   for (const std::string &name : names)
-    analysis.require_known("Record", name, kind_names());
+    analysis.require_known("Record", name, recorder_names());
   std::vector<RecorderFactory> factories;
-  for (const RecorderKind &kind : kinds)
+  for (const RecorderKind &kind : recorder_kinds)
     if (std::find(names.begin(), names.end(), kind.name) != names.end())
       factories.push_back(kind.create(analysis));
   return factories;

@@ -9,7 +9,7 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-struct Column {
+struct FieldColumn {
   Label label;
   std::vector<std::size_t> shape; ///< the longest of all points
   std::vector<const Field *> fields;
@@ -19,8 +19,8 @@ std::size_t product(const std::vector<std::size_t> &shape) {
   return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
 }
 
-std::vector<Column> columns_of(const std::vector<PointResult> &points) {
-  std::vector<Column> columns;
+std::vector<FieldColumn> columns_of(const std::vector<PointResult> &points) {
+  std::vector<FieldColumn> columns;
   std::map<std::string, std::size_t> places;
   for (std::size_t p = 0; p < points.size(); ++p)
     for (const Field &field : points[p].fields) {
@@ -29,7 +29,7 @@ std::vector<Column> columns_of(const std::vector<PointResult> &points) {
         columns.push_back({.label = field.label,
                            .shape = field.shape,
                            .fields = std::vector<const Field *>(points.size(), nullptr)});
-      Column &column = columns[place->second];
+      FieldColumn &column = columns[place->second];
       for (std::size_t k = 0; k < field.shape.size(); ++k)
         column.shape[k] = std::max(column.shape[k], field.shape[k]);
       column.fields[p] = &field;
@@ -50,7 +50,7 @@ void place(const Field &field, const std::vector<std::size_t> &shape, double *in
   }
 }
 
-Field joined(const Column &column, const std::string &dimension, const std::string &prefix) {
+Field joined(const FieldColumn &column, const std::string &dimension, const std::string &prefix) {
   std::vector<std::string> dimensions = {dimension};
   dimensions.insert(dimensions.end(), column.label.dimensions().begin(),
                     column.label.dimensions().end());
@@ -70,7 +70,7 @@ Field joined(const Column &column, const std::string &dimension, const std::stri
 std::vector<Field> stacked(const std::vector<PointResult> &points, const std::string &dimension,
                            const std::string &prefix) {
   std::vector<Field> fields;
-  for (const Column &column : columns_of(points))
+  for (const FieldColumn &column : columns_of(points))
     fields.push_back(joined(column, dimension, prefix));
   return fields;
 }

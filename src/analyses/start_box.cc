@@ -63,7 +63,7 @@ Overrides middles(const std::vector<SweptParameter> &keys) {
   return middles;
 }
 
-void refuse(const SweptParameter &key) {
+void refuse_start_key(const SweptParameter &key) {
   throw InputError(key.origin + " the key " + key.path +
                    " must change initial conditions only, and these in proportion.");
 }
@@ -88,10 +88,10 @@ StartBox::StartBox(const std::vector<SweptParameter> &keys, const Overrides &fix
   }
   for (std::size_t k = 0; k < keys.size(); ++k)
     if (!same_motions(system_, others[k], size_ > 0 ? size_ : 1))
-      refuse(keys[k]);
+      refuse_start_key(keys[k]);
   const Vector middle = state_of(build(with(fixed, middles(keys))).initial);
   if (!((middle - expected).cwiseAbs().maxCoeff() <= proportional * size_))
-    refuse(keys.front());
+    refuse_start_key(keys.front());
 }
 
 model::InitialState StartBox::start(const Vector &shares) const {

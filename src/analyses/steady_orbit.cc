@@ -1,9 +1,8 @@
 #include "analyses/steady_orbit.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
 #include "periodic/contact_memory.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <limits>
@@ -14,9 +13,9 @@ namespace {
 
 // All over the size of the motion.
 constexpr double first_step = 0.1;
-constexpr double exact = 1e-11;     // what is left of the way
-constexpr double rounding = 1e-7;   // steps below may be the error of the motion itself
-constexpr double same_state = 1e-7; // of two periods of one motion
+constexpr double exact = 1e-11;       // what is left of the way
+constexpr double motion_error = 1e-7; // steps below may be the error of the motion itself
+constexpr double same_state = 1e-7;   // of two periods of one motion
 // From one step to the next, at most; where more than the second one, J is made anew.
 constexpr double shrinkage = 0.3, slow = 0.1;
 constexpr long most_maps = 12;
@@ -61,7 +60,9 @@ std::vector<Vector> SteadyOrbitSearch::carried(const Vector &state) {
 
 Vector SteadyOrbitSearch::newton_step(const Vector &residual) const {
   const Matrix matrix = Matrix::Identity(by_state_.rows(), by_state_.cols()) - by_state_;
-  return matrix.partialPivLu().solve(residual.cwiseProduct(scale_)).cwiseQuotient(scale_);
+  return LuFactors<Matrix>(matrix)
+      .solve(Vector(residual.cwiseProduct(scale_)))
+      .cwiseQuotient(scale_);
 }
 
 // None where the steps do not shrink. With the ratio r of the last two, r |d| / (1 - r) are left of
@@ -80,7 +81,7 @@ std::optional<Vector> SteadyOrbitSearch::converge(const Vector &state, const Vec
     point += step;
     const double length = size(step) / size(point), ratio = length / last;
     moved_ = anew ? length : moved_ + length;
-    if (ratio * length <= exact || (length <= rounding && ratio >= shrinkage))
+    if (ratio * length <= exact || (length <= motion_error && ratio >= shrinkage))
       return point;
     if (!(ratio <= shrinkage))
       return std::nullopt;

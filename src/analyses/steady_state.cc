@@ -15,7 +15,7 @@ using motion::Trajectory;
 
 namespace {
 
-constexpr const char *section_name = "Steady state";
+constexpr const char *steady_state_section = "Steady state";
 
 void refuse_both(const parameters::Values &values, const char *time, const char *cycles) {
   if (values.has(time) && values.given(cycles))
@@ -27,7 +27,7 @@ void refuse_both(const parameters::Values &values, const char *time, const char 
 void SteadyState::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name, "One motion from the initial conditions: settles, then is recorded.");
+      steady_state_section, "One motion from the initial conditions: settles, then is recorded.");
   declare_settling(section);
   section
       .quantity("Settling time", "", dimension::time, range::non_negative, "",
@@ -41,7 +41,7 @@ void SteadyState::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> SteadyState::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(steady_state_section);
   refuse_both(values, "Settling time", "Settling cycles");
   refuse_both(values, "Settling time", "Minimum settling cycles");
   refuse_both(values, "Recorded time", "Recorded cycles");

@@ -13,7 +13,7 @@ using motion::MotionState;
 
 namespace {
 
-constexpr const char *section_name = "Stepped sweep";
+constexpr const char *stepped_sweep_section = "Stepped sweep";
 constexpr const char *state = "state";
 constexpr const char *lowest_state = "settled_state_minimum";
 constexpr const char *highest_state = "settled_state_maximum";
@@ -109,8 +109,9 @@ struct SteppedSweep::Step {
 void SteppedSweep::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name, "Settles at each frequency, or each value of another key, then records; the "
-                    "state is carried to the next one at the forcing phase of time zero.");
+      stepped_sweep_section,
+      "Settles at each frequency, or each value of another key, then records; the "
+      "state is carried to the next one at the forcing phase of time zero.");
   declare_swept_parameter(section);
   section
       .choice("Start", "carried over", {"carried over", "initial conditions"},
@@ -138,7 +139,7 @@ void SteppedSweep::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> SteppedSweep::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(stepped_sweep_section);
   Settings settings{.parameter = read_swept_parameter(values),
                     .directions = read_directions(values),
                     .backward_from_rest = values.choice("Backward start") == "initial conditions",

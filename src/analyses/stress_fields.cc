@@ -48,7 +48,7 @@ void add_body(PointResult &result, const std::string &name, const LargestStress 
         "place of the largest von Mises stress, undeformed");
 }
 
-bool known(const reduction::ReducedBody &body) {
+bool has_stress(const reduction::ReducedBody &body) {
   return !body.recovery.line_stress.empty() || !body.recovery.surface_stress.empty();
 }
 
@@ -56,7 +56,7 @@ bool known(const reduction::ReducedBody &body) {
 
 void add_largest_stresses(PointResult &result, const model::Model &model, const Motion &motion) {
   for (std::size_t b = 0; b < model.bodies().size(); ++b)
-    if (const reduction::ReducedBody &body = *model.bodies()[b]; known(body)) {
+    if (const reduction::ReducedBody &body = *model.bodies()[b]; has_stress(body)) {
       const LargestStress largest = largest_stress(body.recovery, motion.coordinates[b]);
       add_body(result, body.name, largest, motion.time[static_cast<std::size_t>(largest.instant)]);
     }
@@ -64,7 +64,7 @@ void add_largest_stresses(PointResult &result, const model::Model &model, const 
 
 bool has_known_stress(const model::Model &model) {
   return std::any_of(model.bodies().begin(), model.bodies().end(),
-                     [](const auto &body) { return known(*body); });
+                     [](const auto &body) { return has_stress(*body); });
 }
 
 } // namespace vibroimpact::analyses

@@ -14,12 +14,13 @@
 namespace vibroimpact::analyses {
 
 namespace {
-constexpr const char *section_name = "Transient";
+constexpr const char *transient_section = "Transient";
 } // namespace
 
 void Transient::declare(parameters::Section &analysis) {
   using namespace parameters;
-  analysis.subsection(section_name, "Motion from the initial conditions under the excitations.")
+  analysis
+      .subsection(transient_section, "Motion from the initial conditions under the excitations.")
       .quantity("Duration", "", dimension::time, range::positive, "T", "Length of the motion.")
       .required()
       .quantity("Sampling interval", "", dimension::time, range::positive, "dt",
@@ -41,7 +42,7 @@ void Transient::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> Transient::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(transient_section);
   values.require("Duration");
   Settings settings{
       .duration = values.quantity("Duration"),

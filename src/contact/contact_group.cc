@@ -20,7 +20,7 @@ using parameters::Values;
 constexpr const char *interface_form = "interfaces as BODY.INTERFACE, BODY.INTERFACE";
 
 /// The points of an interface and where they are.
-struct Side {
+struct GroupSide {
   std::string name; ///< "body.interface"
   std::vector<model::PointReference> points;
   std::vector<Vector3> positions;
@@ -36,8 +36,8 @@ std::vector<std::string> interface_names(const Model &model) {
   return names;
 }
 
-Side side_of(const std::string &name, const Model &model) {
-  Side side{.name = name, .points = {}, .positions = {}};
+GroupSide side_of(const std::string &name, const Model &model) {
+  GroupSide side{.name = name, .points = {}, .positions = {}};
   for (std::size_t b = 0; b < model.bodies().size(); ++b)
     for (std::size_t p = 0; p < model.bodies()[b]->points.size(); ++p)
       if (const reduction::BodyPoint &point = model.bodies()[b]->points[p];
@@ -84,7 +84,7 @@ PairSearch read_search(const Values &contact) {
 }
 
 /// What to say when nothing is within the search.
-[[noreturn]] void reject_search(const Values &contact, const Side &a, const Side &b,
+[[noreturn]] void reject_search(const Values &contact, const GroupSide &a, const GroupSide &b,
                                 const PairSearch &search) {
   double least = std::numeric_limits<double>::infinity();
   NodePair nearest{};
@@ -106,7 +106,8 @@ PairSearch read_search(const Values &contact) {
   contact.reject("Search radius", text + ".");
 }
 
-std::vector<NodePair> pairs_in_order(const Values &contact, const Side &a, const Side &b) {
+std::vector<NodePair> pairs_in_order(const Values &contact, const GroupSide &a,
+                                     const GroupSide &b) {
   if (a.points.size() != b.points.size())
     contact.reject(
         "Between",
@@ -120,7 +121,7 @@ std::vector<NodePair> pairs_in_order(const Values &contact, const Side &a, const
   return pairs;
 }
 
-std::size_t node_of(const Values &contact, double number, const Side &side) {
+std::size_t node_of(const Values &contact, double number, const GroupSide &side) {
   if (number != std::floor(number) || number > static_cast<double>(side.points.size()))
     contact.reject("Pairs", "must be whole numbers of nodes; " + side.name +
                                 " has the nodes 1 to " + std::to_string(side.points.size()) +
@@ -128,7 +129,7 @@ std::size_t node_of(const Values &contact, double number, const Side &side) {
   return static_cast<std::size_t>(number) - 1;
 }
 
-std::vector<NodePair> given_pairs(const Values &contact, const Side &a, const Side &b) {
+std::vector<NodePair> given_pairs(const Values &contact, const GroupSide &a, const GroupSide &b) {
   const std::vector<double> numbers = contact.quantities("Pairs");
   if (numbers.size() % 2 != 0)
     contact.reject("Pairs", "must be two numbers for each pair, but are " +
@@ -146,7 +147,7 @@ std::vector<NodePair> given_pairs(const Values &contact, const Side &a, const Si
 }
 
 /// Nodes of a side that stand in no pair.
-std::size_t alone(const Side &side, const std::vector<NodePair> &pairs, std::size_t which) {
+std::size_t alone(const GroupSide &side, const std::vector<NodePair> &pairs, std::size_t which) {
   std::set<std::size_t> paired;
   for (const NodePair &pair : pairs)
     paired.insert(pair[which]);
@@ -175,7 +176,8 @@ double clearance_between(const Values &contact, const Vector3 &a, const Vector3 
   return clearance;
 }
 
-Meeting meeting_of(const Values &contact, const Side &a, const Side &b, const NodePair &pair) {
+Meeting meeting_of(const Values &contact, const GroupSide &a, const GroupSide &b,
+                   const NodePair &pair) {
   const Vector3 &from = a.positions[pair[0]];
   const Vector3 &to = b.positions[pair[1]];
   Meeting meeting{.a = a.points[pair[0]], .b = b.points[pair[1]]};
@@ -198,8 +200,8 @@ Meetings between_interfaces(const Values &contact, const Model &model) {
   if (contact.given("Direction") && joining(contact))
     contact.reject("Direction", "Direction must not be set when Normal = joining line.");
   const model::Sides sides = model::read_sides(contact, {}, interface_names(model), interface_form);
-  const Side a = side_of(sides.a, model);
-  const Side b = side_of(sides.b, model);
+  const GroupSide a = side_of(sides.a, model);
+  const GroupSide b = side_of(sides.b, model);
   std::vector<NodePair> pairs;
   if (contact.choice("Pairing") == "list") {
     refuse(contact, {"Search radius", "Reach"});

@@ -1,8 +1,7 @@
 #include "contact/impulses.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <limits>
@@ -79,7 +78,7 @@ private:
             matrix_(free_[static_cast<std::size_t>(i)], free_[static_cast<std::size_t>(j)]);
     }
     const Vector gradient = right - block * now;
-    const Vector direction = block.completeOrthogonalDecomposition().solve(gradient);
+    const Vector direction = least_norm_solution(block, gradient);
     const Vector left = gradient - block * direction;
     bounded = left.cwiseAbs().maxCoeff() <= 1e3 * negligible_;
     return bounded ? direction : left;

@@ -40,13 +40,13 @@ double spring_error(double stiffness, double kept_mass, const std::vector<Remain
   return std::sqrt(1 + stiffness * receptance) - 1;
 }
 
-struct Side {
+struct BodySide {
   PointReference point;
   RowVector row; ///< of the displacement along the normal
 };
 
-std::vector<Side> sides_of(const ContactPair &pair, const Model &model) {
-  std::vector<Side> sides;
+std::vector<BodySide> sides_of(const ContactPair &pair, const Model &model) {
+  std::vector<BodySide> sides;
   for (const std::string &name : {pair.side_a, pair.side_b}) {
     PointReference point;
     if (!model.find_point(name, point))
@@ -98,12 +98,12 @@ double lacking_flexibility(const PointReference &point, const Vector3 &normal, c
                                                             : 0;
 }
 
-double whole_inverse_mass(const Side &side, const Vector3 &normal, const Model &model) {
+double whole_inverse_mass(const BodySide &side, const Vector3 &normal, const Model &model) {
   const Matrix &inverse = model.bodies()[side.point.body]->points[side.point.point].inverse_mass;
   return inverse.size() == 0 ? unknown : normal.dot(inverse * normal);
 }
 
-Remainder remainder_of(const Side &side, const Vector3 &normal, const Model &model) {
+Remainder remainder_of(const BodySide &side, const Vector3 &normal, const Model &model) {
   const ReducedBody &body = *model.bodies()[side.point.body];
   return {.inverse_mass = std::max(0.0, whole_inverse_mass(side, normal, model) -
                                             kept_inverse_mass(body, side.row)),
@@ -114,7 +114,7 @@ Remainder remainder_of(const Side &side, const Vector3 &normal, const Model &mod
 
 // Two points of one body: an impulse at one moves the other through the kept coordinates, but
 // hardly through the mesh, where M^-1 falls off within a few elements.
-Remainder remainder_of_both(const Side &a, const Side &b, const Vector3 &normal,
+Remainder remainder_of_both(const BodySide &a, const BodySide &b, const Vector3 &normal,
                             const Model &model) {
   const ReducedBody &body = *model.bodies()[a.point.body];
   const double whole = whole_inverse_mass(a, normal, model) + whole_inverse_mass(b, normal, model);
@@ -127,19 +127,19 @@ Remainder remainder_of_both(const Side &a, const Side &b, const Vector3 &normal,
 
 /// None where a meshed side has no mass at the contact.
 std::optional<std::vector<Remainder>> remainders_of(const ContactPair &pair, const Model &model) {
-  std::vector<Side> sides = sides_of(pair, model);
+  std::vector<BodySide> sides = sides_of(pair, model);
   sides.erase(std::remove_if(sides.begin(), sides.end(),
-                             [&](const Side &side) {
+                             [&](const BodySide &side) {
                                return !reduction::has_modes(*model.bodies()[side.point.body]);
                              }),
               sides.end());
-  for (const Side &side : sides)
+  for (const BodySide &side : sides)
     if (std::isnan(whole_inverse_mass(side, pair.normal, model)))
       return std::nullopt;
   if (sides.size() == 2 && sides[0].point.body == sides[1].point.body)
     return {{remainder_of_both(sides[0], sides[1], pair.normal, model)}};
   std::vector<Remainder> remainders;
-  for (const Side &side : sides)
+  for (const BodySide &side : sides)
     remainders.push_back(remainder_of(side, pair.normal, model));
   return remainders;
 }

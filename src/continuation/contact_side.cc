@@ -1,6 +1,6 @@
 #include "continuation/contact_side.h"
 
-#include <Eigen/QR>
+#include "common/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,7 @@ ContactSide::ContactSide(const ScaledProblem &problem, const LocatedGraze &graze
     : problem_{problem}, graze_{graze}, settings_{settings},
       steepness_{graze.at.gradient.norm()}, normal_{graze.at.gradient.transpose() / steepness_} {
   const Index m = normal_.size();
-  const Matrix q = Eigen::HouseholderQR<Matrix>(normal_).householderQ() * Matrix::Identity(m, m);
-  across_ = q.rightCols(m - 1);
+  across_ = orthonormalised(normal_, Basis::whole).basis.rightCols(m - 1);
 }
 
 double depth_at(const ScaledProblem &problem, const LocatedGraze &graze, const Vector &u) {

@@ -1,7 +1,6 @@
 #include "continuation/crossing_branches.h"
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
+#include "common/decompositions.h"
 
 namespace vibroimpact::continuation {
 
@@ -14,14 +13,13 @@ namespace {
 // is regular there: F_u has rank n - 1 where g is zero, b unfolds the crossing, and c = 0 at the
 // solution (Govaerts 2000, chapter 8). With F_u V + b h^T = 0 and C^T V = 1, g_u = -w^T F_uu V:
 // since second derivatives are symmetric, two differences of F_u along V give all of it.
-class Crossing {
+class CrossingSystem {
 public:
-  Crossing(const ScaledProblem &problem, const Vector &guess, double chart)
+  CrossingSystem(const ScaledProblem &problem, const Vector &guess, double chart)
       : problem_{problem}, chart_{chart}, n_{problem.states()} {
-    const Eigen::JacobiSVD<Matrix> svd(problem.evaluate(guess, chart).slope,
-                                       Eigen::ComputeFullU | Eigen::ComputeFullV);
-    left_ = svd.matrixU().col(n_ - 1);
-    right_ = svd.matrixV().rightCols(2);
+    const SingularValues of = singular_values(problem.evaluate(guess, chart).slope);
+    left_ = of.left.col(n_ - 1);
+    right_ = of.right.rightCols(2);
   }
 
   // Unknowns (u, c).
@@ -39,9 +37,9 @@ private:
   SquareSystem system(const Vector &u, double c, const Matrix &bordered) const {
     constexpr double h = 1e-5;
     const Index m = n_ + 2;
-    const Eigen::PartialPivLU<Matrix> lu(bordered);
-    const Vector wg = lu.transpose().solve(Vector::Unit(m, m - 1));
-    const Matrix v = lu.solve(Matrix::Identity(m, m).middleCols(n_, 2)).topRows(n_ + 1);
+    const LuFactors<Matrix> lu(bordered);
+    const Vector wg = lu.solve_transposed(Vector::Unit(m, m - 1));
+    const Matrix v = lu.solve(Matrix(Matrix::Identity(m, m).middleCols(n_, 2))).topRows(n_ + 1);
     SquareSystem result{Vector(m), Matrix::Zero(m, m)};
     result.residual << at.residual + c * left_, wg.tail(2);
     result.slope.topLeftCorner(n_, n_ + 1) = at.slope;
@@ -70,7 +68,7 @@ std::optional<Corrected> crossing_between(const ScaledProblem &problem, const Pi
   const double before = piece.begin().tests.branch, after = piece.end().tests.branch;
   Vector guess(begin.size() + 1);
   guess << begin + before / (before - after) * chord, 0;
-  Crossing system(problem, guess.head(begin.size()), piece.begin().chart);
+  CrossingSystem system(problem, guess.head(begin.size()), piece.begin().chart);
   Converged converged;
   try {
     converged = newton([&](const Vector &u) { return system(u); }, guess, piece.length(), settings);

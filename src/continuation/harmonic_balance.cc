@@ -1,16 +1,13 @@
 #include "continuation/harmonic_balance.h"
 
+#include "common/decompositions.h"
 #include "continuation/harmonic_series.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 
 namespace vibroimpact::continuation {
 
 namespace {
-
-using ComplexMatrix = Eigen::MatrixXcd;
 
 // a cos + b sin = Re[(a - i b) exp(i h phi)]
 ComplexMatrix harmonic(const Matrix &series, Index h) {
@@ -29,7 +26,7 @@ void set_harmonic(Matrix &series, Index h, const ComplexMatrix &column) {
     series.col(2 * h) = -column.imag();
 }
 
-using Factors = Eigen::PartialPivLU<ComplexMatrix>;
+using Factors = LuFactors<ComplexMatrix>;
 
 Factors dynamic_stiffness(const HarmonicEquations &at, Index h) {
   const double omega = static_cast<double>(h) * at.frequency;
@@ -43,7 +40,7 @@ Factors dynamic_stiffness(const HarmonicEquations &at, Index h) {
 Matrix response(const HarmonicEquations &at, const Matrix &load) {
   Matrix coordinates(load.rows(), load.cols());
   for (Index h = 0; h <= harmonics_of(load.cols()); ++h)
-    set_harmonic(coordinates, h, dynamic_stiffness(at, h).solve(harmonic(load, h)));
+    set_harmonic(coordinates, h, dynamic_stiffness(at, h).solve(ComplexMatrix(harmonic(load, h))));
   if (!coordinates.allFinite())
     throw NumericalError("the linear part has an undamped resonance here");
   return coordinates;

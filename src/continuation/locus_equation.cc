@@ -1,23 +1,21 @@
 #include "continuation/locus_equation.h"
 
+#include "common/decompositions.h"
 #include "continuation/node.h"
-
-#include <Eigen/LU>
-#include <Eigen/SVD>
 
 namespace vibroimpact::continuation {
 
 Borders Borders::of(const Matrix &matrix) {
-  const Eigen::JacobiSVD<Matrix> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return {svd.matrixU().rightCols(1), svd.matrixV().rightCols(1)};
+  const SingularValues of = singular_values(matrix);
+  return {of.left.rightCols(1), of.right.rightCols(1)};
 }
 
 Bordered Borders::solve(const Matrix &matrix) const {
   const Index n = matrix.rows();
   Matrix bordered(n + 1, n + 1);
   bordered << matrix, b, c.transpose(), 0;
-  const Eigen::PartialPivLU<Matrix> lu(bordered);
-  const Vector last = Vector::Unit(n + 1, n), vg = lu.solve(last), wg = lu.transpose().solve(last);
+  const LuFactors<Matrix> lu(bordered);
+  const Vector last = Vector::Unit(n + 1, n), vg = lu.solve(last), wg = lu.solve_transposed(last);
   if (!vg.allFinite() || !wg.allFinite())
     throw NumericalError("the bordered matrix is singular");
   return {vg.head(n), wg.head(n), vg(n)};
@@ -48,7 +46,7 @@ int sign(double value) { return (value > 0) - (value < 0); }
 // Of the change of g with the first key along the solutions x(p), dx = -F_x^-1 F_p dp.
 int sign_along_first_key(const Augmented &at) {
   const Index n = at.at.slope.rows();
-  const Vector change = at.at.slope.leftCols(n).fullPivLu().solve(at.at.slope.col(n));
+  const Vector change = solve_fully_pivoted(at.at.slope.leftCols(n), at.at.slope.col(n));
   return sign(at.gradient(n) - at.gradient.head(n).dot(change));
 }
 

@@ -1,12 +1,12 @@
 #include "continuation/locus_walk.h"
 
+#include "common/decompositions.h"
 #include "common/signals.h"
 #include "continuation/archived_types.h"
 #include "continuation/locus_end.h"
 #include "continuation/node.h"
 #include "continuation/piece.h"
 
-#include <Eigen/LU>
 #include <boost/math/tools/toms748_solve.hpp>
 
 namespace vibroimpact::continuation {
@@ -85,7 +85,7 @@ Linearisation LocusWalk::linearisation(const Vector &u, double chart) const {
 }
 
 Vector LocusWalk::first_tangent(bool forward) const {
-  const Matrix kernel = Eigen::FullPivLU<Matrix>(slope_of(here_.at)).kernel();
+  const Matrix kernel = null_space(slope_of(here_.at));
   const Vector tangent = kernel.col(0).normalized();
   return (tangent(tangent.size() - 1) < 0) == forward ? Vector(-tangent) : tangent;
 }

@@ -1,8 +1,7 @@
 #include "continuation/newton.h"
 
+#include "common/decompositions.h"
 #include "common/signals.h"
-
-#include <Eigen/LU>
 
 namespace vibroimpact::continuation {
 
@@ -33,7 +32,7 @@ bool is_solved(const SquareSystem &at, const Settings &settings) {
 } // namespace
 
 Vector solve_dense(const Matrix &a, const Vector &b) {
-  Vector x = a.partialPivLu().solve(b);
+  Vector x = LuFactors<Matrix>(a).solve(b);
   if (!x.allFinite())
     throw NumericalError("a matrix of the continuation is singular");
   return x;

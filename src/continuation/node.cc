@@ -1,20 +1,15 @@
 #include "continuation/node.h"
 
+#include "common/decompositions.h"
 #include "continuation/newton.h"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <algorithm>
 
 namespace vibroimpact::continuation {
 
 std::vector<std::complex<double>> multipliers_of(const Matrix &jacobian) {
-  const Eigen::EigenSolver<Matrix> solver(jacobian, false);
-  if (solver.info() != Eigen::Success)
-    throw NumericalError("the multipliers do not converge");
-  std::vector<std::complex<double>> values(solver.eigenvalues().begin(),
-                                           solver.eigenvalues().end());
+  const ComplexVector found = eigenvalues(jacobian);
+  std::vector<std::complex<double>> values(found.begin(), found.end());
   std::stable_sort(values.begin(), values.end(),
                    [](const auto &a, const auto &b) { return std::abs(a) > std::abs(b); });
   return values;
@@ -70,10 +65,10 @@ Node make_node(const ScaledProblem &problem, const Vector &u, double chart, Line
   Matrix bordered(n + 1, n + 1);
   bordered << node.at.slope, node.tangent.transpose();
   node.tests.fold = node.tangent(n);
-  node.tests.branch = bordered.determinant();
+  node.tests.branch = determinant(bordered);
   if (problem.problem().is_map()) {
     const Matrix jacobian = map_jacobian(node.at);
-    node.tests.flip = (jacobian + Matrix::Identity(n, n)).determinant();
+    node.tests.flip = determinant(jacobian + Matrix::Identity(n, n));
     node.multipliers = multipliers_of(jacobian);
     test_pairs(node.multipliers, node.tests);
     node.unstable = static_cast<int>(std::count_if(node.multipliers.begin(), node.multipliers.end(),
@@ -94,11 +89,10 @@ BranchPoint branch_point(const ScaledProblem &problem, const Node &node) {
 
 Mode nearest_mode(const Matrix &jacobian, std::complex<double> value) {
   const auto nearest = [&](const Matrix &matrix) {
-    const Eigen::EigenSolver<Matrix> solver(matrix);
+    const GeneralEigen modes = general_eigen(matrix);
     Index best = 0;
-    (solver.eigenvalues().array() - value).abs().minCoeff(&best);
-    return std::pair{solver.eigenvalues()(best),
-                     Eigen::VectorXcd(solver.eigenvectors().col(best).normalized())};
+    (modes.values.array() - value).abs().minCoeff(&best);
+    return std::pair{modes.values(best), ComplexVector(modes.vectors.col(best).normalized())};
   };
   const auto [eigenvalue, right] = nearest(jacobian);
   // Left eigenvectors: w^T J = mu w^T.

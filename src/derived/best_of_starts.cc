@@ -8,7 +8,7 @@ namespace vibroimpact::derived {
 
 namespace {
 
-constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+constexpr std::size_t no_start = static_cast<std::size_t>(-1);
 
 const LabelledArray *find(const Source &source, const std::string &name) {
   const auto found = std::find_if(source.arrays.begin(), source.arrays.end(),
@@ -30,10 +30,10 @@ public:
   }
   /// nowhere when no start has a result
   std::size_t best(const double *objective, std::size_t cell, double sign) const {
-    std::size_t best = nowhere;
+    std::size_t best = no_start;
     for (std::size_t start = 0; start < starts_; ++start) {
       const double here = sign * value(objective, cell, start);
-      if (!std::isnan(here) && (best == nowhere || here < sign * value(objective, cell, best)))
+      if (!std::isnan(here) && (best == no_start || here < sign * value(objective, cell, best)))
         best = start;
     }
     return best;
@@ -69,7 +69,7 @@ std::vector<DerivedArray> best_of_starts(const Source &source, const std::string
     DerivedArray &values = results.emplace_back(
         result(array, title, array.unit, array.description + ", at the best of all starts"));
     for (std::size_t cell = 0; cell < starts.cells(); ++cell)
-      if (best[cell] != nowhere)
+      if (best[cell] != no_start)
         values.values[cell] = starts.value(array.values, cell, best[cell]);
   };
   add(*objective, "best_" + name);
@@ -82,7 +82,7 @@ std::vector<DerivedArray> best_of_starts(const Source &source, const std::string
     results.push_back(
         result(*objective, "best_start", "1", "start whose search has found the best, from 1"));
     for (std::size_t cell = 0; cell < starts.cells(); ++cell)
-      if (best[cell] != nowhere)
+      if (best[cell] != no_start)
         results.back().values[cell] = static_cast<double>(best[cell] + 1);
   }
   return results;

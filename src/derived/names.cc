@@ -6,7 +6,7 @@ namespace vibroimpact::derived {
 
 namespace {
 
-bool holds(const std::vector<std::string> &list, const std::string &word) {
+bool holds_word(const std::vector<std::string> &list, const std::string &word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
@@ -23,18 +23,18 @@ AxisNames::AxisNames(const std::vector<Axis> &axes, const std::vector<analyses::
   const auto unambiguous = [&](const std::string &name) {
     std::size_t owners = 0;
     for (std::size_t a = 0; a < axes.size(); ++a)
-      owners += axes[a].name == name || holds(wanted[a], name) ? 1 : 0;
+      owners += axes[a].name == name || holds_word(wanted[a], name) ? 1 : 0;
     return owners == 1;
   };
   for (std::size_t a = 0; a < axes.size(); ++a)
     for (const std::string &name : wanted[a])
-      if (!name.empty() && unambiguous(name) && !holds(names_[a], name))
+      if (!name.empty() && unambiguous(name) && !holds_word(names_[a], name))
         names_[a].push_back(name);
 }
 
 const Axis *AxisNames::find(const std::string &name) const {
   for (std::size_t a = 0; a < axes_.size(); ++a)
-    if (holds(names_[a], name))
+    if (holds_word(names_[a], name))
       return &axes_[a];
   return nullptr;
 }
@@ -45,7 +45,7 @@ std::string AxisNames::own_name(const std::string &name) const {
 }
 
 bool AxisNames::changes(const std::string &variable) const {
-  return holds(swept_, "Variables/" + variable) || find("Variables." + variable) != nullptr;
+  return holds_word(swept_, "Variables/" + variable) || find("Variables." + variable) != nullptr;
 }
 
 std::vector<std::string> AxisNames::all() const {

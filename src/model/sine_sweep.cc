@@ -12,7 +12,7 @@ namespace vibroimpact::model {
 
 namespace {
 
-int integrations(Given given) {
+int sweep_integrations(Given given) {
   return given == Given::displacement ? 0 : given == Given::velocity ? 1 : 2;
 }
 
@@ -52,7 +52,7 @@ SineSweep::SineSweep(const SweepDefinition &definition)
   if (growth_ == 0)
     definition_.logarithmic = false; // both laws are the same constant
   sort_out(breaks_);
-  if (integrations(definition.given) > 0) {
+  if (sweep_integrations(definition.given) > 0) {
     make_cells();
     choose_constants();
   }
@@ -150,7 +150,7 @@ void SineSweep::choose_constants() {
 
 void SineSweep::continue_outside() {
   const double end = definition_.duration;
-  const int times = integrations(definition_.given);
+  const int times = sweep_integrations(definition_.given);
   std::array<double, 2> at_start{};
   std::array<double, 2> at_end{};
   for (int order = 0; order < times; ++order) {
@@ -179,7 +179,7 @@ double SineSweep::derivative(int order, double time) const {
 }
 
 double SineSweep::during(int order, double time) const {
-  const int times = integrations(definition_.given) - order;
+  const int times = sweep_integrations(definition_.given) - order;
   if (times <= 0)
     return given(-times, time);
   if (times == 2)

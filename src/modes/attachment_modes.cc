@@ -1,6 +1,6 @@
 #include "modes/attachment_modes.h"
 
-#include <Eigen/Eigenvalues>
+#include "common/decompositions.h"
 
 #include <cmath>
 
@@ -14,7 +14,7 @@ namespace {
 constexpr double shift_fraction = 1e-8;
 // An answer of which the kept modes leave no more than this (in the norm of M) is contained in
 // them; shapes whose correlation matrix has an eigenvalue below its square depend on each other.
-constexpr double least_remainder = 1e-7;
+constexpr double least_independent = 1e-7;
 
 Index count_rigid(const Vector &eigenvalues) { return (eigenvalues.array() == 0).count(); }
 
@@ -44,8 +44,8 @@ public:
       return {Vector(), Matrix(layout_.size, 0)};
     const Matrix stiffness =
         inner_products(layout_, left, multiply(problem_.accurate_stiffness, left));
-    const Eigen::SelfAdjointEigenSolver<Matrix> solver((stiffness + stiffness.transpose()) / 2);
-    return {solver.eigenvalues(), gather(layout_, left * solver.eigenvectors())};
+    const SymmetricEigen modes = symmetric_eigen((stiffness + stiffness.transpose()) / 2);
+    return {modes.values, gather(layout_, left * modes.vectors)};
   }
 
 private:
@@ -72,16 +72,15 @@ private:
     const Vector size = mass_products(x).diagonal().cwiseMax(0.0).cwiseSqrt();
     std::vector<Index> significant;
     for (Index j = 0; j < size.size(); ++j)
-      if (size[j] > least_remainder)
+      if (size[j] > least_independent)
         significant.push_back(j);
     if (significant.empty())
       return Block(x.rows(), 0);
     const Block some = normalised(x(Eigen::all, significant));
-    const Eigen::SelfAdjointEigenSolver<Matrix> solver(mass_products(some));
-    const Vector &values = solver.eigenvalues();
-    const Index dependent = (values.array() <= least_remainder * least_remainder).count();
+    const auto [values, vectors] = symmetric_eigen(mass_products(some));
+    const Index dependent = (values.array() <= least_independent * least_independent).count();
     const Index rank = values.size() - dependent;
-    return without(kept_, some * solver.eigenvectors().rightCols(rank) *
+    return without(kept_, some * vectors.rightCols(rank) *
                               values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal());
   }
 

@@ -12,12 +12,12 @@ namespace vibroimpact::modes {
 namespace {
 
 // Of the vectors that are wanted. Their eigenvalues are as good as its square, relative to the gap.
-constexpr double tolerance = 1e-8;
-constexpr int most_restarts = 100;
+constexpr double residual_tolerance = 1e-8;
+constexpr int most_lanczos_restarts = 100;
 
 Index count_converged(const RitzPairs &pairs) {
   return std::find_if(pairs.residuals.begin(), pairs.residuals.end(),
-                      [](double residual) { return !(residual <= tolerance); }) -
+                      [](double residual) { return !(residual <= residual_tolerance); }) -
          pairs.residuals.begin();
 }
 
@@ -72,7 +72,7 @@ LowestVectors lowest_eigenvectors(const Factorisation &shifted, Mat mass, int co
                                   const Block &known) {
   const Layout layout(mass);
   KrylovSpace space(shifted, mass, known.cols() + room(count, mass_rank), known);
-  for (int restarts = 0; restarts <= most_restarts;) {
+  for (int restarts = 0; restarts <= most_lanczos_restarts;) {
     leave_together_if_stopped(layout.communicator);
     space.advance();
     const bool all = space.exhausted() || space.size() >= mass_rank;

@@ -1,12 +1,11 @@
 #include "modes/eigenvalue_bounds.h"
 
-#include <limits>
+#include "common/scalar.h"
 
 namespace vibroimpact::modes {
 
 Vector quadratic_bounds(const Vector &values, double shift, double gap,
                         const Matrix &residual_products) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const Vector t = (values.array() - shift).inverse();
   const double g = 1 / (gap - shift);
   if (!(t[t.size() - 1] > g))

@@ -1,6 +1,6 @@
 #include "modes/krylov_space.h"
 
-#include <Eigen/Eigenvalues>
+#include "common/decompositions.h"
 
 #include <algorithm>
 #include <random>
@@ -23,10 +23,9 @@ Matrix orthonormalise(const Layout &layout, const Vector &sizes, double least, B
   const Matrix gram = inner_products(layout, block, weighted);
   const Vector scale = sizes.unaryExpr([](double size) { return size > 0 ? 1 / size : 0; });
   const Matrix scaled = scale.asDiagonal() * ((gram + gram.transpose()) / 2) * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(scaled);
-  const Vector &squares = solver.eigenvalues();
+  const auto [squares, vectors] = symmetric_eigen(scaled);
   const Index kept = (squares.array() > least * least).count();
-  const Matrix change = scale.asDiagonal() * solver.eigenvectors().rightCols(kept) *
+  const Matrix change = scale.asDiagonal() * vectors.rightCols(kept) *
                         squares.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
   block = block * change;
   weighted = weighted * change;
@@ -112,9 +111,9 @@ void KrylovSpace::advance() {
 
 RitzPairs KrylovSpace::ritz_pairs() const {
   const Matrix symmetric = projection_.topLeftCorner(done_, done_).selfadjointView<Eigen::Upper>();
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(symmetric);
-  RitzPairs pairs{.values = solver.eigenvalues().reverse(),
-                  .coefficients = solver.eigenvectors().rowwise().reverse(),
+  const SymmetricEigen modes = symmetric_eigen(symmetric);
+  RitzPairs pairs{.values = modes.values.reverse(),
+                  .coefficients = modes.vectors.rowwise().reverse(),
                   .residuals = Vector::Zero(done_)};
   if (!exhausted())
     pairs.residuals = (coupling_ * pairs.coefficients.bottomRows(coupling_.cols()))

@@ -25,7 +25,7 @@ constexpr int most_enlargements = 3;
 constexpr int most_searches = 3;
 // The shift that makes K - shift M positive definite must stand out of the round-off of K, yet stay
 // near the lowest modes: this fraction of the largest eigenvalue is some 1e3 times the former.
-constexpr double shift_fraction = 1e-12;
+constexpr double search_shift_fraction = 1e-12;
 
 double largest_eigenvalue(const EigenProblem &problem) {
   const Vector stiffness = own_diagonal(problem.stiffness);
@@ -47,8 +47,8 @@ Vector beyond(const Vector &bounds, const Vector &rounding) {
 } // namespace
 
 ModeSearch::ModeSearch(const EigenProblem &problem)
-    : problem_(problem), largest_(largest_eigenvalue(problem)), shift_(-shift_fraction * largest_) {
-}
+    : problem_(problem), largest_(largest_eigenvalue(problem)),
+      shift_(-search_shift_fraction * largest_) {}
 
 int ModeSearch::count_below(double eigenvalue) {
   return problem_.factorised_at(eigenvalue).eigenvalues_below();

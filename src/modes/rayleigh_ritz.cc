@@ -12,7 +12,7 @@ namespace {
 
 // x <- x L^-T with x^T M x = L L^T, twice because the first pass leaves the round-off of an
 // ill-conditioned x.
-Block orthonormalise(const EigenProblem &problem, Block x) {
+Block orthonormalise_ritz(const EigenProblem &problem, Block x) {
   const Layout layout(problem.mass);
   for (int pass = 0; pass < 2; ++pass) {
     const Matrix gram = inner_products(layout, x, multiply(problem.mass, x));
@@ -56,7 +56,7 @@ structure::petsc::Matrix squared_entries(Mat matrix) {
 } // namespace
 
 Eigenpairs rayleigh_ritz(const EigenProblem &problem, Block x) {
-  x = orthonormalise(problem, std::move(x));
+  x = orthonormalise_ritz(problem, std::move(x));
   const Layout layout(problem.mass);
   const Matrix projected = inner_products(layout, x, multiply(problem.accurate_stiffness, x));
   const double largest = projected.diagonal().cwiseAbs().maxCoeff();

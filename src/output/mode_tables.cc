@@ -14,12 +14,12 @@ namespace {
 using reduction::BodyPoint;
 using reduction::ReducedBody;
 
-struct Column {
+struct ModeColumn {
   std::string head;
   Vector values; ///< for each mode
 };
 
-void add_points(const ReducedBody &body, std::vector<Column> &columns) {
+void add_points(const ReducedBody &body, std::vector<ModeColumn> &columns) {
   constexpr std::array components = {"x", "y", "z", "rx", "ry", "rz"};
   for (const BodyPoint &point : body.points)
     for (std::size_t i = 0; i < components.size(); ++i) {
@@ -30,8 +30,8 @@ void add_points(const ReducedBody &body, std::vector<Column> &columns) {
     }
 }
 
-std::vector<Column> columns_of(const ReducedBody &body, double unit) {
-  std::vector<Column> columns = {
+std::vector<ModeColumn> columns_of(const ReducedBody &body, double unit) {
+  std::vector<ModeColumn> columns = {
       {"mode", Vector::LinSpaced(body.size(), 1, static_cast<double>(body.size()))},
       {"frequency", body.omega() / unit},
       {"damping ratio", body.damping_ratio()},

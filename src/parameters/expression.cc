@@ -12,7 +12,7 @@ namespace vibroimpact::parameters {
 
 namespace {
 
-bool contains(const std::vector<std::string> &list, const std::string &word) {
+bool contains_word(const std::vector<std::string> &list, const std::string &word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
@@ -80,7 +80,7 @@ template <class Visit> void visit_words(const std::string &text, Visit visit) {
 std::vector<std::string> used_variables(const std::string &text, const VariableTable &variables) {
   std::vector<std::string> used;
   visit_words(text, [&](const std::string &word) {
-    if (variables.contains(word) && !contains(used, word))
+    if (variables.contains(word) && !contains_word(used, word))
       used.push_back(word);
   });
   return used;
@@ -103,7 +103,7 @@ void check_variable_name(const std::string &name) {
                   "beginning with a letter");
   if (find_unit(name) != nullptr)
     throw Refused("'" + name + "' is a unit and cannot be the name of a variable");
-  if (contains(function_names(), name) || name == "pi")
+  if (contains_word(function_names(), name) || name == "pi")
     throw Refused("'" + name + "' is a function or constant and cannot be the name of a variable");
 }
 

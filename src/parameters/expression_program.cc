@@ -11,7 +11,7 @@ namespace vibroimpact::parameters {
 
 namespace {
 
-using Kind = Step::Kind;
+using StepKind = Step::Kind;
 
 /// What a function does with the dimension of its arguments.
 enum class Rule { plain, root, keep, angle, least, greatest };
@@ -32,15 +32,15 @@ const std::vector<FunctionEntry> functions{
     {"atan", Rule::plain, std::atan}, {"sinh", Rule::plain, std::sinh},
     {"cosh", Rule::plain, std::cosh}, {"tanh", Rule::plain, std::tanh}};
 
-double combined(Kind kind, double a, double b) {
+double combined(StepKind kind, double a, double b) {
   switch (kind) {
-  case Kind::add:
+  case StepKind::add:
     return a + b;
-  case Kind::subtract:
+  case StepKind::subtract:
     return a - b;
-  case Kind::multiply:
+  case StepKind::multiply:
     return a * b;
-  case Kind::divide:
+  case StepKind::divide:
     return a / b;
   default:
     return std::pow(a, b);
@@ -60,11 +60,11 @@ class Quantities {
 public:
   explicit Quantities(const std::string &text) : text_(text) {}
 
-  Number combined(Kind kind, const Number &a, const Number &b) const {
+  Number combined(StepKind kind, const Number &a, const Number &b) const {
     Number result{.value = parameters::combined(kind, a.value, b.value), .bare = a.bare && b.bare};
-    if (kind == Kind::multiply || kind == Kind::divide)
-      result.dimension = sum_of(a.dimension, kind == Kind::multiply ? 1 : -1, b.dimension);
-    else if (kind == Kind::power)
+    if (kind == StepKind::multiply || kind == StepKind::divide)
+      result.dimension = sum_of(a.dimension, kind == StepKind::multiply ? 1 : -1, b.dimension);
+    else if (kind == StepKind::power)
       result.dimension = sum_of({}, plain(b).value, a.dimension);
     else
       result.dimension = common(a, b);
@@ -124,15 +124,17 @@ private:
 /// What the step leaves on the stack in place of its values; `Arithmetic` combines and calls.
 template <class Type, class Arithmetic>
 void perform(const Step &step, std::vector<Type> &stack, const Arithmetic &arithmetic) {
-  const std::size_t taken = step.kind == Kind::call ? step.count : 2;
+  const std::size_t taken = step.kind == StepKind::call ? step.count : 2;
   Type *const first = stack.data() + stack.size() - taken;
-  *first = step.kind == Kind::call ? arithmetic.called(step.index, first, step.count)
-                                   : arithmetic.combined(step.kind, first[0], first[1]);
+  *first = step.kind == StepKind::call ? arithmetic.called(step.index, first, step.count)
+                                       : arithmetic.combined(step.kind, first[0], first[1]);
   stack.resize(stack.size() - taken + 1);
 }
 
 struct PlainNumbers {
-  static double combined(Kind kind, double a, double b) { return parameters::combined(kind, a, b); }
+  static double combined(StepKind kind, double a, double b) {
+    return parameters::combined(kind, a, b);
+  }
   static double called(std::size_t function, const double *first, std::size_t count) {
     const auto &[name, rule, value] = functions[function];
     if (rule == Rule::least)
@@ -156,9 +158,9 @@ Number Program::quantity() const {
   const Quantities arithmetic(text_);
   std::vector<Number> stack;
   for (const Step &step : steps_) {
-    if (step.kind == Kind::constant)
+    if (step.kind == StepKind::constant)
       stack.push_back(step.constant);
-    else if (step.kind == Kind::negate)
+    else if (step.kind == StepKind::negate)
       stack.back().value = -stack.back().value;
     else
       perform(step, stack, arithmetic);
@@ -173,11 +175,11 @@ Number Program::quantity() const {
 double Program::value(const std::vector<double> &arguments) {
   stack_.clear();
   for (const Step &step : steps_) {
-    if (step.kind == Kind::constant)
+    if (step.kind == StepKind::constant)
       stack_.push_back(step.constant.value);
-    else if (step.kind == Kind::argument)
+    else if (step.kind == StepKind::argument)
       stack_.push_back(arguments[step.index]);
-    else if (step.kind == Kind::negate)
+    else if (step.kind == StepKind::negate)
       stack_.back() = -stack_.back();
     else
       perform(step, stack_, PlainNumbers{});

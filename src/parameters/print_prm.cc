@@ -8,7 +8,7 @@ namespace vibroimpact::parameters {
 
 namespace {
 
-const std::size_t line_length = 96;
+const std::size_t comment_length = 96;
 
 std::string comment(const std::string &text, int depth) {
   const std::string begin = std::string(2 * static_cast<std::size_t>(depth), ' ') + "#";
@@ -16,7 +16,7 @@ std::string comment(const std::string &text, int depth) {
   std::string line = begin;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    if (line.size() + word.size() > line_length && line != begin) {
+    if (line.size() + word.size() > comment_length && line != begin) {
       result += line + "\n";
       line = begin;
     }
@@ -36,30 +36,31 @@ std::string key_comment(const Key &key) {
   return text;
 }
 
-void write_content(const Section &section, int depth, std::string &text);
+void write_declared_content(const Section &section, int depth, std::string &text);
 
-void write_section(const Section &section, const std::string &title, int depth, std::string &text) {
+void write_declared_section(const Section &section, const std::string &title, int depth,
+                            std::string &text) {
   const std::string indent(2 * static_cast<std::size_t>(depth), ' ');
   text += "\n" + comment(section.sentence(), depth) + indent + "subsection " + title + "\n";
-  write_content(section, depth + 1, text);
+  write_declared_content(section, depth + 1, text);
   text += indent + "end\n";
 }
 
-void write_content(const Section &section, int depth, std::string &text) {
+void write_declared_content(const Section &section, int depth, std::string &text) {
   for (const Key &key : section.keys())
     text += comment(key_comment(key), depth) +
             assignment(depth, key.name, name_width(section), key.default_value, "");
   for (const auto &subsection : section.subsections())
-    write_section(*subsection, subsection->name(), depth, text);
+    write_declared_section(*subsection, subsection->name(), depth, text);
   for (const auto &kind : section.named_subsections())
-    write_section(*kind, kind->name() + " NAME", depth, text);
+    write_declared_section(*kind, kind->name() + " NAME", depth, text);
 }
 
 } // namespace
 
 std::string print_prm(const Section &declarations) {
   std::string text = comment(declarations.sentence(), 0);
-  write_content(declarations, 0, text);
+  write_declared_content(declarations, 0, text);
   return text;
 }
 

@@ -1,7 +1,7 @@
 #include "periodic/adapted_norm.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include "common/decompositions.h"
+#include "common/error.h"
 
 #include <stdexcept>
 
@@ -12,7 +12,7 @@ constexpr int most_doublings = 60;
 } // namespace
 
 double spectral_radius(const Matrix &a) {
-  return a.size() > 0 ? a.eigenvalues().cwiseAbs().maxCoeff() : 0;
+  return a.size() > 0 ? eigenvalues(a).cwiseAbs().maxCoeff() : 0;
 }
 
 Matrix discrete_lyapunov(const Matrix &a) {
@@ -29,7 +29,10 @@ Matrix discrete_lyapunov(const Matrix &a) {
 AdaptedNorm::AdaptedNorm(const Matrix &by_state, double multiplier) : multiplier_(multiplier) {
   if (!(multiplier_ < 1))
     throw std::logic_error("only about a stable fixed point does a map contract");
-  root_ = discrete_lyapunov(by_state / contraction()).llt().matrixL();
+  const auto root = cholesky(discrete_lyapunov(by_state / contraction()));
+  if (!root)
+    throw NumericalError("the norm in which the map contracts is lost to rounding");
+  root_ = *root;
 }
 
 } // namespace vibroimpact::periodic

@@ -1,8 +1,7 @@
 #include "periodic/attractors.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -43,7 +42,7 @@ std::size_t Attractors::add(const FoundMotion &motion) {
                     settings_.largest);
   list_.push_back({.motion = motion,
                    .states = std::move(states),
-                   .multipliers = motion.by_state.eigenvalues(),
+                   .multipliers = eigenvalues(motion.by_state),
                    .ball = std::move(ball)});
   return list_.size() - 1;
 }
@@ -53,7 +52,7 @@ std::optional<std::size_t> Attractors::recognise(const Vector &state, long multi
   if (nearest(state, near_known * size))
     return {};
   const std::optional<FoundMotion> found = newton_(state, multiple);
-  if (!found || !(found->by_state.eigenvalues().cwiseAbs().maxCoeff() < 1) ||
+  if (!found || !(eigenvalues(found->by_state).cwiseAbs().maxCoeff() < 1) ||
       difference(found->state, state) > near_known * size)
     return {};
   if (const auto known = nearest(found->state, same_motion * size))

@@ -13,14 +13,14 @@ namespace {
 
 // Instants of a period at which sources are compared: a prime number, so that they do not fall on
 // the zeros of a harmonic.
-constexpr int instants = 61;
+constexpr int symmetry_instants = 61;
 constexpr double rounding = 1e-9; // of a source that is evaluated periods after time zero
 
 // s(t + shift) = sign s(t) with its derivatives, over one period.
 bool repeats(const model::TimeFunction &function, double period, double shift, double sign) {
   std::array<double, 3> size{}, difference{};
-  for (int i = 0; i < instants; ++i) {
-    const double t = period * i / instants;
+  for (int i = 0; i < symmetry_instants; ++i) {
+    const double t = period * i / symmetry_instants;
     const std::array<double, 3> now = {function.value(t), function.rate(t),
                                        function.acceleration(t)};
     const std::array<double, 3> later = {function.value(t + shift), function.rate(t + shift),

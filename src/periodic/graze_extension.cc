@@ -17,8 +17,8 @@ using continuation::Touch;
 
 namespace {
 
-constexpr double widest = 0.25;         // of a window, to either side [periods]
-constexpr double farthest = 0.1;        // least value or depth over the size of the motion
+constexpr double widest_window = 0.25;  // of a window, to either side [periods]
+constexpr double farthest_value = 0.1;  // least value or depth over the size of the motion
 constexpr double longest_dip = 0.5;     // below zero [periods]; longer ones are no dips
 constexpr std::size_t most_windows = 4; // of touches, and of other grazes
 
@@ -62,9 +62,9 @@ GrazeWindow window_of(const std::vector<GuardMinimum> &minima, const GuardMinimu
           .mode = chosen.mode,
           .guard = chosen.guard,
           .in_contact = chosen.in_contact,
-          .begin = std::max(from / period, chosen.begin / period - widest),
+          .begin = std::max(from / period, chosen.begin / period - widest_window),
           .position = chosen.time / period,
-          .end = std::min(to / period, chosen.end / period + widest)};
+          .end = std::min(to / period, chosen.end / period + widest_window)};
 }
 
 /// Parts of a motion one behind the other, with the derivatives of the whole.
@@ -245,7 +245,7 @@ std::vector<GrazeWindow> graze_windows(const StroboscopicMap &map, const Section
     const ContactPair &pair = map.system().contacts().pairs()[minimum.contact];
     const double size = minimum.in_contact ? observer.largest(minimum) : gap_size(map, pair, state);
     const double near = nearness_of(minimum, size, period);
-    if (!(std::abs(near) < farthest) ||
+    if (!(std::abs(near) < farthest_value) ||
         !is_dip(observer, minimum, section.phase * period, end * period, period))
       continue;
     std::vector<GrazeWindow> &windows = minimum.in_contact ? releases : touches;

@@ -1,8 +1,8 @@
 #include "periodic/harmonic_grid.h"
 
+#include "common/decompositions.h"
 #include "continuation/harmonic_series.h"
 
-#include <Eigen/LU>
 #include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
@@ -37,7 +37,8 @@ Rule make_rule() {
     integrals.col(k) =
         rule.places.array().pow(static_cast<double>(k + 1)) / static_cast<double>(k + 1);
   }
-  rule.collocation = values.transpose().partialPivLu().solve(integrals.transpose()).transpose();
+  rule.collocation =
+      LuFactors<Matrix>(values.transpose()).solve(Matrix(integrals.transpose())).transpose();
   return rule;
 }
 

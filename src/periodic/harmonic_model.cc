@@ -1,11 +1,10 @@
 #include "periodic/harmonic_model.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
 #include "continuation/harmonic_series.h"
 #include "periodic/forced_system.h"
 #include "periodic/harmonic_contact.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +71,7 @@ void check_sources(const model::Model &model, std::size_t source, Index harmonic
 void check_supports(const model::Model &model) {
   const Vector scale = model.mass().cwiseSqrt().cwiseInverse();
   const Matrix stiffness = scale.asDiagonal() * model.stiffness().dense() * scale.asDiagonal();
-  if (!stiffness.fullPivLu().isInvertible())
+  if (!is_invertible(stiffness))
     throw InputError(refusal + std::string("the bodies can move without any force, since no "
                                            "spring or support holds them."));
 }

@@ -1,9 +1,8 @@
 #include "periodic/law_march.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
 #include "continuation/harmonic_series.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -60,9 +59,9 @@ struct LawMarch::Local {
 
 /// Of the collocation method over a part.
 struct LawMarch::Stages {
-  Matrix internal;                  ///< at the nodes
-  std::vector<LawResponse> law;     ///< there
-  Eigen::PartialPivLU<Matrix> step; ///< of Newton's method
+  Matrix internal;              ///< at the nodes
+  std::vector<LawResponse> law; ///< there
+  LuFactors<Matrix> step;       ///< of Newton's method
   Vector end;
 };
 
@@ -191,7 +190,7 @@ LawMarch::Stages LawMarch::stages(const LawState &state, const RowVector &gap,
       return stages;
     if (iteration == most_iterations)
       throw NumericalError("the internal states of a contact are not found");
-    stages.internal -= stages.step.solve(residual.reshaped()).reshaped(internals_, nodes);
+    stages.internal -= stages.step.solve(Vector(residual.reshaped())).reshaped(internals_, nodes);
   }
 }
 

@@ -1,8 +1,7 @@
 #include "periodic/shooting.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
-
-#include <Eigen/LU>
 
 #include <cmath>
 #include <sstream>
@@ -12,13 +11,13 @@ namespace vibroimpact::periodic {
 namespace {
 
 constexpr long most_iterations = 20;
-constexpr long most_periods = 60; // of the map that the motion goes on for by itself
+constexpr long most_map_periods = 60; // of the map that the motion goes on for by itself
 constexpr double shares[] = {1, 0.5, 0.25, 0.125}; // of a step, one after the other
-constexpr double decrease = 0.25;   // of the residual, of that which the step should bring
-constexpr double exact = 1e-12;     // a step over the size of the motion that ends the sequence
-constexpr double near = 1e-7;       // below which it must shrink by
-constexpr double still_going = 0.1; // or has come as near as it can
-constexpr double quadratic = 1e-4;  // steps below which Newton's method needs no damping
+constexpr double decrease = 0.25;    // of the residual, of that which the step should bring
+constexpr double exact = 1e-12;      // a step over the size of the motion that ends the sequence
+constexpr double near_length = 1e-7; // below which it must shrink by
+constexpr double still_going = 0.1;  // or has come as near as it can
+constexpr double quadratic = 1e-4;   // steps below which Newton's method needs no damping
 
 class Newton {
 public:
@@ -32,7 +31,7 @@ public:
     for (; point_.iterations < most_iterations; ++point_.iterations) {
       const Vector step = newton_step();
       const double length = map_.norm(step) / size();
-      if (length <= exact || (length <= near && length >= still_going * last))
+      if (length <= exact || (length <= near_length && length >= still_going * last))
         return point_;
       last = length;
       advance(step, length);
@@ -59,7 +58,7 @@ private:
     const Matrix matrix = Matrix::Identity(map_.size(), map_.size()) -
                           s.asDiagonal() * point_.image.by_state * s.cwiseInverse().asDiagonal();
     const Vector step =
-        matrix.fullPivLu().solve(Vector(s.asDiagonal() * (point_.image.state - point_.state)));
+        solve_fully_pivoted(matrix, s.asDiagonal() * (point_.image.state - point_.state));
     if (!step.allFinite())
       fail("where a multiplier is 1");
     return step.cwiseQuotient(s);
@@ -108,7 +107,7 @@ FixedPoint find_fixed_point(const StroboscopicMap &map, const Section &section,
     try {
       return Newton(map, section, state).run();
     } catch (const NumericalError &) {
-      if (gone + next > most_periods)
+      if (gone + next > most_map_periods)
         throw;
     }
     for (long period = 0; period < next; ++period, ++gone)

@@ -1,9 +1,8 @@
 #include "periodic/stroboscopic_map.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
 #include "periodic/contact_memory.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <complex>
@@ -88,10 +87,7 @@ void StroboscopicMap::observe(double from, double to, const Vector &state,
 
 Eigen::VectorXcd multipliers_of(const Matrix &by_state, const Vector &scale) {
   const Matrix scaled = scale.asDiagonal() * by_state * scale.cwiseInverse().asDiagonal();
-  const Eigen::EigenSolver<Matrix> solver(scaled, false);
-  if (solver.info() != Eigen::Success)
-    throw NumericalError("the multipliers of the motion could not be computed");
-  Eigen::VectorXcd values = solver.eigenvalues();
+  ComplexVector values = eigenvalues(scaled);
   const auto order = [](const std::complex<double> &value) {
     return std::make_tuple(-std::abs(value), -value.real(), -value.imag());
   };

@@ -16,9 +16,9 @@ namespace {
 }
 
 /// The datasets of a body.
-class Group {
+class StoredGroup {
 public:
-  Group(const Hdf5File &file, std::string path) : file_(file), path_(std::move(path) + "/") {}
+  StoredGroup(const Hdf5File &file, std::string path) : file_(file), path_(std::move(path) + "/") {}
 
   bool has(const std::string &name) const {
     return file_.contains(path_ + name) && !file_.is_group(path_ + name);
@@ -100,7 +100,7 @@ std::string body_of(const Hdf5File &file, const ModalDefinition &definition,
   return bodies.front();
 }
 
-std::vector<BodyPoint> read_points(const Group &group, Index n) {
+std::vector<BodyPoint> read_points(const StoredGroup &group, Index n) {
   const std::vector<std::string> names = group.names("point");
   const auto count = static_cast<Index>(names.size());
   const Matrix rows = group.matrix("point_rows", {count, 6, n});
@@ -136,7 +136,7 @@ int node_number(double value, Index nodes, const std::string &dataset, double le
   return static_cast<int>(value);
 }
 
-Recovery read_recovery(const Group &group, Index n) {
+Recovery read_recovery(const StoredGroup &group, Index n) {
   Recovery recovery;
   if (!group.has("nodes"))
     return recovery;
@@ -165,7 +165,7 @@ void find_nodes(ModalData &data) {
         point.node = static_cast<int>(node);
 }
 
-ModalData read_group(const Group &group, const ModalDefinition &definition) {
+ModalData read_group(const StoredGroup &group, const ModalDefinition &definition) {
   const std::string unit = group.unit("frequency");
   if (unit != (definition.dimensionless ? "1" : "Hz"))
     fail("File", std::string("must hold frequencies in ") +
@@ -203,7 +203,8 @@ ModalData read_group(const Group &group, const ModalDefinition &definition) {
 ModalData read_modal_hdf5(const ModalDefinition &definition, const std::string &body_name) {
   try {
     const Hdf5File file = Hdf5File::open(definition.file);
-    return read_group(Group(file, "/body/" + body_of(file, definition, body_name)), definition);
+    return read_group(StoredGroup(file, "/body/" + body_of(file, definition, body_name)),
+                      definition);
   } catch (const InputError &) {
     throw;
   } catch (const std::runtime_error &error) {

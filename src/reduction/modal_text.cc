@@ -25,13 +25,13 @@ struct Column {
   int component = 0; ///< 0 to 5: x, y, z, rx, ry, rz; of the participation 0 to 2
 };
 
-const std::vector<std::string> components = {"x", "y", "z", "rx", "ry", "rz"};
+const std::vector<std::string> component_names = {"x", "y", "z", "rx", "ry", "rz"};
 
 /// Number of the component that a head ends with, -1 without any.
 int component_of(const std::string &head) {
   const std::size_t dot = head.rfind('.');
-  for (std::size_t i = 0; i < components.size() && dot != std::string::npos && dot > 0; ++i)
-    if (head.substr(dot + 1) == components[i])
+  for (std::size_t i = 0; i < component_names.size() && dot != std::string::npos && dot > 0; ++i)
+    if (head.substr(dot + 1) == component_names[i])
       return static_cast<int>(i);
   return -1;
 }

@@ -1,5 +1,6 @@
 #include "reduction/reduce.h"
 
+#include "common/decompositions.h"
 #include "common/log.h"
 #include "common/stages.h"
 #include "reduction/basis.h"
@@ -11,8 +12,6 @@
 #include "reduction/rotor_body.h"
 #include "reduction/stability.h"
 #include "structure/matrix_body.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -128,7 +127,7 @@ Matrix viscous_damping(const Damping &damping, const AssembledBody &body, const 
 Matrix given_damping(const AssembledBody &body, const Matrix &shapes) {
   const Matrix projected = modes::project(body.damping.get(), free_rows(body.free, shapes));
   const Matrix damping = (projected + projected.transpose()) / 2;
-  const Vector values = Eigen::SelfAdjointEigenSolver<Matrix>(damping).eigenvalues();
+  const Vector values = symmetric_eigen(damping).values;
   if (values[0] < -1e-9 * values.cwiseAbs().maxCoeff())
     throw DefinitionError("Matrices", "", "Damping",
                           "must be positive semidefinite, but feeds energy to the kept modes");

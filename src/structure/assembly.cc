@@ -1,9 +1,8 @@
 #include "structure/assembly.h"
 
+#include "common/decompositions.h"
 #include "structure/given_assembly.h"
 #include "structure/nodal_blocks.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -120,9 +119,9 @@ int rank_of(const LumpedMass &mass, const std::array<int, 6> &dofs) {
       free.push_back(component);
   const vibroimpact::Matrix own = mass(free, free);
   const vibroimpact::Vector scale = own.diagonal().array().rsqrt();
-  const Eigen::SelfAdjointEigenSolver<vibroimpact::Matrix> modes(scale.asDiagonal() * own *
-                                                                 scale.asDiagonal());
-  return free.empty() ? 0 : static_cast<int>((modes.eigenvalues().array() > 1e-12).count());
+  const vibroimpact::Matrix scaled = scale.asDiagonal() * own * scale.asDiagonal();
+  return free.empty() ? 0
+                      : static_cast<int>((symmetric_eigen(scaled).values.array() > 1e-12).count());
 }
 
 // The mass matrix of an element with density is positive definite; elsewhere only lumped masses

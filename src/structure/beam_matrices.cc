@@ -1,5 +1,6 @@
 #include "structure/beam_matrices.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -13,7 +14,7 @@ namespace {
 
 // Exact for polynomials of degree 15: all integrals of a uniform beam (degree 6), and those of a
 // tapered element, whose 1 / EI is smooth, to rounding unless its depth changes by a large factor.
-const std::vector<std::pair<double, double>> &gauss_points() {
+const std::vector<std::pair<double, double>> &line_gauss_points() {
   static const auto points = [] {
     const dealii::QGauss<1> rule(8);
     std::vector<std::pair<double, double>> list;
@@ -32,7 +33,7 @@ const std::vector<std::pair<double, double>> &gauss_points() {
 /// w' = -r_y + V_z / (kappa_z G A).
 DeformationMatrix motion_by_forces(const PropertiesAlong &properties, double length, double x) {
   DeformationMatrix motion = DeformationMatrix::Zero();
-  for (const auto &[point, weight] : gauss_points()) {
+  for (const auto &[point, weight] : line_gauss_points()) {
     const double t = point * x;
     const double part = weight * x;
     const double lever = x - t;
@@ -151,9 +152,9 @@ Slip slip(const Eigen::Matrix<double, 6, 12> &deformation, const DeformationMatr
   const Vector scale = loose.diagonal().array().rsqrt();
   const Matrix scaled = scale.asDiagonal() * loose * scale.asDiagonal();
   constexpr double least = 1e-9; // of rounding: 1e-16
-  if (Eigen::SelfAdjointEigenSolver<Matrix>(scaled).eigenvalues()[0] < least)
+  if (symmetric_eigen(scaled).values[0] < least)
     throw NumericalError("is free to move in itself");
-  result.by_deformations = scale.asDiagonal() * scaled.inverse() * scale.asDiagonal() *
+  result.by_deformations = scale.asDiagonal() * vibroimpact::inverse(scaled) * scale.asDiagonal() *
                            result.directions.transpose() * stiffness;
   return result;
 }
@@ -210,7 +211,7 @@ void integrate(const PropertiesAlong &properties, double length,
   matrices.mass.setZero();
   matrices.geometric.setZero();
   const SectionMotion forces = stiffness * deformation;
-  for (const auto &[along, weight] : gauss_points()) {
+  for (const auto &[along, weight] : line_gauss_points()) {
     const double part = weight * length;
     const BeamProperties p = properties(along);
     const SectionMotion motion =

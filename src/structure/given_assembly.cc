@@ -8,7 +8,7 @@ namespace vibroimpact::structure {
 
 namespace {
 
-FreeDofs number_free(const BodyModel &model) {
+FreeDofs number_given(const BodyModel &model) {
   const GivenMatrices &given = *model.given;
   FreeDofs free;
   free.number.assign(model.mesh.nodes.size(), {-1, -1, -1, -1, -1, -1});
@@ -159,7 +159,7 @@ private:
 } // namespace
 
 void assemble_given(AssembledBody &body, MPI_Comm communicator) {
-  body.free = number_free(body.model);
+  body.free = number_given(body.model);
   check_free(body.free);
   GivenAssembly(body).assemble(communicator);
 }

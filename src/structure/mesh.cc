@@ -11,7 +11,7 @@ namespace {
 
 // Coordinates in a parameter file are typed by hand, so they meet a node within this fraction of
 // the body's extent, far below any useful element length.
-constexpr double position_tolerance = 1e-6;
+constexpr double node_tolerance = 1e-6;
 
 std::string known_groups(const Mesh &mesh) {
   std::string list;
@@ -65,10 +65,10 @@ std::vector<double> line_nodes(const Line &line) {
   std::vector<double> nodes = {0};
   for (const double end : ends) {
     const double begin = nodes.back();
-    if (end - begin <= position_tolerance)
+    if (end - begin <= node_tolerance)
       continue;
-    const int count = std::max(
-        1, static_cast<int>(std::ceil((end - begin) * line.elements - position_tolerance)));
+    const int count =
+        std::max(1, static_cast<int>(std::ceil((end - begin) * line.elements - node_tolerance)));
     for (int i = 1; i < count; ++i)
       nodes.push_back(begin + (end - begin) * i / count);
     nodes.push_back(end);
@@ -121,7 +121,7 @@ std::vector<int> find_nodes(const Mesh &mesh, const Location &at, const std::str
   if (at.position) {
     const int nearest = mesh.nearest_node(*at.position);
     const double distance = (mesh.nodes[nearest] - *at.position).norm();
-    if (!at.nearest && distance > position_tolerance * mesh.extent())
+    if (!at.nearest && distance > node_tolerance * mesh.extent())
       throw DefinitionError(kind, name, "Position",
                             "must be the coordinates of a node; the nearest one is at " +
                                 coordinates(mesh.nodes[nearest]));

@@ -32,7 +32,7 @@ void check_length(const Mesh &mesh, int line) {
          coordinates(mesh.nodes[mesh.lines[line][0]]) + " has none");
 }
 
-Vector3 corner_normal(const Mesh &mesh, const Surface &surface, int corner) {
+Vector3 unit_corner_normal(const Mesh &mesh, const Surface &surface, int corner) {
   const auto nodes = surface.nodes();
   const Vector3 &here = mesh.nodes[nodes[corner]];
   const Vector3 next = mesh.nodes[nodes[(corner + 1) % surface.size]] - here;
@@ -50,9 +50,9 @@ std::string place(const Mesh &mesh, const Surface &surface) {
 void check_corners(const Mesh &mesh, const Surface &surface) {
   Vector3 mean = Vector3::Zero();
   for (int corner = 0; corner < surface.size; ++corner)
-    mean += corner_normal(mesh, surface, corner);
+    mean += unit_corner_normal(mesh, surface, corner);
   for (int corner = 0; corner < surface.size; ++corner) {
-    const Vector3 normal = corner_normal(mesh, surface, corner);
+    const Vector3 normal = unit_corner_normal(mesh, surface, corner);
     const std::string at = coordinates(mesh.nodes[surface.corners[corner]]);
     if (normal.dot(mean) < -least_sine || (mean.norm() < least_sine && surface.size == 4))
       fail("must have convex cells, but " + place(mesh, surface) +
@@ -69,8 +69,8 @@ void check_surface(const Mesh &mesh, const Surface &surface) {
     fail("must have cells with different corners, but " + place(mesh, surface) + " has one twice");
   check_corners(mesh, surface);
   for (int corner = 0; surface.size == 4 && corner < 2; ++corner) {
-    const Vector3 normal = corner_normal(mesh, surface, corner);
-    const Vector3 opposite = corner_normal(mesh, surface, corner + 2);
+    const Vector3 normal = unit_corner_normal(mesh, surface, corner);
+    const Vector3 opposite = unit_corner_normal(mesh, surface, corner + 2);
     if (normal.dot(opposite) < least_alignment * normal.norm() * opposite.norm())
       fail("must have cells that are nearly flat, but " + place(mesh, surface) +
            " is warped by more than 60 degrees");

@@ -9,7 +9,7 @@ namespace vibroimpact::structure {
 
 namespace {
 
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6>;
+using LinkRows = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
 std::vector<int> nodes_of(const BodyModel &model, const RigidLink &link) {
   std::vector<int> nodes;
@@ -39,14 +39,14 @@ std::vector<std::array<int, 2>> lines_of(const BodyModel &model, const RigidLink
 
 /// Of all displacements and rotations that supports hold, in terms of the motion of the master;
 /// lengths in units of `size`.
-Rows held_rows(const BodyModel &model, const std::vector<int> &nodes, double size) {
+LinkRows held_rows(const BodyModel &model, const std::vector<int> &nodes, double size) {
   std::vector<Eigen::Matrix<double, 1, 6>> held;
   for (const int node : nodes)
     for (int component = 0; component < 6; ++component)
       if (model.fixed[node][component])
         held.emplace_back(rigid_motion((model.mesh.nodes[node] - model.mesh.nodes[nodes[0]]) / size)
                               .row(component));
-  Rows rows(static_cast<Index>(held.size()), 6);
+  LinkRows rows(static_cast<Index>(held.size()), 6);
   for (std::size_t i = 0; i < held.size(); ++i)
     rows.row(static_cast<Index>(i)) = held[i];
   return rows;
@@ -59,7 +59,7 @@ struct HeldMotion {
 
 /// Gauss-Jordan elimination with full pivoting: the component of each pivot follows from those that
 /// are left. What is left below the tolerance is rounding: the same is held twice.
-std::vector<Index> eliminate_rows(Rows &rows) {
+std::vector<Index> eliminate_rows(LinkRows &rows) {
   constexpr double tolerance = 1e-9;
   std::vector<Index> pivots; // column of each row
   for (Index done = 0; done < rows.rows(); ++done) {
@@ -82,7 +82,7 @@ HeldMotion held_motion(const BodyModel &model, const std::vector<int> &nodes) {
   for (const int node : nodes)
     size = std::max(size, (model.mesh.nodes[node] - model.mesh.nodes[nodes[0]]).norm());
   const std::array<double, 2> unit{size > 0 ? size : 1, 1}; // of displacements and rotations
-  Rows rows = held_rows(model, nodes, unit[0]);
+  LinkRows rows = held_rows(model, nodes, unit[0]);
   const std::vector<Index> pivots = eliminate_rows(rows);
   HeldMotion held;
   for (const Index column : pivots)

@@ -27,7 +27,7 @@ struct Grid {
   int node(int i, int j) const { return j * columns() + i % columns(); }
 };
 
-void add_nodes(const Grid &grid, Mesh &mesh) {
+void add_grid_nodes(const Grid &grid, Mesh &mesh) {
   for (int j = 0; j <= grid.elements[1]; ++j)
     for (int i = 0; i < grid.columns(); ++i)
       mesh.nodes.push_back(grid.position(static_cast<double>(i) / grid.elements[0],
@@ -87,7 +87,7 @@ Mesh generate(const Grid &grid) {
   if (grid.closed && grid.elements[0] < 3)
     fail("Divisions", "must be at least 3 around a closed cylinder");
   Mesh mesh;
-  add_nodes(grid, mesh);
+  add_grid_nodes(grid, mesh);
   add_surfaces(grid, mesh);
   add_edges(grid, mesh);
   return mesh;

@@ -4,7 +4,7 @@ namespace vibroimpact::structure {
 
 namespace {
 
-constexpr double shear_correction = 5.0 / 6.0; // of a homogeneous thickness
+constexpr double shell_shear_correction = 5.0 / 6.0; // of a homogeneous thickness
 
 void check(double thickness, const Material &material, const std::string &kind,
            const std::string &name) {
@@ -31,7 +31,7 @@ ShellProperties shell_properties(double thickness, const Material &material,
   properties.membrane_stiffness *= material.young_modulus * thickness / (1 - nu * nu);
   properties.bending_stiffness = properties.membrane_stiffness * thickness * thickness / 12;
   properties.shear_stiffness =
-      shear_correction * material.young_modulus / (2 * (1 + nu)) * thickness;
+      shell_shear_correction * material.young_modulus / (2 * (1 + nu)) * thickness;
   properties.mass_per_area = material.density * thickness;
   properties.rotary_inertia = properties.mass_per_area * thickness * thickness / 12;
   return properties;

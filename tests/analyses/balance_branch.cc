@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace balance_branch_tests {
 
 using testing::field_of;
 using testing::isolator_system;
@@ -144,5 +144,5 @@ TEST(BalanceBranchTest, AnotherSourceMustFitAtBothEndsOfTheFrequency) {
   EXPECT_NO_THROW(BalanceBranch(settings).check(system));
 }
 
-} // namespace
+} // namespace balance_branch_tests
 } // namespace vibroimpact::analyses

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace basins_tests {
 
 // Of the isolator y'' + 0.02 y' + y + stops = 0.52 sin(1.3 t), which has two stable motions.
 System isolator(const std::vector<parameters::Override> &overrides) {
@@ -79,5 +79,5 @@ TEST(BasinsTest, TheLinesOfARankSearchTheCoarsePartOnce) {
   EXPECT_EQ(alone.points.values({2}, "attractors/period_multiple").size(), 2u);
 }
 
-} // namespace
+} // namespace basins_tests
 } // namespace vibroimpact::analyses

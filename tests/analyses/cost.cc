@@ -11,7 +11,7 @@
 #include <set>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace cost_tests {
 
 void compute_for(double seconds) {
   const double end = processor_seconds() + seconds;
@@ -181,5 +181,5 @@ TEST(CostTest, CasesThatCannotBeBuiltAreTold) {
   EXPECT_EQ(cost.reason, "2 is impossible");
 }
 
-} // namespace
+} // namespace cost_tests
 } // namespace vibroimpact::analyses

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace curve_progress_tests {
 
 TEST(CurveProgressTest, GoesByTheKeyAndNeverBack) {
   CurveProgress progress({.lower = 0, .upper = 10});
@@ -26,5 +26,5 @@ TEST(CurveProgressTest, OfMoreCurvesThanWereKnown) {
   EXPECT_DOUBLE_EQ(progress.at(10, 1), 1);
 }
 
-} // namespace
+} // namespace curve_progress_tests
 } // namespace vibroimpact::analyses

@@ -9,7 +9,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace fourier_tests {
 
 constexpr double pi = std::numbers::pi;
 
@@ -90,5 +90,5 @@ TEST(FourierTest, OrdersOfATriangleWave) {
   EXPECT_NEAR(orders.phase(0, 1), -pi / 2, 1e-12); // begins like a sine
 }
 
-} // namespace
+} // namespace fourier_tests
 } // namespace vibroimpact::analyses

@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace frequency_response_tests {
 
 using namespace model;
 
@@ -112,5 +112,5 @@ TEST(FrequencyResponseTest, NoExcitationIsRefused) {
   EXPECT_THROW(analysis.check(oscillator()), InputError);
 }
 
-} // namespace
+} // namespace frequency_response_tests
 } // namespace vibroimpact::analyses

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace growth_tests {
 
 Growth growth_of(const std::vector<double> &logarithms, double discarded = 0) {
   Growth growth(discarded);
@@ -34,5 +34,5 @@ TEST(GrowthTest, StandardErrorOfTheMeanOfBlocks) {
   EXPECT_TRUE(std::isnan(growth_of({1, 2, 3}).standard_error(2)));
 }
 
-} // namespace
+} // namespace growth_tests
 } // namespace vibroimpact::analyses

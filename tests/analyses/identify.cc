@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace identify_tests {
 
 using namespace contact;
 
@@ -311,5 +311,5 @@ TEST(Identify, UnknownContactIsRefused) {
   EXPECT_NE(message.find("tails"), std::string::npos) << message;
 }
 
-} // namespace
+} // namespace identify_tests
 } // namespace vibroimpact::analyses

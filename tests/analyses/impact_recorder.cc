@@ -14,7 +14,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace impact_recorder_tests {
 
 using namespace contact;
 using testing::recorded;
@@ -141,5 +141,5 @@ TEST(ImpactRecorderTest, TheStopsEndMovesWithTheMass) {
   EXPECT_EQ(value_of(result, "contact/left/internal/stop_deformation/largest"), 0);
 }
 
-} // namespace
+} // namespace impact_recorder_tests
 } // namespace vibroimpact::analyses

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace jump_search_tests {
 
 using motion::MotionState;
 
@@ -119,5 +119,5 @@ TEST(JumpSearchTest, TwoMotionsThatDoNotRepeatAreNotCompared) {
   EXPECT_FALSE(search([](double p, const MotionState &) { return motion(-p, 1 + p, 0); }).found());
 }
 
-} // namespace
+} // namespace jump_search_tests
 } // namespace vibroimpact::analyses

@@ -9,7 +9,7 @@
 #include <thread>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace kept_steps_tests {
 
 using Index = std::vector<std::size_t>;
 
@@ -82,5 +82,5 @@ TEST(KeptStepsTest, AreHandedOverAfterATenthOfASecond) {
   EXPECT_EQ(sink.kept.at({}), (std::vector<std::string>{"a", "b"}));
 }
 
-} // namespace
+} // namespace kept_steps_tests
 } // namespace vibroimpact::analyses

@@ -14,7 +14,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace lyapunov_spectrum_tests {
 
 using namespace contact;
 using namespace model;
@@ -157,5 +157,5 @@ TEST(LyapunovSpectrumTest, OfABumperThatIsTouched) {
   EXPECT_EQ(found.spectrum()[2], -std::numeric_limits<double>::infinity());
 }
 
-} // namespace
+} // namespace lyapunov_spectrum_tests
 } // namespace vibroimpact::analyses

@@ -14,7 +14,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace orbit_branch_tests {
 
 using testing::field_of;
 using testing::isolator_system;
@@ -191,5 +191,5 @@ TEST(OrbitBranchTest, LinearVibrationInClosedForm) {
   EXPECT_FALSE(testing::has_field(result, "special/kind"));
 }
 
-} // namespace
+} // namespace orbit_branch_tests
 } // namespace vibroimpact::analyses

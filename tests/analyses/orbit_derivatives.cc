@@ -15,7 +15,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace orbit_derivatives_tests {
 
 using testing::field_of;
 using testing::value_of;
@@ -190,5 +190,5 @@ TEST(OrbitDerivativesTest, ANeighbourWithOtherContactChangesIsSaid) {
   EXPECT_EQ(value_of(found, "derivative/clearance/smooth"), 0);
 }
 
-} // namespace
+} // namespace orbit_derivatives_tests
 } // namespace vibroimpact::analyses

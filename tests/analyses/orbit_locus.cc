@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace orbit_locus_tests {
 
 using testing::field_of;
 using testing::isolator_system;
@@ -104,5 +104,5 @@ TEST(OrbitLocusTest, FlipsOfHalfAMotionAreLossesOfSymmetry) {
     }
 }
 
-} // namespace
+} // namespace orbit_locus_tests
 } // namespace vibroimpact::analyses

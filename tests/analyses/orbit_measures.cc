@@ -24,7 +24,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace orbit_measures_tests {
 
 using testing::field_of;
 using testing::value_of;
@@ -240,5 +240,5 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"rest after chatter", [](double e) { return testing::newton(e); }, 0.3, false, 40,
              0.01, 1.5}));
 
-} // namespace
+} // namespace orbit_measures_tests
 } // namespace vibroimpact::analyses

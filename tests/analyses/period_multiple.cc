@@ -8,7 +8,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace period_multiple_tests {
 
 constexpr double tolerance = 1e-6;
 const Vector at_rest = Eigen::Vector2d(1, 0.5);
@@ -62,5 +62,5 @@ TEST(PeriodMultipleTest, AMotionThatDoesNotRepeatIsNotSteady) {
   EXPECT_EQ(first_steady([](int n) { return spiral(n, 1, 1); }).multiple, 0);
 }
 
-} // namespace
+} // namespace period_multiple_tests
 } // namespace vibroimpact::analyses

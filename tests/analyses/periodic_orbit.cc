@@ -12,7 +12,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace periodic_orbit_tests {
 
 using testing::field_of;
 using testing::value_of;
@@ -123,5 +123,5 @@ TEST(PeriodicOrbitTest, FinishedPointIsSkipped) {
   EXPECT_TRUE(point.skipped);
 }
 
-} // namespace
+} // namespace periodic_orbit_tests
 } // namespace vibroimpact::analyses

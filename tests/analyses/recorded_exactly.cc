@@ -18,7 +18,7 @@
 #include <string>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace recorded_exactly_tests {
 
 using namespace contact;
 using namespace motion;
@@ -164,5 +164,5 @@ TEST(RecordedExactlyTest, OneRecorderThatNeedsStepsMakesThemForAll) {
   EXPECT_NE(one.step_observer(), nullptr);
 }
 
-} // namespace
+} // namespace recorded_exactly_tests
 } // namespace vibroimpact::analyses

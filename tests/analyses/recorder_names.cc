@@ -14,7 +14,7 @@
 #include <tuple>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace recorder_names_tests {
 
 using namespace contact;
 
@@ -100,5 +100,5 @@ TEST(RecorderNamesTest, EveryResultHasANameOfItsOwn) {
     EXPECT_EQ(groups.count(name), 0u) << name << " is a result and a group";
 }
 
-} // namespace
+} // namespace recorder_names_tests
 } // namespace vibroimpact::analyses

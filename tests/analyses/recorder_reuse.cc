@@ -9,7 +9,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace recorder_reuse_tests {
 
 using namespace contact;
 
@@ -98,5 +98,5 @@ TEST(RecorderReuseTest, TheNextWindowKnowsNothingOfTheOneBefore) {
   }
 }
 
-} // namespace
+} // namespace recorder_reuse_tests
 } // namespace vibroimpact::analyses

@@ -19,7 +19,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace recorders_tests {
 
 using namespace model;
 using testing::field_of;
@@ -288,5 +288,5 @@ TEST(RecordersTest, HistoriesAreSampledInTheWindow) {
                 1e-9);
 }
 
-} // namespace
+} // namespace recorders_tests
 } // namespace vibroimpact::analyses

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace recorders_at_impacts_tests {
 
 using contact::ContactPair;
 using testing::field_of;
@@ -97,5 +97,5 @@ TEST(RecordersAtImpactsTest, ExtremeValuesOfVelocitiesThatJump) {
   EXPECT_NEAR(value_of(result, "point/block.head/displacement_x/minimum"), -clearance, 1e-12);
 }
 
-} // namespace
+} // namespace recorders_at_impacts_tests
 } // namespace vibroimpact::analyses

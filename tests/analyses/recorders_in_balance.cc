@@ -13,7 +13,7 @@
 #include <cmath>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace recorders_in_balance_tests {
 
 using namespace model;
 using testing::recorded;
@@ -116,5 +116,5 @@ TEST(RecordersInBalanceTest, SquaresAreThoseOfMeanAndScatter) {
   }
 }
 
-} // namespace
+} // namespace recorders_in_balance_tests
 } // namespace vibroimpact::analyses

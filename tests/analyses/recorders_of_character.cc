@@ -18,7 +18,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace recorders_of_character_tests {
 
 using namespace contact;
 using namespace motion;
@@ -280,5 +280,5 @@ TEST(RecordersOfCharacterTest, SectionAtTheOnsetOfContact) {
   EXPECT_EQ(field(result, "section/gap_extremum/heads/time").values.size(), 20u);
 }
 
-} // namespace
+} // namespace recorders_of_character_tests
 } // namespace vibroimpact::analyses

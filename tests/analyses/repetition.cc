@@ -10,7 +10,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace repetition_tests {
 
 std::vector<Vector> sequence(int count, const std::function<double(int)> &first,
                              const std::function<double(int)> &second) {
@@ -134,5 +134,5 @@ TEST(RepetitionTest, GrowthOfTheLogisticMap) {
   EXPECT_TRUE(std::isnan(Growth(0).exponent()));
 }
 
-} // namespace
+} // namespace repetition_tests
 } // namespace vibroimpact::analyses

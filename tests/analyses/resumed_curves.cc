@@ -12,7 +12,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace resumed_curves_tests {
 
 using testing::field_of;
 using testing::first_of;
@@ -168,5 +168,5 @@ TEST(ResumedCurvesTest, HarmonicBalance) {
   expect_goes_on(BalanceBranch(settings), {1.9, 2, 0.52, Stops::both});
 }
 
-} // namespace
+} // namespace resumed_curves_tests
 } // namespace vibroimpact::analyses

@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace settling_tests {
 
 constexpr double forcing = 8; // [rad/s]
 constexpr double period = 2 * std::numbers::pi / forcing;
@@ -61,5 +61,5 @@ TEST(SettlingTest, AnApproachIsLeftInPeace) {
   }
 }
 
-} // namespace
+} // namespace settling_tests
 } // namespace vibroimpact::analyses

@@ -16,7 +16,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace settling_by_newton_tests {
 
 using contact::ContactSet;
 
@@ -229,5 +229,5 @@ TEST(SettlingByNewtonTest, WhatWentBeforeDoesNotCount) {
   EXPECT_EQ(at(first, one, 0.9).state.physical, at(second, other, 0.9).state.physical);
 }
 
-} // namespace
+} // namespace settling_by_newton_tests
 } // namespace vibroimpact::analyses

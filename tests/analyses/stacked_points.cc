@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace stacked_points_tests {
 
 Field field(const std::string &name, std::vector<std::string> dimensions,
             std::vector<std::size_t> shape, std::vector<double> values) {
@@ -42,5 +42,5 @@ TEST(StackedPointsTest, OneDimensionMore) {
 
 TEST(StackedPointsTest, NoPointsHaveNoFields) { EXPECT_TRUE(stacked({}, "point").empty()); }
 
-} // namespace
+} // namespace stacked_points_tests
 } // namespace vibroimpact::analyses

@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace steadiness_tests {
 
 constexpr double tolerance = 1e-4;
 
@@ -113,5 +113,5 @@ TEST(SteadinessTest, ScalesMakeSpeedsComparableWithDisplacements) {
   EXPECT_DOUBLE_EQ(scale[2] / scale[0], 1.0 / 5);
 }
 
-} // namespace
+} // namespace steadiness_tests
 } // namespace vibroimpact::analyses

@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace steady_state_tests {
 
 using namespace model;
 using testing::value_of;
@@ -120,5 +120,5 @@ TEST(SteadyStateTest, AKnownPointIsNotComputedAgain) {
   EXPECT_TRUE(point.skipped);
 }
 
-} // namespace
+} // namespace steady_state_tests
 } // namespace vibroimpact::analyses

@@ -15,7 +15,7 @@
 #include <utility>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace stepped_sweep_tests {
 
 using namespace contact;
 using namespace model;
@@ -233,5 +233,5 @@ TEST(SteppedSweepTest, AResumedSweepWithRefinementIsTheSame) {
   }
 }
 
-} // namespace
+} // namespace stepped_sweep_tests
 } // namespace vibroimpact::analyses

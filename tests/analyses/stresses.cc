@@ -9,7 +9,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace stresses_tests {
 
 using reduction::BodyPoint;
 using reduction::ReducedBody;
@@ -113,5 +113,5 @@ TEST(StressesTest, LumpedBodiesHaveNone) {
   EXPECT_TRUE(result.fields.empty());
 }
 
-} // namespace
+} // namespace stresses_tests
 } // namespace vibroimpact::analyses

@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace time_frequency_tests {
 
 constexpr double pi = std::numbers::pi;
 constexpr double frequency = 4, omega = 2 * pi * frequency; // of the force
@@ -95,5 +95,5 @@ TEST(TimeFrequencyTest, ASineShowsItsAmplitude) {
   EXPECT_NEAR(lines.values[6 * 5 + 2], 0, 1e-4 * amplitude());
 }
 
-} // namespace
+} // namespace time_frequency_tests
 } // namespace vibroimpact::analyses

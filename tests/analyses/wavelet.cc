@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace wavelet_tests {
 
 constexpr double pi = std::numbers::pi;
 
@@ -93,5 +93,5 @@ TEST(WaveletTest, ShortTimeAmplitudes) {
   EXPECT_NEAR(short_time_amplitudes(samples, 0, 200)[10], 1, 0.05); // half the stretch is there
 }
 
-} // namespace
+} // namespace wavelet_tests
 } // namespace vibroimpact::analyses

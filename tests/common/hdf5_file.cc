@@ -7,7 +7,7 @@
 #include <hdf5.h>
 
 namespace vibroimpact {
-namespace {
+namespace hdf5_file_tests {
 
 using testing::TemporaryFolder;
 using testing::thrown_message;
@@ -156,5 +156,5 @@ TEST_F(Hdf5FileTest, ValuesMustFillTheShape) {
   EXPECT_THROW(file.write("/x", {2, 2}, std::vector<double>{1, 2, 3}), std::logic_error);
 }
 
-} // namespace
+} // namespace hdf5_file_tests
 } // namespace vibroimpact

@@ -5,7 +5,7 @@
 #include <limits>
 
 namespace vibroimpact {
-namespace {
+namespace json_text_tests {
 
 TEST(JsonText, WhatJsonCannotHoldLiterallyIsEscaped) {
   EXPECT_EQ(json_string("m/s²"), "\"m/s²\"");
@@ -27,5 +27,5 @@ TEST(JsonText, NumbersThatAreNotFinite) {
   EXPECT_EQ(json_number(-INFINITY), "\"-inf\"");
 }
 
-} // namespace
+} // namespace json_text_tests
 } // namespace vibroimpact

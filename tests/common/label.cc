@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace label_tests {
 
 TEST(LabelTest, KeepsWhatItWasGiven) {
   const Label label("contact/heads/impact/time", "s", "instant", {"impact_heads"});
@@ -30,5 +30,5 @@ TEST(LabelTest, EveryPartOfTheTextCounts) {
   EXPECT_NE(label, Label("force", "N", "largest force"));
 }
 
-} // namespace
+} // namespace label_tests
 } // namespace vibroimpact

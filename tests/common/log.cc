@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace log_tests {
 
 TEST(LogTest, EachFileHoldsWhatWasSaidWhileItWasOpen) {
   const testing::TemporaryFolder folder;
@@ -38,5 +38,5 @@ TEST(LogTest, OtherRanksAreSilent) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
-} // namespace
+} // namespace log_tests
 } // namespace vibroimpact

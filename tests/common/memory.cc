@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace memory_tests {
 
 TEST(MemoryTest, WhatIsAvailableSuffices) {
   const double available = available_memory();
@@ -20,5 +20,5 @@ TEST(MemoryTest, ALackSaysBothFigures) {
   EXPECT_TRUE(lack_of_memory(1e18).starts_with("about 1000 PB of memory")) << lack_of_memory(1e18);
 }
 
-} // namespace
+} // namespace memory_tests
 } // namespace vibroimpact

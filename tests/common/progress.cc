@@ -5,7 +5,7 @@
 #include <sstream>
 
 namespace vibroimpact {
-namespace {
+namespace progress_tests {
 
 class ProgressTest : public ::testing::Test {
 protected:
@@ -98,5 +98,5 @@ TEST_F(ProgressTest, EndsTheLiveLineOnce) {
   EXPECT_EQ(stream.str(), "\r\033[Kresponse: 2 of 2 (100 %), 2/s, took 1 s\n");
 }
 
-} // namespace
+} // namespace progress_tests
 } // namespace vibroimpact

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace signals_tests {
 
 TEST(Signals, EndTheProcessAtOnceWhereNothingIsAtStake) {
   for (const int number : {SIGINT, SIGTERM})
@@ -61,5 +61,5 @@ TEST(Signals, BehindResultsTheyEndTheProcessAgain) {
       ::testing::ExitedWithCode(stopped_exit_code), "stopped by a signal");
 }
 
-} // namespace
+} // namespace signals_tests
 } // namespace vibroimpact

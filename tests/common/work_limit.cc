@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace work_limit_tests {
 
 // Processor time passes, nothing else.
 void compute_until(double end) {
@@ -44,5 +44,5 @@ TEST(WorkLimits, CanEndTheProcess) {
       ::testing::ExitedWithCode(0), "");
 }
 
-} // namespace
+} // namespace work_limit_tests
 } // namespace vibroimpact

@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace vibroimpact::contact {
-namespace {
+namespace bilinear_stop_tests {
 
 using namespace motion;
 
@@ -81,5 +81,5 @@ TEST(BilinearStopTest, DerivativesPowerAndAffineForm) {
       testing::check_law(law, {.mode = mode, .gap = mode == 0 ? 1e-3 : -1e-3, .gap_rate = rate});
 }
 
-} // namespace
+} // namespace bilinear_stop_tests
 } // namespace vibroimpact::contact

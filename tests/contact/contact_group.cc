@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::contact {
-namespace {
+namespace contact_group_tests {
 
 using model::Model;
 using reduction::ReducedBody;
@@ -162,5 +162,5 @@ TEST(ContactGroupTest, NoWarningAboveTheThreshold) {
   EXPECT_EQ(flexibility_warning({{"a", 0, 0.91, 0.9}, {"b", 0, std::nan(""), 0.9}}), "");
 }
 
-} // namespace
+} // namespace contact_group_tests
 } // namespace vibroimpact::contact

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace vibroimpact::contact {
-namespace {
+namespace contact_laws_tests {
 
 constexpr HertzConstants constants{.stiffness = 2e9, .exponent = 1.5};
 
@@ -138,5 +138,5 @@ TEST(ContactLawsTest, AffineModesSayWhatEvaluateDoes) {
     }
 }
 
-} // namespace
+} // namespace contact_laws_tests
 } // namespace vibroimpact::contact

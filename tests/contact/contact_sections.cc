@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::contact {
-namespace {
+namespace contact_sections_tests {
 
 using model::Model;
 using reduction::ReducedBody;
@@ -102,5 +102,5 @@ TEST(ContactSectionsTest, TheEffectiveMassOfAFlexibleSideMustBeGiven) {
   EXPECT_NO_THROW(contacts_of(tsuji("one.head, stop"), {"a"}, "beam"));
 }
 
-} // namespace
+} // namespace contact_sections_tests
 } // namespace vibroimpact::contact

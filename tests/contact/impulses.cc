@@ -7,7 +7,7 @@
 #include <random>
 
 namespace vibroimpact::contact {
-namespace {
+namespace impulses_tests {
 
 Vector vector_of(std::initializer_list<double> values) {
   Vector vector(static_cast<Index>(values.size()));
@@ -111,5 +111,5 @@ TEST(ImpulsesTest, RandomSystemsAreComplementaryAndLoseEnergy) {
   }
 }
 
-} // namespace
+} // namespace impulses_tests
 } // namespace vibroimpact::contact

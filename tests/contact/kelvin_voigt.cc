@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace vibroimpact::contact {
-namespace {
+namespace kelvin_voigt_tests {
 
 using namespace motion;
 using model::Model;
@@ -151,5 +151,5 @@ TEST(KelvinVoigtTest, ComesOnAgainInsideTheOverlap) {
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-7);
 }
 
-} // namespace
+} // namespace kelvin_voigt_tests
 } // namespace vibroimpact::contact

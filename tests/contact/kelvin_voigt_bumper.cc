@@ -12,7 +12,7 @@
 #include <cmath>
 
 namespace vibroimpact::contact {
-namespace {
+namespace kelvin_voigt_bumper_tests {
 
 using namespace motion;
 using namespace model;
@@ -164,5 +164,5 @@ TEST(KelvinVoigtBumperTest, NamesItsState) {
   EXPECT_EQ(law.internal_states()[0].unit, "m");
 }
 
-} // namespace
+} // namespace kelvin_voigt_bumper_tests
 } // namespace vibroimpact::contact

@@ -12,7 +12,7 @@
 #include <cmath>
 
 namespace vibroimpact::contact {
-namespace {
+namespace kuwabara_kono_tests {
 
 using namespace motion;
 
@@ -95,5 +95,5 @@ TEST(KuwabaraKonoTest, DerivativesPowerAndAffineForm) {
       testing::check_law(law, {.mode = mode, .gap = mode == 0 ? 1e-5 : -1e-5, .gap_rate = rate});
 }
 
-} // namespace
+} // namespace kuwabara_kono_tests
 } // namespace vibroimpact::contact

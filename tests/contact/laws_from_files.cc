@@ -10,7 +10,7 @@
 #include <numbers>
 
 namespace vibroimpact::contact {
-namespace {
+namespace laws_from_files_tests {
 
 std::shared_ptr<const ContactLaw> law_of(const std::string &name, const std::string &section,
                                          const std::string &keys) {
@@ -112,5 +112,5 @@ TEST(LawsFromFilesTest, NewtonRestitution) {
   EXPECT_EQ(law->restitution(2), 0.35);
 }
 
-} // namespace
+} // namespace laws_from_files_tests
 } // namespace vibroimpact::contact

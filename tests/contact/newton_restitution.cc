@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::contact {
-namespace {
+namespace newton_restitution_tests {
 
 using testing::LawPoint;
 
@@ -62,5 +62,5 @@ TEST(NewtonRestitutionTest, GuardsArePositiveInTheirModes) {
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-12);
 }
 
-} // namespace
+} // namespace newton_restitution_tests
 } // namespace vibroimpact::contact

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace vibroimpact::contact {
-namespace {
+namespace pairing_tests {
 
 using Cloud = std::vector<Vector3>;
 
@@ -124,5 +124,5 @@ TEST(PairingTest, TheFirstOfEquallyNearNodesCounts) {
   EXPECT_TRUE(facing_pairs({}, second, {.radius = 0.2}).empty());
 }
 
-} // namespace
+} // namespace pairing_tests
 } // namespace vibroimpact::contact

@@ -12,7 +12,7 @@
 #include <map>
 
 namespace vibroimpact::contact {
-namespace {
+namespace restitution_relation_tests {
 
 TEST(RestitutionRelationTest, ExactAtKnownValues) {
   EXPECT_NEAR(dimensionless_damping("exact", 0.2), 4.919167, 1e-6);
@@ -89,5 +89,5 @@ TEST(RestitutionRelationTest, RefusesWhatIsNoRestitution) {
   EXPECT_THROW(dimensionless_damping("guess", 0.5), std::invalid_argument);
 }
 
-} // namespace
+} // namespace restitution_relation_tests
 } // namespace vibroimpact::contact

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::contact {
-namespace {
+namespace truncation_tests {
 
 using namespace reduction;
 using examples::BeamDefinition;
@@ -255,5 +255,5 @@ TEST(Truncation, WarningsNameTheContactsAndTheirErrors) {
   EXPECT_EQ(impact_warning({good, unknown}), "");
 }
 
-} // namespace
+} // namespace truncation_tests
 } // namespace vibroimpact::contact

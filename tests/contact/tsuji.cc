@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace vibroimpact::contact {
-namespace {
+namespace tsuji_tests {
 
 using namespace motion;
 
@@ -83,5 +83,5 @@ TEST(TsujiTest, EverythingIsFiniteAtTheFirstTouch) {
   EXPECT_EQ(at.force_by_gap_rate, 0);
 }
 
-} // namespace
+} // namespace tsuji_tests
 } // namespace vibroimpact::contact

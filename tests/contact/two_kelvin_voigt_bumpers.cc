@@ -14,7 +14,7 @@
 #include <numbers>
 
 namespace vibroimpact::contact {
-namespace {
+namespace two_kelvin_voigt_bumpers_tests {
 
 using namespace motion;
 using namespace model;
@@ -125,5 +125,5 @@ TEST(TwoKelvinVoigtBumpersTest, WithoutClearance) {
   check({0, 1, 1.4188, 0.4075957, 0.1573106, 0.2768695, 0.1573106});
 }
 
-} // namespace
+} // namespace two_kelvin_voigt_bumpers_tests
 } // namespace vibroimpact::contact

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::continuation {
-namespace {
+namespace branch_tests {
 
 Algebraic circle(double state_radius, double key_middle, double key_radius) {
   return {[=](const Point &at) {
@@ -270,5 +270,5 @@ TEST(BranchTest, IsSolvedFromAGuessAtAFixedKey) {
   EXPECT_NEAR(solve(flat, {vector({5}), vector({0})}, Settings()).point.state(0), 0, 1e-14);
 }
 
-} // namespace
+} // namespace branch_tests
 } // namespace vibroimpact::continuation

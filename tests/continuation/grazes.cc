@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::continuation {
-namespace {
+namespace grazes_tests {
 
 Settings within(double lower, double upper) {
   Settings settings;
@@ -318,5 +318,5 @@ TEST(GrazesTest, AreChangesOfPatternWhereNoExtensionIsOffered) {
   EXPECT_EQ(branch.special[0].unstable_after, 1);
 }
 
-} // namespace
+} // namespace grazes_tests
 } // namespace vibroimpact::continuation

@@ -12,7 +12,7 @@
 #include <numbers>
 
 namespace vibroimpact::continuation {
-namespace {
+namespace harmonic_balance_tests {
 
 using std::numbers::pi;
 
@@ -214,5 +214,5 @@ TEST(HarmonicBalanceTest, ResponseToTheForceLeftOutIsTheError) {
   EXPECT_NEAR(error_of_third(0.1) / error_of_third(0.05), 4, 0.2);
 }
 
-} // namespace
+} // namespace harmonic_balance_tests
 } // namespace vibroimpact::continuation

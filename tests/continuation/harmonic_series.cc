@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 namespace vibroimpact::continuation {
-namespace {
+namespace harmonic_series_tests {
 
 TEST(HarmonicSeriesTest, RangeIsThatOfTheFunction) {
   RowVector series(5);
@@ -32,5 +32,5 @@ TEST(HarmonicSeriesTest, RateIsTheDerivative) {
   EXPECT_THROW(harmonics_of(4), std::logic_error);
 }
 
-} // namespace
+} // namespace harmonic_series_tests
 } // namespace vibroimpact::continuation

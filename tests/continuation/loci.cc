@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::continuation {
-namespace {
+namespace loci_tests {
 
 Settings within(Range first, Range second) {
   Settings settings;
@@ -255,5 +255,5 @@ TEST(LociTest, EndOnGrazingCurves) {
   }
 }
 
-} // namespace
+} // namespace loci_tests
 } // namespace vibroimpact::continuation

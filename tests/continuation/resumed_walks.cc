@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::continuation {
-namespace {
+namespace resumed_walks_tests {
 
 using testing::first_of;
 using testing::StepsInMemory;
@@ -207,5 +207,5 @@ TEST(ResumedWalksTest, OutcomesOfAnotherProgramAreRefused) {
   EXPECT_THROW(follow(map, start, within({1.5, 2.5}), {}, &record), std::runtime_error);
 }
 
-} // namespace
+} // namespace resumed_walks_tests
 } // namespace vibroimpact::continuation

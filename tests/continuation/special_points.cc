@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::continuation {
-namespace {
+namespace special_points_tests {
 
 Settings within(double lower, double upper) {
   Settings settings;
@@ -272,5 +272,5 @@ TEST(SpecialPointsTest, EndBranchesAtTheFlipOfTheLowerMultiple) {
   EXPECT_TRUE(branch.special.empty());
 }
 
-} // namespace
+} // namespace special_points_tests
 } // namespace vibroimpact::continuation

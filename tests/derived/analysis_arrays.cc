@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::derived {
-namespace {
+namespace analysis_arrays_tests {
 
 Field field(const std::string &name, const std::vector<std::string> &dimensions, const Shape &shape,
             const std::vector<double> &values) {
@@ -111,5 +111,5 @@ TEST(AnalysisArrays, ValuesMustFillTheShape) {
                std::logic_error);
 }
 
-} // namespace
+} // namespace analysis_arrays_tests
 } // namespace vibroimpact::derived

@@ -3,7 +3,7 @@
 #include <cmath>
 
 namespace vibroimpact::derived {
-namespace {
+namespace band_tests {
 
 using testing::expect_parts;
 using testing::expect_values;
@@ -71,5 +71,5 @@ TEST(Band, WhatIsRefused) {
   expect_parts(zigzag().problem(band + "set Level = 1 s"), {"Level", "1 s"});
 }
 
-} // namespace
+} // namespace band_tests
 } // namespace vibroimpact::derived

@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace vibroimpact::derived {
-namespace {
+namespace contour_tests {
 
 using testing::expect_parts;
 using testing::expect_values;
@@ -133,5 +133,5 @@ TEST(Contour, LevelsAreInTheUnitOfTheField) {
   expect_values(result.arrays[1].values, {0.75, 1, 0.75, 0.75, 2, 0.75, 0.75, 3, 0.75});
 }
 
-} // namespace
+} // namespace contour_tests
 } // namespace vibroimpact::derived

@@ -4,7 +4,7 @@
 #include <numbers>
 
 namespace vibroimpact::derived {
-namespace {
+namespace crossing_tests {
 
 using testing::expect_parts;
 using testing::expect_values;
@@ -77,5 +77,5 @@ TEST(Crossing, WhatIsRefused) {
   expect_parts(analysis.problem(crossing + "set Other = frequency"), {"Other", "Hz"});
 }
 
-} // namespace
+} // namespace crossing_tests
 } // namespace vibroimpact::derived

@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace vibroimpact::derived {
-namespace {
+namespace dimensionless_tests {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
@@ -53,5 +53,5 @@ TEST(Dimensionless, axes_and_fields_are_in_the_units_of_the_file) {
   EXPECT_DOUBLE_EQ(arrays.fields[1].values[0], two_pi);
 }
 
-} // namespace
+} // namespace dimensionless_tests
 } // namespace vibroimpact::derived

@@ -3,7 +3,7 @@
 #include <cmath>
 
 namespace vibroimpact::derived {
-namespace {
+namespace extreme_values_tests {
 
 using testing::expect_parts;
 using testing::expect_values;
@@ -156,5 +156,5 @@ TEST(ExtremeValues, WhatIsRefused) {
                {"Refine", "more than one"});
 }
 
-} // namespace
+} // namespace extreme_values_tests
 } // namespace vibroimpact::derived

@@ -4,7 +4,7 @@
 #include <numbers>
 
 namespace vibroimpact::derived {
-namespace {
+namespace formula_tests {
 
 using testing::expect_parts;
 using testing::expect_values;
@@ -92,5 +92,5 @@ TEST(Formula, WhatIsRefused) {
   expect_parts(small.problem(fields + "a = width"), {"Fields", "width", "length, mass"});
 }
 
-} // namespace
+} // namespace formula_tests
 } // namespace vibroimpact::derived

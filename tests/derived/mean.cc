@@ -4,7 +4,7 @@
 #include <limits>
 
 namespace vibroimpact::derived {
-namespace {
+namespace mean_tests {
 
 using testing::expect_parts;
 using testing::expect_values;
@@ -51,5 +51,5 @@ TEST(Mean, BadInput) {
       {"Level"});
 }
 
-} // namespace
+} // namespace mean_tests
 } // namespace vibroimpact::derived

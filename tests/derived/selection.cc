@@ -1,7 +1,7 @@
 #include "derived/small_analysis.h"
 
 namespace vibroimpact::derived {
-namespace {
+namespace selection_tests {
 
 using testing::expect_parts;
 using testing::expect_values;
@@ -61,5 +61,5 @@ TEST(Selection, CoordinatesThatAreNotThere) {
   EXPECT_EQ(analysis.problem(select + "gap = 0.1000000000001"), "");
 }
 
-} // namespace
+} // namespace selection_tests
 } // namespace vibroimpact::derived

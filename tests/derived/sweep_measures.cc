@@ -4,7 +4,7 @@
 #include <cmath>
 
 namespace vibroimpact::derived {
-namespace {
+namespace sweep_measures_tests {
 
 using testing::expect_parts;
 using testing::expect_values;
@@ -69,5 +69,5 @@ TEST(SweepMeasures, WhatIsRefused) {
                {"Threshold", "1 N"});
 }
 
-} // namespace
+} // namespace sweep_measures_tests
 } // namespace vibroimpact::derived

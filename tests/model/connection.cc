@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::model {
-namespace {
+namespace connection_tests {
 
 using testing::single_mass;
 
@@ -89,5 +89,5 @@ TEST(ConnectionTest, CubicSpringIsTheGradientOfItsEnergy) {
   }
 }
 
-} // namespace
+} // namespace connection_tests
 } // namespace vibroimpact::model

@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace vibroimpact::model {
-namespace {
+namespace model_tests {
 
 using reduction::ReducedBody;
 using testing::single_mass;
@@ -162,5 +162,5 @@ TEST(ModelTest, Directions) {
     EXPECT_FALSE(parse_direction(wrong)) << wrong;
 }
 
-} // namespace
+} // namespace model_tests
 } // namespace vibroimpact::model

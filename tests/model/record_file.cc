@@ -12,7 +12,7 @@
 #include <fstream>
 
 namespace vibroimpact::model {
-namespace {
+namespace record_file_tests {
 
 const RecordLayout by_number{.time_column = "1", .value_column = "2", .separator = "comma"};
 
@@ -157,5 +157,5 @@ TEST(RecordFileTest, Hdf5) {
   EXPECT_THROW(read_hdf5_record((folder.path() / "none.h5").string(), by_number), RecordError);
 }
 
-} // namespace
+} // namespace record_file_tests
 } // namespace vibroimpact::model

@@ -13,7 +13,7 @@
 #include <numbers>
 
 namespace vibroimpact::model {
-namespace {
+namespace time_histories_tests {
 
 using std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -310,5 +310,5 @@ TEST(TimeHistoriesTest, PulsesBeginLikePowersOfTime) {
   }
 }
 
-} // namespace
+} // namespace time_histories_tests
 } // namespace vibroimpact::model

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace vibroimpact::motion {
-namespace {
+namespace bernstein_tests {
 
 // Quintic with the given roots, through its values and derivatives at 0 and 1.
 Bernstein from_roots(const std::vector<double> &roots, double factor) {
@@ -141,5 +141,5 @@ TEST(BernsteinTest, WhatIsAddedToTheMiddleVanishesThriceAtBothEnds) {
     EXPECT_NEAR(q(t) - p(t), 20 * 0.7 * std::pow(t * (1 - t), 3), 1e-14) << t;
 }
 
-} // namespace
+} // namespace bernstein_tests
 } // namespace vibroimpact::motion

@@ -17,7 +17,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace collocated_contacts_tests {
 
 using namespace contact;
 using namespace model;
@@ -347,5 +347,5 @@ TEST(CollocatedContacts, HaveTheExtremeValuesOfTheMotion) {
   }
 }
 
-} // namespace
+} // namespace collocated_contacts_tests
 } // namespace vibroimpact::motion

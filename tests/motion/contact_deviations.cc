@@ -13,7 +13,7 @@
 #include <cmath>
 
 namespace vibroimpact::motion {
-namespace {
+namespace contact_deviations_tests {
 
 // The motion from the first touch to the release.
 class FirstContact : public Observer {
@@ -114,5 +114,5 @@ INSTANTIATE_TEST_SUITE_P(Laws, ContactDeviations,
                                            contact::HuntCrossley::with_dissipation(constants, 0.8),
                                            std::make_shared<contact::KuwabaraKono>(1e7, 5e-4)));
 
-} // namespace
+} // namespace contact_deviations_tests
 } // namespace vibroimpact::motion

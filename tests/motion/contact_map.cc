@@ -13,7 +13,7 @@
 #include <cmath>
 
 namespace vibroimpact::motion {
-namespace {
+namespace contact_map_tests {
 
 // The penetration is the sum of the displacements of two oscillators, x = (a, a', b, b'); masses of
 // 1 kg and 0.5 kg.
@@ -132,5 +132,5 @@ std::vector<PassedContact> passed_contacts() {
 
 INSTANTIATE_TEST_SUITE_P(Laws, ContactMaps, ::testing::ValuesIn(passed_contacts()));
 
-} // namespace
+} // namespace contact_map_tests
 } // namespace vibroimpact::motion

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace vibroimpact::motion {
-namespace {
+namespace counted_contacts_tests {
 
 using namespace contact;
 using namespace model;
@@ -195,5 +195,5 @@ TEST(CountedContacts, AreInStepsWhereTheyAreShorterThanInstantsAreExact) {
   expect_only(Shaken().run({.event_tolerance = 1e-3}), StepReason::shallow);
 }
 
-} // namespace
+} // namespace counted_contacts_tests
 } // namespace vibroimpact::motion

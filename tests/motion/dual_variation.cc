@@ -18,7 +18,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace dual_variation_tests {
 
 using namespace contact;
 using namespace model;
@@ -242,5 +242,5 @@ INSTANTIATE_TEST_SUITE_P(
                                          Law{"newton restitution", 1, 0, false, 4}),
                        ::testing::Values(0.0, 300.0)));
 
-} // namespace
+} // namespace dual_variation_tests
 } // namespace vibroimpact::motion

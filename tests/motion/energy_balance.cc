@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace energy_balance_tests {
 
 using namespace contact;
 using namespace model;
@@ -120,5 +120,5 @@ TEST(EnergyBalanceTest, ABalanceThatDoesNotCloseIsReported) {
   EXPECT_TRUE(accuracy.balanced());
 }
 
-} // namespace
+} // namespace energy_balance_tests
 } // namespace vibroimpact::motion

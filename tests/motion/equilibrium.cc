@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace vibroimpact::motion {
-namespace {
+namespace equilibrium_tests {
 
 using namespace contact;
 using model::Model;
@@ -101,5 +101,5 @@ TEST(EquilibriumTest, ARigidStopThatWouldPullIsLetGoAndTheOtherOneHolds) {
   EXPECT_EQ(found.closed, (std::vector<bool>{false, true}));
 }
 
-} // namespace
+} // namespace equilibrium_tests
 } // namespace vibroimpact::motion

@@ -13,7 +13,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace error_bounds_tests {
 
 using namespace contact;
 using namespace model;
@@ -226,5 +226,5 @@ TEST(ErrorBoundsTest, RoundingOfAnImpulse) {
   }
 }
 
-} // namespace
+} // namespace error_bounds_tests
 } // namespace vibroimpact::motion

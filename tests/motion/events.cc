@@ -10,7 +10,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace events_tests {
 
 using namespace contact;
 using model::Model;
@@ -146,5 +146,5 @@ TEST(EventsTest, RoundingOfAGapBetweenFallingMasses) {
   }
 }
 
-} // namespace
+} // namespace events_tests
 } // namespace vibroimpact::motion

@@ -10,7 +10,7 @@
 #include <random>
 
 namespace vibroimpact::motion {
-namespace {
+namespace exact_kernel_tests {
 
 class ExactKernelTest : public ::testing::TestWithParam<const Kernel *> {
 protected:
@@ -246,5 +246,5 @@ TEST(ExactKernelMachinesTest, SameBits) {
   }
 }
 
-} // namespace
+} // namespace exact_kernel_tests
 } // namespace vibroimpact::motion

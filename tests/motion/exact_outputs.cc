@@ -12,7 +12,7 @@
 #include <random>
 
 namespace vibroimpact::motion {
-namespace {
+namespace exact_outputs_tests {
 
 // One form of a phase made of given exponentials.
 struct Output {
@@ -279,5 +279,5 @@ TEST(ExactOutputsTest, Resonance) {
     }
 }
 
-} // namespace
+} // namespace exact_outputs_tests
 } // namespace vibroimpact::motion

@@ -9,7 +9,7 @@
 #include <utility>
 
 namespace vibroimpact::motion {
-namespace {
+namespace force_operators_tests {
 
 Vector at_nodes(const ForceFamily &family, int degree) {
   Vector values(family.size());
@@ -153,5 +153,5 @@ TEST(ForceOperatorsFamily, MeasuresTheTail) {
   EXPECT_NEAR(family.tail(high.data()), 0.15, 1e-13);
 }
 
-} // namespace
+} // namespace force_operators_tests
 } // namespace vibroimpact::motion

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::motion {
-namespace {
+namespace grazing_flights_tests {
 
 using testing::count_system;
 using testing::FlightCounts;
@@ -57,5 +57,5 @@ TEST(GrazingFlightsTest, AFlatInflectionAtAStop) {
 
 TEST(GrazingFlightsTest, BySeries) { expect_sound(count(40, 30, true)); }
 
-} // namespace
+} // namespace grazing_flights_tests
 } // namespace vibroimpact::motion

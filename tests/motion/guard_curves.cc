@@ -9,7 +9,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace guard_curves_tests {
 
 constexpr double epsilon = 2.3e-16;
 
@@ -179,5 +179,5 @@ TEST(GuardCurvesTest, TouchBetweenTwoIntervals) {
   EXPECT_FALSE(after.time);
 }
 
-} // namespace
+} // namespace guard_curves_tests
 } // namespace vibroimpact::motion

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::motion {
-namespace {
+namespace guards_after_impacts_tests {
 
 using namespace contact;
 using namespace model;
@@ -94,5 +94,5 @@ TEST_P(GuardsAfterImpactsTest, AnImpactComesBeforeTheContactThatItCloses) {
   EXPECT_NEAR(trajectory.state()[trajectory.layout().internal()], speed / 2, 1e-9);
 }
 
-} // namespace
+} // namespace guards_after_impacts_tests
 } // namespace vibroimpact::motion

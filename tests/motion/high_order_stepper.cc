@@ -18,7 +18,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace high_order_stepper_tests {
 
 using namespace contact;
 using namespace model;
@@ -331,5 +331,5 @@ TEST(HighOrderStepperTest, AMotionDoesNotDependOnTheOneBefore) {
   EXPECT_EQ(used.accuracy().steps, fresh.accuracy().steps);
 }
 
-} // namespace
+} // namespace high_order_stepper_tests
 } // namespace vibroimpact::motion

@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace indeterminate_modes_tests {
 
 using namespace model;
 using contact::ContactPair;
@@ -244,5 +244,5 @@ TEST(IndeterminateModesTest, BodiesThatPartInTheFifthOrder) {
   }
 }
 
-} // namespace
+} // namespace indeterminate_modes_tests
 } // namespace vibroimpact::motion

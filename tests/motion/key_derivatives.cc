@@ -15,7 +15,7 @@
 #include <cmath>
 
 namespace vibroimpact::motion {
-namespace {
+namespace key_derivatives_tests {
 
 using namespace model;
 using contact::ContactSet;
@@ -408,5 +408,5 @@ TEST(KeyDerivativesTest, KeysThatChangeTheModelItselfAreRefused) {
   EXPECT_THROW(more.linearised(), NumericalError);
 }
 
-} // namespace
+} // namespace key_derivatives_tests
 } // namespace vibroimpact::motion

@@ -16,7 +16,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace linear_phase_tests {
 
 using namespace contact;
 using namespace model;
@@ -292,5 +292,5 @@ TEST(LinearPhaseTest, RecordedFreeBodyBesideAFastOne) {
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-12);
 }
 
-} // namespace
+} // namespace linear_phase_tests
 } // namespace vibroimpact::motion

@@ -13,7 +13,7 @@
 #include <random>
 
 namespace vibroimpact::motion {
-namespace {
+namespace linear_variation_tests {
 
 PhaseGroup pair(Complex exponent, Index first) {
   return {.kind = BlockKind::pair,
@@ -122,5 +122,5 @@ TEST(LinearVariationTest, RadauMethods) {
   }
 }
 
-} // namespace
+} // namespace linear_variation_tests
 } // namespace vibroimpact::motion

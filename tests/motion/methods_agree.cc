@@ -14,7 +14,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace methods_agree_tests {
 
 using namespace contact;
 using namespace model;
@@ -107,5 +107,5 @@ TEST(MethodsAgreeTest, NearGrazing) {
   }
 }
 
-} // namespace
+} // namespace methods_agree_tests
 } // namespace vibroimpact::motion

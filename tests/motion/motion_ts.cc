@@ -9,7 +9,7 @@
 #include <petscsys.h>
 
 namespace vibroimpact::motion {
-namespace {
+namespace motion_ts_tests {
 
 using namespace contact;
 using namespace model;
@@ -91,5 +91,5 @@ TEST(MotionTsTest, FailuresComeOut) {
   ::testing::internal::GetCapturedStdout();
 }
 
-} // namespace
+} // namespace motion_ts_tests
 } // namespace vibroimpact::motion

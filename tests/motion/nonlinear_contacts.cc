@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace vibroimpact::testing {
-namespace {
+namespace nonlinear_contacts_tests {
 
 constexpr double quarter_turn = std::numbers::pi / 2; // of a source that is constant
 
@@ -234,5 +234,5 @@ TEST(NonlinearContactsTest, RandomContacts) {
   }
 }
 
-} // namespace
+} // namespace nonlinear_contacts_tests
 } // namespace vibroimpact::testing

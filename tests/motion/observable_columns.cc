@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::motion {
-namespace {
+namespace observable_columns_tests {
 
 constexpr Index modes = 16;
 
@@ -138,5 +138,5 @@ TEST(ObservableColumnsTest, WhatIsLeftIsNotSeen) {
   }
 }
 
-} // namespace
+} // namespace observable_columns_tests
 } // namespace vibroimpact::motion

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace vibroimpact::motion {
-namespace {
+namespace quadratic_form_tests {
 
 TEST(QuadraticFormTest, TermsOfVeryDifferentSize) {
   const auto f = [](const Vector &x) {
@@ -55,5 +55,5 @@ TEST(QuadraticFormTest, OtherFunctionsAreRefused) {
       quadratic_form([](const Vector &x) { return std::pow(std::abs(x[0]), 1.5); }, 1).has_value());
 }
 
-} // namespace
+} // namespace quadratic_form_tests
 } // namespace vibroimpact::motion

@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace vibroimpact::testing {
-namespace {
+namespace reference_motion_tests {
 
 ReferenceSystem two_spheres(const ReferenceLaw &law) {
   return {.mass = {1, 2.5},
@@ -102,5 +102,5 @@ TEST(ReferenceMotionTest, SourcesOfLinearMotion) {
   EXPECT_LT(std::abs(motion.displacement[0] - truth), 1e-16L);
 }
 
-} // namespace
+} // namespace reference_motion_tests
 } // namespace vibroimpact::testing

@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace vibroimpact::motion {
-namespace {
+namespace renewed_phases_tests {
 
 using model::ExponentialForm;
 
@@ -201,5 +201,5 @@ TEST(RenewedPhasesTest, KeepTheirArrangement) {
   EXPECT_NE(phase->arrangement(), arrangement);
 }
 
-} // namespace
+} // namespace renewed_phases_tests
 } // namespace vibroimpact::motion

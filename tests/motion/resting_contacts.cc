@@ -9,7 +9,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace resting_contacts_tests {
 
 using namespace model;
 using contact::ContactPair;
@@ -331,5 +331,5 @@ TEST(RestingContactsTest, AForceThatOnlyBeginsDecidesAtEveryTimeScale) {
       }
 }
 
-} // namespace
+} // namespace resting_contacts_tests
 } // namespace vibroimpact::motion

@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace resting_systems_tests {
 
 using namespace model;
 using contact::ContactSet;
@@ -204,5 +204,5 @@ TEST(RestingSystemsTest, AChatterThatARestMakesPossible) {
   EXPECT_NEAR(outcome.changes[1].chatter_duration, expected, 1e-6 * expected);
 }
 
-} // namespace
+} // namespace resting_systems_tests
 } // namespace vibroimpact::motion

@@ -13,7 +13,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace rigid_impacts_tests {
 
 using namespace contact;
 using namespace model;
@@ -251,5 +251,5 @@ TEST(RigidImpactsTest, LimitOfKelvinVoigt) {
   });
 }
 
-} // namespace
+} // namespace rigid_impacts_tests
 } // namespace vibroimpact::motion

@@ -10,7 +10,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace rotor_tests {
 
 using namespace model;
 using contact::ContactSet;
@@ -155,5 +155,5 @@ TEST(RotorTest, JacobianIsTheDerivativeOfTheRates) {
   }
 }
 
-} // namespace
+} // namespace rotor_tests
 } // namespace vibroimpact::motion

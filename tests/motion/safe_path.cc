@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace vibroimpact::motion {
-namespace {
+namespace safe_path_tests {
 
 using namespace model;
 using contact::ContactSet;
@@ -179,5 +179,5 @@ TEST(SafePathTest, DecayingForceAtAnEigenvalue) {
   EXPECT_LT(end.energy_residual, 1e-10);
 }
 
-} // namespace
+} // namespace safe_path_tests
 } // namespace vibroimpact::motion

@@ -10,7 +10,7 @@
 #include <functional>
 
 namespace vibroimpact::motion {
-namespace {
+namespace scaled_models_tests {
 
 using namespace model;
 using contact::ContactPair;
@@ -177,5 +177,5 @@ TEST(ScaledModelsTest, ByPowersOfTen) {
   }
 }
 
-} // namespace
+} // namespace scaled_models_tests
 } // namespace vibroimpact::motion

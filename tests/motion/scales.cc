@@ -19,7 +19,7 @@
 #include <vector>
 
 namespace vibroimpact::motion {
-namespace {
+namespace scales_tests {
 
 using namespace contact;
 
@@ -215,5 +215,5 @@ TEST(ScalesTest, AHeldMassOnAMovingBase) {
   }
 }
 
-} // namespace
+} // namespace scales_tests
 } // namespace vibroimpact::motion

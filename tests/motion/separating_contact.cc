@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::motion {
-namespace {
+namespace separating_contact_tests {
 
 using namespace contact;
 using namespace model;
@@ -70,5 +70,5 @@ TEST(SeparatingContact, DyingBouncesGoOn) {
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-8);
 }
 
-} // namespace
+} // namespace separating_contact_tests
 } // namespace vibroimpact::motion

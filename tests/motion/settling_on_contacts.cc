@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace vibroimpact::motion {
-namespace {
+namespace settling_on_contacts_tests {
 
 using namespace model;
 using contact::ContactSet;
@@ -262,5 +262,5 @@ TEST(SettlingOnContactsOnceTest, SinksIntoAStiffDampingInFewSteps) {
   EXPECT_LT(trajectory.accuracy().steps, 2000);
 }
 
-} // namespace
+} // namespace settling_on_contacts_tests
 } // namespace vibroimpact::motion

@@ -15,7 +15,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace source_breaks_tests {
 
 using namespace contact;
 using namespace model;
@@ -231,5 +231,5 @@ TEST(SourceBreaksTest, AContactThatBeginsAtABreak) {
   EXPECT_NEAR(trajectory.state()[0], 0.05, 1e-8);
 }
 
-} // namespace
+} // namespace source_breaks_tests
 } // namespace vibroimpact::motion

@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace vibroimpact::motion {
-namespace {
+namespace step_view_tests {
 
 // x = 1000 + cos(w t) near t = 0.3: of a step of 1e-9 s neither the positions nor the velocities
 // show an acceleration, but its ends do.
@@ -72,5 +72,5 @@ TEST(StepViewTest, AccelerationByAForceThatBeginsAndEndsSteeply) {
   }
 }
 
-} // namespace
+} // namespace step_view_tests
 } // namespace vibroimpact::motion

@@ -11,7 +11,7 @@
 #include <thread>
 
 namespace vibroimpact::motion {
-namespace {
+namespace stopped_motions_tests {
 
 using namespace contact;
 using testing::contact_along_x;
@@ -85,5 +85,5 @@ TEST(StoppedMotionsTest, ByEveryMethod) {
     }
 }
 
-} // namespace
+} // namespace stopped_motions_tests
 } // namespace vibroimpact::motion

@@ -17,7 +17,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace trajectory_tests {
 
 using namespace contact;
 using namespace model;
@@ -244,5 +244,5 @@ TEST(TrajectoryTest, RestsInStaticEquilibrium) {
   EXPECT_NEAR(out.state[0], 2 * 9.81 / 1e4, 1e-9);
 }
 
-} // namespace
+} // namespace trajectory_tests
 } // namespace vibroimpact::motion

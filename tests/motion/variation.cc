@@ -20,7 +20,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace variation_tests {
 
 using namespace contact;
 using namespace model;
@@ -345,5 +345,5 @@ TEST(VariationTest, DeterminantOfHertzContact) {
   EXPECT_GE(hertz.events, 4);
 }
 
-} // namespace
+} // namespace variation_tests
 } // namespace vibroimpact::motion

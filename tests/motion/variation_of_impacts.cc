@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace variation_of_impacts_tests {
 
 using namespace model;
 using contact::ContactSet;
@@ -185,5 +185,5 @@ TEST(VariationOfImpactsTest, ImpactsAtTheSameInstantHaveNoDerivative) {
   EXPECT_EQ(variation.tangential_events(), 1);
 }
 
-} // namespace
+} // namespace variation_of_impacts_tests
 } // namespace vibroimpact::motion

@@ -14,7 +14,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace {
+namespace whole_contact_tests {
 
 // A mass on a spring and a damper, x = (u, u'): m u'' + c u' + s u = -f. The mass of 1 kg.
 struct Oscillator {
@@ -283,5 +283,5 @@ TEST(WholeContact, SaysWhatItCannotDo) {
   EXPECT_NE(slow.solve(x.data(), 1), Refusal::none);
 }
 
-} // namespace
+} // namespace whole_contact_tests
 } // namespace vibroimpact::motion

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::output {
-namespace {
+namespace beam_curve_tests {
 
 const Vector3 first(0.1, -0.2, 0.3);
 const Vector3 second(0.5, 0.4, 0.9);
@@ -48,5 +48,5 @@ TEST(BeamCurve, StretchAndTwistAreLinear) {
   EXPECT_LT((beam_curve(first, second, Vector6::Zero(), end, 0.25) - 0.25 * end).norm(), 1e-14);
 }
 
-} // namespace
+} // namespace beam_curve_tests
 } // namespace vibroimpact::output

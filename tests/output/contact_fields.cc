@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::output {
-namespace {
+namespace contact_fields_tests {
 
 using Column = Eigen::Matrix<float, 6, 1>;
 
@@ -82,5 +82,5 @@ TEST(ContactFieldsStops, NoneBetweenMeshesAndNoneWithoutThem) {
   EXPECT_TRUE(stop_faces(rod(), motion, {Vector::Zero(12)}, 0).empty());
 }
 
-} // namespace
+} // namespace contact_fields_tests
 } // namespace vibroimpact::output

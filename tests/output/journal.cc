@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace vibroimpact::output {
-namespace {
+namespace journal_tests {
 
 using testing::TemporaryFolder;
 using testing::text_of;
@@ -126,5 +126,5 @@ TEST_F(JournalTest, UnwritableFolderNamesPathAndReason) {
       << message;
 }
 
-} // namespace
+} // namespace journal_tests
 } // namespace vibroimpact::output

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::output {
-namespace {
+namespace record_tests {
 
 namespace fs = std::filesystem;
 using testing::TemporaryFolder;
@@ -146,5 +146,5 @@ TEST_F(RecordTest, AJournalInAnotherFormatIsNamed) {
                             "written it (a record of unknown kind)");
 }
 
-} // namespace
+} // namespace record_tests
 } // namespace vibroimpact::output

@@ -12,7 +12,7 @@
 #include <random>
 
 namespace vibroimpact::output {
-namespace {
+namespace result_files_tests {
 
 namespace fs = std::filesystem;
 using testing::Example;
@@ -263,5 +263,5 @@ TEST_F(ResultFiles, FullDiskReachesAllRanks) {
             run_folder.journal_file(0).string() + ": cannot write: No space left on device");
 }
 
-} // namespace
+} // namespace result_files_tests
 } // namespace vibroimpact::output

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::output {
-namespace {
+namespace run_folder_tests {
 
 namespace fs = std::filesystem;
 using testing::TemporaryFolder;
@@ -147,5 +147,5 @@ TEST_F(RunFolderTest, JournalsOfAllRanksAreFoundInOrder) {
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
-} // namespace
+} // namespace run_folder_tests
 } // namespace vibroimpact::output

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::output {
-namespace {
+namespace summary_tests {
 
 derived::PointSequence sequence(const std::vector<PointResult> &points) {
   return [points](const auto &visit) { std::for_each(points.begin(), points.end(), visit); };
@@ -123,5 +123,5 @@ TEST(Summary, PointsThatWereNotSteadyAreCounted) {
   EXPECT_EQ(totals.failures(), "");
 }
 
-} // namespace
+} // namespace summary_tests
 } // namespace vibroimpact::output

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::output {
-namespace {
+namespace summary_list_tests {
 
 TEST(SummaryList, TextHasTwelveDigitsAndTheUnit) {
   SummaryList list;
@@ -39,5 +39,5 @@ TEST(SummaryList, AppendedEntriesFollow) {
   EXPECT_EQ(first.text(), "a = 1 [m]\nb = 2 [s]\n");
 }
 
-} // namespace
+} // namespace summary_list_tests
 } // namespace vibroimpact::output

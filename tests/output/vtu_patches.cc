@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace vibroimpact::output {
-namespace {
+namespace vtu_patches_tests {
 
 using reduction::Recovery;
 
@@ -171,5 +171,5 @@ TEST(VtuPatches, StopsAreSquaresAcrossTheirNormal) {
   }
 }
 
-} // namespace
+} // namespace vtu_patches_tests
 } // namespace vibroimpact::output

@@ -9,7 +9,7 @@
 #include <map>
 
 namespace vibroimpact::output {
-namespace {
+namespace vtu_writer_tests {
 
 using reduction::ReducedBody;
 
@@ -200,5 +200,5 @@ TEST_F(VtuWriter, IndexIsCountedFromOne) {
   EXPECT_EQ(index_suffix({1, 0, 16}), "-2-1-17");
 }
 
-} // namespace
+} // namespace vtu_writer_tests
 } // namespace vibroimpact::output

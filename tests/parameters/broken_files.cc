@@ -7,7 +7,7 @@
 #include <fstream>
 
 namespace vibroimpact::parameters {
-namespace {
+namespace broken_files_tests {
 
 struct Case {
   const char *name;
@@ -260,5 +260,5 @@ TEST(BrokenFiles, messages_stay_short) {
   EXPECT_NE(message.find("\xC3\xBC ... \xC3\xBC"), std::string::npos) << message;
 }
 
-} // namespace
+} // namespace broken_files_tests
 } // namespace vibroimpact::parameters

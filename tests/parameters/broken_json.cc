@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::parameters {
-namespace {
+namespace broken_json_tests {
 
 std::string message(const std::string &text) {
   return error_of([&] { parse_json(text); });
@@ -88,5 +88,5 @@ TEST(BrokenJson, control_characters_are_refused) {
   EXPECT_NE(message(R"({"Title": "a\u0000b"})").find("no text"), std::string::npos);
 }
 
-} // namespace
+} // namespace broken_json_tests
 } // namespace vibroimpact::parameters

@@ -9,7 +9,7 @@
 #include <numbers>
 
 namespace vibroimpact::parameters {
-namespace {
+namespace dimensionless_tests {
 
 constexpr const char *plain = R"(set Units = dimensionless
 set Variables = lambda = 2, w = 3 * lambda
@@ -145,5 +145,5 @@ TEST(Dimensionless, other_words_for_it_are_refused) {
             "mean 'dimensionless'? one of these is expected: SI, dimensionless.");
 }
 
-} // namespace
+} // namespace dimensionless_tests
 } // namespace vibroimpact::parameters

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::parameters {
-namespace {
+namespace echo_tests {
 
 TEST(Echo, read_again_gives_the_same_echo_values_and_given_flags) {
   const auto set = parse_prm(sample_text, {{"Contact/heads/Clearance", "7 mm", "--set"},
@@ -91,5 +91,5 @@ TEST(Echo, fingerprint_sees_variables_in_texts) {
   EXPECT_EQ(section(*changed), "Geometry/Section = rectangle, 30 mm, L / 400; L = 0.5");
 }
 
-} // namespace
+} // namespace echo_tests
 } // namespace vibroimpact::parameters

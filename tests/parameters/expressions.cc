@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace vibroimpact::parameters {
-namespace {
+namespace expressions_tests {
 
 VariableTable variables() {
   VariableTable table;
@@ -163,5 +163,5 @@ TEST(Expressions, a_bare_number_fits_all_but_frequencies) {
   EXPECT_FALSE(fits(evaluate("0 kg", {}), dimension::length));
 }
 
-} // namespace
+} // namespace expressions_tests
 } // namespace vibroimpact::parameters

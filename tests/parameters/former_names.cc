@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::parameters {
-namespace {
+namespace former_names_tests {
 
 std::shared_ptr<const Section> declarations() {
   auto file = std::make_shared<Section>("Sample", "A file for tests.");
@@ -105,5 +105,5 @@ TEST(FormerNames, other_text_with_a_slash_is_left_alone) {
   EXPECT_EQ(root.instance("Analysis", "a").text("Path"), "data/Response/Follows");
 }
 
-} // namespace
+} // namespace former_names_tests
 } // namespace vibroimpact::parameters

@@ -8,7 +8,7 @@
 #include <fstream>
 
 namespace vibroimpact::parameters {
-namespace {
+namespace includes_tests {
 
 class Includes : public ::testing::Test {
 protected:
@@ -79,5 +79,5 @@ TEST_F(Includes, a_section_must_end_in_the_file_it_begins_in) {
             more + ":1: Body a\n  this subsection is not closed: its 'end' is missing.");
 }
 
-} // namespace
+} // namespace includes_tests
 } // namespace vibroimpact::parameters

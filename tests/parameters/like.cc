@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::parameters {
-namespace {
+namespace like_tests {
 
 constexpr const char *bodies = R"(subsection Body left
   set Type = shell
@@ -142,5 +142,5 @@ TEST(Like, is_no_key_that_an_override_could_change) {
             "name of its own: subsection KIND NAME.");
 }
 
-} // namespace
+} // namespace like_tests
 } // namespace vibroimpact::parameters

@@ -5,7 +5,7 @@
 #include <tuple>
 
 namespace vibroimpact::parameters {
-namespace {
+namespace overrides_tests {
 
 double clearance(const ParameterSet &set) {
   return set.root().instance("Contact", "heads").quantity("Clearance");
@@ -158,5 +158,5 @@ TEST(Overrides, are_split_at_the_first_equals_sign) {
       "--set Title\n  PATH=VALUE is expected, for example \"Contact/stop/Clearance=0.7 mm\".");
 }
 
-} // namespace
+} // namespace overrides_tests
 } // namespace vibroimpact::parameters

@@ -9,7 +9,7 @@
 #include <sstream>
 
 namespace vibroimpact::parameters {
-namespace {
+namespace reference_tests {
 
 TEST(Reference, markdown_has_a_heading_and_a_table_for_each_section) {
   Section file("Reference", "All keys.");
@@ -110,5 +110,5 @@ TEST(Reference, an_unknown_format_is_a_programming_error) {
   EXPECT_THROW(print_declarations(*sample_declarations(), "html"), std::logic_error);
 }
 
-} // namespace
+} // namespace reference_tests
 } // namespace vibroimpact::parameters

@@ -8,7 +8,7 @@
 #include <set>
 
 namespace vibroimpact::parameters {
-namespace {
+namespace units_tests {
 
 constexpr double pi = std::numbers::pi;
 
@@ -154,5 +154,5 @@ TEST(Units, composed_units_that_read_two_ways_are_refused) {
   EXPECT_THROW(evaluate("3 N/(m s", {}), Refused);
 }
 
-} // namespace
+} // namespace units_tests
 } // namespace vibroimpact::parameters

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 namespace vibroimpact::parameters {
-namespace {
+namespace values_tests {
 
 using Names = std::vector<std::string>;
 
@@ -160,5 +160,5 @@ TEST(Values, included_files_lie_beside_the_file) {
   EXPECT_EQ(set->folder(), folder);
 }
 
-} // namespace
+} // namespace values_tests
 } // namespace vibroimpact::parameters

@@ -12,7 +12,7 @@
 #include <cmath>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace attractors_tests {
 
 // x' = x (3 - x^2) / 2, y' = 0.3 y: the sign of x decides between (1, 0) and (-1, 0) as long as
 // x^2 < 3. The derivative at both is diag(0, 0.3), at (0, 0) diag(1.5, 0.3).
@@ -204,5 +204,5 @@ TEST(AttractorsTest, WhereTheInterpolatedMapHasNoImage) {
   EXPECT_NEAR((*map(Eigen::Vector2d(-0.33, 0.77)))[1], 0.385, 1e-15);
 }
 
-} // namespace
+} // namespace attractors_tests
 } // namespace vibroimpact::periodic

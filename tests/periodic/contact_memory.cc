@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace contact_memory_tests {
 
 using testing::ForcedMap;
 using testing::Oscillator;
@@ -62,5 +62,5 @@ TEST(ContactMemoryTest, MotionsWithoutContactAreOne) {
   }
 }
 
-} // namespace
+} // namespace contact_memory_tests
 } // namespace vibroimpact::periodic

@@ -17,7 +17,7 @@
 #include <complex>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace grazes_tests {
 
 using continuation::Extension;
 using continuation::Point;
@@ -364,5 +364,5 @@ TEST(GrazesTest, BranchesPassTheFirstRelease) {
   }
 }
 
-} // namespace
+} // namespace grazes_tests
 } // namespace vibroimpact::periodic

@@ -19,7 +19,7 @@
 #include <numbers>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace harmonic_contacts_tests {
 
 using std::numbers::pi;
 
@@ -201,5 +201,5 @@ TEST(HarmonicContactsTest, NodesOfGauss) {
                 1.0 / (k + 1), 1e-14);
 }
 
-} // namespace
+} // namespace harmonic_contacts_tests
 } // namespace vibroimpact::periodic

@@ -17,7 +17,7 @@
 #include <numbers>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace harmonic_models_tests {
 
 using continuation::HarmonicBalance;
 using std::numbers::pi;
@@ -215,5 +215,5 @@ TEST(HarmonicModelsTest, Refusals) {
   EXPECT_NE(message(loose).find("no spring or support holds them"), std::string::npos);
 }
 
-} // namespace
+} // namespace harmonic_models_tests
 } // namespace vibroimpact::periodic

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace laws_tests {
 
 using testing::ForcedMap;
 using testing::Oscillator;
@@ -80,5 +80,5 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Tsuji", std::make_shared<contact::Tsuji>(4e4, 40), 1e-9},
         Case{"Newton's restitution", testing::newton(0.7)}));
 
-} // namespace
+} // namespace laws_tests
 } // namespace vibroimpact::periodic

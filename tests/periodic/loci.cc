@@ -10,7 +10,7 @@
 #include <complex>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace loci_tests {
 
 using continuation::Locus;
 using continuation::LocusEnd;
@@ -173,5 +173,5 @@ TEST(LociTest, DerivativesByTwoKeys) {
   }
 }
 
-} // namespace
+} // namespace loci_tests
 } // namespace vibroimpact::periodic

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace orbit_problem_tests {
 
 using continuation::Point;
 using testing::Family;
@@ -107,5 +107,5 @@ TEST(OrbitProblemTest, BestPhaseIsAwayFromContactChanges) {
   EXPECT_GT(problem.evaluate(best).chart_margin, 0.08);
 }
 
-} // namespace
+} // namespace orbit_problem_tests
 } // namespace vibroimpact::periodic

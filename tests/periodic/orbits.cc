@@ -14,7 +14,7 @@
 #include <complex>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace orbits_tests {
 
 using Complex = std::complex<double>;
 using testing::ForcedMap;
@@ -202,5 +202,5 @@ TEST(OrbitsTest, RotorsHaveASecondFrequency) {
   }
 }
 
-} // namespace
+} // namespace orbits_tests
 } // namespace vibroimpact::periodic

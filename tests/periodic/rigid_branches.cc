@@ -23,7 +23,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace rigid_branches_tests {
 
 using continuation::Branch;
 using continuation::Special;
@@ -154,5 +154,5 @@ TEST(RigidBranchesTest, MotionsWithOneImpact) {
   EXPECT_GT(impacting, 5);
 }
 
-} // namespace
+} // namespace rigid_branches_tests
 } // namespace vibroimpact::periodic

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace sections_tests {
 
 using testing::ForcedMap;
 using testing::isolator;
@@ -81,5 +81,5 @@ TEST(SectionsTest, DerivativeByTheFrequencyMovesBothEnds) {
   EXPECT_LT((exact.by_keys - difference).norm(), 1e-7 * difference.norm());
 }
 
-} // namespace
+} // namespace sections_tests
 } // namespace vibroimpact::periodic

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::periodic {
-namespace {
+namespace symmetry_tests {
 
 using contact::BilinearStop;
 using contact::KelvinVoigtBumper;
@@ -174,5 +174,5 @@ TEST(SymmetryTest, MultipliersOfAPeriodAreSquares) {
             1e-11);
 }
 
-} // namespace
+} // namespace symmetry_tests
 } // namespace vibroimpact::periodic

@@ -13,7 +13,7 @@
 
 using namespace vibroimpact::testing;
 
-namespace {
+namespace orbit_main_tests {
 
 bool is_equal(const std::string &word) { return word.starts_with("equal"); }
 
@@ -51,7 +51,7 @@ bool judge_all(const std::string &folder, int least, const std::vector<std::uint
   return words["different"] == 0 && words["failed"] == 0 && equal >= least;
 }
 
-} // namespace
+} // namespace orbit_main_tests
 
 int main(int argc, char **argv) {
   if (argc < 4)

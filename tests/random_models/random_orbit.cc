@@ -15,7 +15,7 @@
 
 namespace vibroimpact::testing {
 
-namespace {
+namespace random_orbit_tests {
 
 constexpr double hopeless = 1e-6;
 constexpr double tolerance = 1e-12;
@@ -141,7 +141,7 @@ private:
   OrbitVerdict verdict_;
 };
 
-} // namespace
+} // namespace random_orbit_tests
 
 std::string random_orbit_model(std::uint64_t seed) {
   Draw draw(seed + 500000);

@@ -10,7 +10,7 @@
 
 namespace vibroimpact::testing {
 
-namespace {
+namespace run_model_tests {
 
 using namespace analyses;
 using reduction::ReducedBody;
@@ -51,7 +51,7 @@ PointResult point_of(const std::string &text, const std::string &folder,
   return context.point;
 }
 
-} // namespace
+} // namespace run_model_tests
 
 ModelRun run_model(const std::string &text, const std::string &folder,
                    std::vector<parameters::Override> overrides) {

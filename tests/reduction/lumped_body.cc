@@ -7,7 +7,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 
-namespace {
+namespace lumped_body_tests {
 
 BodyDefinition two_masses() {
   BodyDefinition definition;
@@ -23,7 +23,7 @@ BodyDefinition two_masses() {
   return definition;
 }
 
-} // namespace
+} // namespace lumped_body_tests
 
 TEST(LumpedBody, HasOneCoordinatePerMass) {
   const ReducedBody body = reduce(two_masses(), MPI_COMM_SELF);

@@ -7,7 +7,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
-namespace {
+namespace member_stress_tests {
 
 constexpr double width = 0.06;
 constexpr double depth = 0.02; // along local z
@@ -44,7 +44,7 @@ double stress_of(const ReducedBody &body, std::size_t line, Index end, const Vec
 
 double modulus(double local_depth) { return width * local_depth * local_depth / 6; }
 
-} // namespace
+} // namespace member_stress_tests
 
 TEST(MemberStress, FibresOfATaperedCantilever) {
   BeamDefinition beam = bar();

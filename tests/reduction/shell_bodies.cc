@@ -14,7 +14,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
-namespace {
+namespace shell_bodies_tests {
 
 BodyDefinition body_of(const ShellDefinition &shell, int number) {
   BodyDefinition definition;
@@ -55,7 +55,7 @@ std::vector<std::string> warnings_of(const ShellDefinition &shell) {
   return lines;
 }
 
-} // namespace
+} // namespace shell_bodies_tests
 
 // One warning for the body, with how many, where, and what helps.
 TEST(ShellBodies, TrianglesThatLockAreWarnedOf) {

@@ -7,7 +7,7 @@
 #include <cctype>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -405,5 +405,5 @@ TEST(BrokenInputSoundTest, OverridesAreNamed) {
   EXPECT_NE(message.find("--set Contact/heads/Clearance=5 kg"), std::string::npos) << message;
 }
 
-} // namespace
+} // namespace broken_input_tests
 } // namespace vibroimpact

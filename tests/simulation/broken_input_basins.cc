@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_basins_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -155,5 +155,5 @@ TEST(BrokenInputBasinsTest, Shares) {
       {"another key"});
 }
 
-} // namespace
+} // namespace broken_input_basins_tests
 } // namespace vibroimpact

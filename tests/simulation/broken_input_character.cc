@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_character_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -122,5 +122,5 @@ TEST(BrokenInputCharacterTest, Spectrogram) {
   expect_message("    set Interval = 1 s\n", "", "Interval", "must be given");
 }
 
-} // namespace
+} // namespace broken_input_character_tests
 } // namespace vibroimpact

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_contacts_tests {
 
 using testing::changed;
 using testing::expect_messages;
@@ -196,5 +196,5 @@ TEST(BrokenInputContactsTest, AFreeBodyHasNoLocalStiffness) {
   EXPECT_NE(message.find("without supports"), std::string::npos) << message;
 }
 
-} // namespace
+} // namespace broken_input_contacts_tests
 } // namespace vibroimpact

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_derived_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -134,5 +134,5 @@ TEST(BrokenInputDerived, Expressions) {
   expect_message("Level = 3 mm", "Level = 3 furlong", {"Level", "furlong"});
 }
 
-} // namespace
+} // namespace broken_input_derived_tests
 } // namespace vibroimpact

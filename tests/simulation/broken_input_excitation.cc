@@ -7,7 +7,7 @@
 #include <fstream>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_excitation_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -156,5 +156,5 @@ TEST(BrokenInputExcitationTest, Records) {
                  {"File = quake.csv", "is not what it was", "0123456789abcdef"});
 }
 
-} // namespace
+} // namespace broken_input_excitation_tests
 } // namespace vibroimpact

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_figures_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -85,5 +85,5 @@ TEST(BrokenInputFigures, DivisorsAndRangesThatCannotBe) {
   expect_message("Range = 0, 2", "Range = 2", {"Range = 2", "two numbers"});
 }
 
-} // namespace
+} // namespace broken_input_figures_tests
 } // namespace vibroimpact

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_isolator_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -209,5 +209,5 @@ TEST(BrokenInputIsolatorTest, TheRepeatedBranchRecordsDisplacements) {
         << with(lines);
 }
 
-} // namespace
+} // namespace broken_input_isolator_tests
 } // namespace vibroimpact

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_language_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -206,5 +206,5 @@ end
       "(greater than 0), for example 50 g.");
 }
 
-} // namespace
+} // namespace broken_input_language_tests
 } // namespace vibroimpact

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_laws_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -141,5 +141,5 @@ TEST(BrokenInputLawsTest, TwoDampingsAtOnce) {
                  {"Damping coefficient", "must not be set when Restitution coefficient is set"});
 }
 
-} // namespace
+} // namespace broken_input_laws_tests
 } // namespace vibroimpact

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_matrices_tests {
 
 using testing::changed;
 using testing::expect_messages;
@@ -101,5 +101,5 @@ TEST(BrokenInputMatricesTest, ANodeByNumberNeedsNumberedNodes) {
   expect_messages(beam, {{"a node", "At = end", "Node = 3", {"Point tip", "Node", "matrices"}}});
 }
 
-} // namespace
+} // namespace broken_input_matrices_tests
 } // namespace vibroimpact

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_model_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -98,5 +98,5 @@ TEST(BrokenInputModelTest, Equilibria) {
                  {"Shape", "one initial condition only"});
 }
 
-} // namespace
+} // namespace broken_input_model_tests
 } // namespace vibroimpact

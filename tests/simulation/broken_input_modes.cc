@@ -8,7 +8,7 @@
 #include <fstream>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_modes_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -159,5 +159,5 @@ TEST_F(BrokenInputModesTest, AChangedFileIsRefused) {
          {"File = modes.csv", "its content is not what it was"});
 }
 
-} // namespace
+} // namespace broken_input_modes_tests
 } // namespace vibroimpact

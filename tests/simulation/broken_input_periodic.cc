@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_periodic_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -325,5 +325,5 @@ TEST(BrokenInputPeriodicTest, Rotors) {
                       {"the model has a rotor: its speed is a second frequency"});
 }
 
-} // namespace
+} // namespace broken_input_periodic_tests
 } // namespace vibroimpact

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_recorders_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -82,5 +82,5 @@ TEST(BrokenInputRecordersTest, Windows) {
   expect_message("set Frequency = 3 Hz", "set History = constant", {"period"});
 }
 
-} // namespace
+} // namespace broken_input_recorders_tests
 } // namespace vibroimpact

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_rigid_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -78,5 +78,5 @@ TEST(BrokenInputRigidTest, NegativeClearanceIsAPrestress) {
             "");
 }
 
-} // namespace
+} // namespace broken_input_rigid_tests
 } // namespace vibroimpact

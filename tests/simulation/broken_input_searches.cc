@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_searches_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -217,5 +217,5 @@ end
   EXPECT_NE(message_of(swept).find("changes it itself"), std::string::npos) << message_of(swept);
 }
 
-} // namespace
+} // namespace broken_input_searches_tests
 } // namespace vibroimpact

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_shells_tests {
 
 using testing::changed;
 using testing::expect_messages;
@@ -100,5 +100,5 @@ TEST(BrokenInputShellsTest, AFixedInterfaceMustBeFree) {
   }
 }
 
-} // namespace
+} // namespace broken_input_shells_tests
 } // namespace vibroimpact

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace broken_input_sweep_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -149,5 +149,5 @@ TEST(BrokenInputSweepTest, FrequencyResponse) {
             std::string::npos);
 }
 
-} // namespace
+} // namespace broken_input_sweep_tests
 } // namespace vibroimpact

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace hard_motions_tests {
 
 using namespace motion;
 using analyses::System;
@@ -155,5 +155,5 @@ TEST(HardMotionsTest, ContactsThatCloseTogetherUnobserved) {
   EXPECT_LT(trajectory.accuracy().steps, 1000000);
 }
 
-} // namespace
+} // namespace hard_motions_tests
 } // namespace vibroimpact

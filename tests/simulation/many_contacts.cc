@@ -8,7 +8,7 @@
 #include <set>
 
 namespace vibroimpact {
-namespace {
+namespace many_contacts_tests {
 
 using namespace contact;
 using namespace motion;
@@ -250,5 +250,5 @@ TEST(ManyContactsTest, ARotatedPairOfPlatesHasTheSameContacts) {
   EXPECT_NEAR(flat.contacts.pairs()[0].clearance, 0.002, 1e-12);
 }
 
-} // namespace
+} // namespace many_contacts_tests
 } // namespace vibroimpact

@@ -1,5 +1,5 @@
 """What tests of whole runs share: a folder for each test, and the program started in it, on one or
-more ranks. Usage of such a test: check_NAME.py PROGRAM MPIEXEC [PART/PARTS]
+more ranks. Usage of such a test: check_NAME.py PROGRAM MPIEXEC [PART/PARTS] [--slow]
 """
 import os
 import pathlib
@@ -79,6 +79,16 @@ class ProgramRuns(InAFolder):
         self.assertEqual(datasets(out), datasets(whole))
 
 
+def slow(test):
+    """Marks a test that takes long for what it alone would notice: run with --slow only."""
+    test.slow = True
+    return test
+
+
+def is_slow(test):
+    return getattr(getattr(test, test.id().rsplit(".", 1)[-1], None), "slow", False)
+
+
 def tests_of(suite):
     """Of a suite of suites, one by one."""
     for test in suite:
@@ -86,9 +96,13 @@ def tests_of(suite):
 
 
 def main():
-    """All tests of the script, or of its parts one: "2/5" runs the second of five, and so on."""
+    """The quick tests of the script, with --slow the others; or of its parts one: "2/5" runs the
+    second of five, and so on."""
     os.environ.setdefault("OMPI_MCA_rmaps_base_oversubscribe", "1")
-    part, parts = map(int, sys.argv[3].split("/")) if len(sys.argv) > 3 else (1, 1)
-    every = list(tests_of(unittest.defaultTestLoader.loadTestsFromModule(sys.modules["__main__"])))
+    wanted = "--slow" in sys.argv
+    given = [argument for argument in sys.argv[3:] if argument != "--slow"]
+    part, parts = map(int, given[0].split("/")) if given else (1, 1)
+    loaded = unittest.defaultTestLoader.loadTestsFromModule(sys.modules["__main__"])
+    every = [test for test in tests_of(loaded) if is_slow(test) == wanted]
     done = unittest.TextTestRunner().run(unittest.TestSuite(every[part - 1::parts]))
     sys.exit(not (done.wasSuccessful() and done.testsRun > 0))

@@ -7,7 +7,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace {
+namespace members_tests {
 
 BeamDefinition line_of(int elements) {
   BeamDefinition beam;
@@ -43,7 +43,7 @@ Mesh branching() {
   return mesh;
 }
 
-} // namespace
+} // namespace members_tests
 
 TEST(Members, NodesLieWherePositionsAndPartsAskForThem) {
   BeamDefinition beam = line_of(10);

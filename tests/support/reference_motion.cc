@@ -11,7 +11,7 @@
 
 namespace vibroimpact::testing {
 
-namespace {
+namespace reference_motion_tests {
 
 enum class Mode { open, contact, separating };
 
@@ -390,7 +390,7 @@ private:
   ReferenceResult result_;
 };
 
-} // namespace
+} // namespace reference_motion_tests
 
 ReferenceResult reference_motion(const ReferenceSystem &system, const ReferenceStart &start,
                                  double end, double tolerance) {

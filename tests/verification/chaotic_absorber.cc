@@ -20,7 +20,7 @@
 #include <numbers>
 
 namespace vibroimpact {
-namespace {
+namespace chaotic_absorber_tests {
 
 using namespace analyses;
 using namespace contact;
@@ -157,5 +157,5 @@ TEST(ChaoticAbsorberTest, SoftRightStop) {
   EXPECT_NEAR(found.variation, 0.31, 0.005 + 3 * found.error);
 }
 
-} // namespace
+} // namespace chaotic_absorber_tests
 } // namespace vibroimpact

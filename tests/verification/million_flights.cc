@@ -11,7 +11,7 @@
 #include <string>
 
 namespace vibroimpact {
-namespace {
+namespace million_flights_tests {
 
 using testing::FlightCounts;
 
@@ -87,5 +87,5 @@ TEST(MillionFlightsTest, BySeries) {
   expect_sound(counts);
 }
 
-} // namespace
+} // namespace million_flights_tests
 } // namespace vibroimpact

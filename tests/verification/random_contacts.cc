@@ -11,7 +11,7 @@
 #include <iostream>
 
 namespace vibroimpact::testing {
-namespace {
+namespace random_contacts_tests {
 
 std::uint64_t wanted_contacts() {
   const char *number = std::getenv("VIBROIMPACT_CONTACTS");
@@ -37,5 +37,5 @@ TEST(RandomContactsTest, NeverMoreThanTenTimesTheTolerance) {
   std::cout << wanted_contacts() << " contacts, largest error over tolerance " << worst << '\n';
 }
 
-} // namespace
+} // namespace random_contacts_tests
 } // namespace vibroimpact::testing

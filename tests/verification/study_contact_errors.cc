@@ -14,7 +14,7 @@
 #include <exception>
 
 namespace vibroimpact::testing {
-namespace {
+namespace study_contact_errors_tests {
 
 constexpr int decades = 9; ///< 1e-4 ... 1e-12
 constexpr std::array names = {"Hertz", "Hunt-Crossley", "Kuwabara-Kono", "Tsuji"};
@@ -60,7 +60,7 @@ void run(std::size_t count) {
     }
 }
 
-} // namespace
+} // namespace study_contact_errors_tests
 } // namespace vibroimpact::testing
 
 int main(int argc, char **argv) {

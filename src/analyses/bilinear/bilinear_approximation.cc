@@ -16,7 +16,7 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-constexpr const char *section_name = "Bilinear approximation";
+constexpr const char *bilinear_approximation_section = "Bilinear approximation";
 
 std::size_t source_of(const System &system, const std::string &excitation) {
   return sweep_source(system, excitation, "A bilinear approximation");
@@ -58,7 +58,7 @@ std::string why_none(const std::vector<BilinearMotion> &motions) {
 void BilinearApproximation::declare(parameters::Section &analysis) {
   using namespace parameters;
   analysis
-      .subsection(section_name,
+      .subsection(bilinear_approximation_section,
                   "Motions that open and close one contact once in each period and are tied there, "
                   "whatever its law, stitched together from linear responses.")
       .quantity("First frequency", "", dimension::frequency, range::positive, "f_1",
@@ -82,7 +82,7 @@ void BilinearApproximation::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> BilinearApproximation::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(bilinear_approximation_section);
   Settings settings{.frequencies = read_frequencies(values),
                     .excitation = values.text("Excitation"),
                     .cells = static_cast<std::size_t>(values.integer("Cells")),

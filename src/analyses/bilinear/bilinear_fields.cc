@@ -6,13 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vibroimpact::analyses {
 
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 /// A displacement, or the gap, as a form of the state.
 struct Signal {
@@ -80,7 +77,7 @@ void add_character(PointResult &result, const BilinearMotion &motion, const std:
                        const std::string &description) {
     result.fields.push_back(scalar_field(name, value, unit, description));
   };
-  add(base + "contact_fraction", motion.contact_angle / turn, "1",
+  add(base + "contact_fraction", motion.contact_angle / full_turn, "1",
       "share of the period in contact");
   add(base + "contact_time", motion.contact_angle / angular_frequency, "s",
       "time in contact in each period");
@@ -101,7 +98,7 @@ struct Samples {
 
 Samples sampled(const TiedSystem &tied, const BilinearMotion &motion, std::size_t count) {
   Samples samples;
-  samples.angles = Vector::LinSpaced(static_cast<Index>(count) + 1, 0, turn);
+  samples.angles = Vector::LinSpaced(static_cast<Index>(count) + 1, 0, full_turn);
   samples.states = states_of(tied, motion, samples.angles);
   return samples;
 }
@@ -165,7 +162,7 @@ void add_bilinear_motion(PointResult &result, const System &system, const TiedSy
   add_character(result, motion, contact, tied.angular_frequency());
   const Samples over_period = sampled(tied, motion, samples);
   add_history(result, tied, motion, over_period, signals, contact);
-  add_orders(result, over_period, tied.angular_frequency() / turn, signals, orders);
+  add_orders(result, over_period, tied.angular_frequency() / full_turn, signals, orders);
 }
 
 } // namespace vibroimpact::analyses

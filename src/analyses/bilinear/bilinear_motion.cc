@@ -1,11 +1,7 @@
 #include "analyses/bilinear/bilinear_motion.h"
 
-#include <unsupported/Eigen/MatrixFunctions>
+#include "common/decompositions.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
@@ -17,13 +13,13 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double zero = 1e-9;      // of gaps and forces beside their largest values
-constexpr double same = 1e-7;      // angles of one motion [rad]
-constexpr double rounding = 1e-13; // of determinants beside the products they are made of
-constexpr int halvings = 20;       // of the first and the last cell of the grid
+constexpr double zero = 1e-9; // of gaps and forces beside their largest values
+constexpr double same = 1e-7; // angles of one motion [rad]
+constexpr double determinant_rounding =
+    1e-13;                   // of determinants beside the products they are made of
+constexpr int halvings = 20; // of the first and the last cell of the grid
 
-Matrix propagator(const Matrix &generator, double angle) { return (generator * angle).exp(); }
+Matrix propagator(const Matrix &generator, double angle) { return exponential(generator * angle); }
 
 /// The two conditions a + B [sin; cos] = 0 at one sigma, and the state before closing by u.
 struct Conditions {
@@ -45,9 +41,9 @@ Matrix fixed_points(const Matrix &map, Index states) {
   Matrix all(size, 3);
   all.bottomRows(3).setIdentity();
   const Matrix equations = Matrix::Identity(states, states) - map.topLeftCorner(states, states);
-  const Eigen::PartialPivLU<Matrix> factors(equations);
-  if (factors.rcond() > std::numeric_limits<double>::epsilon())
-    all.topRows(states) = factors.solve(map.topRightCorner(states, 3));
+  const LuFactors<Matrix> factors(equations);
+  if (factors.reciprocal_condition() > std::numeric_limits<double>::epsilon())
+    all.topRows(states) = factors.solve(Matrix(map.topRightCorner(states, 3)));
   else
     all.topRows(states).setConstant(std::numeric_limits<double>::quiet_NaN());
   return all;
@@ -64,14 +60,14 @@ Conditions conditions(const TiedSystem &system, const Matrix &closed, const Matr
 
 Conditions conditions(const TiedSystem &system, double sigma) {
   return conditions(system, propagator(system.closed(), sigma),
-                    propagator(system.open(), turn - sigma));
+                    propagator(system.open(), full_turn - sigma));
 }
 
 /// det B + sign |adj(B) a|; zero where it is round-off.
 double equation(const Conditions &at, int sign) {
   const double value = at.determinant() + sign * at.solution().norm();
   const double size = at.by_phase.row(0).norm() * at.by_phase.row(1).norm();
-  return std::abs(value) > rounding * size ? value : 0;
+  return std::abs(value) > determinant_rounding * size ? value : 0;
 }
 
 struct Node {
@@ -88,7 +84,7 @@ Node node(double sigma, const Conditions &at) {
 /// Equal cells, the first and the last of them halved again and again towards the ends, since the
 /// contact is short where it begins.
 std::vector<Node> grid(const TiedSystem &system, std::size_t cells) {
-  const double h = turn / static_cast<double>(cells);
+  const double h = full_turn / static_cast<double>(cells);
   const Matrix open_step = propagator(system.open(), h);
   const Matrix closed_step = propagator(system.closed(), h);
   std::vector<Matrix> open{Matrix::Identity(system.size(), system.size())};
@@ -103,7 +99,8 @@ std::vector<Node> grid(const TiedSystem &system, std::size_t cells) {
     closed = closed_step * closed;
   }
   for (int k = 1; k <= halvings; ++k)
-    nodes.push_back(node(turn - std::ldexp(h, -k), conditions(system, turn - std::ldexp(h, -k))));
+    nodes.push_back(
+        node(full_turn - std::ldexp(h, -k), conditions(system, full_turn - std::ldexp(h, -k))));
   return nodes;
 }
 
@@ -121,11 +118,10 @@ std::vector<Eigen::Vector2d> phases(const Conditions &at) {
   const Eigen::Vector2d solution = at.solution() / at.determinant();
   if (std::abs(solution.norm() - 1) < 1e-6)
     return {solution.normalized()};
-  const Eigen::JacobiSVD<Matrix> svd(at.by_phase.rightCols<2>(), Eigen::ComputeFullV);
-  const Eigen::Vector2d free = svd.matrixV().col(1);
+  const SingularValues of = singular_values(at.by_phase.rightCols<2>());
+  const Eigen::Vector2d free = of.right.col(1);
   const double size = at.by_phase.cwiseAbs().maxCoeff();
-  if (svd.singularValues()[1] < zero * size &&
-      at.by_phase.col(0).cwiseAbs().maxCoeff() < zero * size)
+  if (of.values[1] < zero * size && at.by_phase.col(0).cwiseAbs().maxCoeff() < zero * size)
     return {free, -free};
   return {};
 }
@@ -141,9 +137,7 @@ std::vector<Eigen::Vector2d> phases_of_zero_gap(const Conditions &at) {
   return {distance * across + half * along, distance * across - half * along};
 }
 
-double spectral_radius(const Matrix &matrix) {
-  return Eigen::EigenSolver<Matrix>(matrix, false).eigenvalues().cwiseAbs().maxCoeff();
-}
+double spectral_radius(const Matrix &matrix) { return eigenvalues(matrix).cwiseAbs().maxCoeff(); }
 
 /// Deviations over the period, with those of the instant of closing: at opening the force, and
 /// with it y', is continuous, so that its instant changes nothing.
@@ -156,7 +150,7 @@ double largest_multiplier(const TiedSystem &system, const Vector &before,
   Matrix closing = system.closing();
   closing += (after * motion.closed_start - system.closing() * rate) *
              (system.gap() / system.gap().dot(rate));
-  const Matrix period = propagator(system.open(), turn - motion.contact_angle) *
+  const Matrix period = propagator(system.open(), full_turn - motion.contact_angle) *
                         propagator(system.closed(), motion.contact_angle) * closing;
   return spectral_radius(period.topLeftCorner(system.states(), system.states()));
 }
@@ -183,7 +177,7 @@ BilinearMotion motion_at(const TiedSystem &system, double sigma, const Condition
                         .closed_start = {},
                         .open_start = {}};
   if (motion.closing_phase < 0)
-    motion.closing_phase += turn;
+    motion.closing_phase += full_turn;
   const Vector before = at.before * Vector3(1, phase[0], phase[1]);
   motion.closed_start = system.closing() * before;
   motion.open_start = propagator(system.closed(), sigma) * motion.closed_start;
@@ -195,12 +189,12 @@ BilinearMotion motion_at(const TiedSystem &system, double sigma, const Condition
 bool known(const std::vector<BilinearMotion> &motions, const BilinearMotion &motion) {
   return std::any_of(motions.begin(), motions.end(), [&](const BilinearMotion &other) {
     return std::abs(other.contact_angle - motion.contact_angle) < same &&
-           std::abs(std::remainder(other.closing_phase - motion.closing_phase, turn)) < same;
+           std::abs(std::remainder(other.closing_phase - motion.closing_phase, full_turn)) < same;
   });
 }
 
 void add_always_open(const TiedSystem &system, std::vector<BilinearMotion> &motions) {
-  const Matrix period = propagator(system.open(), turn);
+  const Matrix period = propagator(system.open(), full_turn);
   const Vector y = fixed_points(period, system.states()) * Vector3(1, 0, 1);
   if (y.allFinite())
     motions.push_back({.contact_angle = 0,
@@ -213,7 +207,7 @@ void add_always_open(const TiedSystem &system, std::vector<BilinearMotion> &moti
 // The tied equations keep any constant gap; the one that is zero is asked for beside the period.
 void add_always_tied(const TiedSystem &system, std::vector<BilinearMotion> &motions) {
   const Index n = system.states();
-  const Matrix period = propagator(system.closed(), turn);
+  const Matrix period = propagator(system.closed(), full_turn);
   const Vector3 u(1, 0, 1);
   Matrix equations(n + 2, n);
   Vector right(n + 2);
@@ -221,13 +215,13 @@ void add_always_tied(const TiedSystem &system, std::vector<BilinearMotion> &moti
       system.gap_rate().head(n);
   right << period.topRightCorner(n, 3) * u, -system.gap().tail(3).dot(u),
       -system.gap_rate().tail(3).dot(u);
-  const Eigen::ColPivHouseholderQR<Matrix> factors(equations);
+  const PivotedQr factors(equations);
   if (factors.rank() < n)
     return;
   Vector y(n + 3);
   y << factors.solve(right), u;
   const Matrix map = period * system.closing();
-  motions.push_back({.contact_angle = turn,
+  motions.push_back({.contact_angle = full_turn,
                      .closed_start = y,
                      .open_start = y,
                      .largest_multiplier = spectral_radius(map.topLeftCorner(n, n))});

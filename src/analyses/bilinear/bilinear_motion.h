@@ -17,10 +17,13 @@
 
 #include "analyses/bilinear/tied_system.h"
 
+#include <numbers>
 #include <string>
 #include <vector>
 
 namespace vibroimpact::analyses {
+
+inline constexpr double full_turn = 2 * std::numbers::pi; ///< of the phase [rad]
 
 struct BilinearMotion {
   bool closes = false;           ///< once in each period; else it is always open or always tied

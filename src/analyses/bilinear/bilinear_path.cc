@@ -1,27 +1,25 @@
 // Where a bilinear motion is at any instant, and its extreme values.
 #include "analyses/bilinear/bilinear_motion.h"
 
-#include <unsupported/Eigen/MatrixFunctions>
+#include "common/decompositions.h"
+#include "common/scalar.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <numeric>
 
 namespace vibroimpact::analyses {
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 constexpr double same_step = 1e-13; // [rad]
 constexpr int least_steps = 16;     // of an interval
 constexpr int most_corrections = 8;
 
 /// Angle since the contact closed, in [0, 2 pi).
 double since_closing(const BilinearMotion &motion, double angle) {
-  const double since = std::fmod(angle - motion.closing_phase, turn);
-  return since < 0 ? since + turn : since;
+  const double since = std::fmod(angle - motion.closing_phase, full_turn);
+  return since < 0 ? since + full_turn : since;
 }
 
 /// exp(A h) for one h after the other, of which many are equal.
@@ -30,7 +28,7 @@ public:
   explicit Propagator(const Matrix &generator) : generator_(generator) {}
   const Matrix &operator()(double h) {
     if (step_.size() == 0 || std::abs(h - length_) > same_step) {
-      step_ = (generator_ * h).exp();
+      step_ = exponential(generator_ * h);
       length_ = h;
     }
     return step_;
@@ -48,7 +46,7 @@ double zero_of_rate(const Matrix &generator, const RowVector &rate, const Vector
                     double first, double last) {
   double t = h * first / (first - last);
   for (int k = 0; k < most_corrections; ++k) {
-    const Vector there = (generator * t).exp() * y;
+    const Vector there = exponential(generator * t) * y;
     const double step = rate.dot(there) / (rate * generator).dot(there);
     const double next = std::clamp(t - step, 0.0, h);
     const bool done = !(std::abs(next - t) > 1e-14 * h);
@@ -105,16 +103,15 @@ Matrix states_of(const TiedSystem &system, const BilinearMotion &motion, const V
 std::vector<FormRange> ranges(const TiedSystem &system, const BilinearMotion &motion,
                               const std::vector<RowVector> &forms, bool closed,
                               std::size_t samples) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<FormRange> found(forms.size(), {.minimum = infinity, .maximum = -infinity});
-  const double length = closed ? motion.contact_angle : turn - motion.contact_angle;
+  const double length = closed ? motion.contact_angle : full_turn - motion.contact_angle;
   if (!(length > 0))
     return found;
   const Matrix &generator = closed ? system.closed() : system.open();
   const int steps =
-      std::max(least_steps, static_cast<int>(std::ceil(length / turn * double(samples))));
+      std::max(least_steps, static_cast<int>(std::ceil(length / full_turn * double(samples))));
   const double h = length / steps;
-  const Matrix step = (generator * h).exp(), values = stacked(forms, system.size());
+  const Matrix step = exponential(generator * h), values = stacked(forms, system.size());
   const Matrix rates = values * generator;
   Vector y = closed ? motion.closed_start : motion.open_start;
   for (int i = 0; i <= steps; ++i) {
@@ -125,7 +122,7 @@ std::vector<FormRange> ranges(const TiedSystem &system, const BilinearMotion &mo
       if (i == steps || !(rate[row] * after[row] < 0))
         continue;
       const double t = zero_of_rate(generator, rates.row(row), y, h, rate[row], after[row]);
-      include(found[k], values.row(row).dot((generator * t).exp() * y));
+      include(found[k], values.row(row).dot(exponential(generator * t) * y));
     }
     y = next;
   }

@@ -7,19 +7,20 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-constexpr const char *who = "A bilinear approximation";
+constexpr const char *approximation_subject = "A bilinear approximation";
 
 bool constant(const model::TimeFunction &function) { return function.highest_frequency() == 0; }
 
 void check_sources(const model::Model &model, std::size_t source) {
   const model::Source &driving = model.sources().at(source);
   if (dynamic_cast<const model::Harmonic *>(driving.function.get()) == nullptr)
-    throw InputError(std::string(who) + " must have a harmonic excitation, but " + driving.name +
-                     " is none.");
+    throw InputError(std::string(approximation_subject) + " must have a harmonic excitation, but " +
+                     driving.name + " is none.");
   for (std::size_t s = 0; s < model.sources().size(); ++s)
     if (s != source && !constant(*model.sources()[s].function))
-      throw InputError(std::string(who) + " must have only constant excitations beside " +
-                       driving.name + ", but " + model.sources()[s].name +
+      throw InputError(std::string(approximation_subject) +
+                       " must have only constant excitations beside " + driving.name + ", but " +
+                       model.sources()[s].name +
                        " varies in time; the key Excitations of the analysis chooses among them.");
 }
 
@@ -29,13 +30,13 @@ void check_contact(const System &system) {
     std::vector<std::string> names;
     for (const contact::ContactPair &pair : pairs)
       names.push_back(pair.name);
-    throw InputError(std::string(who) + " must have exactly one contact, but there are " +
-                     std::to_string(pairs.size()) +
-                     (names.empty() ? "" : ": " + parameters::join(names, ", ")) +
-                     "; the key Active contacts of the analysis chooses among them.");
+    throw InputError(
+        std::string(approximation_subject) + " must have exactly one contact, but there are " +
+        std::to_string(pairs.size()) + (names.empty() ? "" : ": " + parameters::join(names, ", ")) +
+        "; the key Active contacts of the analysis chooses among them.");
   }
   if (!(pairs[0].gap.row.cwiseAbs().maxCoeff() > 0))
-    throw InputError(std::string(who) +
+    throw InputError(std::string(approximation_subject) +
                      " must have a contact with a side that can move, but neither side of " +
                      pairs[0].name + " can.");
 }
@@ -44,7 +45,7 @@ void check_contact(const System &system) {
 
 void TiedSystem::check(const System &system, std::size_t source) {
   if (!system.model.linear())
-    throw InputError(std::string(who) +
+    throw InputError(std::string(approximation_subject) +
                      " must have a linear model, without cubic springs and rotors.");
   check_sources(system.model, source);
   check_contact(system);

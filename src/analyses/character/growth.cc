@@ -1,13 +1,13 @@
 #include "analyses/character/growth.h"
 
+#include "common/scalar.h"
+
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace vibroimpact::analyses {
 
 namespace {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double mean_rate(const std::vector<double> &logarithms, const std::vector<double> &durations,
                  std::size_t first, std::size_t last) {

@@ -9,9 +9,9 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-using Evaluations = std::deque<Evaluation>;
+using EvaluationList = std::deque<Evaluation>;
 
-std::size_t failures(const Evaluations &evaluations) {
+std::size_t failures(const EvaluationList &evaluations) {
   return static_cast<std::size_t>(
       std::count_if(evaluations.begin(), evaluations.end(),
                     [](const Evaluation &evaluation) { return evaluation.value.failed(); }));

@@ -2,11 +2,11 @@
 
 #include "analyses/grid.h"
 #include "common/error.h"
+#include "common/scalar.h"
 #include "parameters/text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace vibroimpact::analyses {
@@ -14,8 +14,6 @@ namespace vibroimpact::analyses {
 using parameters::Values;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double read_bound(const Values &section, const char *key, double otherwise) {
   return section.has(key) ? read_number_for(section, "Path", key).value : otherwise;

@@ -4,13 +4,6 @@
 
 namespace vibroimpact::analyses {
 
-namespace {
-
-constexpr std::size_t bytes_of_a_unit = 32;
-constexpr std::size_t bytes_of_a_failure = 256;
-
-} // namespace
-
 NoteSize size_of_design_note(const Objective &objective) {
   const std::size_t goals = objective.goals().size();
   const std::size_t constraints = objective.constraints().size();

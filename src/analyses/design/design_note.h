@@ -6,6 +6,10 @@
 
 namespace vibroimpact::analyses {
 
+/// Largest lengths of texts in a note; longer ones are cut off.
+inline constexpr std::size_t bytes_of_a_unit = 32;
+inline constexpr std::size_t bytes_of_a_failure = 256;
+
 NoteSize size_of_design_note(const Objective &objective);
 LineNote design_note(const DesignValue &value, const Objective &objective);
 /// Of an empty note: a value that failed.

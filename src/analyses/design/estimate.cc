@@ -3,10 +3,10 @@
 #include "analyses/design/fit_statistics.h"
 #include "analyses/fields.h"
 #include "common/error.h"
+#include "common/scalar.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vibroimpact::analyses {
 
@@ -14,8 +14,7 @@ using parameters::Values;
 
 namespace {
 
-constexpr const char *section_name = "Estimate";
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr const char *estimate_section = "Estimate";
 
 void check_settings(const Values &section, const Estimate::Settings &settings) {
   if (settings.starts > 1 && !all_bounded(settings.keys))
@@ -92,7 +91,7 @@ void add_matrices(PointResult &result, const FitStatistics &statistics) {
 void Estimate::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name, "Fits keys to measured data by bounded nonlinear least squares.");
+      estimate_section, "Fits keys to measured data by bounded nonlinear least squares.");
   declare_design_keys(section);
   DataSet::declare(section);
   section
@@ -112,7 +111,7 @@ void Estimate::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> Estimate::create(const Values &analysis) {
-  const Values section = analysis.subsection(section_name);
+  const Values section = analysis.subsection(estimate_section);
   std::vector<DataSet> data = read_data_sets(section);
   refuse_selections(analysis, data.front().analysis());
   std::vector<std::string> taken;

@@ -1,20 +1,18 @@
 #include "analyses/design/fit_statistics.h"
 
+#include "common/decompositions.h"
+#include "common/scalar.h"
 #include "parameters/text.h"
 
-#include <Eigen/SVD>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace vibroimpact::analyses {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Singular values below this part of the largest are errors of the differences.
 constexpr double noise = 1e-5;
 
@@ -24,8 +22,8 @@ struct Decomposition {
 };
 
 Decomposition decompose(const Matrix &matrix) {
-  const Eigen::JacobiSVD<Matrix> svd(matrix, Eigen::ComputeThinV);
-  return {svd.singularValues(), svd.matrixV()};
+  const SingularValues of = right_singular_values(matrix);
+  return {of.values, of.right};
 }
 
 // (J' J)^-1 = V S^-2 V'; a key that takes part in a direction without information has no error.

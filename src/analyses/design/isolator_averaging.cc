@@ -1,8 +1,10 @@
 #include "analyses/design/isolator_averaging.h"
 
+#include "common/scalar.h"
+#include "common/zero.h"
+
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -14,8 +16,6 @@ namespace {
 
 using std::numbers::pi;
 
-double square(double x) { return x * x; }
-
 double contact_share(double z) {
   return 1 - 2 / pi * (std::asin(z) + z * std::sqrt((1 - z) * (1 + z)));
 }
@@ -23,13 +23,6 @@ double contact_share(double z) {
 double contact_share_slope(double z) { return -4 / pi * std::sqrt((1 - z) * (1 + z)); }
 
 /// Zero of a function between two points of opposite signs.
-double zero_between(const std::function<double(double)> &function, double low, double high) {
-  std::uintmax_t most = 200;
-  const auto [left, right] = boost::math::tools::toms748_solve(
-      function, low, high, boost::math::tools::eps_tolerance<double>(), most);
-  return (left + right) / 2;
-}
-
 /// Zeros of a function on a grid, pairs between neighbouring points included where the function
 /// comes nearest to zero.
 std::vector<double> zeros_on(const std::vector<double> &grid,

@@ -62,8 +62,8 @@ private:
 /// 0, mu (1 - 4 S/pi) = f^2 z^2/(4 Q^2) - 1 + Q^2. Negative where the dashpot alone keeps it below.
 double stiffness_for_peak(double force, double amplitude, const IsolatorDamping &damping);
 
-/// Largest mu up to which the averaged curve does not fold at the force f: that of the cusp. NaN where
-/// that is above 1e4.
+/// Largest mu up to which the averaged curve does not fold at the force f: that of the cusp. NaN
+/// where that is above 1e4.
 double stiffness_of_first_jump(double force, const IsolatorDamping &damping);
 
 } // namespace vibroimpact::analyses

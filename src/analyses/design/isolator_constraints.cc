@@ -2,8 +2,9 @@
 
 #include "analyses/design/isolator_averaging.h"
 #include "common/error.h"
+#include "common/scalar.h"
+#include "common/zero.h"
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -12,17 +13,6 @@
 namespace vibroimpact::analyses {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-double square(double x) { return x * x; }
-
-double zero_between(const std::function<double(double)> &function, double low, double high) {
-  std::uintmax_t most = 200;
-  const auto [left, right] = boost::math::tools::toms748_solve(
-      function, low, high, boost::math::tools::eps_tolerance<double>(), most);
-  return (left + right) / 2;
-}
 
 StopChoice choice_on_set(double z, const IsolatorDamping &damping, double ratio) {
   return stop_of(hysteresis_set(z, damping.rho()).at, damping, ratio);

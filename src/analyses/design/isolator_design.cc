@@ -13,7 +13,7 @@ using parameters::Values;
 
 namespace {
 
-constexpr const char *section_name = "Isolator design";
+constexpr const char *isolator_design_section = "Isolator design";
 constexpr const char *first_key = "First unfolding parameters";
 constexpr const char *second_key = "Second unfolding parameters";
 
@@ -79,8 +79,9 @@ void declare_conditions(parameters::Section &section) {
 void IsolatorDesign::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name, "Stiffness and clearance of the two damped stops of an isolator, so that its "
-                    "resonance is bounded and does not jump.");
+      isolator_design_section,
+      "Stiffness and clearance of the two damped stops of an isolator, so that its "
+      "resonance is bounded and does not jump.");
   declare_conditions(section);
   section
       .quantity("Unfolding frequency ratio", "1", dimension::none, range::positive, "\\lambda",
@@ -96,7 +97,7 @@ void IsolatorDesign::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> IsolatorDesign::create(const Values &analysis) {
-  const Values section = analysis.subsection(section_name);
+  const Values section = analysis.subsection(isolator_design_section);
   section.require("Working frequency");
   section.require("Allowed displacement");
   const IsolatorBranches branches(section);

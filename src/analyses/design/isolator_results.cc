@@ -3,11 +3,11 @@
 #include "analyses/design/isolator_averaging.h"
 #include "analyses/fields.h"
 #include "analyses/stacked_points.h"
+#include "common/scalar.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace vibroimpact::analyses {
@@ -16,16 +16,14 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-void add_scalar(PointResult &result, const std::string &name, double value, const std::string &unit,
-                const std::string &description) {
+void add_isolator_number(PointResult &result, const std::string &name, double value,
+                         const std::string &unit, const std::string &description) {
   result.fields.push_back(scalar_field(name, value, unit, description));
 }
 
 void add_reported(PointResult &result, const std::string &name, double value,
                   const std::string &unit, const std::string &description) {
-  add_scalar(result, name, value, unit, description);
+  add_isolator_number(result, name, value, unit, description);
   std::string line = name;
   std::replace(line.begin(), line.end(), '/', '.');
   result.summary.push_back(scalar_line(line, value, unit));
@@ -72,20 +70,20 @@ double even_share(std::size_t i, std::size_t points) {
 void add_linear_step(PointResult &result, const IsolatorSystem &isolator,
                      const StopConditions &conditions, std::optional<double> wanted) {
   const double zeta = conditions.damping.isolator;
-  add_scalar(result, "natural_frequency", isolator.natural_frequency() / (2 * pi), "Hz",
-             "of the isolator without stops");
-  add_scalar(result, "damping_ratio", zeta, "1", "zeta_0, of the isolator");
-  add_scalar(result, "stop_damping_ratio", conditions.damping.stop, "1",
-             "zeta_1, of a stop, over the critical damping of the isolator");
-  add_scalar(result, "unfolding_ratio", conditions.unfolding_ratio, "1",
-             "lambda in the first unfolding parameter");
+  add_isolator_number(result, "natural_frequency", isolator.natural_frequency() / (2 * pi), "Hz",
+                      "of the isolator without stops");
+  add_isolator_number(result, "damping_ratio", zeta, "1", "zeta_0, of the isolator");
+  add_isolator_number(result, "stop_damping_ratio", conditions.damping.stop, "1",
+                      "zeta_1, of a stop, over the critical damping of the isolator");
+  add_isolator_number(result, "unfolding_ratio", conditions.unfolding_ratio, "1",
+                      "lambda in the first unfolding parameter");
   add_reported(result, "working_ratio", conditions.working_ratio, "1",
                "lambda_w, working over natural frequency");
   add_reported(result, "transmissibility", transmissibility(conditions.working_ratio, zeta), "1",
                "of the isolator at the working frequency");
   if (!wanted)
     return;
-  add_scalar(result, "wanted_transmissibility", *wanted, "1", "that the file asks for");
+  add_isolator_number(result, "wanted_transmissibility", *wanted, "1", "that the file asks for");
   add_reported(result, "least_ratio", ratio_for_transmissibility(*wanted, zeta), "1",
                "frequency ratio from which the transmissibility is at most the wanted one");
   add_reported(result, "least_ratio_undamped", undamped_ratio_for_transmissibility(*wanted), "1",
@@ -162,9 +160,10 @@ void add_limits(PointResult &result, const StopConditions &conditions, const Sto
                 const IsolatorSystem &isolator, std::size_t points) {
   add_reported(result, "largest_force", conditions.largest_force(), "1",
                "f that leaves the working frequency linear");
-  add_scalar(result, "allowed_amplification", conditions.allowed, "1",
-             "allowed displacement over the static one");
-  add_scalar(result, "margin", conditions.margin, "1", "by which the conditions are more than met");
+  add_isolator_number(result, "allowed_amplification", conditions.allowed, "1",
+                      "allowed displacement over the static one");
+  add_isolator_number(result, "margin", conditions.margin, "1",
+                      "by which the conditions are more than met");
   const double force = isolator.stop().force;
   add_reported(result, "present/force", force, "1", "f with the clearance of the file");
   add_reported(result, "present/least_stiffness", conditions.least_stiffness(force), "1",
@@ -190,8 +189,8 @@ void add_array(PointResult &judged, const std::string &name, const std::string &
 
 void add_folds(PointResult &judged, const std::string &method, const std::vector<double> &folds,
                const std::string &how) {
-  add_scalar(judged, method + "/folds", static_cast<double>(folds.size()), "1",
-             "folds of the response curve, " + how);
+  add_isolator_number(judged, method + "/folds", static_cast<double>(folds.size()), "1",
+                      "folds of the response curve, " + how);
   add_array(judged, method + "/fold_ratio", method + "_fold", folds, "lambda of the folds, " + how);
 }
 
@@ -232,7 +231,7 @@ void add_expansion_curve(PointResult &judged, const UnfoldingParameters &at, dou
   curve.into(judged);
 }
 
-constexpr const char *kinds =
+constexpr const char *stop_kinds =
     "1 chosen; corners: 2 of allowed displacement and limit of jumps, 3 of largest force and "
     "allowed displacement, 4 of largest force and limit of jumps; 5 to 8 an example of the regions "
     "I to IV; 9 of the file";
@@ -246,18 +245,21 @@ PointResult judge_by_averaging(const StopToJudge &stop, const IsolatorSystem &is
       unfolding_of(stop.choice, conditions.damping, conditions.unfolding_ratio);
   const double rho = conditions.damping.rho();
   const Region region = region_of(at, rho);
-  add_scalar(judged, "kind", static_cast<double>(stop.kind), "1", kinds);
-  add_scalar(judged, "alpha_1", at.first, "1", "first unfolding parameter");
-  add_scalar(judged, "alpha_2", at.second, "1", "second unfolding parameter");
-  add_scalar(judged, "region", static_cast<double>(region), "1",
-             "1 to 4: I to IV, the last without folds; 0 where there is no force");
-  add_scalar(judged, "stiffness", stop.choice.stiffness, "1", "mu, over that of the isolator");
-  add_scalar(judged, "force", stop.choice.force, "1", "f, static displacement over clearance");
-  add_scalar(judged, "stop_stiffness", stop.choice.stiffness * isolator.stiffness, "N/m",
-             "stiffness of the stop");
-  add_scalar(judged, "clearance", isolator.clearance_of(stop.choice), "m", "clearance of the stop");
-  add_scalar(judged, "expansion/folds", folds_in(region), "1",
-             "folds of the response curve, by the expansion");
+  add_isolator_number(judged, "kind", static_cast<double>(stop.kind), "1", stop_kinds);
+  add_isolator_number(judged, "alpha_1", at.first, "1", "first unfolding parameter");
+  add_isolator_number(judged, "alpha_2", at.second, "1", "second unfolding parameter");
+  add_isolator_number(judged, "region", static_cast<double>(region), "1",
+                      "1 to 4: I to IV, the last without folds; 0 where there is no force");
+  add_isolator_number(judged, "stiffness", stop.choice.stiffness, "1",
+                      "mu, over that of the isolator");
+  add_isolator_number(judged, "force", stop.choice.force, "1",
+                      "f, static displacement over clearance");
+  add_isolator_number(judged, "stop_stiffness", stop.choice.stiffness * isolator.stiffness, "N/m",
+                      "stiffness of the stop");
+  add_isolator_number(judged, "clearance", isolator.clearance_of(stop.choice), "m",
+                      "clearance of the stop");
+  add_isolator_number(judged, "expansion/folds", folds_in(region), "1",
+                      "folds of the response curve, by the expansion");
   add_expansion_curve(judged, at, rho, stop.choice.stiffness, points);
   const AveragedResponse response(conditions.damping, stop.choice);
   std::vector<double> folds;
@@ -265,9 +267,10 @@ PointResult judge_by_averaging(const StopToJudge &stop, const IsolatorSystem &is
     folds.push_back(fold.ratio);
   add_folds(judged, "averaged", folds, "by averaging");
   const ResponsePeak peak = response.peak();
-  add_scalar(judged, "averaged/peak", peak.amplitude * isolator.clearance_of(stop.choice), "m",
-             "largest amplitude by averaging");
-  add_scalar(judged, "averaged/peak_ratio", peak.ratio, "1", "lambda of the largest amplitude");
+  add_isolator_number(judged, "averaged/peak", peak.amplitude * isolator.clearance_of(stop.choice),
+                      "m", "largest amplitude by averaging");
+  add_isolator_number(judged, "averaged/peak_ratio", peak.ratio, "1",
+                      "lambda of the largest amplitude");
   add_averaged_curve(judged, response, points);
   return judged;
 }
@@ -276,12 +279,12 @@ void add_exact(PointResult &judged, const ExactResponse &exact, double clearance
   const std::string how = "of periodic motions";
   judged.reason = exact.failure;
   if (!exact.failure.empty()) {
-    add_scalar(judged, "exact/folds", nan, "1", "folds of the response curve, " + how);
+    add_isolator_number(judged, "exact/folds", nan, "1", "folds of the response curve, " + how);
     return;
   }
   add_folds(judged, "exact", exact.folds, how);
-  add_scalar(judged, "exact/peak", exact.peak * clearance, "m",
-             "largest displacement of the periodic motions that were found");
+  add_isolator_number(judged, "exact/peak", exact.peak * clearance, "m",
+                      "largest displacement of the periodic motions that were found");
   const auto add = [&](const char *name, const std::vector<double> &values, const char *text) {
     add_array(judged, std::string("exact/") + name, "exact_point", values, text);
   };

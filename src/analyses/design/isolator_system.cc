@@ -10,31 +10,32 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string &needed) {
+[[noreturn]] void refuse_isolator(const std::string &needed) {
   throw InputError("An isolator design must have " + needed);
 }
 
 void check_model(const model::Model &model) {
   if (model.size() != 1)
-    refuse("a model with one coordinate, but this one has " + std::to_string(model.size()) + ".");
+    refuse_isolator("a model with one coordinate, but this one has " +
+                    std::to_string(model.size()) + ".");
   if (!model.linear())
-    refuse("an isolator without cubic springs and rotors.");
+    refuse_isolator("an isolator without cubic springs and rotors.");
   if (!(model.stiffness().diagonal[0] > 0))
-    refuse("an isolator with a spring: its stiffness must be greater than 0 N/m.");
+    refuse_isolator("an isolator with a spring: its stiffness must be greater than 0 N/m.");
   if (model.sources().size() != 1)
-    refuse("one excitation, a harmonic force, but this model has " +
-           std::to_string(model.sources().size()) + ".");
+    refuse_isolator("one excitation, a harmonic force, but this model has " +
+                    std::to_string(model.sources().size()) + ".");
 }
 
 /// Amplitude of the load on the coordinate.
 double load_amplitude(const model::Source &source) {
   const auto *harmonic = dynamic_cast<const model::Harmonic *>(source.function.get());
   if (harmonic == nullptr || source.inertial_load.any() || source.rate_load.any())
-    refuse("a harmonic force; the excitation " + source.name + " is none.");
+    refuse_isolator("a harmonic force; the excitation " + source.name + " is none.");
   const double frequency = 2 * std::numbers::pi / harmonic->period();
   const double amplitude = std::hypot(harmonic->value(0), harmonic->rate(0) / frequency);
   if (!(std::abs(source.load[0]) * amplitude > 0))
-    refuse("a force whose amplitude along the motion is greater than 0 N.");
+    refuse_isolator("a force whose amplitude along the motion is greater than 0 N.");
   return std::abs(source.load[0]) * amplitude;
 }
 
@@ -42,22 +43,25 @@ bool is_stop(const contact::ContactPair &pair) {
   return pair.side_b == "stop" && pair.law->name() == "bilinear stop";
 }
 
-bool equal(double one, double other) { return std::abs(one - other) <= 1e-9 * std::abs(one); }
+bool nearly_equal(double one, double other) {
+  return std::abs(one - other) <= 1e-9 * std::abs(one);
+}
 
 void check_stops(const contact::ContactSet &contacts) {
   if (contacts.size() != 2 || !is_stop(contacts.pairs()[0]) || !is_stop(contacts.pairs()[1]))
-    refuse("two contacts with stops, of the law bilinear stop.");
+    refuse_isolator("two contacts with stops, of the law bilinear stop.");
   const contact::ContactPair &one = contacts.pairs()[0], &other = contacts.pairs()[1];
-  if (!equal(one.gap.row[0], -other.gap.row[0]))
-    refuse("its two stops on opposite sides; " + one.name + " and " + other.name + " are not.");
+  if (!nearly_equal(one.gap.row[0], -other.gap.row[0]))
+    refuse_isolator("its two stops on opposite sides; " + one.name + " and " + other.name +
+                    " are not.");
   const contact::AffineForm &law = one.law->modes()[1].affine->force;
   const contact::AffineForm &of_other = other.law->modes()[1].affine->force;
-  if (!equal(one.clearance, other.clearance) || !equal(law.gap, of_other.gap) ||
-      !equal(law.gap_rate, of_other.gap_rate))
-    refuse("two equal stops; clearance, stiffness or damping of " + one.name + " and " +
-           other.name + " differ.");
+  if (!nearly_equal(one.clearance, other.clearance) || !nearly_equal(law.gap, of_other.gap) ||
+      !nearly_equal(law.gap_rate, of_other.gap_rate))
+    refuse_isolator("two equal stops; clearance, stiffness or damping of " + one.name + " and " +
+                    other.name + " differ.");
   if (!(one.clearance > 0))
-    refuse("stops with a clearance greater than 0 m.");
+    refuse_isolator("stops with a clearance greater than 0 m.");
 }
 
 } // namespace
@@ -96,11 +100,11 @@ IsolatorSystem read_isolator(const System &system, const std::string &excitation
                           .point = stop.side_a,
                           .axis = "xyz"[axis]};
   if (!(isolator.stop_damping > 0))
-    refuse("stops with damping: Damping constant must be greater than 0 N s/m.");
+    refuse_isolator("stops with damping: Damping constant must be greater than 0 N s/m.");
   if (!(isolator.damping_ratios().sigma() < largest_damping_ratio))
-    refuse("stops with more damping: that of the isolator must be below " +
-           std::to_string(largest_damping_ratio) + " of that of a stop, but is " +
-           std::to_string(isolator.damping_ratios().sigma()) + ".");
+    refuse_isolator("stops with more damping: that of the isolator must be below " +
+                    std::to_string(largest_damping_ratio) + " of that of a stop, but is " +
+                    std::to_string(isolator.damping_ratios().sigma()) + ".");
   return isolator;
 }
 

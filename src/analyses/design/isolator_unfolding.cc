@@ -1,5 +1,7 @@
 #include "analyses/design/isolator_unfolding.h"
 
+#include "common/scalar.h"
+
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
@@ -10,8 +12,6 @@ namespace vibroimpact::analyses {
 namespace {
 
 using std::numbers::pi;
-
-double square(double x) { return x * x; }
 
 // G(1) = W^2 + A (1 - rho) + alpha_2 = 0 and G_z(1) = W - rho A + 2 alpha_2 = 0 with A = alpha_1^2,
 // W = u(1) + eta and u'(1) = 1/2: 4 alpha_2^2 + (1 - 4 rho A) alpha_2 + rho^2 A^2 + A (1 - rho) =

@@ -3,6 +3,7 @@
 #include "analyses/design/best_evaluation.h"
 #include "analyses/design/design_note.h"
 #include "common/error.h"
+#include "common/scalar.h"
 
 #include <cmath>
 #include <limits>
@@ -13,7 +14,7 @@ using parameters::Values;
 
 namespace {
 
-constexpr const char *section_name = "Optimise";
+constexpr const char *optimise_section = "Optimise";
 constexpr const char *evolution = "differential evolution";
 
 /// Calls of the objective that a method may make for each evaluation: most repeat a known one.
@@ -62,7 +63,8 @@ double penalty(const std::deque<Evaluation> &evaluations, const Objective &objec
 void Optimise::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name, "Makes a quantity of another analysis smallest or largest by changing keys.");
+      optimise_section,
+      "Makes a quantity of another analysis smallest or largest by changing keys.");
   section.text("Repeat", "", "Name of the analysis that is evaluated.").required();
   Objective::declare_goal(section);
   Objective::declare_limits(section);
@@ -95,7 +97,7 @@ void Optimise::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> Optimise::create(const Values &analysis) {
-  const Values section = analysis.subsection(section_name);
+  const Values section = analysis.subsection(optimise_section);
   const std::string evaluated = read_evaluated(section);
   refuse_selections(analysis, evaluated);
   std::vector<std::string> taken;
@@ -161,7 +163,6 @@ SearchProblem Optimise::problem(std::size_t start, Evaluations &evaluations) con
   for (std::size_t k = 0; k < settings_.keys.size(); ++k) {
     const DesignKey &key = settings_.keys[k];
     const auto i = static_cast<Index>(k);
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     problem.lower[i] = std::isfinite(key.lower) ? key.coordinate(key.lower) : -infinity;
     problem.upper[i] = std::isfinite(key.upper) ? key.coordinate(key.upper) : infinity;
     problem.step[i] = key.step;

@@ -11,7 +11,7 @@ using parameters::Values;
 
 namespace {
 
-constexpr const char *section_name = "Pareto front";
+constexpr const char *pareto_front_section = "Pareto front";
 /// A front needs more members than a single optimum.
 constexpr std::size_t usual_members = 40;
 
@@ -31,8 +31,9 @@ std::vector<Goal> read_goals(const Values &section) {
 void ParetoFront::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name, "The best compromises between several quantities of another analysis: where "
-                    "none of them can become better without another one becoming worse.");
+      pareto_front_section,
+      "The best compromises between several quantities of another analysis: where "
+      "none of them can become better without another one becoming worse.");
   section.text("Repeat", "", "Name of the analysis that is evaluated.").required();
   section.named_subsection("Objective", "A quantity that is to be small or large.")
       .text("Quantity", "",
@@ -54,7 +55,7 @@ void ParetoFront::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> ParetoFront::create(const Values &analysis) {
-  const Values section = analysis.subsection(section_name);
+  const Values section = analysis.subsection(pareto_front_section);
   const std::string evaluated = read_evaluated(section);
   refuse_selections(analysis, evaluated);
   std::vector<std::string> taken;

@@ -1,5 +1,6 @@
 #include "analyses/design/sensitivity.h"
 
+#include "analyses/design/design_note.h"
 #include "analyses/design/stored_evaluations.h"
 #include "analyses/fields.h"
 #include "common/error.h"
@@ -14,14 +15,12 @@ using parameters::Values;
 
 namespace {
 
-constexpr const char *section_name = "Sensitivity";
-constexpr std::size_t bytes_of_a_unit = 32;
-constexpr std::size_t bytes_of_a_failure = 256;
+constexpr const char *sensitivity_section = "Sensitivity";
 
 std::string field_of(const Sensitivity::Quantity &quantity) { return "quantity/" + quantity.name; }
 
-void add_number(PointResult &result, const std::string &name, double value, const std::string &unit,
-                const std::string &description) {
+void add_index(PointResult &result, const std::string &name, double value, const std::string &unit,
+               const std::string &description) {
   result.fields.push_back(scalar_field(name, value, unit, description));
   std::string line = name;
   std::replace(line.begin(), line.end(), '/', '.');
@@ -30,20 +29,20 @@ void add_number(PointResult &result, const std::string &name, double value, cons
 
 void add_indices(PointResult &result, const std::string &quantity, const std::string &unit,
                  const std::vector<DesignKey> &keys, const SobolIndices &indices) {
-  add_number(result, "mean/" + quantity, indices.mean, unit, "mean over all samples");
-  add_number(result, "deviation/" + quantity, std::sqrt(indices.variance), unit,
-             "standard deviation over all samples");
-  add_number(result, "samples/" + quantity, static_cast<double>(indices.rows), "1",
-             "samples of which no evaluation failed");
+  add_index(result, "mean/" + quantity, indices.mean, unit, "mean over all samples");
+  add_index(result, "deviation/" + quantity, std::sqrt(indices.variance), unit,
+            "standard deviation over all samples");
+  add_index(result, "samples/" + quantity, static_cast<double>(indices.rows), "1",
+            "samples of which no evaluation failed");
   for (std::size_t k = 0; k < keys.size(); ++k) {
     const SobolIndex &index = indices.arguments[k];
     const std::string path = quantity + "/" + keys[k].name;
-    add_number(result, "first_order/" + path, index.first, "1",
-               "share of the variance that the key brings about by itself");
-    add_number(result, "first_order_error/" + path, index.first_error, "1", "its standard error");
-    add_number(result, "total/" + path, index.total, "1",
-               "share of the variance that the key brings about together with all others");
-    add_number(result, "total_error/" + path, index.total_error, "1", "its standard error");
+    add_index(result, "first_order/" + path, index.first, "1",
+              "share of the variance that the key brings about by itself");
+    add_index(result, "first_order_error/" + path, index.first_error, "1", "its standard error");
+    add_index(result, "total/" + path, index.total, "1",
+              "share of the variance that the key brings about together with all others");
+    add_index(result, "total_error/" + path, index.total_error, "1", "its standard error");
   }
 }
 
@@ -67,8 +66,9 @@ Sensitivity::Sensitivity(Settings settings)
 void Sensitivity::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name, "Which of several keys decide about quantities of another analysis, when they "
-                    "are drawn at random between their bounds: Sobol's indices.");
+      sensitivity_section,
+      "Which of several keys decide about quantities of another analysis, when they "
+      "are drawn at random between their bounds: Sobol's indices.");
   section.text("Repeat", "", "Name of the analysis that is evaluated.").required();
   section.named_subsection("Quantity", "What the keys decide about.")
       .text("Quantity", "",
@@ -85,7 +85,7 @@ void Sensitivity::declare(parameters::Section &analysis) {
 }
 
 std::shared_ptr<const Analysis> Sensitivity::create(const Values &analysis) {
-  const Values section = analysis.subsection(section_name);
+  const Values section = analysis.subsection(sensitivity_section);
   const std::string evaluated = read_evaluated(section);
   refuse_selections(analysis, evaluated);
   std::vector<std::string> taken;

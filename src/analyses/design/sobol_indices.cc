@@ -1,16 +1,15 @@
 #include "analyses/design/sobol_indices.h"
 
 #include "analyses/design/uniform_numbers.h"
+#include "common/scalar.h"
 
 #include <cmath>
-#include <limits>
 
 namespace vibroimpact::analyses {
 
 namespace {
 
 constexpr int resamples = 1000;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// f_A, f_B and f_ABi of the good rows: rows x (arguments + 2).
 Matrix good_rows(const std::vector<double> &values, Index columns) {

@@ -1,9 +1,8 @@
 #include "analyses/recorders/extreme_values.h"
 
 #include "analyses/fields.h"
+#include "common/scalar.h"
 #include "motion/event/impact_log.h"
-
-#include <limits>
 
 namespace vibroimpact::analyses {
 
@@ -11,8 +10,7 @@ using motion::ValueRange;
 
 namespace {
 
-constexpr const char *section_name = "Extreme values";
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr const char *extreme_values_section = "Extreme values";
 
 void add_bounds(PointResult &result, const ExtremeValueLabels &labels, const ValueRange &range) {
   const bool seen = range.maximum >= range.minimum;
@@ -56,11 +54,11 @@ ExtremeValues::ExtremeValues(const ObservedSelection &selection, const System &s
 
 void ExtremeValues::declare(parameters::Section &analysis) {
   declare_selection_of_quantities(
-      analysis.subsection(section_name, "The recorder of extreme values."));
+      analysis.subsection(extreme_values_section, "The recorder of extreme values."));
 }
 
 RecorderFactory ExtremeValues::create(const parameters::Values &analysis) {
-  const parameters::Values section = analysis.subsection(section_name);
+  const parameters::Values section = analysis.subsection(extreme_values_section);
   const ObservedSelection selection = read_selection_of_quantities(section);
   return [section, selection](const System &system) {
     check_points(selection, system, section);

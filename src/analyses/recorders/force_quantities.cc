@@ -1,6 +1,6 @@
 #include "analyses/recorders/force_quantities.h"
 
-#include <Eigen/QR>
+#include "common/decompositions.h"
 
 #include <cmath>
 
@@ -57,7 +57,7 @@ Vector3 direction_of(const Connection &connection, const Model &model,
   const Matrix rows = body.points[point.point].rows.topRows(3).transpose();
   const Vector seen =
       -connection.elongation.row.segment(model.offset(point.body), body.size()).transpose();
-  return rows.completeOrthogonalDecomposition().solve(seen);
+  return least_norm_solution(rows, seen);
 }
 
 struct BaseForce {

@@ -9,7 +9,7 @@
 namespace vibroimpact::analyses {
 
 namespace {
-constexpr const char *section_name = "History";
+constexpr const char *history_section = "History";
 constexpr const char *dimension = "history_time";
 constexpr double most_samples = 1e8;
 } // namespace
@@ -27,7 +27,7 @@ History::History(Settings settings, const System &system)
 
 void History::declare(parameters::Section &analysis) {
   using namespace parameters;
-  Section &section = analysis.subsection(section_name, "The recorder of time histories.");
+  Section &section = analysis.subsection(history_section, "The recorder of time histories.");
   declare_selection_of_quantities(section);
   section
       .integer("Samples per period", "200", Range{.lower = 2, .upper = 1e6}, "",
@@ -38,7 +38,7 @@ void History::declare(parameters::Section &analysis) {
 }
 
 RecorderFactory History::create(const parameters::Values &analysis) {
-  const parameters::Values section = analysis.subsection(section_name);
+  const parameters::Values section = analysis.subsection(history_section);
   const Settings settings{
       .selection = read_selection_of_quantities(section),
       .samples_per_period = section.integer("Samples per period"),

@@ -2,9 +2,9 @@
 
 #include "analyses/fields.h"
 #include "analyses/recorders/observed_quantities.h"
+#include "common/scalar.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace vibroimpact::analyses {
@@ -14,7 +14,6 @@ using motion::Impact;
 namespace {
 
 void add_range(PointResult &result, const RangeLabels &labels, const std::vector<double> &values) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) /
                       static_cast<double>(std::max<std::size_t>(values.size(), 1));

@@ -14,7 +14,7 @@ using motion::Trajectory;
 
 namespace {
 
-constexpr const char *section_name = "Lyapunov";
+constexpr const char *lyapunov_section = "Lyapunov";
 constexpr double intervals_without_periods = 200;
 
 // Deviations that lie in no plane of symmetry: unequal parts of every state, independent of each
@@ -99,8 +99,8 @@ std::vector<double> LyapunovExponents::standard_errors() const {
 void LyapunovRecorder::declare(parameters::Section &analysis) {
   using namespace parameters;
   analysis
-      .subsection(section_name, "The largest Lyapunov exponents, by the variational equation "
-                                "through the contacts.")
+      .subsection(lyapunov_section, "The largest Lyapunov exponents, by the variational equation "
+                                    "through the contacts.")
       .integer("Exponents", "1", Range{.lower = 0, .upper = 1e6}, "n",
                "Number of exponents, the largest first; 0: one for each physical state "
                "(coordinates, velocities, internal states of contacts, torques).")
@@ -117,7 +117,7 @@ void LyapunovRecorder::declare(parameters::Section &analysis) {
 }
 
 RecorderFactory LyapunovRecorder::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(lyapunov_section);
   const LyapunovSettings settings{.exponents = values.integer("Exponents"),
                                   .discarded_share = values.quantity("Discarded share"),
                                   .blocks = values.integer("Blocks"),

@@ -13,7 +13,7 @@ using motion::ValueRange;
 
 namespace {
 
-const std::vector<std::string> kinds = {
+const std::vector<std::string> quantity_kinds = {
     "displacement", "absolute_displacement", "velocity", "acceleration",
     "gap",          "normal_force",          "stop",     "rotor"};
 
@@ -126,7 +126,7 @@ bool ObservedSelection::has(const std::string &kind) const { return contains(thi
 
 void declare_selection_of_quantities(parameters::Section &section) {
   std::string list;
-  for (const std::string &kind : kinds)
+  for (const std::string &kind : quantity_kinds)
     list += ", " + kind;
   section.names("Points", "all", "Points that are observed: all, or their names as BODY.POINT.")
       .names("Quantities", "all",
@@ -139,7 +139,7 @@ ObservedSelection read_selection_of_quantities(const parameters::Values &section
   ObservedSelection selection{.points = without_all(section.names("Points")),
                               .kinds = without_all(section.names("Quantities"))};
   for (const std::string &kind : selection.kinds)
-    section.require_known("Quantities", kind, kinds);
+    section.require_known("Quantities", kind, quantity_kinds);
   return selection;
 }
 

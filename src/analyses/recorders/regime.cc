@@ -11,7 +11,7 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-constexpr const char *section_name = "Regime";
+constexpr const char *regime_section = "Regime";
 /// Components that move less than this part of the largest of their kind count by that instead.
 constexpr double smallest_relative_scale = 1e-3;
 
@@ -35,8 +35,8 @@ RegimeRecorder::RegimeRecorder(const System &system, RegimeSettings settings)
 void RegimeRecorder::declare(parameters::Section &analysis) {
   using namespace parameters;
   analysis
-      .subsection(section_name, "Regime (kT, n, m): the repetition of the motion and the impacts "
-                                "in it.")
+      .subsection(regime_section, "Regime (kT, n, m): the repetition of the motion and the impacts "
+                                  "in it.")
       .integer("Longest repetition", "16", Range{.lower = 1, .upper = 1e6}, "k",
                "Longest repetition looked for, in forcing periods; only those that fit twice into "
                "the recorded window are.")
@@ -56,7 +56,7 @@ void RegimeRecorder::declare(parameters::Section &analysis) {
 }
 
 RecorderFactory RegimeRecorder::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(regime_section);
   const RegimeSettings settings{.longest = values.integer("Longest repetition"),
                                 .tolerance = values.quantity("Repetition tolerance"),
                                 .scales = values.quantities("Scales"),

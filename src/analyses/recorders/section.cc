@@ -12,7 +12,7 @@ using motion::StepView;
 
 namespace {
 
-constexpr const char *section_name = "Section";
+constexpr const char *poincare_section_keys = "Section";
 constexpr std::size_t period_section = 0;
 
 } // namespace
@@ -41,8 +41,9 @@ SectionRecorder::SectionRecorder(const System &system, SectionSettings settings)
 void SectionRecorder::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(
-      section_name, "Sections of the motion: displacements and velocities relative to the base at "
-                    "the end of each forcing period, and where a surface is passed.");
+      poincare_section_keys,
+      "Sections of the motion: displacements and velocities relative to the base at "
+      "the end of each forcing period, and where a surface is passed.");
   declare_points(section);
   section
       .names("Contact onsets", "none",
@@ -56,7 +57,7 @@ void SectionRecorder::declare(parameters::Section &analysis) {
 }
 
 RecorderFactory SectionRecorder::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(poincare_section_keys);
   return [values](const System &system) -> std::unique_ptr<Recorder> {
     SectionSettings settings{.channels = chosen_channels(values, system),
                              .onsets = chosen_contacts(values, "Contact onsets", system),

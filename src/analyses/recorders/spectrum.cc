@@ -9,14 +9,14 @@
 namespace vibroimpact::analyses {
 
 namespace {
-constexpr const char *section_name = "Spectrum";
+constexpr const char *spectrum_section = "Spectrum";
 } // namespace
 
 void SpectrumRecorder::declare(parameters::Section &analysis) {
   using namespace parameters;
-  Section &section =
-      analysis.subsection(section_name, "Amplitude spectra of the recorded window, and amplitudes "
-                                        "and phases of the orders of the forcing frequency.");
+  Section &section = analysis.subsection(spectrum_section,
+                                         "Amplitude spectra of the recorded window, and amplitudes "
+                                         "and phases of the orders of the forcing frequency.");
   declare_signals(section);
   section
       .integer("Samples per cycle", "256", Range{.lower = 4, .upper = 1e7}, "",
@@ -30,7 +30,7 @@ void SpectrumRecorder::declare(parameters::Section &analysis) {
 }
 
 RecorderFactory SpectrumRecorder::create(const parameters::Values &analysis) {
-  const parameters::Values values = analysis.subsection(section_name);
+  const parameters::Values values = analysis.subsection(spectrum_section);
   const SpectrumSettings settings{.samples_per_cycle = values.integer("Samples per cycle"),
                                   .orders = values.integer("Orders"),
                                   .highest_order = values.quantity("Highest order"),

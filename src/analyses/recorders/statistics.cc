@@ -9,7 +9,7 @@
 namespace vibroimpact::analyses {
 
 namespace {
-constexpr const char *section_name = "Statistics";
+constexpr const char *statistics_section = "Statistics";
 } // namespace
 
 void TimeAverage::add(const motion::Bernstein &curve, double length) {
@@ -53,11 +53,11 @@ Statistics::Statistics(const ObservedSelection &selection, const System &system)
 
 void Statistics::declare(parameters::Section &analysis) {
   declare_selection_of_quantities(
-      analysis.subsection(section_name, "The recorder of means and root mean squares."));
+      analysis.subsection(statistics_section, "The recorder of means and root mean squares."));
 }
 
 RecorderFactory Statistics::create(const parameters::Values &analysis) {
-  const parameters::Values section = analysis.subsection(section_name);
+  const parameters::Values section = analysis.subsection(statistics_section);
   const ObservedSelection selection = read_selection_of_quantities(section);
   return [section, selection](const System &system) {
     check_points(selection, system, section);

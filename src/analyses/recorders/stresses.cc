@@ -15,10 +15,10 @@ using model::Projection;
 
 namespace {
 
-constexpr const char *section_name = "Stresses";
+constexpr const char *stresses_section = "Stresses";
 // A step is short against the oscillations it follows: between so many instants a stress has one
 // peak at most.
-constexpr int samples = 16;
+constexpr int angle_samples = 16;
 
 double square_of_von_mises(double first, double second, double shear) {
   return first * first - first * second + second * second + 3 * shear * shear;
@@ -43,15 +43,15 @@ public:
   }
   double largest() const {
     int best = 0;
-    for (int i = 1; i <= samples; ++i)
-      if ((*this)(i / double{samples}) > (*this)(best / double{samples}))
+    for (int i = 1; i <= angle_samples; ++i)
+      if ((*this)(i / double{angle_samples}) > (*this)(best / double{angle_samples}))
         best = i;
-    const double left = std::max(0, best - 1) / double{samples};
-    const double right = std::min(samples, best + 1) / double{samples};
+    const double left = std::max(0, best - 1) / double{angle_samples};
+    const double right = std::min(angle_samples, best + 1) / double{angle_samples};
     constexpr int bits = 26; // half of the digits of the place give all of the value
     const auto [place, value] = boost::math::tools::brent_find_minima(
         [this](double tau) { return -(*this)(tau); }, left, right, bits);
-    return std::max(-value, (*this)(best / double{samples}));
+    return std::max(-value, (*this)(best / double{angle_samples}));
   }
 
 private:
@@ -67,7 +67,7 @@ Projection stress_component(const model::Model &model, const PointReference &at,
   return projection;
 }
 
-bool known(const model::Model &model, const std::string &name) {
+bool has_stress_at(const model::Model &model, const std::string &name) {
   PointReference at;
   model.find_point(name, at);
   return model.bodies()[at.body]->points[at.point].stress.rows() > 0;
@@ -96,21 +96,21 @@ Stresses::Stresses(const std::vector<std::string> &points, const System &system)
 }
 
 void Stresses::declare(parameters::Section &analysis) {
-  analysis.subsection(section_name, "The recorder of stresses.")
+  analysis.subsection(stresses_section, "The recorder of stresses.")
       .names("Points", "all",
              "Points of beams and shells whose stress is observed: all, or their names as "
              "BODY.POINT.");
 }
 
 RecorderFactory Stresses::create(const parameters::Values &analysis) {
-  const parameters::Values section = analysis.subsection(section_name);
+  const parameters::Values section = analysis.subsection(stresses_section);
   std::vector<std::string> points = section.names("Points");
   if (points == std::vector<std::string>{"all"})
     points.clear();
   return [section, points](const System &system) {
     for (const std::string &point : points) {
       section.require_known("Points", point, system.model.point_names());
-      if (!known(system.model, point))
+      if (!has_stress_at(system.model, point))
         section.reject(
             "Points",
             "must be points of beams or shells whose cross-section has a known shape, which " +

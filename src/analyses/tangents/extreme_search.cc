@@ -12,7 +12,7 @@ using motion::StepView;
 
 namespace {
 
-constexpr int samples = 32;       // intervals of a step; polynomials are of degree nine at most
+constexpr int step_samples = 32;  // intervals of a step; polynomials are of degree nine at most
 constexpr double close_by = 1e-3; // of a step
 constexpr int all_bits = std::numeric_limits<double>::digits / 2;
 
@@ -21,11 +21,11 @@ struct Largest {
 };
 
 template <class Curve> Largest largest_of(const Curve &curve) {
-  std::array<double, samples + 1> values{};
-  for (int i = 0; i <= samples; ++i)
-    values[static_cast<std::size_t>(i)] = curve(static_cast<double>(i) / samples);
+  std::array<double, step_samples + 1> values{};
+  for (int i = 0; i <= step_samples; ++i)
+    values[static_cast<std::size_t>(i)] = curve(static_cast<double>(i) / step_samples);
   const auto best = std::max_element(values.begin(), values.end()) - values.begin();
-  const double middle = static_cast<double>(best) / samples, width = 1.0 / samples;
+  const double middle = static_cast<double>(best) / step_samples, width = 1.0 / step_samples;
   const auto inside = boost::math::tools::brent_find_minima(
       [&](double tau) { return -curve(tau); }, std::max(0.0, middle - width),
       std::min(1.0, middle + width), all_bits);

@@ -1,10 +1,8 @@
 #include "analyses/tangents/form_tangents.h"
 
+#include "common/decompositions.h"
+#include "common/scalar.h"
 #include "motion/variation/key_stencil.h"
-
-#include <Eigen/QR>
-
-#include <limits>
 
 namespace vibroimpact::analyses {
 
@@ -13,9 +11,7 @@ using motion::MonitoredForm;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-ConstVectorView view(const Vector &vector) { return {vector.data(), vector.size()}; }
+ConstVectorView vector_view(const Vector &vector) { return {vector.data(), vector.size()}; }
 
 const contact::ContactLaw &law_of(const Equations &equations, std::size_t contact) {
   return *equations.contacts().pairs()[contact].law;
@@ -28,7 +24,7 @@ Vector impulses_of(const model::Model &model, const contact::ContactSet &contact
   for (std::size_t k = 0; k < which.size(); ++k)
     rows.row(static_cast<Index>(k)) = contacts.pairs()[which[k]].gap.row;
   const Matrix response = model.mass().cwiseInverse().asDiagonal() * rows.transpose();
-  return response.completeOrthogonalDecomposition().solve(jump);
+  return least_norm_solution(response, jump);
 }
 
 } // namespace
@@ -119,7 +115,8 @@ Tangent FormTangents::force(std::size_t contact, const TangentPoint &at) {
 Tangent FormTangents::nonlinear_force(std::size_t contact, const TangentPoint &at) {
   const Equations &equations = at.equations();
   const contact::ContactPair &pair = equations.contacts().pairs()[contact];
-  const contact::LocalState local = equations.local_state(contact, at.time(), view(at.state()));
+  const contact::LocalState local =
+      equations.local_state(contact, at.time(), vector_view(at.state()));
   const int mode = equations.modes()[contact];
   contact::LawResponse own;
   contact::LawResponse other;

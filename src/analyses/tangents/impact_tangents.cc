@@ -6,7 +6,7 @@ namespace vibroimpact::analyses {
 
 namespace {
 
-using Rule = boost::math::quadrature::gauss<double, 20>;
+using GaussRule = boost::math::quadrature::gauss<double, 20>;
 
 constexpr long steps_in_panel = 2;
 
@@ -26,11 +26,11 @@ void add_panel(std::vector<IntegrationNode> &nodes, std::size_t interval,
                      .place = (time - whole.start) / (whole.end - whole.start),
                      .interval = interval});
   };
-  const std::size_t half = Rule::abscissa().size();
+  const std::size_t half = GaussRule::abscissa().size();
   for (std::size_t i = half; i-- > 0;)
-    add(-Rule::abscissa()[i], Rule::weights()[i]);
+    add(-GaussRule::abscissa()[i], GaussRule::weights()[i]);
   for (std::size_t i = 0; i < half; ++i)
-    add(Rule::abscissa()[i], Rule::weights()[i]);
+    add(GaussRule::abscissa()[i], GaussRule::weights()[i]);
 }
 
 bool may_push(const SmoothInterval &interval, const contact::ContactSet &contacts) {

@@ -12,9 +12,9 @@ namespace vibroimpact::analyses {
 namespace {
 
 // Of the shortest time in which something happens: differences are then exact to about 1e-12.
-constexpr double relative_step = 1e-3;
+constexpr double step_of_differences = 1e-3;
 
-ConstVectorView view(const Vector &vector) { return {vector.data(), vector.size()}; }
+ConstVectorView state_view(const Vector &vector) { return {vector.data(), vector.size()}; }
 
 /// df/dt of a function of the time that has passed, by five points.
 template <class Function> Vector derivative(const Function &function, double step) {
@@ -51,7 +51,7 @@ double TangentPoint::time_step() const {
   for (const model::Source &source : equations_.model().sources())
     if (const double period = source.function->period(); period > 0)
       shortest = std::min(shortest, 0.1 * period);
-  return relative_step * shortest;
+  return step_of_differences * shortest;
 }
 
 Vector TangentPoint::values_at(double time, const Vector &state) const {
@@ -69,7 +69,7 @@ Vector TangentPoint::values_at(double time, const Vector &state) const {
 // s''' is left out.
 Vector TangentPoint::rates_at(double time, const Vector &state) const {
   Vector full(state.size());
-  equations_.rates(time, view(state), VectorView(full.data(), full.size()));
+  equations_.rates(time, state_view(state), VectorView(full.data(), full.size()));
   Vector rates = values_at(time, full);
   for (Index k = equations_.layout().physical_size(); k < rates.size(); k += 3) {
     rates[k] = rates[k + 1];
@@ -97,7 +97,7 @@ const Vector &TangentPoint::change_of_rates() const {
     return *change_of_rates_;
   const Index physical = equations_.layout().physical_size();
   Matrix jacobian;
-  equations_.jacobian(time_, view(state_), jacobian);
+  equations_.jacobian(time_, state_view(state_), jacobian);
   Vector change = Vector::Zero(values_.size());
   change.head(physical) = jacobian.topLeftCorner(physical, physical) * change_.head(physical) +
                           key_.rates(equations_, time_, state_);

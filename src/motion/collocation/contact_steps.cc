@@ -10,7 +10,7 @@ using contact::LocalState;
 
 namespace {
 
-ConstVectorView view_of(const Vector &x) { return {x.data(), x.size()}; }
+ConstVectorView step_view_of(const Vector &x) { return {x.data(), x.size()}; }
 
 } // namespace
 
@@ -36,13 +36,14 @@ void ContactSteps::fill(const PhaseContact &contact, double time, const double *
   point.time = time;
   point.state.head(size).noalias() = contact.state_rows() * x;
   point.rates.resize(layout.size());
-  equations_.rates(time, view_of(point.state), VectorView(point.rates.data(), layout.size()));
+  equations_.rates(time, step_view_of(point.state), VectorView(point.rates.data(), layout.size()));
   equations_.source_values(time, point.sources);
   rows_.noalias() = contact.bent_rows() * x;
   for (Index k = 0; k < n_sources; ++k)
     point.sources[static_cast<std::size_t>(k)][3] = rows_[size + 3 * k + 1];
   const contact::ContactPair &pair = equations_.contacts().pairs()[contact.contact()];
-  const LocalState local = equations_.local_state(contact.contact(), time, view_of(point.state));
+  const LocalState local =
+      equations_.local_state(contact.contact(), time, step_view_of(point.state));
   const double acceleration = equations_.gap_acceleration(
       contact.contact(), time, ConstVectorView(point.rates.data() + n, n));
   pair.law->evaluate(equations_.modes()[contact.contact()], local, response_);

@@ -1,6 +1,6 @@
 #include "motion/collocation/force_family.h"
 
-#include <Eigen/LU>
+#include "common/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,6 @@
 namespace vibroimpact::motion {
 
 namespace {
-
-using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
 // A polynomial lies within the hull of its Bernstein coefficients; those of its halves by de
 // Casteljau's algorithm lie closer.
@@ -111,7 +109,7 @@ void ForceFamily::set_bernstein() {
     }
   }
   const LongMatrix scaled = LongMatrix(weights_.cwiseInverse().asDiagonal());
-  bernstein_ = values.fullPivLu().solve(scaled).cast<double>();
+  bernstein_ = extended::solve_fully_pivoted(values, scaled).cast<double>();
 }
 
 double ForceFamily::tail(const double *forces) const {

@@ -35,7 +35,6 @@ public:
   }
 
 private:
-  using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   /// What of a target's integrals does not depend on k.
   struct Integrand {
     LongArray distance; ///< (X - y) at the points of the rule

@@ -1,6 +1,6 @@
 #include "motion/collocation/forced_flow.h"
 
-#include <Eigen/Eigenvalues>
+#include "common/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ ForcedFlow::ForcedFlow(const std::vector<FlowBlock> &blocks, const Vector &load)
                           .frequency = block.generator(1, 0)});
     else
       blocks_.push_back(block);
-    fastest_ = std::max(fastest_, block.generator.eigenvalues().cwiseAbs().maxCoeff());
+    fastest_ = std::max(fastest_, eigenvalues(block.generator).cwiseAbs().maxCoeff());
     const Vector part = entries(load, block.places);
     if (part.isZero(0))
       continue;

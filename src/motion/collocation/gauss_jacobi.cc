@@ -1,6 +1,6 @@
 #include "motion/collocation/gauss_jacobi.h"
 
-#include <Eigen/Eigenvalues>
+#include "common/decompositions.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -78,12 +78,9 @@ long double JacobiPolynomials::correction(long double x) const {
 
 GaussRule JacobiPolynomials::rule() const {
   const Eigen::Index n = diagonal_.size();
-  using LongMatrix = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
-  Eigen::SelfAdjointEigenSolver<LongMatrix> solver;
-  solver.computeFromTridiagonal(diagonal_, beside_.head(n - 1), Eigen::EigenvaluesOnly);
-  if (solver.info() != Eigen::Success)
-    throw std::logic_error("the nodes of a Gauss rule were not found");
-  GaussRule rule{.nodes = solver.eigenvalues(), .rest = LongArray(n), .weights = LongArray(n)};
+  GaussRule rule{.nodes = extended::tridiagonal_eigenvalues(diagonal_, beside_.head(n - 1)),
+                 .rest = LongArray(n),
+                 .weights = LongArray(n)};
   for (Eigen::Index j = 0; j < n; ++j) {
     rule.nodes[j] -= correction(rule.nodes[j]);
     rule.rest[j] = 1 - rule.nodes[j];

@@ -1,6 +1,6 @@
 #include "motion/collocation/whole_contact.h"
 
-#include <Eigen/LU>
+#include "common/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -364,7 +364,7 @@ void WholeContact::factorise() {
   matrix.row(n_).head(n_) =
       unit * (of_value * by_force_.row(n_) + of_rate * rate_by_force_.row(n_));
   matrix(n_, n_) = of_value * by_length_[n_] + of_rate * rate_by_length_[n_];
-  inverse_ = matrix.partialPivLu().inverse();
+  inverse_ = inverse(matrix);
   has_inverse_ = true;
 }
 

@@ -1,8 +1,7 @@
 #include "motion/event/collision.h"
 
+#include "common/decompositions.h"
 #include "contact/impulses.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -319,9 +318,8 @@ Collisions::Outcome Collisions::report(const Instant &instant, std::size_t first
     record.response.col(static_cast<Index>(i)) = instant.response.col(struck[i]);
   const Vector factor = part(instant.restitution, struck).array() + 1;
   if (!struck.empty())
-    record.impulse_by_rate = -part(instant.effect, struck)
-                                  .completeOrthogonalDecomposition()
-                                  .solve(Matrix(factor.asDiagonal()));
+    record.impulse_by_rate =
+        -least_norm_solution(part(instant.effect, struck), Matrix(factor.asDiagonal()));
   record.unique = approaching <= 1;
   return outcome;
 }

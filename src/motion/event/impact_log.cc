@@ -1,15 +1,15 @@
 #include "motion/event/impact_log.h"
 
+#include "common/scalar.h"
+
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace vibroimpact::motion {
 
 namespace {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int samples = 4; // intervals per step
 } // namespace
 

@@ -1,11 +1,9 @@
 #include "motion/exact/dense_work.h"
 
+#include "common/decompositions.h"
 #include "common/signals.h"
 
 #include <boost/math/quadrature/gauss.hpp>
-
-#include <Eigen/LU>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <algorithm>
 #include <array>
@@ -22,7 +20,7 @@ constexpr double longest_by_exponent = 2.7;
 constexpr double next_to_singular = 1e-3;
 
 double radius(const PhaseGroup &group) {
-  return group.kind == BlockKind::dense ? group.generator.eigenvalues().cwiseAbs().maxCoeff()
+  return group.kind == BlockKind::dense ? eigenvalues(group.generator).cwiseAbs().maxCoeff()
                                         : std::abs(group.exponent);
 }
 
@@ -94,7 +92,7 @@ bool DenseWork::integrate_mixed(std::size_t group, std::size_t block) {
   const Matrix &b = phase_.groups()[block].generator;
   // By its norm: rounding makes of the double zero of a free body a pair next to zero.
   const double size = std::abs(of.exponent) + b.norm();
-  const ComplexVector sums = (b.eigenvalues().array() + of.exponent).matrix();
+  const ComplexVector sums = (eigenvalues(b).array() + of.exponent).matrix();
   if (!(sums.cwiseAbs().minCoeff() > next_to_singular * size))
     return false;
   const Eigen::MatrixXcd shifted =
@@ -112,7 +110,7 @@ bool DenseWork::integrate_mixed(std::size_t group, std::size_t block) {
       (second.asDiagonal() * seen_[block].first.cast<Complex>()).eval();
   mixed_.push_back({.group = group,
                     .block = block,
-                    .coefficients = products * shifted.partialPivLu().inverse()});
+                    .coefficients = products * LuFactors<ComplexMatrix>(shifted).inverse()});
   return true;
 }
 
@@ -165,7 +163,7 @@ void DenseWork::add_quadrature(const double *start, double h, std::vector<double
     for (const std::size_t g : followed_) {
       const PhaseGroup &group = phase_.groups()[g];
       if (group.kind == BlockKind::dense) {
-        moved_[g] = (time * group.generator).eval().exp() * coordinates(g, start);
+        moved_[g] = vibroimpact::exponential(time * group.generator) * coordinates(g, start);
       } else {
         const Complex z = amplitude(g, start) * exponential(group.exponent * time);
         moved_[g] = coordinates(g, start);

@@ -1,8 +1,7 @@
 // The tables of a phase for pieces of one length.
+#include "common/decompositions.h"
 #include "motion/exact/exact_phase.h"
 #include "motion/exact/interpolation.h"
-
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <algorithm>
 #include <cmath>
@@ -101,11 +100,11 @@ void ExactPhase::set_level_dense(Level &level, const PhaseGroup &group) {
   data[1] = b;
   data[2] = 0.5 * b * b;
   for (std::size_t i = 0; i < 5; ++i)
-    data[3 + i] = (interpolation_nodes[i] * b).eval().exp();
+    data[3 + i] = exponential(interpolation_nodes[i] * b);
   for (Matrix &part : data)
     if (!part.allFinite())
       part.setZero();
-  Matrix growth = b.cwiseAbs().eval().exp();
+  Matrix growth = exponential(b.cwiseAbs());
   // Of lengths for which that overflows nothing is known.
   constexpr double no_bound = 1e100;
   growth = growth.allFinite() ? Matrix(growth.cwiseMin(no_bound))

@@ -1,5 +1,7 @@
 #include "motion/exact/exact_outputs.h"
 
+#include "common/scalar.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,8 +10,6 @@
 namespace vibroimpact::motion {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // factor for which row = factor * other, entry by entry but for rounding; 0 when there is none.
 double proportion(const RowVector &row, const RowVector &other) {

@@ -13,7 +13,7 @@ namespace vibroimpact::motion {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double rounding_unit = std::numeric_limits<double>::epsilon();
 
 // Value of a guard of the next phase for each value of the guard passed, where the two are
 // proportional (up to the sign); 0 where they are not.
@@ -22,7 +22,7 @@ double proportion(const LinearRow &form, const LinearRow &passed) {
   const double square = passed.row.squaredNorm() + passed.constant * passed.constant;
   const double product = form.row.dot(passed.row) + form.constant * passed.constant;
   const double size = form.row.squaredNorm() + constant;
-  const bool parallel = product * product >= (1 - 64 * epsilon) * size * square;
+  const bool parallel = product * product >= (1 - 64 * rounding_unit) * size * square;
   return parallel && square > 0 ? std::abs(product) / square : 0;
 }
 
@@ -55,7 +55,7 @@ void ExactPath::begin() {
 }
 
 double ExactPath::time_tolerance(double time) const {
-  return std::max(event_tolerance_, 8 * epsilon * std::abs(time));
+  return std::max(event_tolerance_, 8 * rounding_unit * std::abs(time));
 }
 
 void ExactPath::set_modes(const std::vector<int> &modes) {

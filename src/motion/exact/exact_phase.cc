@@ -1,6 +1,6 @@
 #include "motion/exact/exact_phase.h"
 
-#include <Eigen/Eigenvalues>
+#include "common/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ std::vector<Complex> eigenvalues_of(const ModalBlock &block) {
     return {block.exponent};
   if (block.kind == BlockKind::pair)
     return {block.exponent, std::conj(block.exponent)};
-  const Eigen::VectorXcd values = block.generator.eigenvalues();
+  const Eigen::VectorXcd values = eigenvalues(block.generator);
   return {values.begin(), values.end()};
 }
 
@@ -158,8 +158,7 @@ void ExactPhase::place_dense() {
       const Matrix transposed = group.generator.transpose();
       generators_.emplace_back(transposed.data(), transposed.data() + transposed.size());
       dense_.push_back({group.first, static_cast<int>(group.coordinates.size()), nullptr});
-      fastest_dense_ =
-          std::max(fastest_dense_, group.generator.eigenvalues().cwiseAbs().maxCoeff());
+      fastest_dense_ = std::max(fastest_dense_, eigenvalues(group.generator).cwiseAbs().maxCoeff());
     }
   for (std::size_t d = 0; d < dense_.size(); ++d)
     dense_[d].generator = generators_[d].data();
@@ -182,7 +181,6 @@ void ExactPhase::show() {
 }
 
 void ExactPhase::amplitudes(const Vector &y, const double *inputs, Amplitudes &amplitudes) const {
-  using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
   const Index n = n_modes();
   amplitudes.assign(n_amplitudes(), 0.0);
   LongVector rest = y.cast<long double>();

@@ -1,7 +1,7 @@
 // The response of the modes of a phase to its inputs, A Y + B = Y S.
 #include "motion/exact/exact_phase.h"
 
-#include <Eigen/LU>
+#include "common/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +95,7 @@ void ExactPhase::respond_to_exponential(const ModalBlock &block, const Input &in
     ComplexVector sum(block.size);
     for (Index i = 0; i < block.size; ++i)
       sum[i] = driving(loads, block.column + i, e);
-    const ComplexVector response = shifted.partialPivLu().solve(sum);
+    const ComplexVector response = LuFactors<ComplexMatrix>(shifted).solve(sum);
     add_response(block, response.data(), first, input.is_pair());
   }
 }
@@ -103,7 +103,7 @@ void ExactPhase::respond_to_exponential(const ModalBlock &block, const Input &in
 // Y_k = B^-1 (Y_{k-1} - B_k), the shift of a polynomial taking s to s' and so on.
 void ExactPhase::respond_to_polynomial(const ModalBlock &block, const Input &input, Index first) {
   const LinearSystem::Load &loads = loads_of(input);
-  const Eigen::PartialPivLU<Matrix> lu(block.matrix());
+  const LuFactors<Matrix> lu(block.matrix());
   Vector response = Vector::Zero(block.size);
   for (Index k = 0; k < input.size(); ++k) {
     if (const Vector *load = load_of_derivative(loads, k))

@@ -1,5 +1,6 @@
 #include "motion/exact/exact_segment.h"
 
+#include "common/decompositions.h"
 #include "reduction/known_flexibility.h"
 
 #include <algorithm>
@@ -76,7 +77,7 @@ void ExactSegment::measure(const PhaseGroup &group) {
 // higher order at its start.
 void ExactSegment::measure_dense(const PhaseGroup &group) {
   const auto size = static_cast<Index>(group.coordinates.size());
-  const ComplexVector exponents = group.generator.eigenvalues();
+  const ComplexVector exponents = eigenvalues(group.generator);
   const double radius = exponents.cwiseAbs().maxCoeff();
   fastest_growth_ = std::max(fastest_growth_, radius);
   for (const Measure &of : measures_) {

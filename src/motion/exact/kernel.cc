@@ -1,7 +1,8 @@
 #include "motion/exact/kernel.h"
 
+#include "common/decompositions.h"
+
 #include <Eigen/Core>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <array>
 #include <cstdlib>
@@ -43,15 +44,13 @@ const Kernel &kernel() {
 
 void dense_exponential(const double *generator, int size, double time, double *result) {
   const Eigen::Map<const RowMajor> b(generator, size, size);
-  const Eigen::MatrixXd exponential = (time * b).eval().exp();
-  Eigen::Map<RowMajor>(result, size, size) = exponential;
+  Eigen::Map<RowMajor>(result, size, size) = exponential(time * b);
 }
 
 void turn_large_block(const double *generator, int size, double time, const double *from,
                       double *to) {
   const Eigen::Map<const RowMajor> b(generator, size, size);
-  const Eigen::MatrixXd exponential = (time * b).eval().exp();
-  const Eigen::VectorXd turned = exponential * Eigen::Map<const Eigen::VectorXd>(from, size);
+  const Vector turned = exponential(time * b) * ConstVectorView(from, size);
   Eigen::Map<Eigen::VectorXd>(to, size) = turned;
 }
 

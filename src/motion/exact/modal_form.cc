@@ -1,8 +1,6 @@
 #include "motion/exact/modal_form.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include "common/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +13,8 @@ namespace {
 
 using Real = long double;
 using LongComplexScalar = std::complex<Real>;
-using Long = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-using LongComplex = Eigen::Matrix<LongComplexScalar, Eigen::Dynamic, Eigen::Dynamic>;
+using Long = LongMatrix;
+using LongComplex = LongComplexMatrix;
 
 // The norm of the inverse of normalised eigenvectors beyond which more than four digits of the
 // amplitudes cancel when they are summed up again.
@@ -82,9 +80,7 @@ LongComplex invariant_subspace(LongComplex t, LongComplex u, std::vector<Index> 
 Long real_basis(const LongComplex &vectors, Index size) {
   Long parts(vectors.rows(), 2 * vectors.cols());
   parts << vectors.real(), vectors.imag();
-  const Eigen::ColPivHouseholderQR<Long> qr(parts);
-  const Long q = qr.householderQ() * Long::Identity(vectors.rows(), size);
-  return q;
+  return extended::pivoted_basis(parts, size);
 }
 
 // |A V - V V^T A V| against |A|, for orthonormal V.
@@ -154,12 +150,12 @@ ModalForm::ModalForm(const Matrix &matrix) : basis_(matrix), inverse_(matrix) {
 // False: the eigenvectors are too nearly dependent, or are none (of a defective pair the solver may
 // return two vectors that are not eigenvectors).
 bool ModalForm::diagonalise(const Long &balanced, const Vector &scale) {
-  const Eigen::EigenSolver<Long> solver(balanced);
-  if (solver.info() != Eigen::Success)
+  const auto eigen = extended::general_eigen(balanced);
+  if (!eigen)
     return false;
-  const auto &values = solver.eigenvalues();
-  const LongComplex vectors = solver.eigenvectors().colwise().normalized();
-  const LongComplex inverse = vectors.inverse();
+  const auto &values = eigen->values;
+  const LongComplex vectors = eigen->vectors.colwise().normalized();
+  const LongComplex inverse = extended::inverse(vectors);
   const LongComplex rest =
       balanced.cast<LongComplexScalar>() * vectors - vectors * values.asDiagonal();
   if (!(inverse.rowwise().norm().maxCoeff() <= largest_inverse) ||
@@ -189,11 +185,11 @@ bool ModalForm::diagonalise(const Long &balanced, const Vector &scale) {
 // Clusters as small as they can be; at last the whole is one block.
 void ModalForm::separate(const Long &balanced, const Vector &scale) {
   const Index n = balanced.rows();
-  const Eigen::ComplexSchur<LongComplex> schur(balanced.cast<LongComplexScalar>());
-  const LongComplex values = schur.matrixT().diagonal();
+  const auto [unitary, triangular] = extended::complex_schur(balanced.cast<LongComplexScalar>());
+  const LongComplex values = triangular.diagonal();
   LongComplex vectors(n, n);
   for (Index i = 0; i < n; ++i)
-    vectors.col(i) = invariant_subspace(schur.matrixT(), schur.matrixU(), {i});
+    vectors.col(i) = invariant_subspace(triangular, unitary, {i});
   for (const Clustering &by : clusterings) {
     blocks_.clear();
     Long basis(n, n);
@@ -201,7 +197,7 @@ void ModalForm::separate(const Long &balanced, const Vector &scale) {
     bool invariant = true;
     for (const std::vector<Index> &list : clusters(vectors, values, by)) {
       const auto size = static_cast<Index>(list.size());
-      const Long own = real_basis(invariant_subspace(schur.matrixT(), schur.matrixU(), list), size);
+      const Long own = real_basis(invariant_subspace(triangular, unitary, list), size);
       invariant = invariant && is_invariant(balanced, own);
       basis.middleCols(column, size) = own;
       blocks_.push_back(
@@ -209,7 +205,8 @@ void ModalForm::separate(const Long &balanced, const Vector &scale) {
       column += size;
     }
     const bool one = blocks_.size() == 1;
-    if (one || (invariant && basis.inverse().rowwise().norm().maxCoeff() <= largest_inverse)) {
+    if (one ||
+        (invariant && extended::inverse(basis).rowwise().norm().maxCoeff() <= largest_inverse)) {
       finish(balanced, basis, scale);
       return;
     }
@@ -222,10 +219,10 @@ void ModalForm::finish(const Long &matrix, const Long &basis, const Vector &scal
   for (ModalBlock &block : blocks_) {
     if (block.kind != BlockKind::dense)
       continue;
-    const Long own = columns.inverse().middleRows(block.column, block.size) * matrix *
+    const Long own = extended::inverse(columns).middleRows(block.column, block.size) * matrix *
                      columns.middleCols(block.column, block.size);
     const Real half_trace = own.trace() / 2;
-    const Real square = block.size == 2 ? own.determinant() - half_trace * half_trace : 0;
+    const Real square = block.size == 2 ? extended::determinant(own) - half_trace * half_trace : 0;
     if (block.size == 1) {
       block.kind = BlockKind::real;
       block.exponent = static_cast<double>(own(0, 0));
@@ -242,7 +239,7 @@ void ModalForm::finish(const Long &matrix, const Long &basis, const Vector &scal
     }
   }
   basis_ = scale.asDiagonal() * columns.cast<double>();
-  long_inverse_ = columns.inverse() * scale.cast<Real>().cwiseInverse().asDiagonal();
+  long_inverse_ = extended::inverse(columns) * scale.cast<Real>().cwiseInverse().asDiagonal();
   inverse_ = long_inverse_.cast<double>();
 }
 

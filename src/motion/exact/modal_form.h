@@ -18,7 +18,6 @@
 namespace vibroimpact::motion {
 
 using Complex = std::complex<double>;
-using ComplexVector = Eigen::VectorXcd;
 
 enum class BlockKind {
   pair,  ///< of conjugate eigenvalues: two columns

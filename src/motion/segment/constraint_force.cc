@@ -1,6 +1,6 @@
 #include "motion/segment/constraint_force.h"
 
-#include <Eigen/LU>
+#include "common/decompositions.h"
 
 #include <cmath>
 #include <numbers>
@@ -28,7 +28,7 @@ Matrix coefficients_from_values() {
       binomial *= static_cast<double>(degree - k) / static_cast<double>(k + 1);
     }
   }
-  return basis.inverse();
+  return inverse(basis);
 }
 
 /// The whole state along one step, from its polynomials.

@@ -14,7 +14,7 @@ namespace {
 
 // Every other division halves an interval at least; after so many it is as short as the spacing of
 // doubles next to the end.
-constexpr int maximum_depth = 110;
+constexpr int deepest_guard_interval = 110;
 
 // Far more than any motion needs; nothing is searched for ever.
 constexpr long most_divisions = 1000000;
@@ -108,8 +108,8 @@ Finding FallSearch::examine(const Piece &piece) const {
   // |f' - p'| <= M h^5 / (5! 2^4); here by the fraction of the interval.
   const Bernstein slope = p.derivative();
   const bool monotonic = slope.upper_bound() < -bound / 1920 || slope.lower_bound() > bound / 1920;
-  const bool indivisible =
-      piece.depth == maximum_depth || h <= 4 * std::numeric_limits<double>::epsilon() * end_;
+  const bool indivisible = piece.depth == deepest_guard_interval ||
+                           h <= 4 * std::numeric_limits<double>::epsilon() * end_;
   return monotonic || indivisible ? by_ends(piece) : Finding::unknown;
 }
 
@@ -198,7 +198,7 @@ FirstDownCrossing FallSearch::run() {
 
 // From left to right, until the first fall.
 void FallSearch::divide(const Piece &whole) {
-  std::array<Piece, maximum_depth + 2> stack;
+  std::array<Piece, deepest_guard_interval + 2> stack;
   std::size_t count = 0;
   stack[count++] = whole;
   for (long divisions = 0; count > 0; ++divisions) {

@@ -1,13 +1,11 @@
 #include "motion/segment/value_range.h"
 
+#include "common/scalar.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace vibroimpact::motion {
-
-namespace {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-}
 
 void ValueRange::include(double value) {
   minimum = std::min(minimum, value);

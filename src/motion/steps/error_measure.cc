@@ -13,7 +13,7 @@ using contact::ContactPair;
 namespace {
 
 constexpr double fading = 0.9; // of what was large, with each step
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double step_epsilon = std::numeric_limits<double>::epsilon();
 // A coordinate is followed to the relative tolerance of its own size where it holds more than the
 // square of that part of its body's energy.
 constexpr double part_of_energy = 1e-3;
@@ -21,7 +21,7 @@ constexpr double part_of_energy = 1e-3;
 // of a gap may be as many tolerances.
 constexpr double contact_part = 4;
 // Of sums and differences in the stages of a step.
-constexpr double rounding_factor = 16;
+constexpr double step_rounding_factor = 16;
 
 double ratio(double error, double tolerance) {
   return error > 0 ? std::abs(error) / tolerance : 0; // infinite where the tolerance is zero
@@ -79,7 +79,7 @@ void ErrorMeasure::read_contact(std::size_t contact, const EndPoint &point, Scal
   const double kinetic = mass_[contact] * local.gap_rate * local.gap_rate / 2;
   of.energy = stored + kinetic;
   of.force = std::abs(point.rates[layout.impulse(static_cast<Index>(contact))]);
-  of.rounding = epsilon * equations_.magnitude(contact, {.gap = 1}, point.time, point.state);
+  of.rounding = step_epsilon * equations_.magnitude(contact, {.gap = 1}, point.time, point.state);
   for (const Index body : bodies_[contact])
     scales.energy[body] += stored;
   scales.turnover += stored;
@@ -175,13 +175,14 @@ double ErrorMeasure::speed(std::size_t contact) const {
 // Rounding of a contact's force: its own, and that of its gap, amplified by dF/dg ~ 2 F / u.
 double ErrorMeasure::noise(std::size_t contact) const {
   const OfContact &of = present_.of[contact];
-  return rounding_factor * of.force * (epsilon + (of.gap > 0 ? 2 * of.rounding / of.gap : 0));
+  return step_rounding_factor * of.force *
+         (step_epsilon + (of.gap > 0 ? 2 * of.rounding / of.gap : 0));
 }
 
 double ErrorMeasure::gap_tolerance(std::size_t contact, double length) const {
   const OfContact &of = present_.of[contact];
   return absolute_gap_ + contact_part * relative_ * (of.gap + length * speed(contact)) +
-         rounding_factor * of.rounding + length * rounding_of_speed(mass_[contact]);
+         step_rounding_factor * of.rounding + length * rounding_of_speed(mass_[contact]);
 }
 
 double ErrorMeasure::gap_rate_tolerance(std::size_t contact, double length) const {
@@ -192,7 +193,7 @@ double ErrorMeasure::gap_rate_tolerance(std::size_t contact, double length) cons
 
 // Below that of the largest energy that the motion has had nothing counts.
 double ErrorMeasure::rounding_of_speed(double mass) const {
-  return rounding_factor * epsilon *
+  return step_rounding_factor * step_epsilon *
          std::sqrt(2 * std::max(present_.turnover, largest_turnover_) / mass);
 }
 
@@ -277,12 +278,12 @@ double ErrorMeasure::negligible_work() const {
 double ErrorMeasure::negligible_impulse(std::size_t contact) const {
   const double mass = 2 * mass_[contact];
   return std::sqrt(mass * negligible_work()) +
-         rounding_factor * epsilon * std::sqrt(mass * largest_turnover_);
+         step_rounding_factor * step_epsilon * std::sqrt(mass * largest_turnover_);
 }
 
 double ErrorMeasure::of_work(const Vector &error) const {
   const StateLayout &layout = equations_.layout();
-  const double negligible = negligible_work() + work_at_rest() + epsilon * largest_turnover_;
+  const double negligible = negligible_work() + work_at_rest() + step_epsilon * largest_turnover_;
   // With the energy of the contacts that act: where a base meets a body at rest nothing has been
   // turned over yet, and the relative error of the work, which goes with a power of the time since
   // then, is the same for steps of every length.

@@ -1,6 +1,6 @@
 #include "motion/steps/stiffness_monitor.h"
 
-#include <Eigen/Eigenvalues>
+#include "common/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,9 +27,8 @@ double fastest_decay(const Equations &equations, double time, const Vector &x) {
   for (Index i = equations.layout().internal(); i < equations.layout().drive(); ++i)
     if (x[i] == 0 && jacobian.row(i).cwiseAbs().sum() == std::abs(jacobian(i, i)))
       jacobian(i, i) = 0;
-  const Eigen::EigenSolver<Matrix> solver(jacobian.topLeftCorner(size, size), false);
   double fastest = 0;
-  for (const auto &eigenvalue : solver.eigenvalues())
+  for (const auto &eigenvalue : eigenvalues(jacobian.topLeftCorner(size, size)))
     if (-eigenvalue.real() > std::abs(eigenvalue.imag()))
       fastest = std::max(fastest, std::abs(eigenvalue));
   return fastest;

@@ -1,14 +1,10 @@
 #include "motion/system/active_constraints.h"
 
-#include <Eigen/QR>
+#include "common/decompositions.h"
 
 #include <algorithm>
 
 namespace vibroimpact::motion {
-
-struct ActiveConstraints::Factor {
-  Eigen::CompleteOrthogonalDecomposition<Matrix> of;
-};
 
 Matrix gap_rows(const contact::ContactSet &contacts, const std::vector<std::size_t> &list,
                 Index n) {
@@ -41,10 +37,9 @@ bool ActiveConstraints::holds(std::size_t contact) const {
 
 void ActiveConstraints::set_response(const Matrix &response) {
   response_ = response;
-  factor_ = std::make_shared<const Factor>(
-      Factor{Eigen::CompleteOrthogonalDecomposition<Matrix>(rows_ * response_)});
+  factor_ = std::make_shared<const LeastNorm>(rows_ * response_);
 }
 
-Matrix ActiveConstraints::forces(const Matrix &missing) const { return factor_->of.solve(missing); }
+Matrix ActiveConstraints::forces(const Matrix &missing) const { return factor_->solve(missing); }
 
 } // namespace vibroimpact::motion

@@ -16,6 +16,10 @@
 #include <memory>
 #include <vector>
 
+namespace vibroimpact {
+class LeastNorm;
+}
+
 namespace vibroimpact::motion {
 
 class ActiveConstraints {
@@ -44,12 +48,10 @@ public:
   Matrix forces(const Matrix &missing) const;
 
 private:
-  struct Factor; ///< of W M^-1 W^T
-
   std::vector<std::size_t> contacts_;
   Matrix rows_, response_;
-  Matrix rates_; ///< held contacts x 2
-  std::shared_ptr<const Factor> factor_;
+  Matrix rates_;                            ///< held contacts x 2
+  std::shared_ptr<const LeastNorm> factor_; ///< of W M^-1 W^T
 };
 
 /// The gap rows of some contacts, one below the other.

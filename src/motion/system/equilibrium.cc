@@ -1,9 +1,8 @@
 #include "motion/system/equilibrium.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
 #include "motion/system/equations.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <limits>
@@ -119,7 +118,7 @@ private:
 
 // One Newton step, halved until the residual falls; false when it no longer does.
 bool improve(StaticProblem &problem, Vector &q, Vector &residual, Matrix &derivative) {
-  const Vector step = -derivative.completeOrthogonalDecomposition().solve(residual);
+  const Vector step = -least_norm_solution(derivative, residual);
   for (double share = 1; share > 1e-9; share /= 2) {
     const Vector trial = q + share * step;
     Matrix trial_derivative;

@@ -17,9 +17,8 @@
 // what S x1 dT and S x0 dt would add cancels but for the terms of the force.
 #pragma once
 
+#include "common/decompositions.h"
 #include "motion/collocation/whole_contact.h"
-
-#include <Eigen/LU>
 
 namespace vibroimpact::motion {
 
@@ -48,11 +47,11 @@ private:
 
   const WholeContact &solved_;
   const ForcedOutput &penetration_;
-  Index n_;                            ///< nodes
-  Vector positions_;                   ///< theta X of the nodes and the end
-  Vector powers_;                      ///< g_k theta^k
-  Vector coefficients_;                ///< d_k of the motion, one more than there are terms
-  Eigen::PartialPivLU<Matrix> newton_; ///< of the exact matrix, without dimensions
+  Index n_;                  ///< nodes
+  Vector positions_;         ///< theta X of the nodes and the end
+  Vector powers_;            ///< g_k theta^k
+  Vector coefficients_;      ///< d_k of the motion, one more than there are terms
+  LuFactors<Matrix> newton_; ///< of the exact matrix, without dimensions
 };
 
 } // namespace vibroimpact::motion

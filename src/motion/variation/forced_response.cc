@@ -1,6 +1,6 @@
 #include "motion/variation/forced_response.h"
 
-#include <unsupported/Eigen/MatrixFunctions>
+#include "common/decompositions.h"
 
 #include <cmath>
 
@@ -120,11 +120,11 @@ Vector ForcedResponse::operator()(double h, const Vector &x, const Vector &start
       end[wave.imaginary] = sums[i].imag();
   }
   for (const PhaseGroup &group : dense_)
-    end(group.coordinates) += (h * group.generator).exp() * start(group.coordinates);
+    end(group.coordinates) += exponential(h * group.generator) * start(group.coordinates);
   for (const DenseCoupling &coupling : dense_couplings_) {
     const auto n = static_cast<Index>(coupling.to.size());
     const auto m = static_cast<Index>(coupling.from.size());
-    const Matrix all = (h * coupling.generator).exp();
+    const Matrix all = exponential(h * coupling.generator);
     end(coupling.to) += all.topRightCorner(n, m) * x(coupling.from);
   }
   return end;

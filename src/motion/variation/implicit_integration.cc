@@ -1,10 +1,8 @@
 #include "motion/variation/implicit_integration.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
 #include "motion/variation/radau.h"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +105,7 @@ private:
   const RadauMethod &method_;
   JointRates &rates_;
   std::vector<JointRates::Value> values_;
-  Eigen::PartialPivLU<Matrix> lu_;
+  LuFactors<Matrix> lu_;
 };
 
 double largest_row(const Matrix &symmetric, const Vector &mass) {
@@ -163,9 +161,9 @@ RateScales scales_at(const Equations &equations, double time, const Vector &stat
                                 scaled.cwiseAbs().colwise().sum().maxCoeff());
   if (bound < slow)
     return {.radius = bound, .decay = bound};
-  const Eigen::VectorXcd eigenvalues = scaled.eigenvalues();
-  return {.radius = eigenvalues.cwiseAbs().maxCoeff(),
-          .decay = std::max(0.0, -eigenvalues.real().minCoeff())};
+  const ComplexVector values = eigenvalues(scaled);
+  return {.radius = values.cwiseAbs().maxCoeff(),
+          .decay = std::max(0.0, -values.real().minCoeff())};
 }
 
 } // namespace

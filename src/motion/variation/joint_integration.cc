@@ -1,10 +1,9 @@
 #include "motion/variation/joint_integration.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
 #include "motion/variation/implicit_integration.h"
 #include "motion/variation/observable_columns.h"
-
-#include <Eigen/LU>
 
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
@@ -210,7 +209,7 @@ double integrate_from_end(const Joint &joint, const Interval &reversed, const Ra
   columns.rightCols(n_keys) -= back.rightCols(n_keys);
   const Matrix scaled = scale.asDiagonal() * back.leftCols(n);
   columns = (scale.cwiseInverse().asDiagonal() *
-             scaled.partialPivLu().solve(scale.asDiagonal() * columns))
+             LuFactors<Matrix>(scaled).solve(Matrix(scale.asDiagonal() * columns)))
                 .eval();
   return -divergence;
 }

@@ -1,6 +1,6 @@
 #include "motion/variation/key_stencil.h"
 
-#include <Eigen/LU>
+#include "common/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ Vector derivative_weights(const std::vector<double> &offsets) {
     for (Index m = 0; m < size; ++m)
       powers(m, i) =
           std::pow(offsets[static_cast<std::size_t>(i)] / largest, static_cast<double>(m + 1));
-  return powers.fullPivLu().solve(Vector::Unit(size, 0)) / largest;
+  return solve_fully_pivoted(powers, Vector::Unit(size, 0)) / largest;
 }
 
 std::vector<std::size_t> structure_of(const model::Model &model,

@@ -1,10 +1,9 @@
 #include "motion/variation/key_tangent.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
 #include "motion/observer.h"
 #include "motion/variation/key_stencil.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <atomic>
@@ -327,8 +326,7 @@ Vector KeyTangent::jump(const Equations &equations, const Collision &collision, 
       wanted[k] = (factor[k] + (bounces || own == 0 ? other - own : 0)) * gap_rates[k];
     }
     // At fixed velocities: what other rows do to the gap rates is in `moved`.
-    const Vector jump =
-        -response * (rows * response).completeOrthogonalDecomposition().solve(wanted);
+    const Vector jump = -response * least_norm_solution(rows * response, wanted);
     change += near.weight * (jump - present);
   }
   return change;

@@ -1,6 +1,6 @@
 #include "motion/variation/linear_flow.h"
 
-#include <unsupported/Eigen/MatrixFunctions>
+#include "common/decompositions.h"
 
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace {
 
 void turn(const ModalBlock &block, double h, Matrix &modal) {
   if (block.kind == BlockKind::dense) {
-    const Matrix exponential = (h * block.generator).exp();
+    const Matrix exponential = vibroimpact::exponential(h * block.generator);
     modal.middleRows(block.column, block.size) =
         (exponential * modal.middleRows(block.column, block.size)).eval();
     return;

@@ -1,6 +1,6 @@
 #include "motion/variation/low_rank_map.h"
 
-#include <Eigen/LU>
+#include "common/decompositions.h"
 
 namespace vibroimpact::motion {
 
@@ -31,7 +31,7 @@ double LowRankMap::determinant() const {
     return 1;
   if (r == 1)
     return 1 + right.row(0).dot(left.col(0));
-  return (Matrix::Identity(r, r) + right * left).partialPivLu().determinant();
+  return vibroimpact::determinant(Matrix::Identity(r, r) + right * left);
 }
 
 } // namespace vibroimpact::motion

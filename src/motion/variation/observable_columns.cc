@@ -1,6 +1,6 @@
 #include "motion/variation/observable_columns.h"
 
-#include <Eigen/QR>
+#include "common/decompositions.h"
 
 #include <algorithm>
 
@@ -79,9 +79,8 @@ std::optional<ObservableColumns> observable_columns(const Equations &equations, 
     return std::nullopt;
   Matrix basis(scale.size(), 0);
   if (found->cols() > 0) {
-    Eigen::ColPivHouseholderQR<Matrix> qr(*found);
-    qr.setThreshold(independent);
-    basis = qr.householderQ() * Matrix::Identity(scale.size(), qr.rank());
+    const PivotedQr qr(*found, independent);
+    basis = qr.basis(qr.rank());
   }
   if (static_cast<double>(basis.cols()) > worth_it * static_cast<double>(columns.cols()))
     return std::nullopt;

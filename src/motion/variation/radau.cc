@@ -1,7 +1,6 @@
 #include "motion/variation/radau.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include "common/decompositions.h"
 
 #include <cmath>
 
@@ -19,9 +18,7 @@ Vector jacobi_roots(Index degree) {
     if (n > 0)
       beside[n - 1] = std::sqrt(k * (k + 1)) / (2 * k + 1);
   }
-  Eigen::SelfAdjointEigenSolver<Matrix> solver;
-  solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
-  return 0.5 * (solver.eigenvalues().array() + 1);
+  return 0.5 * (tridiagonal_eigenvalues(diagonal, beside).array() + 1);
 }
 
 } // namespace
@@ -29,16 +26,15 @@ Vector jacobi_roots(Index degree) {
 // The coefficients integrate polynomials of degree stages - 1 exactly.
 RadauMethod::RadauMethod(Index stages) : nodes(stages) {
   nodes << jacobi_roots(stages - 1), 1.0;
-  using Long = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-  Long values(stages, stages);
-  Long integrals(stages, stages);
+  LongMatrix values(stages, stages);
+  LongMatrix integrals(stages, stages);
   for (Index i = 0; i < stages; ++i)
     for (Index k = 0; k < stages; ++k) {
       const long double power = std::pow(static_cast<long double>(nodes[i]), k);
       values(i, k) = power;
       integrals(i, k) = power * nodes[i] / static_cast<long double>(k + 1);
     }
-  coefficients = (integrals * values.inverse()).cast<double>();
+  coefficients = (integrals * extended::inverse(values)).cast<double>();
 }
 
 } // namespace vibroimpact::motion

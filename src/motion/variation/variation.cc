@@ -1,10 +1,9 @@
 #include "motion/variation/variation.h"
 
+#include "common/decompositions.h"
 #include "common/error.h"
 #include "motion/trajectory.h"
 #include "motion/variation/contact_deviations.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -97,16 +96,15 @@ Vector Variation::orthonormalise() {
   forget_parts();
   const Index count = columns_.cols() - n_keys();
   const Matrix scaled = accuracy_.scale.asDiagonal() * columns_.leftCols(count);
-  const Eigen::HouseholderQR<Matrix> qr(scaled);
+  const Orthonormal found = orthonormalised(scaled, Basis::columns);
   Vector growth(count);
   for (Index k = 0; k < count; ++k) {
-    const double left = std::abs(qr.matrixQR()(k, k));
+    const double left = std::abs(found.diagonal[k]);
     growth[k] = left > dependent_column * scaled.col(k).norm()
                     ? std::log(left)
                     : -std::numeric_limits<double>::infinity();
   }
-  const Matrix basis = qr.householderQ() * Matrix::Identity(scaled.rows(), count);
-  columns_.leftCols(count) = accuracy_.scale.cwiseInverse().asDiagonal() * basis;
+  columns_.leftCols(count) = accuracy_.scale.cwiseInverse().asDiagonal() * found.basis;
   return growth;
 }
 

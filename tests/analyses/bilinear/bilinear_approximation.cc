@@ -15,7 +15,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace bilinear_approximation_tests {
 
 constexpr double pi = std::numbers::pi;
 
@@ -191,5 +191,5 @@ TEST(BilinearApproximationTest, WhatIsStoredIsNotComputedAgain) {
   EXPECT_TRUE(points.all().empty());
 }
 
-} // namespace
+} // namespace bilinear_approximation_tests
 } // namespace vibroimpact::analyses

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact {
-namespace {
+namespace bilinear_input_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -115,5 +115,5 @@ TEST(BilinearInputTest, OtherExcitationsMustBeConstant) {
   EXPECT_EQ(message_of(changed(two, "  set Frequency = 4 Hz", "  set History = constant")), "");
 }
 
-} // namespace
+} // namespace bilinear_input_tests
 } // namespace vibroimpact

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace design_keys_tests {
 
 std::vector<DesignKey> read(const std::string &keys) {
   const std::string text = R"(set Variables = a = 4, b = 2 mm
@@ -84,5 +84,5 @@ TEST(DesignKeysTest, StartsAreDrawnFromTheSeed) {
   EXPECT_NEAR(sum[1] / n, 0.5, 5 / std::sqrt(12.0 * n));
 }
 
-} // namespace
+} // namespace design_keys_tests
 } // namespace vibroimpact::analyses

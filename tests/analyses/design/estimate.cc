@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace estimate_tests {
 
 /// "curve" = a exp(-b x) along x, from 0 to 4 in steps of 0.01, in mm; "number" = a b.
 class Curve : public Outcomes {
@@ -298,5 +298,5 @@ TEST_F(EstimateTest, WhatIsStoredIsNotComputedAgain) {
   }
 }
 
-} // namespace
+} // namespace estimate_tests
 } // namespace vibroimpact::analyses

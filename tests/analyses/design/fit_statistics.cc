@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace fit_statistics_tests {
 
 // y = p0 + p1 x at x = -1, 0, 1, 2: var p = s^2 (X'X)^-1.
 TEST(FitStatisticsTest, OfAStraightLine) {
@@ -56,5 +56,5 @@ TEST(FitStatisticsTest, FreeDirectionsAreFoundAndNamed) {
   EXPECT_NE(words.find("leave free: mass, stiffness as 1 : 1"), std::string::npos) << words;
 }
 
-} // namespace
+} // namespace fit_statistics_tests
 } // namespace vibroimpact::analyses

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace isolator_averaging_tests {
 
 constexpr IsolatorDamping damping{.isolator = 0.01, .stop = 0.2};
 
@@ -123,5 +123,5 @@ TEST(IsolatorAveragingTest, TendsToItsExpansion) {
   EXPECT_LT(last, 1e-4);
 }
 
-} // namespace
+} // namespace isolator_averaging_tests
 } // namespace vibroimpact::analyses

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace isolator_branches_tests {
 
 // m = 2 kg, k0 = 800 N/m: omega = 20 rad/s, critical damping 80 N s/m.
 constexpr IsolatorSystem isolator{.mass = 2,
@@ -123,5 +123,5 @@ TEST(IsolatorBranchesTest, ABranchThatEndsEarlyIsAFailure) {
   EXPECT_NE(exact.failure.find("end/reason of the branch: 4"), std::string::npos) << exact.failure;
 }
 
-} // namespace
+} // namespace isolator_branches_tests
 } // namespace vibroimpact::analyses

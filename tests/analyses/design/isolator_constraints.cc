@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace isolator_constraints_tests {
 
 constexpr IsolatorDamping damping{.isolator = 0.01, .stop = 0.2};
 
@@ -133,5 +133,5 @@ TEST(IsolatorConstraintsTest, TheMarginCountsForTheAveragedResponseToo) {
   EXPECT_EQ(folds(1.101), 2);
 }
 
-} // namespace
+} // namespace isolator_constraints_tests
 } // namespace vibroimpact::analyses

@@ -7,7 +7,7 @@
 #include <unsupported/Eigen/Polynomials>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace isolator_unfolding_tests {
 
 constexpr IsolatorDamping damping{.isolator = 0.01, .stop = 0.2};
 
@@ -166,5 +166,5 @@ TEST(IsolatorUnfoldingTest, ExamplesLieInTheirRegions) {
   }
 }
 
-} // namespace
+} // namespace isolator_unfolding_tests
 } // namespace vibroimpact::analyses

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace least_squares_tests {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -184,5 +184,5 @@ TEST(LeastSquaresTest, ExceptionsComeThrough) {
   EXPECT_EQ(calls, 3);
 }
 
-} // namespace
+} // namespace least_squares_tests
 } // namespace vibroimpact::analyses

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace nlopt_search_tests {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -120,5 +120,5 @@ TEST(NloptSearchTest, ASeedDecidesWhatIsDrawn) {
   EXPECT_NE(visited(3), visited(4));
 }
 
-} // namespace
+} // namespace nlopt_search_tests
 } // namespace vibroimpact::analyses

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace optimise_tests {
 
 const std::string two_keys = R"(subsection Key x
   set Path = Variables/x
@@ -224,5 +224,5 @@ TEST(OptimiseTest, AFinishedStartIsPassedOver) {
   EXPECT_EQ(again.skipped, 31);
 }
 
-} // namespace
+} // namespace optimise_tests
 } // namespace vibroimpact::analyses

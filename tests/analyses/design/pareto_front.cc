@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace pareto_front_tests {
 
 std::shared_ptr<const Analysis> pareto(const std::string &lines) {
   return search_analysis(R"(set Type = pareto front
@@ -152,5 +152,5 @@ TEST(ParetoFrontTest, NothingGoodSaysWhy) {
   EXPECT_EQ(points.all().at({0}).reason, "all 20 evaluations failed, the first one: no motion");
 }
 
-} // namespace
+} // namespace pareto_front_tests
 } // namespace vibroimpact::analyses

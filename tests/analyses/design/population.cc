@@ -6,7 +6,7 @@
 #include <set>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace population_tests {
 
 Population population(std::size_t size, std::uint64_t seed = 1) {
   return Population({.size = size, .start = Vector::Constant(2, 0.5), .seed = seed});
@@ -94,5 +94,5 @@ TEST(PopulationTest, WithoutMembersTrialsAreRandom) {
   EXPECT_NE(population(8).propose(20), population(8).propose(21));
 }
 
-} // namespace
+} // namespace population_tests
 } // namespace vibroimpact::analyses

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace sensitivity_tests {
 
 std::shared_ptr<const Analysis> sensitivity(const std::string &lines) {
   return search_analysis(R"(set Type = sensitivity
@@ -100,5 +100,5 @@ TEST(SensitivityTest, WhatIsStoredIsNotComputedAgain) {
   EXPECT_EQ(resumed.value({0}, "total/sum/x"), whole.value({0}, "total/sum/x"));
 }
 
-} // namespace
+} // namespace sensitivity_tests
 } // namespace vibroimpact::analyses

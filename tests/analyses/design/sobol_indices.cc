@@ -9,7 +9,7 @@
 #include <numbers>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace sobol_indices_tests {
 
 using Function = std::function<double(const Vector &)>;
 
@@ -115,5 +115,5 @@ TEST(SobolIndicesTest, TheDesign) {
   EXPECT_NE(a, design.point(0));
 }
 
-} // namespace
+} // namespace sobol_indices_tests
 } // namespace vibroimpact::analyses

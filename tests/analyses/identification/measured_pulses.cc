@@ -11,7 +11,7 @@
 #include <random>
 
 namespace vibroimpact::analyses {
-namespace {
+namespace measured_pulses_tests {
 
 using testing::changed;
 using testing::message_of;
@@ -162,7 +162,9 @@ TEST_F(MeasuredPulsesFile, WhatCannotBeUsedIsNamed) {
       {"File = force.csv", "File = none.csv", {"Identify / File", "can be read"}},
       {"Value unit = kN", "Value unit = kg", {"Identify / Value unit"}},
       {"Time unit = ms", "Time unit = mm", {"Identify / Time unit"}},
-      {"Threshold = 50 N", "Threshold = 900 N", {"Identify / Threshold", "none of which is a pulse"}},
+      {"Threshold = 50 N",
+       "Threshold = 900 N",
+       {"Identify / Threshold", "none of which is a pulse"}},
       {"    set Threshold = 50 N\n", "", {"Identify / Threshold", "must be given"}},
       {"set File = force.csv",
        "set File = force.csv\nset Duration = 1 s",
@@ -178,5 +180,5 @@ TEST_F(MeasuredPulsesFile, WhatCannotBeUsedIsNamed) {
   }
 }
 
-} // namespace
+} // namespace measured_pulses_tests
 } // namespace vibroimpact::analyses
