@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 int main(int argc, char **argv) {
-  testing::InitGoogleTest(&argc, argv);
+  ::testing::InitGoogleTest(&argc, argv);
   const vibroimpact::testing::SlepcSession session("test");
   int failed = RUN_ALL_TESTS();
   int failed_anywhere = 0;

@@ -9,7 +9,7 @@
 
 namespace vibroimpact::continuation {
 
-namespace prediction_tests {
+namespace {
 
 // A helix and its tangent of length 1.
 Vector helix(double turn) { return Eigen::Vector3d(std::cos(turn), std::sin(turn), 0.5 * turn); }
@@ -31,7 +31,7 @@ double error_of_step(double step) {
   return (path.beyond(step) - point_ahead(step)).norm();
 }
 
-} // namespace prediction_tests
+} // namespace
 
 TEST(PredictionTest, CubicIsOffByTheFourthPowerOfTheStep) {
   for (const double step : {0.2, 0.1, 0.05})

@@ -11,7 +11,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
-namespace beam_frequencies_tests {
+namespace {
 
 constexpr double two_pi = 2 * M_PI;
 
@@ -109,7 +109,7 @@ double moving_joint(const BeamDefinition &beam, double clamped) {
   return bisect(sum, clamped - 0.3, clamped);
 }
 
-} // namespace beam_frequencies_tests
+} // namespace
 
 TEST(BeamFrequencies, ClampedFreeConvergesWithOrderFour) {
   BeamDefinition beam = thin_beam(1);

@@ -11,7 +11,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
-namespace beam_theories_tests {
+namespace {
 
 using structure::BeamTheory;
 using structure::Member;
@@ -123,7 +123,7 @@ Member part(const BeamDefinition &beam, const std::string &name, double from, do
       .name = name, .between = {{from, to}}, .section = beam.section, .material = beam.material};
 }
 
-} // namespace beam_theories_tests
+} // namespace
 
 TEST(BeamTheories, ExactFrequenciesContainTheKnownOnes) {
   const Wave slender{1, 0, 1, 0, 1};

@@ -11,7 +11,7 @@
 
 using namespace vibroimpact;
 
-namespace eigenvalue_bounds_tests {
+namespace {
 
 struct Errors {
   Vector bounds;
@@ -36,7 +36,7 @@ Errors tilted(const Vector &eigenvalues, int count, double tilt, double shift, d
           (theta - exact).cwiseQuotient((exact.array() - shift).matrix())};
 }
 
-} // namespace eigenvalue_bounds_tests
+} // namespace
 
 TEST(EigenvalueBounds, AreAboveTheErrors) {
   Vector eigenvalues(40);

@@ -14,7 +14,7 @@ using namespace vibroimpact::examples;
 using modes::CompletePairs;
 using modes::ModeSearch;
 
-namespace mode_search_tests {
+namespace {
 
 void expect_eigenvalues(const CompletePairs &found, const std::vector<double> &exact,
                         std::size_t count, double tolerance = 1e-13) {
@@ -46,7 +46,7 @@ modes::LowestVectors without(const SmallProblem &masses, const std::vector<doubl
   return {all.pairs.vectors(Eigen::all, kept), eigenvalues[count]};
 }
 
-} // namespace mode_search_tests
+} // namespace
 
 TEST(ModeSearch, FindsTheModesOfAChain) {
   const int size = 400;

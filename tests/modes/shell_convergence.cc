@@ -11,7 +11,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
-namespace shell_convergence_tests {
+namespace {
 
 struct Case {
   const char *name;
@@ -142,7 +142,7 @@ void print(const Case &example, CellShape shape, int mesh, const Vector &found) 
   std::printf(" |\n");
 }
 
-} // namespace shell_convergence_tests
+} // namespace
 
 TEST(ShellConvergence, ThePublicCasesAreReached) {
   for (const Case &example : cases)

@@ -13,7 +13,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
-namespace shell_frequencies_tests {
+namespace {
 
 constexpr std::array both = {CellShape::quadrilateral, CellShape::triangle};
 
@@ -80,7 +80,7 @@ std::string renumbered(const structure::Mesh &mesh) {
   return text.str();
 }
 
-} // namespace shell_frequencies_tests
+} // namespace
 
 void expect_same(const Vector &frequencies, const Vector &expected) {
   for (Index j = 0; j < expected.size(); ++j)

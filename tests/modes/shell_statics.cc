@@ -7,7 +7,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
-namespace shell_statics_tests {
+namespace {
 
 constexpr std::array both = {CellShape::quadrilateral, CellShape::triangle};
 
@@ -37,7 +37,7 @@ ShellDefinition strip(double thickness, CellShape shape, const Vector3 &force, i
   return shell;
 }
 
-} // namespace shell_statics_tests
+} // namespace
 
 TEST(ShellStatics, ScordelisLoRoof) {
   for (const CellShape shape : both)

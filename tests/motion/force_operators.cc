@@ -39,7 +39,7 @@ int highest_degree(const ForceShape &shape) {
   return (shape.nodes - 1) / (shape.begin_root + shape.end_root - 1);
 }
 
-class ForceOperatorsOfShape : public testing::TestWithParam<ForceShape> {};
+class ForceOperatorsOfShape : public ::testing::TestWithParam<ForceShape> {};
 
 TEST_P(ForceOperatorsOfShape, IntegratesPowersTimesPolynomials) {
   const ForceFamily family(GetParam());
@@ -90,15 +90,14 @@ TEST_P(ForceOperatorsOfShape, InterpolatesAtItsNodes) {
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, ForceOperatorsOfShape,
-    testing::Values(ForceShape{.begin = 1.5, .end = 1.5, .nodes = 8},
-                    ForceShape{.begin = 1.5, .end = 1.5, .nodes = 20},
-                    ForceShape{.begin = 2.2, .end = 2.2, .nodes = 12},
-                    ForceShape{.begin = 1.1, .end = 0, .nodes = 10},
-                    ForceShape{.begin = 0, .end = 3, .nodes = 8},
-                    ForceShape{.begin = 0, .end = 0, .nodes = 8},
-                    ForceShape{.begin = 0.5, .end = 0, .nodes = 12, .begin_root = 2},
-                    ForceShape{
-                        .begin = 0.25, .end = 0.25, .nodes = 16, .begin_root = 4, .end_root = 4}));
+    ::testing::Values(
+        ForceShape{.begin = 1.5, .end = 1.5, .nodes = 8},
+        ForceShape{.begin = 1.5, .end = 1.5, .nodes = 20},
+        ForceShape{.begin = 2.2, .end = 2.2, .nodes = 12},
+        ForceShape{.begin = 1.1, .end = 0, .nodes = 10},
+        ForceShape{.begin = 0, .end = 3, .nodes = 8}, ForceShape{.begin = 0, .end = 0, .nodes = 8},
+        ForceShape{.begin = 0.5, .end = 0, .nodes = 12, .begin_root = 2},
+        ForceShape{.begin = 0.25, .end = 0.25, .nodes = 16, .begin_root = 4, .end_root = 4}));
 
 TEST(ForceOperatorsTime, IsAPolynomialWithRootsAtItsEnds) {
   for (const auto &[p, q] : {std::pair(1, 1), std::pair(2, 1), std::pair(4, 4), std::pair(1, 3)}) {

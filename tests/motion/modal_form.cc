@@ -9,7 +9,7 @@
 #include <random>
 
 namespace vibroimpact::motion {
-namespace modal_form_tests {
+namespace {
 
 /// (0, 1; -K, -C) of `size` coordinates, of which `free` combinations meet neither springs nor
 /// dampers, in coordinates turned at random: K and C have a null space but for rounding.
@@ -39,7 +39,7 @@ double left_over(const Matrix &matrix, const ModalForm &form) {
          (matrix.norm() * form.basis().norm());
 }
 
-} // namespace modal_form_tests
+} // namespace
 
 // Four eigenvalues are zero, and rounding makes of them what it likes: no two of them that happen
 // to have nearly parallel eigenvectors need be a block.

@@ -5,7 +5,7 @@
 
 namespace vibroimpact::testing {
 
-namespace example_results_tests {
+namespace {
 
 using reduction::Recovery;
 using reduction::ReducedBody;
@@ -268,7 +268,7 @@ AnalysisHeader sweep_header(const std::string &name, std::size_t steps) {
           {frequency, {"direction", {}, {"forward", "backward"}, "1", "direction of the sweep"}}};
 }
 
-} // namespace example_results_tests
+} // namespace
 
 std::vector<ReducedBody> example_bodies() {
   return {cantilever("left", 0, 2.95), cantilever("right", 0.02, 3.1), damper()};

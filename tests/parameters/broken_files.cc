@@ -17,7 +17,7 @@ struct Case {
 
 void PrintTo(const Case &broken, std::ostream *out) { *out << broken.name; }
 
-class BrokenFilesTable : public testing::TestWithParam<Case> {};
+class BrokenFilesTable : public ::testing::TestWithParam<Case> {};
 
 TEST_P(BrokenFilesTable, is_refused_with_place_and_reason) {
   EXPECT_EQ(error_of([] { parse_prm(GetParam().text); }),
@@ -93,7 +93,7 @@ const std::vector<Case> structure{
     {"section_as_key", "set Excitation = 3\n",
      "1: Excitation = 3\n  'Excitation' is a subsection, not a key with a value."},
 };
-INSTANTIATE_TEST_SUITE_P(Structure, BrokenFilesTable, testing::ValuesIn(structure),
+INSTANTIATE_TEST_SUITE_P(Structure, BrokenFilesTable, ::testing::ValuesIn(structure),
                          [](const auto &info) { return std::string(info.param.name); });
 
 const std::vector<Case> values{
@@ -194,7 +194,7 @@ const std::vector<Case> values{
      "2: Contact c / Clearance = 1 kg\n  '1 kg' is a mass [kg]; a length [m] is expected (greater "
      "than or equal to 0), for example 0 m."},
 };
-INSTANTIATE_TEST_SUITE_P(Content, BrokenFilesTable, testing::ValuesIn(values),
+INSTANTIATE_TEST_SUITE_P(Content, BrokenFilesTable, ::testing::ValuesIn(values),
                          [](const auto &info) { return std::string(info.param.name); });
 
 std::string read_error(const std::string &file) {
@@ -205,13 +205,13 @@ TEST(BrokenFiles, missing_file_wrong_suffix_and_folder) {
   EXPECT_EQ(read_error("nowhere.prm"), "nowhere.prm\n  the file 'nowhere.prm' does not exist.");
   EXPECT_EQ(read_error("beams.txt"),
             "beams.txt\n  the name of a parameter file must end in .prm or .json.");
-  const std::string folder = testing::TempDir() + "/folder.prm";
+  const std::string folder = ::testing::TempDir() + "/folder.prm";
   std::filesystem::create_directories(folder);
   EXPECT_EQ(read_error(folder), folder + "\n  '" + folder + "' is not a file.");
 }
 
 TEST(BrokenFiles, a_file_that_includes_itself) {
-  const std::string file = (std::filesystem::path(testing::TempDir()) / "circle.prm").string();
+  const std::string file = (std::filesystem::path(::testing::TempDir()) / "circle.prm").string();
   std::ofstream(file) << "set Title = a\ninclude circle.prm\n";
   EXPECT_EQ(read_error(file),
             file + ":2\n  the file includes itself: " + file + " -> " + file + ".");

@@ -24,7 +24,7 @@ struct Case {
   const char *unit;
 };
 
-class ExpressionsTable : public testing::TestWithParam<Case> {};
+class ExpressionsTable : public ::testing::TestWithParam<Case> {};
 
 TEST_P(ExpressionsTable, has_value_and_dimension) {
   const Number number = evaluate(GetParam().text, variables());
@@ -34,7 +34,7 @@ TEST_P(ExpressionsTable, has_value_and_dimension) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ExpressionsTable,
-    testing::Values(
+    ::testing::Values(
         Case{"lambda * 1 kN/m", 2000, "N/m"}, Case{"1 + 2 * 3", 7, "1"},
         Case{"sqrt(2) * 0.3 m", 0.3 * std::sqrt(2.0), "m"}, Case{"1 m + 5 mm", 1.005, "m"},
         Case{"L / 2", 0.15, "m"}, Case{"L^2", 0.09, "m^2"},
@@ -56,7 +56,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"ln(exp(2))", 2, "1"}, Case{"log10(1000)", 3, "1"}, Case{"abs(-3 m)", 3, "m"},
         Case{"atan(1) * 4", std::numbers::pi, "1"}, Case{"5 mm / 1 mm", 5, "1"}));
 
-class ExpressionsRefused : public testing::TestWithParam<std::pair<const char *, const char *>> {};
+class ExpressionsRefused : public ::testing::TestWithParam<std::pair<const char *, const char *>> {
+};
 
 TEST_P(ExpressionsRefused, says_why) {
   try {
@@ -70,7 +71,7 @@ TEST_P(ExpressionsRefused, says_why) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ExpressionsRefused,
-    testing::Values(
+    ::testing::Values(
         std::pair{"1 m + 1 s", "different dimensions"},
         std::pair{"1 + 1 m", "different dimensions"},
         std::pair{"max(1 m, 200 s)", "different dimensions"},

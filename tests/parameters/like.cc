@@ -103,7 +103,7 @@ struct Case {
 
 void PrintTo(const Case &broken, std::ostream *out) { *out << broken.name; }
 
-class LikeTable : public testing::TestWithParam<Case> {};
+class LikeTable : public ::testing::TestWithParam<Case> {};
 
 TEST_P(LikeTable, is_refused_with_place_and_reason) {
   EXPECT_EQ(error_of([] { parse_prm(GetParam().text); }),
@@ -131,7 +131,7 @@ const std::vector<Case> refused{
      "shell\nend\n",
      "6: Body b / Type = shell\n  this key is set twice; first at params/beams.prm:5."},
 };
-INSTANTIATE_TEST_SUITE_P(Refused, LikeTable, testing::ValuesIn(refused),
+INSTANTIATE_TEST_SUITE_P(Refused, LikeTable, ::testing::ValuesIn(refused),
                          [](const auto &info) { return std::string(info.param.name); });
 
 TEST(Like, is_no_key_that_an_override_could_change) {

@@ -18,7 +18,7 @@ struct Case {
   const char *unit;
 };
 
-class UnitsTable : public testing::TestWithParam<Case> {};
+class UnitsTable : public ::testing::TestWithParam<Case> {};
 
 TEST_P(UnitsTable, has_its_si_value_and_dimension) {
   const Number number = evaluate(GetParam().text, {});
@@ -90,7 +90,7 @@ const std::vector<Case> cases{
     {"0.1/s", 0.1, "1/s"},
     {".5 m", 0.5, "m"},
 };
-INSTANTIATE_TEST_SUITE_P(All, UnitsTable, testing::ValuesIn(cases));
+INSTANTIATE_TEST_SUITE_P(All, UnitsTable, ::testing::ValuesIn(cases));
 
 TEST(Units, every_unit_of_the_table_is_tried) {
   std::string all;

@@ -147,7 +147,7 @@ TEST(Values, a_wrong_declaration_is_a_programming_error) {
 }
 
 TEST(Values, included_files_lie_beside_the_file) {
-  const std::string folder = testing::TempDir() + "/vibroimpact_include";
+  const std::string folder = ::testing::TempDir() + "/vibroimpact_include";
   std::filesystem::create_directories(folder + "/parts");
   std::ofstream(folder + "/main.prm") << "include parts/more.prm\nset Title = here\n";
   std::ofstream(folder + "/parts/more.prm") << "subsection Body a\n  set Type = bean\nend\n";

@@ -7,7 +7,7 @@
 
 namespace vibroimpact::testing {
 
-namespace judge_model_tests {
+namespace {
 
 using Overrides = std::vector<parameters::Override>;
 
@@ -124,7 +124,7 @@ Verdict judge(const std::string &text, const std::string &nudged, const std::str
   return verdict;
 }
 
-} // namespace judge_model_tests
+} // namespace
 
 double difference(const ModelRun &one, const ModelRun &other) {
   return std::max(difference_of_kind(one, other, {"displacement", "gap"}),

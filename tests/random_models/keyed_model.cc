@@ -8,7 +8,7 @@
 
 namespace vibroimpact::testing {
 
-namespace keyed_model_tests {
+namespace {
 
 constexpr const char *paths[] = {"Contact/k0/Clearance",
                                  "Contact/k0/Linear penalty/Stiffness",
@@ -31,7 +31,7 @@ constexpr const char *paths[] = {"Contact/k0/Clearance",
                                  "Connection/c0/Cubic stiffness",
                                  "Body/b/Mass m0/Mass"};
 
-} // namespace keyed_model_tests
+} // namespace
 
 std::shared_ptr<const parameters::ParameterSet> KeyedModel::set(Overrides overrides) const {
   overrides.push_back({.path = "File folder", .value = folder_, .origin = "test"});

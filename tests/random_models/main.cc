@@ -15,7 +15,7 @@
 
 using namespace vibroimpact::testing;
 
-namespace main_tests {
+namespace {
 
 std::string text_of(const std::string &file) {
   std::ostringstream text;
@@ -34,7 +34,7 @@ void judge_all(const std::string &folder, std::uint64_t first, std::uint64_t num
   }
 }
 
-} // namespace main_tests
+} // namespace
 
 int main(int argc, char **argv) {
   if (argc < 4)

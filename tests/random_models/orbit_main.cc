@@ -13,7 +13,7 @@
 
 using namespace vibroimpact::testing;
 
-namespace orbit_main_tests {
+namespace {
 
 bool is_equal(const std::string &word) { return word.starts_with("equal"); }
 
@@ -51,7 +51,7 @@ bool judge_all(const std::string &folder, int least, const std::vector<std::uint
   return words["different"] == 0 && words["failed"] == 0 && equal >= least;
 }
 
-} // namespace orbit_main_tests
+} // namespace
 
 int main(int argc, char **argv) {
   if (argc < 4)

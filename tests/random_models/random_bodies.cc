@@ -2,7 +2,7 @@
 
 namespace vibroimpact::testing {
 
-namespace random_bodies_tests {
+namespace {
 
 void add_points(const std::vector<std::string> &points, bool held, RandomBodies &bodies) {
   bodies.points.insert(bodies.points.end(), points.begin(), points.end());
@@ -102,7 +102,7 @@ void add_connections(Draw &draw, RandomBodies &bodies) {
   }
 }
 
-} // namespace random_bodies_tests
+} // namespace
 
 RandomBodies random_bodies(Draw &draw, double factor) {
   RandomBodies bodies;

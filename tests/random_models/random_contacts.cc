@@ -2,7 +2,7 @@
 
 namespace vibroimpact::testing {
 
-namespace random_contacts_tests {
+namespace {
 
 std::string spring(Draw &draw) { return set("Stiffness", draw.power(1, 6), "N/m"); }
 
@@ -60,7 +60,7 @@ double clearance(Draw &draw, bool rigid) {
   return kind < 0.75 ? draw.power(-4, -1) : draw.power(-2, -1);
 }
 
-} // namespace random_contacts_tests
+} // namespace
 
 RandomContacts random_contacts(Draw &draw, const RandomBodies &bodies) {
   RandomContacts contacts;

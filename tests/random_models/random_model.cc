@@ -10,7 +10,7 @@
 
 namespace vibroimpact::testing {
 
-namespace random_model_tests {
+namespace {
 
 // At rest exactly where the first contact with a stop begins, or with a kick.
 std::string initial_conditions(Draw &draw, const RandomContacts &contacts,
@@ -29,7 +29,7 @@ std::string initial_conditions(Draw &draw, const RandomContacts &contacts,
   return subsection("Initial condition i", content);
 }
 
-} // namespace random_model_tests
+} // namespace
 
 std::string random_model(const ModelChoice &choice) {
   Draw draw(choice.seed);

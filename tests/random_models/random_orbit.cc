@@ -15,7 +15,7 @@
 
 namespace vibroimpact::testing {
 
-namespace random_orbit_tests {
+namespace {
 
 constexpr double hopeless = 1e-6;
 constexpr double tolerance = 1e-12;
@@ -141,7 +141,7 @@ private:
   OrbitVerdict verdict_;
 };
 
-} // namespace random_orbit_tests
+} // namespace
 
 std::string random_orbit_model(std::uint64_t seed) {
   Draw draw(seed + 500000);

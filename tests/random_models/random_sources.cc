@@ -4,7 +4,7 @@
 
 namespace vibroimpact::testing {
 
-namespace random_sources_tests {
+namespace {
 
 struct Type {
   const char *name;
@@ -51,7 +51,7 @@ std::string history(Draw &draw, const Type &type, double frequency, double durat
                                     set("Unit", type.unit) + set("Interpolation", "cubic spline"));
 }
 
-} // namespace random_sources_tests
+} // namespace
 
 std::string random_sources(Draw &draw, const RandomBodies &bodies, double frequency,
                            double duration) {

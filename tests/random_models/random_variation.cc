@@ -20,7 +20,7 @@
 
 namespace vibroimpact::testing {
 
-namespace random_variation_tests {
+namespace {
 
 using analyses::System;
 using motion::MotionState;
@@ -341,7 +341,7 @@ bool goes_on(const std::string &word) {
          word == "agree but for rounding";
 }
 
-} // namespace random_variation_tests
+} // namespace
 
 double VariationVerdict::largest() const {
   double largest = 0;

@@ -10,7 +10,7 @@
 
 namespace vibroimpact::testing {
 
-namespace run_model_tests {
+namespace {
 
 using namespace analyses;
 using reduction::ReducedBody;
@@ -51,7 +51,7 @@ PointResult point_of(const std::string &text, const std::string &folder,
   return context.point;
 }
 
-} // namespace run_model_tests
+} // namespace
 
 ModelRun run_model(const std::string &text, const std::string &folder,
                    std::vector<parameters::Override> overrides) {

@@ -10,7 +10,7 @@
 
 namespace vibroimpact::testing {
 
-namespace spectra_tests {
+namespace {
 
 using Values = Eigen::VectorXcd;
 
@@ -59,7 +59,7 @@ double bauer_fike(const Matrix &a, const Matrix &b) {
   return condition * ((a - b).norm() + rounding);
 }
 
-} // namespace spectra_tests
+} // namespace
 
 SpectraVerdict compare_spectra(const Values &own, const Matrix &a, const Matrix &b) {
   const Values other = b.eigenvalues();

@@ -12,7 +12,7 @@
 
 using namespace vibroimpact::testing;
 
-namespace variation_main_tests {
+namespace {
 
 struct Summary {
   int models = 0;
@@ -70,7 +70,7 @@ bool judge_all(const std::string &folder, const std::vector<std::uint64_t> &seed
   return judged == seeds.size() && 2 * words["agree"] >= static_cast<int>(seeds.size());
 }
 
-} // namespace variation_main_tests
+} // namespace
 
 int main(int argc, char **argv) {
   if (argc < 3)

@@ -13,7 +13,7 @@ namespace vibroimpact::testing {
 using analyses::System;
 using motion::MotionState;
 
-namespace windowed_motion_tests {
+namespace {
 
 using Event = EventSequence::Event;
 
@@ -64,7 +64,7 @@ std::vector<Instant> instants_of(const std::vector<Event> &events, double at_onc
   return instants;
 }
 
-} // namespace windowed_motion_tests
+} // namespace
 
 void EventSequence::event(const motion::ContactEvent &event) {
   list.push_back({event.time, event.contact, event.from, event.to});

@@ -8,7 +8,7 @@ using namespace vibroimpact;
 using vibroimpact::reduction::fix_basis;
 using vibroimpact::reduction::merge_multiple;
 
-namespace basis_rule_tests {
+namespace {
 
 // Six components of four nodes.
 Matrix shapes(Index columns) {
@@ -23,7 +23,7 @@ Matrix rotation(Index size) {
   return Eigen::HouseholderQR<Matrix>(shapes(size).topRows(size)).householderQ();
 }
 
-} // namespace basis_rule_tests
+} // namespace
 
 TEST(BasisRule, SingleModesArePositiveAtTheFirstPoint) {
   Matrix shape = shapes(3);

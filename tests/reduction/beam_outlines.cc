@@ -8,13 +8,13 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
-namespace beam_outlines_tests {
+namespace {
 
 std::vector<Matrix> outlines_of(const std::string &text) {
   return beam_outlines(body_values(text), "left", ".", MPI_COMM_SELF);
 }
 
-} // namespace beam_outlines_tests
+} // namespace
 
 // The beam runs along z; its width of 30 mm lies along y, its thickness of 0.75 mm along x.
 TEST(BeamOutlines, StandAcrossTheirLines) {

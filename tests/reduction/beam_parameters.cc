@@ -9,7 +9,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
-namespace beam_parameters_tests {
+namespace {
 
 std::string in_section(const std::string &lines) { return inside(head_beam(), "Section", lines); }
 
@@ -24,7 +24,7 @@ std::string hinge(const std::string &lines) {
 
 std::string head(const std::string &lines) { return inside(head_beam(), "Point head", lines); }
 
-} // namespace beam_parameters_tests
+} // namespace
 
 TEST(BeamParameters, TheoryAndTaperAreRead) {
   const auto section = definition_of(in_section("set Theory = Timoshenko\n"

@@ -12,7 +12,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using vibroimpact::testing::TemporaryFolder;
 
-namespace body_file_tests {
+namespace {
 
 const ReducedBody &example() {
   static const ReducedBody body =
@@ -26,7 +26,7 @@ std::string refusal(const std::string &bytes, const std::string &fingerprint) {
   return reason;
 }
 
-} // namespace body_file_tests
+} // namespace
 
 TEST(BodyFile, RoundTripKeepsEveryByte) {
   const std::string bytes = to_bytes(example(), "print");

@@ -12,7 +12,7 @@ using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 using vibroimpact::testing::TemporaryFolder;
 
-namespace body_parameters_tests {
+namespace {
 
 const std::string line = "    set Line = 0 m, 0 m, 0 m -> 0 m, 0 m, 30 cm\n";
 const std::string elements = "    set Elements = 20\n";
@@ -22,7 +22,7 @@ std::string lumped(const std::string &lines) {
   return "subsection Body left\n  set Type = lumped\n" + lines + "end\n";
 }
 
-} // namespace body_parameters_tests
+} // namespace
 
 TEST(BodyParameters, ABeamIsRead) {
   const std::string more =

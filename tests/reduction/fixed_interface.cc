@@ -9,7 +9,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
-namespace fixed_interface_tests {
+namespace {
 
 constexpr Index along_x = 0;
 
@@ -42,7 +42,7 @@ std::string problem_of_definition(const BodyDefinition &definition) {
   return "";
 }
 
-} // namespace fixed_interface_tests
+} // namespace
 
 // L^3 / 3EI at the head, L^3 / 24EI in the middle, 5 L^3 / 48EI across, whatever the modes.
 TEST(FixedInterface, AStaticForceAtTheInterfaceIsAnsweredExactly) {

@@ -14,7 +14,7 @@ using namespace vibroimpact::examples;
 using vibroimpact::testing::TemporaryFolder;
 using vibroimpact::testing::text_of;
 
-namespace given_bodies_tests {
+namespace {
 
 /// In space, so that every component counts; its head carries a mass.
 BeamDefinition space_beam() {
@@ -108,7 +108,7 @@ BodyDefinition from_files(const std::filesystem::path &folder, const std::string
   return definition;
 }
 
-} // namespace given_bodies_tests
+} // namespace
 
 TEST(GivenBodies, AreTheBodyTheyWereMadeFrom) {
   const TemporaryFolder folder(MPI_COMM_WORLD);

@@ -7,7 +7,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 
-namespace lumped_body_tests {
+namespace {
 
 BodyDefinition two_masses() {
   BodyDefinition definition;
@@ -23,7 +23,7 @@ BodyDefinition two_masses() {
   return definition;
 }
 
-} // namespace lumped_body_tests
+} // namespace
 
 TEST(LumpedBody, HasOneCoordinatePerMass) {
   const ReducedBody body = reduce(two_masses(), MPI_COMM_SELF);

@@ -7,7 +7,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
-namespace member_stress_tests {
+namespace {
 
 constexpr double width = 0.06;
 constexpr double depth = 0.02; // along local z
@@ -44,7 +44,7 @@ double stress_of(const ReducedBody &body, std::size_t line, Index end, const Vec
 
 double modulus(double local_depth) { return width * local_depth * local_depth / 6; }
 
-} // namespace member_stress_tests
+} // namespace
 
 TEST(MemberStress, FibresOfATaperedCantilever) {
   BeamDefinition beam = bar();

@@ -9,7 +9,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
-namespace point_response_tests {
+namespace {
 
 BodyDefinition shell_of(const ShellDefinition &shell, int number) {
   BodyDefinition definition;
@@ -26,7 +26,7 @@ Matrix kept_inverse_mass(const BodyPoint &point) {
   return displacements * displacements.transpose();
 }
 
-} // namespace point_response_tests
+} // namespace
 
 // One element, clamped at its start: its mass matrix rho A L / 420 (156, -22 L; -22 L, 4 L^2) has
 // the inverse 12 / (rho A L) for the tip, and rho A L / 3 is left along the axis.

@@ -9,7 +9,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
-namespace rank_independence_tests {
+namespace {
 
 void expect_same(const BodyDefinition &definition) {
   const ReducedBody together = reduce(definition, MPI_COMM_WORLD);
@@ -37,7 +37,7 @@ BodyDefinition free_beam() {
   return body_of(beam, 14);
 }
 
-} // namespace rank_independence_tests
+} // namespace
 
 TEST(RankIndependence, TunedCantilever) {
   BodyDefinition definition = body_of(tuned_cantilever(100), 20);

@@ -10,7 +10,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
-namespace reduce_tests {
+namespace {
 
 constexpr Index along_x = 0;
 
@@ -19,7 +19,7 @@ Vector inverse_modal_masses(const ReducedBody &body, const BeamDefinition &beam)
   return beam_mass(beam) * body.point("head").rows.row(along_x).transpose().array().square();
 }
 
-} // namespace reduce_tests
+} // namespace
 
 TEST(Reduce, TunedCantileverHasTheModalMassesOfCaseS) {
   const BeamDefinition beam = tuned_cantilever(80);

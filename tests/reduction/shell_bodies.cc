@@ -14,7 +14,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
-namespace shell_bodies_tests {
+namespace {
 
 BodyDefinition body_of(const ShellDefinition &shell, int number) {
   BodyDefinition definition;
@@ -45,9 +45,9 @@ constexpr Index along_x = 0;
 
 /// What reduce() warns of, one line each.
 std::vector<std::string> warnings_of(const ShellDefinition &shell) {
-  testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStdout();
   reduce(body_of(shell, 2), MPI_COMM_WORLD);
-  std::istringstream text(testing::internal::GetCapturedStdout());
+  std::istringstream text(::testing::internal::GetCapturedStdout());
   std::vector<std::string> lines;
   for (std::string line; std::getline(text, line);)
     if (line.starts_with("warning: "))
@@ -55,7 +55,7 @@ std::vector<std::string> warnings_of(const ShellDefinition &shell) {
   return lines;
 }
 
-} // namespace shell_bodies_tests
+} // namespace
 
 // One warning for the body, with how many, where, and what helps.
 TEST(ShellBodies, TrianglesThatLockAreWarnedOf) {

@@ -9,7 +9,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
-namespace shell_parameters_tests {
+namespace {
 
 const std::string plate = R"(subsection Body left
   set Type = shell
@@ -65,7 +65,7 @@ std::string changed(const std::string &from, const std::string &to) {
   return plate.substr(0, at) + to + plate.substr(at + from.size());
 }
 
-} // namespace shell_parameters_tests
+} // namespace
 
 TEST(ShellParameters, APlateIsRead) {
   const BodyDefinition body = definition_of(plate);

@@ -8,7 +8,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
-namespace stress_tests {
+namespace {
 
 /// Largest von Mises stress at a point.
 double von_mises(const ReducedBody &body, const std::string &point, const Vector &q) {
@@ -106,7 +106,7 @@ double von_mises_of_line(const ReducedBody &body, std::size_t line, Index end, c
   return largest;
 }
 
-} // namespace stress_tests
+} // namespace
 
 // Along the whole beam: M c / I with M = F (L - x) at both ends of each of the four elements.
 TEST(Stress, LinesOfACantileverUnderATipForce) {

@@ -15,7 +15,7 @@ using namespace vibroimpact::structure;
 using modes::Block;
 using modes::Layout;
 
-namespace assembly_tests {
+namespace {
 
 AssembledBody assembled(const BeamDefinition &beam) {
   return assemble(build_frame(beam), MPI_COMM_WORLD);
@@ -45,7 +45,7 @@ BeamDefinition skew_beam() {
   return beam;
 }
 
-} // namespace assembly_tests
+} // namespace
 
 TEST(Assembly, HeldDegreesOfFreedomAreLeftOut) {
   const AssembledBody body = assembled(examples::cantilever(10));

@@ -10,7 +10,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace beam_matrices_tests {
+namespace {
 
 constexpr double length = 0.8;
 const Material steel{2e11, 0.25, 8000};
@@ -50,7 +50,7 @@ double tip_flexibility(const SectionShape &shape, int row) {
   return stiffness_of(matrices_of(shape)).bottomRightCorner<6, 6>().ldlt().solve(force)[row - 6];
 }
 
-} // namespace beam_matrices_tests
+} // namespace
 
 // EI / (L^3 (1 + phi)) with phi = 12 EI / (kappa G A L^2), see Przemieniecki, Theory of Matrix
 // Structural Analysis, section 5.6.

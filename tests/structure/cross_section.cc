@@ -11,7 +11,7 @@ using namespace vibroimpact::structure;
 using std::numbers::pi;
 using Kind = SectionShape::Kind;
 
-namespace cross_section_tests {
+namespace {
 
 std::string key_of(const SectionShape &shape) {
   try {
@@ -28,7 +28,7 @@ double second_moment_y(const std::vector<Eigen::Vector2d> &corners) {
   return diagonal.x() * std::pow(diagonal.y(), 3) / 12;
 }
 
-} // namespace cross_section_tests
+} // namespace
 
 TEST(CrossSection, RectangleMomentsFollowTheLocalAxes) {
   const CrossSection s = cross_section({.width = 0.03, .thickness = 0.01});

@@ -5,7 +5,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace frame_element_tests {
+namespace {
 
 BeamProperties properties() {
   return beam_properties({.kind = SectionShape::Kind::given,
@@ -51,7 +51,7 @@ Eigen::Matrix<double, 6, 1> tip_response(const ElementFrame &frame, int componen
   return local;
 }
 
-} // namespace frame_element_tests
+} // namespace
 
 TEST(FrameElement, MatricesAreSymmetricAndMassIsPositive) {
   const ElementMatrix k = stiffness_matrix(skew_frame());

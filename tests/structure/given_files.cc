@@ -12,7 +12,7 @@ using namespace vibroimpact;
 using namespace vibroimpact::structure;
 using vibroimpact::testing::TemporaryFolder;
 
-namespace given_files_tests {
+namespace {
 
 /// The whole matrix, or the message.
 struct Read {
@@ -57,7 +57,7 @@ Mesh deck(const std::string &content) { return read_input_deck(content, 1, "a.in
 const std::string cube = "*NODE, NSET=All\n1,0,0,0\n2,2,0,0\n3,2,2,0\n4,0,2,0\n"
                          "5,0,0,2\n6,2,0,2\n7,2,2,2\n8,0,2,2\n";
 
-} // namespace given_files_tests
+} // namespace
 
 TEST(GivenFiles, OneTriangleIsTheWholeMatrix) {
   const Matrix expected = (Matrix(2, 2) << 2, -1, -1, 3).finished();

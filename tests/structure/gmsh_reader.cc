@@ -9,7 +9,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace gmsh_reader_tests {
+namespace {
 
 // A bent line 1-2-3 with a lonely node 7, a named point group and a named line group; the first
 // line stands in two physical groups, which version 2.2 writes as two elements.
@@ -104,7 +104,7 @@ void expect_problem(const std::string &content, const std::string &words) {
   EXPECT_NE(problem_of(content).find(words), std::string::npos) << problem_of(content);
 }
 
-} // namespace gmsh_reader_tests
+} // namespace
 
 TEST(GmshReader, BothVersionsGiveTheSameMesh) {
   for (const std::string &content : {version_2, version_4}) {

@@ -9,7 +9,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace interface_nodes_tests {
+namespace {
 
 Mesh plate() {
   return generate_plate(
@@ -45,7 +45,7 @@ std::string problem_of(const Interface &interface) {
   return "";
 }
 
-} // namespace interface_nodes_tests
+} // namespace
 
 TEST(InterfaceNodes, AGroupInTheOrderOfItsCoordinates) {
   const std::vector<Vector3> right = places(plate(), {.name = "i", .group = "right", .near = {}});

@@ -7,7 +7,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace members_tests {
+namespace {
 
 BeamDefinition line_of(int elements) {
   BeamDefinition beam;
@@ -43,7 +43,7 @@ Mesh branching() {
   return mesh;
 }
 
-} // namespace members_tests
+} // namespace
 
 TEST(Members, NodesLieWherePositionsAndPartsAskForThem) {
   BeamDefinition beam = line_of(10);

@@ -5,7 +5,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace mesh_tests {
+namespace {
 
 Mesh unit_line() { return generate_line({Vector3::Zero(), Vector3(0, 0, 1), 4}); }
 
@@ -18,7 +18,7 @@ std::string problem_of(const Mesh &mesh) {
   return "";
 }
 
-} // namespace mesh_tests
+} // namespace
 
 TEST(Mesh, GeneratedLineHasEqualElementsAndNamedEnds) {
   const Mesh mesh = unit_line();

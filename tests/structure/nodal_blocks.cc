@@ -8,7 +8,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace nodal_blocks_tests {
+namespace {
 
 double mass_entry(int i, int j) { return 1.0 / (1 + i + j); }
 
@@ -45,7 +45,7 @@ double entry(Mat matrix, int i, int j) {
   return value;
 }
 
-} // namespace nodal_blocks_tests
+} // namespace
 
 // The stiffness is diagonal, the mass is not: no entry of either may be lost.
 TEST(NodalBlocks, KeepWhatIsZeroInOneMatrixOnly) {

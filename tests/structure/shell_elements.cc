@@ -13,7 +13,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace shell_elements_tests {
+namespace {
 
 using Field = std::function<Eigen::Matrix<double, 6, 1>(const Vector3 &)>;
 
@@ -126,7 +126,7 @@ Vector eigenvalues(const Matrix &matrix) {
   return Eigen::SelfAdjointEigenSolver<Matrix>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-} // namespace shell_elements_tests
+} // namespace
 
 // Turned in space, round-off of the membrane meets the bending stiffness, (size / thickness)^2
 // times smaller: some 1e4 for the thin patch.

@@ -13,7 +13,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace shell_mesh_tests {
+namespace {
 
 Plate unit_plate(int columns, int rows, CellShape shape = CellShape::quadrilateral) {
   return {.corner = {0, 0, 0},
@@ -48,7 +48,7 @@ void expect_problem(const Mesh &mesh, const std::string &words,
   EXPECT_NE(problem.find(words), std::string::npos) << problem;
 }
 
-} // namespace shell_mesh_tests
+} // namespace
 
 TEST(ShellMesh, APlateHasItsNodesEdgesAndNormals) {
   const Mesh mesh = generate_plate(unit_plate(4, 2));

@@ -10,7 +10,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace surface_normals_tests {
+namespace {
 
 Mesh one_strip(double height) { // two squares with a fold between them
   Mesh mesh;
@@ -19,7 +19,7 @@ Mesh one_strip(double height) { // two squares with a fold between them
   return mesh;
 }
 
-} // namespace surface_normals_tests
+} // namespace
 
 // A cylinder of 24 elements around: inside the mesh the normals are radial.
 TEST(SurfaceNormals, AreThoseOfTheSmoothSurface) {

@@ -11,7 +11,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace triangle_locking_tests {
+namespace {
 
 /// z = curvature (x^2 + kind y^2) / 2 over a unit square of n x n squares, each cut in two.
 Mesh bowl(int n, double curvature, double kind) {
@@ -29,7 +29,7 @@ std::optional<TriangleLocking> locking(const Mesh &mesh, double thickness) {
   return find_locking(mesh, surface_normals(mesh), std::vector(mesh.surfaces.size(), thickness));
 }
 
-} // namespace triangle_locking_tests
+} // namespace
 
 // size^2 / (R t) = 1 with size 1/10 and R = 10 and t = 1e-3, for domes as for saddles.
 TEST(TriangleLocking, IsAMatterOfSizeRadiusAndThickness) {

@@ -11,7 +11,7 @@
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
-namespace warped_shells_tests {
+namespace {
 
 const Material material = {1e6, 0.25, 1000};
 
@@ -54,7 +54,7 @@ NodeVectors random_corners(std::mt19937 &random) {
   return corners;
 }
 
-} // namespace warped_shells_tests
+} // namespace
 
 // The surface z = c x y bends without stretching by w = x^2 / 2 with u = -c x^2 y / 2,
 // v = -c x^3 / 6, and turns by -c x^2 / 2 about z (slopes small). What is left is the energy of

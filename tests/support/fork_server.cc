@@ -33,7 +33,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace fork_server_tests {
+namespace {
 
 struct Request {
   std::vector<std::string> arguments{"vibroimpact"};
@@ -164,7 +164,7 @@ void print(const Answer &answer) {
             << answer.peak_megabytes << "}" << std::endl;
 }
 
-} // namespace fork_server_tests
+} // namespace
 
 int main() {
   // A process that mpirun did not start would first start a daemon of Open MPI, 0.4 s, and look for

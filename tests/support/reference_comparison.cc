@@ -12,7 +12,7 @@
 
 namespace vibroimpact::testing {
 
-namespace reference_comparison_tests {
+namespace {
 
 using namespace model;
 
@@ -136,7 +136,7 @@ void include(const motion::Impact &impact, const ReferenceImpact &truth, double 
       std::max(error.deepest, relative(impact.maximum_penetration, truth.deepest, truth.deepest));
 }
 
-} // namespace reference_comparison_tests
+} // namespace
 
 ProgramMotion program_motion(const ReferenceSystem &system, const ReferenceStart &start, double end,
                              double tolerance, const std::string &method) {

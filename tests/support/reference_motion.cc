@@ -11,7 +11,7 @@
 
 namespace vibroimpact::testing {
 
-namespace reference_motion_tests {
+namespace {
 
 enum class Mode { open, contact, separating };
 
@@ -390,7 +390,7 @@ private:
   ReferenceResult result_;
 };
 
-} // namespace reference_motion_tests
+} // namespace
 
 ReferenceResult reference_motion(const ReferenceSystem &system, const ReferenceStart &start,
                                  double end, double tolerance) {

@@ -14,7 +14,7 @@
 #include <exception>
 
 namespace vibroimpact::testing {
-namespace study_contact_errors_tests {
+namespace {
 
 constexpr int decades = 9; ///< 1e-4 ... 1e-12
 constexpr std::array names = {"Hertz", "Hunt-Crossley", "Kuwabara-Kono", "Tsuji"};
@@ -60,7 +60,7 @@ void run(std::size_t count) {
     }
 }
 
-} // namespace study_contact_errors_tests
+} // namespace
 } // namespace vibroimpact::testing
 
 int main(int argc, char **argv) {
