@@ -14,6 +14,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -174,6 +175,28 @@ TEST(RecordersOfCharacterTest, AnExponentWithinTheThresholdIsNone) {
     negative += value(result, "regime/exponent") < 0 ? 1 : 0;
   }
   EXPECT_GT(negative, 0);
+}
+
+// A free mass drifts away from where it would have been: deviations grow in proportion to time,
+// which is no chaos in however short a window, and nothing is decided before the exponent has its
+// error.
+TEST(RecordersOfCharacterTest, AFreeMotionIsNeverChaotic) {
+  const System system{.model = Model({single_mass("block", 1, 0, 0)}),
+                      .contacts = {},
+                      .integration = {},
+                      .initial = {.displacement = Vector::Zero(1), .velocity = Vector::Ones(1)}};
+  for (const long cycles : {2, 15, 21, 40, 100, 300}) {
+    RegimeRecorder regime(system, {});
+    record(system, regime, 1, 0, cycles);
+    PointResult result;
+    regime.add_fields(result);
+    EXPECT_EQ(value(result, "regime/class"), cycles < 256 ? 5 : 3) << cycles;
+    EXPECT_EQ(std::any_of(result.summary.begin(), result.summary.end(),
+                          [](const SummaryLine &line) {
+                            return line.label.name() == "regime.cycles_that_would_decide";
+                          }),
+              cycles < 256);
+  }
 }
 
 // A stop that is hit in every period beside one that only goes on recovering, by less than 1e-9 of

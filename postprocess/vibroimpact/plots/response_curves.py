@@ -18,7 +18,7 @@ from .layout import LARGEST_FAMILY, Layout, family_of, layout_of
 from .measures import Panel, Sheet, sheets
 from .results import Analysis, Results
 
-CHARACTERS = ["not repeating", "periodic", "settling", "quasi-periodic", "chaotic"]
+CHARACTERS = ["not repeating", "periodic", "settling", "quasi-periodic", "chaotic", "not decided"]
 ORDER_RANGE = 1e-5  # smallest amplitude of an order that is shown, of the largest
 ROUND_OFF = 1e-8
 

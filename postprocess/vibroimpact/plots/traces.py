@@ -11,7 +11,7 @@ import numpy as np
 
 ABRUPT = 0.1  # of the range of a curve: the least step that counts as a jump where none is recorded
 ABRUPT_RATIO = 6.0  # of it to the steps on either side
-CHAOTIC = (0, 4)  # values of regime/class: not repeating, chaotic
+CHAOTIC = (0, 4, 5)  # values of regime/class: not repeating, chaotic, not decided
 JUMP = dict(linestyle=":", linewidth=0.8)
 
 

@@ -15,6 +15,11 @@ constexpr const char *regime_section = "Regime";
 /// Components that move less than this part of the largest of their kind count by that instead.
 constexpr double smallest_relative_scale = 1e-3;
 
+const LyapunovSettings exponent_settings;
+
+// Logarithm of the growth of deviations that go with the square of the time.
+double algebraic_growth() { return -2 * std::log(exponent_settings.discarded_share); }
+
 void put(PointResult &result, const std::string &name, double value, const std::string &unit,
          const std::string &description) {
   result.fields.push_back(scalar_field("regime/" + name, value, unit, description));
@@ -29,7 +34,7 @@ void put(PointResult &result, const std::string &name, double value, const std::
 RegimeRecorder::RegimeRecorder(const System &system, RegimeSettings settings)
     : system_(system), settings_(std::move(settings)), impacts_(system.contacts.size(), 0) {
   if (settings_.exponent)
-    exponents_.emplace(LyapunovSettings{});
+    exponents_.emplace(exponent_settings);
 }
 
 void RegimeRecorder::declare(parameters::Section &analysis) {
@@ -133,16 +138,39 @@ StroboscopicPoints RegimeRecorder::points() const {
   return {states_, scales(), angles};
 }
 
+// Of the exponent.
+double RegimeRecorder::counted_periods() const {
+  const auto cycles = static_cast<double>(states_.size() - 1);
+  return cycles - std::floor(exponent_settings.discarded_share * cycles);
+}
+
+// `growth`: per period.
+bool RegimeRecorder::grows_exponentially(double growth) const {
+  return growth > settings_.exponent_threshold && growth * counted_periods() > algebraic_growth();
+}
+
+// Periods of a window that tells chaotic from quasi-periodic motions: growth at the threshold shows
+// as exponential, and the standard error has two intervals in each block.
+double RegimeRecorder::deciding_cycles() const {
+  const double counted = std::max(algebraic_growth() / settings_.exponent_threshold,
+                                  2.0 * static_cast<double>(exponent_settings.blocks));
+  return std::ceil(counted / (1 - exponent_settings.discarded_share));
+}
+
 Regime RegimeRecorder::classify(const Repetition &repetition, const Approach &approach) const {
   if (repetition.multiple > 0)
     return Regime::periodic;
   const double growth = exponents_ ? exponents_->exponents().front() * period_ : 0;
-  if (exponents_ && growth > settings_.exponent_threshold)
+  const bool known = exponents_ && std::isfinite(exponents_->standard_errors().front());
+  if (known && grows_exponentially(growth))
     return Regime::chaotic;
   // Deviations that shrink leave nothing but a motion that repeats.
   if (approach.multiple > 0 || (exponents_ && growth < -settings_.exponent_threshold))
     return Regime::settling;
-  return exponents_ ? Regime::quasi_periodic : Regime::aperiodic;
+  if (!exponents_)
+    return Regime::aperiodic;
+  return known && growth <= settings_.exponent_threshold ? Regime::quasi_periodic
+                                                         : Regime::undecided;
 }
 
 // Impacts at the very end of a period may fall on either side of it: the mean over all repetitions
@@ -170,9 +198,13 @@ void RegimeRecorder::add_fields(PointResult &result) const {
     repetition.multiple = 0;
   else if (repetition.multiple == 0)
     approach = find_approach(points, settings_.longest);
-  put(result, "class", static_cast<double>(classify(repetition, approach)), "1",
+  const Regime regime = classify(repetition, approach);
+  put(result, "class", static_cast<double>(regime), "1",
       "0 does not repeat, 1 periodic, 2 settling towards a periodic motion, 3 quasi-periodic, "
-      "4 chaotic");
+      "4 chaotic, 5 not decided between 3 and 4: a longer window would");
+  if (regime == Regime::undecided)
+    result.summary.push_back(
+        scalar_line("regime.cycles_that_would_decide", deciding_cycles(), "1"));
   put(result, "period_multiple", static_cast<double>(repetition.multiple), "1",
       "forcing periods after which the motion repeats; 0 when it does not");
   put(result, "difference", repetition.difference, "1",
@@ -186,7 +218,7 @@ void RegimeRecorder::add_fields(PointResult &result) const {
   if (exponents_) {
     put(result, "exponent", exponents_->exponents().front(), "1/s", "largest Lyapunov exponent");
     put(result, "exponent_error", exponents_->standard_errors().front(), "1/s",
-        "standard error of it");
+        "standard error of it; NaN where the window has too few periods");
   }
   add_impacts(result, repetition.multiple);
 }

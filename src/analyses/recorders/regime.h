@@ -1,6 +1,11 @@
 // The regime (kT, n, m) of a motion: after how many forcing periods it repeats and how often each
 // contact is hit in that time; where it does not repeat, whether it is still settling,
 // quasi-periodic or chaotic.
+//
+// Over the part of the window that counts, from the share d of it to its end, deviations that grow
+// like t^p, as those of free bodies do, grow by the factor d^-p only: more than that of p = 2 is
+// exponential growth. A motion is called quasi-periodic or chaotic only where the exponent has a
+// standard error.
 #pragma once
 
 #include "analyses/character/repetition.h"
@@ -17,7 +22,8 @@ enum class Regime : int {
   periodic = 1,       ///< repeats after period_multiple forcing periods
   settling = 2,       ///< still approaches a motion that repeats
   quasi_periodic = 3, ///< does not repeat, deviations neither grow nor shrink
-  chaotic = 4         ///< deviations grow exponentially
+  chaotic = 4,        ///< deviations grow exponentially
+  undecided = 5       ///< does not repeat; the window is too short to tell 3 from 4
 };
 
 struct RegimeSettings {
@@ -46,6 +52,9 @@ private:
   Vector scales() const;
   StroboscopicPoints points() const;
   Regime classify(const Repetition &repetition, const Approach &approach) const;
+  double counted_periods() const;
+  bool grows_exponentially(double growth) const;
+  double deciding_cycles() const;
   void add_impacts(PointResult &result, long multiple) const;
 
   const System &system_;
