@@ -49,6 +49,9 @@ void add_special_values(PointResult &row, const SpecialPoint &special, const std
       "derivative, by the key, of the multiplier that crosses the unit circle, of the modulus for "
       "a "
       "pair; where it is small the place is sensitive. 0 at other kinds");
+  add("key_width", special.width, unit,
+      "change of the contact changes: of the interval of the key at whose end the point lies; 0 at "
+      "other kinds, which are located");
 }
 
 } // namespace
@@ -86,6 +89,15 @@ void BranchTable::note_missing(double key, const std::string &why) {
   remarks_.push_back("the branch that begins at " + at(key) + " is not followed: " + why);
 }
 
+void BranchTable::note_enclosed(const SpecialPoint &special) {
+  std::ostringstream width;
+  width.precision(2);
+  width << special.width << (parameter_.unit == "1" ? "" : " " + parameter_.unit);
+  remarks_.push_back("the contact changes are others from " + at(special.at.point.keys[0]) +
+                     " on, or up to " + width.str() +
+                     " before it, without a graze that could be located");
+}
+
 void BranchTable::end(const continuation::Branch &branch) {
   rows_.end(branch);
   if (branch.end == continuation::End::least_step)
@@ -108,6 +120,8 @@ void BranchTable::add(const SpecialPoint &special) {
   SpecialPoint ordered = special;
   if (sign_ < 0)
     std::swap(ordered.unstable_before, ordered.unstable_after);
+  if (special.kind == Special::pattern_change)
+    note_enclosed(special);
   PointResult values = orbit_of(special.at);
   add_special_values(values, ordered, parameter_.unit);
   rows_.add_special(special.at, number_of(special.kind, {.phase = 0, .halves = halves_}),

@@ -28,6 +28,7 @@ public:
 private:
   PointResult orbit_of(const continuation::BranchPoint &point);
   std::string at(double key) const;
+  void note_enclosed(const continuation::SpecialPoint &special);
 
   const SweptParameter &parameter_;
   OrbitRows orbits_;

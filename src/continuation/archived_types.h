@@ -35,7 +35,7 @@ void serialize(Archive &archive, vibroimpact::continuation::BranchPoint &point, 
 template <class Archive>
 void serialize(Archive &archive, vibroimpact::continuation::SpecialPoint &special, unsigned) {
   archive &special.kind &special.at &special.after &special.vector &special.slope &special.angle;
-  archive &special.graze &special.unstable_before &special.unstable_after;
+  archive &special.width &special.graze &special.unstable_before &special.unstable_after;
 }
 
 template <class Archive>

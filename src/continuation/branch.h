@@ -35,7 +35,7 @@ enum class Special {
   neimark_sacker, ///< a complex pair of multipliers of modulus 1
   graze,          ///< the least value of a guard is zero
   grazing_fold,   ///< the same, and the key turns there
-  pattern_change  ///< the pattern changes without a graze that could be located
+  pattern_change  ///< the pattern changes without a graze that could be located; at its end
 };
 std::string name_of(Special kind);
 
@@ -51,6 +51,7 @@ struct SpecialPoint {
   /// Flip and Neimark-Sacker only.
   double slope = 0;
   double angle = 0; ///< Neimark-Sacker: argument of the multiplier [rad]
+  double width = 0; ///< change of pattern: of the key, on which it lies somewhere before the point
   std::optional<Graze> graze;
   int unstable_before = 0,
       unstable_after = 0; ///< multipliers outside the unit circle, at the sides

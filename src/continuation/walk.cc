@@ -182,17 +182,7 @@ std::vector<SpecialPoint> Walk::examine(Node &next) {
 std::vector<SpecialPoint> Walk::special_up_to(Node &next, const Piece &piece) const {
   if (next.at.pattern == here_.at.pattern)
     return special_points(problem_, piece, settings_);
-  const auto grazes = grazes_between(problem_, here_, next, settings_);
-  if (grazes.size() > 1)
-    throw NumericalError("several guards touch zero within a step");
-  if (grazes.size() == 1) {
-    const Vector &at = grazes.front().u;
-    next.arclength = here_.arclength + (at - here_.u).norm() + (next.u - at).norm();
-    return special_points_across(problem_, here_, grazes.front(), next, settings_);
-  }
-  auto special = special_points(problem_, piece, settings_);
-  special.push_back(make_special(problem_, Special::pattern_change, next, here_, next));
-  return special;
+  return special_points_and_changes(problem_, here_, next, settings_);
 }
 
 // Of the key the slopes are known, so that a cubic shows its turns; of other tests the parabola
@@ -319,8 +309,8 @@ void Walk::take_chart_of_start() {
   if (!turned_back_ || here_.chart == first_.chart ||
       std::abs(here_.u(key) - first_.u(key)) > 2 * step_)
     return;
-  const Node moved =
-      recorded(record_, "chart of the start", [&] { return in_chart(here_, first_.chart); });
+  const Node moved = recorded(record_, "chart of the start",
+                              [&] { return in_chart(problem_, here_, first_.chart, settings_); });
   if ((moved.u - first_.u).norm() < 2 * step_)
     here_ = moved;
 }
@@ -341,18 +331,9 @@ bool Walk::move_chart(double least_margin) {
   });
   if (chart == here_.chart)
     return false;
-  here_ = recorded(record_, "another chart", [&] { return in_chart(here_, chart); });
+  here_ = recorded(record_, "another chart",
+                   [&] { return in_chart(problem_, here_, chart, settings_); });
   return true;
-}
-
-Node Walk::in_chart(const Node &node, double chart) const {
-  Matrix tangent = node.tangent;
-  const Vector u = problem_.transfer(node.u, node.chart, chart, tangent);
-  tangent.col(0).normalize();
-  Corrected corrected = correct(problem_, u, chart, tangent, settings_.longest_step, settings_);
-  Node moved = make_node(problem_, corrected.u, chart, std::move(corrected.at), tangent);
-  moved.arclength = node.arclength;
-  return moved;
 }
 
 std::pair<double, int> Walk::nearest_return(const Vector &u, double chart) const {

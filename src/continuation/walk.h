@@ -1,7 +1,7 @@
 // The walk along a branch: prediction, correction, length of steps, and the checks after each step.
 #pragma once
 
-#include "continuation/grazes.h"
+#include "continuation/pattern_changes.h"
 
 namespace vibroimpact::continuation {
 
@@ -59,7 +59,6 @@ private:
   void take_chart_of_start();
   bool move_for_pattern(const Node &next);
   bool move_chart(double least_margin);
-  Node in_chart(const Node &node, double chart) const;
   std::pair<double, int> nearest_return(const Vector &u, double chart) const;
 
   ScaledProblem problem_;

@@ -241,8 +241,12 @@ TEST(GrazesTest, OfTwoGuardsWithinAStep) {
       }
       return result;
     }
-    std::vector<Graze> grazes_near(const Point &) override {
-      return {Graze{0, 0, 0, "first"}, Graze{1, 0, 0, "second"}};
+    std::vector<Graze> grazes_near(const Point &at) override {
+      std::vector<Graze> near;
+      for (Index i = 0; i < 2; ++i)
+        if (std::abs(at.state(i)) < sight)
+          near.push_back({static_cast<int>(i), 0, 0, i == 0 ? "first" : "second"});
+      return near;
     }
     Extension extend(const Point &at, const Graze &graze) override {
       Extension result;
@@ -262,16 +266,24 @@ TEST(GrazesTest, OfTwoGuardsWithinAStep) {
       result.jump = 0.1 * Vector::Unit(2, graze.guard);
       return result;
     }
+    double sight = 10; ///< how near a guard is to be seen
   } problem;
-  const Branch branch =
-      follow(problem, {{vector({-0.8, -0.806}), vector({-0.4})}, {}, true}, within(-1, 1));
-  EXPECT_EQ(branch.end, End::upper_bound) << branch.reason;
-  ASSERT_EQ(branch.special.size(), 2u);
-  for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(branch.special[i].kind, Special::graze);
-    EXPECT_EQ(branch.special[i].graze->name, i == 0 ? "first" : "second");
-    EXPECT_NEAR(branch.special[i].at.point.keys(0), i == 0 ? 0 : 3e-3, 1e-14);
-  }
+  for (const double step : {0.1, 0.03})
+    for (const double sight : {10.0, 0.05, 4e-3, 1e-3, 1e-5}) {
+      Settings settings = within(-1, 1);
+      settings.longest_step = step;
+      problem.sight = sight;
+      const Branch branch =
+          follow(problem, {{vector({-0.8, -0.806}), vector({-0.4})}, {}, true}, settings);
+      EXPECT_EQ(branch.end, End::upper_bound) << branch.reason;
+      ASSERT_EQ(branch.special.size(), 2u) << sight;
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(branch.special[i].kind, Special::graze) << sight;
+        EXPECT_EQ(branch.special[i].graze->name, i == 0 ? "first" : "second");
+        EXPECT_NEAR(branch.special[i].at.point.keys(0), i == 0 ? 0 : 3e-3, 1e-14);
+        EXPECT_EQ(branch.special[i].width, 0);
+      }
+    }
 }
 
 // A guard that touches zero without any change of pattern, just before the end of the values.
@@ -302,7 +314,8 @@ TEST(GrazesTest, AreNotCrossedWhereThePatternStays) {
   EXPECT_NEAR(branch.points.back().point.keys(0), 0.5, 4e-9);
 }
 
-// Without an extension the change is reported, and a sign of a test that jumps is no flip.
+// Without an extension the change is enclosed and reported, and a sign of a test that jumps is no
+// flip.
 TEST(GrazesTest, AreChangesOfPatternWhereNoExtensionIsOffered) {
   const double a = 0.5, c = -1.7;
   PiecewiseMap map = scalar_map(a, c, Touch::corner);
@@ -314,6 +327,9 @@ TEST(GrazesTest, AreChangesOfPatternWhereNoExtensionIsOffered) {
   EXPECT_EQ(branch.end, End::upper_bound) << branch.reason;
   ASSERT_EQ(branch.special.size(), 1u);
   EXPECT_EQ(branch.special[0].kind, Special::pattern_change);
+  EXPECT_LT(branch.special[0].width, 1e-8);
+  const double key = branch.special[0].at.point.keys(0);
+  EXPECT_TRUE(key > 0 && key - branch.special[0].width <= 0) << key;
   EXPECT_EQ(branch.special[0].unstable_before, 0);
   EXPECT_EQ(branch.special[0].unstable_after, 1);
 }
