@@ -6,9 +6,10 @@
 
 namespace vibroimpact::analyses {
 
-KeptSteps::KeptSteps(ResultSink &sink, std::vector<std::size_t> index, RunSummary &summary)
+KeptSteps::KeptSteps(ResultSink &sink, std::vector<std::size_t> index, RunSummary &summary,
+                     std::function<Clock::time_point()> now)
     : sink_(sink), index_(std::move(index)), summary_(summary), known_(sink.find_steps(index_)),
-      first_fresh_(known_.size()) {}
+      first_fresh_(known_.size()), now_(std::move(now)), next_time_(now_() + interval) {}
 
 KeptSteps::~KeptSteps() {
   if (std::uncaught_exceptions() == exceptions_)
@@ -30,7 +31,7 @@ std::optional<std::string_view> KeptSteps::next() {
 void KeptSteps::keep(std::string_view bytes) {
   ++summary_.steps_computed;
   fresh_.emplace_back(bytes);
-  if (Clock::now() >= next_time_)
+  if (now_() >= next_time_)
     hand_over();
 }
 
@@ -40,7 +41,7 @@ void KeptSteps::hand_over() {
   sink_.store_steps(index_, first_fresh_, fresh_);
   first_fresh_ += fresh_.size();
   fresh_.clear();
-  next_time_ = Clock::now() + interval;
+  next_time_ = now_() + interval;
 }
 
 } // namespace vibroimpact::analyses

@@ -9,13 +9,17 @@
 #include "common/step_record.h"
 
 #include <chrono>
+#include <functional>
 
 namespace vibroimpact::analyses {
 
 class KeptSteps : public StepRecord {
 public:
+  using Clock = std::chrono::steady_clock;
+
   /// Keeps references; counts steps in the summary.
-  KeptSteps(ResultSink &sink, std::vector<std::size_t> index, RunSummary &summary);
+  KeptSteps(ResultSink &sink, std::vector<std::size_t> index, RunSummary &summary,
+            std::function<Clock::time_point()> now = &Clock::now);
   /// Hands over what is left where an exception leaves the computation.
   ~KeptSteps() override;
   KeptSteps(const KeptSteps &) = delete;
@@ -25,7 +29,6 @@ public:
   void keep(std::string_view bytes) override;
 
 private:
-  using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds interval{100};
 
   void hand_over();
@@ -37,7 +40,8 @@ private:
   std::size_t taken_ = 0; ///< of those known
   std::vector<std::string> fresh_;
   std::size_t first_fresh_;
-  Clock::time_point next_time_ = Clock::now() + interval;
+  std::function<Clock::time_point()> now_;
+  Clock::time_point next_time_;
   int exceptions_ = std::uncaught_exceptions();
 };
 

@@ -18,17 +18,17 @@ Connection read_connection(const parameters::Values &section, const std::string 
     section.reject(
         "Direction",
         "Direction must be a direction along which at least one of the two sides can move.");
-  const Connection connection{.name = name,
-                              .side_a = sides.a,
-                              .side_b = sides.b,
-                              .elongation = elongation,
-                              .stiffness = section.quantity("Stiffness"),
-                              .cubic_stiffness = section.quantity("Cubic stiffness"),
-                              .damping = section.quantity("Damping")};
-  if (connection.stiffness == 0 && connection.cubic_stiffness == 0 && connection.damping == 0)
+  // A swept spring or dashpot may be zero at an end.
+  if (!section.given("Stiffness") && !section.given("Cubic stiffness") && !section.given("Damping"))
     section.reject_section("Stiffness, Cubic stiffness or Damping must be given; without one the "
                            "connection does nothing");
-  return connection;
+  return {.name = name,
+          .side_a = sides.a,
+          .side_b = sides.b,
+          .elongation = elongation,
+          .stiffness = section.quantity("Stiffness"),
+          .cubic_stiffness = section.quantity("Cubic stiffness"),
+          .damping = section.quantity("Damping")};
 }
 
 } // namespace

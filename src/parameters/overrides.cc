@@ -152,6 +152,30 @@ Value &override_value(Node &root, const Override &replacement) try {
   refuse_value(override_origin(replacement), {}, replacement.value, refused.what());
 }
 
+std::string replaced_text(Node root, std::vector<VariableDefinition> definitions,
+                          const Override &replacement) {
+  if (is_variable_override(replacement))
+    return find_definition(definitions, variable_name(replacement.path)).text;
+  const Value &value = PathWalker(root, replacement.path).walk();
+  return value.key->kind == KeyKind::quantity ? value.text : "";
+}
+
+std::string missing_unit(const std::string &replaced, const Override &replacement,
+                         const VariableTable &variables) try {
+  if (replaced.empty())
+    return "";
+  const Number before = evaluate(replaced, variables);
+  const Number now = evaluate(replacement.value, variables);
+  if (before.bare || !now.bare || now.value == 0)
+    return "";
+  const std::string unit = si_unit(before.dimension);
+  return replacement.origin + " " + replacement.path + " = " + normalised(replacement.value) +
+         " has no unit and is taken as " + number_text(now.value) +
+         (unit == "1" ? "" : " " + unit) + ", but replaces " + replaced;
+} catch (const Refused &) { // said where the value is checked
+  return "";
+}
+
 std::string key_path(Node root, std::vector<VariableDefinition> definitions,
                      const std::string &path) {
   if (path.starts_with(variables_prefix))

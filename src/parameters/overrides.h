@@ -25,6 +25,16 @@ std::string override_variable(std::vector<VariableDefinition> &definitions,
 /// The new text is not checked. Throws InputError for an unknown path.
 Value &override_value(Node &root, const Override &replacement);
 
+/// The text that an override replaces, of a variable or of a key that holds one quantity; else
+/// empty. The path must lead to a key.
+std::string replaced_text(Node root, std::vector<VariableDefinition> definitions,
+                          const Override &replacement);
+
+/// "--set Variables/gap = 1 has no unit and is taken as 1 m, but replaces 2 mm": where a number
+/// without a unit replaces one with a unit; else empty. 0 needs no unit.
+std::string missing_unit(const std::string &replaced, const Override &replacement,
+                         const VariableTable &variables);
+
 /// The one spelling of a path: "Contact heads/Clearance", "Variables/lambda". Works on copies.
 /// Throws Refused for an unknown path.
 std::string key_path(Node root, std::vector<VariableDefinition> definitions,

@@ -129,6 +129,16 @@ Changes replace_texts(Node &root, std::vector<VariableDefinition> &definitions,
   return changes;
 }
 
+/// Of an override by hand; those of grids and searches have the units of their keys.
+void warn_of_missing_units(const Node &file, const std::vector<VariableDefinition> &definitions,
+                           const std::vector<Override> &overrides, const VariableTable &variables) {
+  for (const Override &replacement : overrides)
+    if (const std::string warning =
+            missing_unit(replaced_text(file, definitions, replacement), replacement, variables);
+        !warning.empty())
+      log::warning(warning);
+}
+
 std::vector<Override> with_present_paths(std::vector<Override> overrides, FormerNames &names) {
   for (Override &replacement : overrides)
     replacement.path = names.present_path(replacement.path, override_origin(replacement).source);
@@ -173,10 +183,14 @@ std::shared_ptr<const ParameterSet> ParameterSet::parse(std::shared_ptr<const Se
   data->declarations = std::move(declarations);
   if (const Value *variables = std::as_const(data->root).find_value("Variables"))
     data->definitions = read_definitions(*variables);
-  replace_texts(data->root, data->definitions, with_present_paths(overrides, *data->former_names));
+  const Node file = data->root;
+  const std::vector<VariableDefinition> file_definitions = data->definitions;
+  const std::vector<Override> replacements = with_present_paths(overrides, *data->former_names);
+  replace_texts(data->root, data->definitions, replacements);
   data->variables = evaluate_variables(data->definitions, data->variables.dimensionless);
   check_in_order(values_where(data->root, [](const Value &) { return true; }), data->variables,
                  *data->former_names);
+  warn_of_missing_units(file, file_definitions, replacements, data->variables);
   return std::make_shared<const ParameterSet>(std::move(data));
 }
 

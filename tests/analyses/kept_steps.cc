@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <thread>
 
 namespace vibroimpact::analyses {
 namespace kept_steps_tests {
@@ -34,11 +33,20 @@ public:
   int bundles = 0;
 };
 
+/// Stands still but for what a test sets.
+struct HandClock {
+  std::chrono::milliseconds elapsed{0};
+  std::function<KeptSteps::Clock::time_point()> now() const {
+    return [this] { return KeptSteps::Clock::time_point(elapsed); };
+  }
+};
+
 TEST(KeptStepsTest, WhatAnExceptionLeavesIsGoneOnFrom) {
+  const HandClock time;
   StepSink sink;
   RunSummary summary;
   try {
-    KeptSteps steps(sink, {2}, summary);
+    KeptSteps steps(sink, {2}, summary, time.now());
     EXPECT_FALSE(steps.next());
     for (const char *step : {"a", "b"})
       steps.keep(step);
@@ -47,7 +55,7 @@ TEST(KeptStepsTest, WhatAnExceptionLeavesIsGoneOnFrom) {
   }
   EXPECT_EQ(sink.bundles, 1);
   try {
-    KeptSteps steps(sink, {2}, summary);
+    KeptSteps steps(sink, {2}, summary, time.now());
     EXPECT_EQ(steps.next(), "a");
     EXPECT_EQ(steps.next(), "b");
     EXPECT_FALSE(steps.next());
@@ -65,7 +73,8 @@ TEST(KeptStepsTest, OfAPointThatIsReachedSoonNothingIsStored) {
   StepSink sink;
   RunSummary summary;
   {
-    KeptSteps steps(sink, {}, summary);
+    const HandClock time;
+    KeptSteps steps(sink, {}, summary, time.now());
     steps.keep("a");
   }
   EXPECT_EQ(sink.bundles, 0);
@@ -75,9 +84,10 @@ TEST(KeptStepsTest, OfAPointThatIsReachedSoonNothingIsStored) {
 TEST(KeptStepsTest, AreHandedOverAfterATenthOfASecond) {
   StepSink sink;
   RunSummary summary;
-  KeptSteps steps(sink, {}, summary);
+  HandClock time;
+  KeptSteps steps(sink, {}, summary, time.now());
   steps.keep("a");
-  std::this_thread::sleep_for(std::chrono::milliseconds(110));
+  time.elapsed = std::chrono::milliseconds(110);
   steps.keep("b");
   EXPECT_EQ(sink.kept.at({}), (std::vector<std::string>{"a", "b"}));
 }

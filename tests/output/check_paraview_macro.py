@@ -67,7 +67,7 @@ class WithParaView(unittest.TestCase):
             done = subprocess.run(
                 ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", "pvpython", MACRO,
                  FOLDER / "release.pvd", "--picture", file, *options],
-                capture_output=True, text=True, timeout=120, check=False)
+                capture_output=True, text=True, timeout=600, check=False)
             self.assertEqual(done.returncode, 0, done.stderr)
             return np.asarray(Image.open(file).convert("RGB")).astype(int)
 

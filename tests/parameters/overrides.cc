@@ -31,6 +31,24 @@ TEST(Overrides, top_level_and_nested_keys) {
   EXPECT_TRUE(root.instance("Body", "right").subsection_given("Modes"));
 }
 
+std::string warnings_of(const std::string &path, const std::string &value) {
+  ::testing::internal::CaptureStdout();
+  parse_prm(sample_text, {{path, value, "--set"}});
+  return ::testing::internal::GetCapturedStdout();
+}
+
+TEST(Overrides, a_number_without_the_unit_of_the_one_before_is_warned_of) {
+  EXPECT_EQ(warnings_of("Variables/L", "1"),
+            "warning: --set Variables/L = 1 has no unit and is taken as 1 m, but replaces 0.3 m\n");
+  EXPECT_EQ(warnings_of("Contact/heads/Clearance", "2 * 3"),
+            "warning: --set Contact/heads/Clearance = 2 * 3 has no unit and is taken as 6 m, but "
+            "replaces 5 mm\n");
+  for (const char *good : {"0", "1 mm", "L"})
+    EXPECT_EQ(warnings_of("Contact/heads/Clearance", good), "") << good;
+  EXPECT_EQ(warnings_of("Variables/lambda", "3"), "");
+  EXPECT_EQ(warnings_of("Title", "1"), "");
+}
+
 TEST(Overrides, with_leaves_the_original_as_it_is) {
   const auto original = parse_prm(sample_text);
   const auto changed = original->with({{"Contact/heads/Clearance", "7 mm", "Analysis grid"}});

@@ -73,6 +73,14 @@ TEST(BrokenInputModelTest, Connections) {
                  {"mount", "does nothing"});
 }
 
+// The end of a sweep of the dashpot.
+TEST(BrokenInputModelTest, AConnectionMayBeZeroWhereThatIsGiven) {
+  EXPECT_EQ(
+      message_of(changed(sound, "  set Cubic stiffness = 6e10 N/m^3\n  set Damping = 1500 N s/m\n",
+                         "  set Damping = 0 N s/m\n")),
+      "");
+}
+
 TEST(BrokenInputModelTest, Rotors) {
   expect_message("    set At = casing.frame\n", "", {"Rotor", "At"});
   expect_message("set At = casing.frame", "set At = rotor.shaft", {"At", "rotor.shaft"});

@@ -293,7 +293,7 @@ end
                              check=True).stdout.split()[1]
         os.kill(int(one), signal.SIGTERM)
         try:
-            self.assertEqual(process.wait(timeout=30), 4)
+            self.assertEqual(process.wait(timeout=600), 4)
         finally:
             process.kill()
 

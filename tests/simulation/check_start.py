@@ -35,7 +35,7 @@ class Start(ProgramRuns):
     def run_with(self, environment, *arguments, ranks=1):
         return subprocess.run(self.command(*arguments, ranks=ranks), cwd=self.folder,
                               env=os.environ | environment, capture_output=True, text=True,
-                              check=False, timeout=60)
+                              check=False, timeout=600)
 
     def run_file(self, environment):
         self.file.write_text(FILE)
