@@ -111,7 +111,7 @@ Vector tridiagonal_eigenvalues(const Vector &diagonal, const Vector &beside);
 
 /// Of any real square matrix; none when they do not converge.
 std::optional<ComplexVector> try_eigenvalues(const Matrix &a);
-/// NumericalError when they do not converge.
+/// NaN when they do not converge, as those of a matrix that is not finite.
 ComplexVector eigenvalues(const Matrix &a);
 
 struct GeneralEigen {

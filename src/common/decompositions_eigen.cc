@@ -1,6 +1,7 @@
 #include "common/decompositions.h"
 
 #include "common/error.h"
+#include "common/scalar.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -49,7 +50,7 @@ std::optional<ComplexVector> try_eigenvalues(const Matrix &a) {
 ComplexVector eigenvalues(const Matrix &a) {
   if (auto values = try_eigenvalues(a))
     return *std::move(values);
-  throw NumericalError("the eigenvalues of a matrix do not converge");
+  return ComplexVector::Constant(a.rows(), nan);
 }
 
 GeneralEigen general_eigen(const Matrix &a) {

@@ -8,8 +8,10 @@
 namespace vibroimpact::continuation {
 
 std::vector<std::complex<double>> multipliers_of(const Matrix &jacobian) {
-  const ComplexVector found = eigenvalues(jacobian);
-  std::vector<std::complex<double>> values(found.begin(), found.end());
+  const auto found = try_eigenvalues(jacobian);
+  if (!found)
+    throw NumericalError("the multipliers do not converge");
+  std::vector<std::complex<double>> values(found->begin(), found->end());
   std::stable_sort(values.begin(), values.end(),
                    [](const auto &a, const auto &b) { return std::abs(a) > std::abs(b); });
   return values;

@@ -87,7 +87,10 @@ void StroboscopicMap::observe(double from, double to, const Vector &state,
 
 Eigen::VectorXcd multipliers_of(const Matrix &by_state, const Vector &scale) {
   const Matrix scaled = scale.asDiagonal() * by_state * scale.cwiseInverse().asDiagonal();
-  ComplexVector values = eigenvalues(scaled);
+  const auto found = try_eigenvalues(scaled);
+  if (!found)
+    throw NumericalError("the multipliers of the motion could not be computed");
+  ComplexVector values = *found;
   const auto order = [](const std::complex<double> &value) {
     return std::make_tuple(-std::abs(value), -value.real(), -value.imag());
   };

@@ -10,15 +10,12 @@
 // diagonalizable. Forces of contacts that hold the same gap twice are shared equally.
 #pragma once
 
+#include "common/decompositions.h"
 #include "contact/contact_set.h"
 #include "model/model.h"
 
 #include <memory>
 #include <vector>
-
-namespace vibroimpact {
-class LeastNorm;
-}
 
 namespace vibroimpact::motion {
 
