@@ -100,6 +100,7 @@ void BranchTable::note_enclosed(const SpecialPoint &special) {
 
 void BranchTable::end(const continuation::Branch &branch) {
   rows_.end(branch);
+  stuck_ = stuck_ || (branch.end == continuation::End::least_step && branch.points.size() == 1);
   if (branch.end == continuation::End::least_step)
     remarks_.push_back("a branch ends at " + at(branch.points.back().point.keys[0]) + ": " +
                        branch.reason);

@@ -25,6 +25,9 @@ public:
   /// Arrays, and why something failed as the reason of the result.
   void add_fields(PointResult &result) const;
 
+  /// A branch ends at its start, by its least step.
+  bool stuck() const { return stuck_; }
+
 private:
   PointResult orbit_of(const continuation::BranchPoint &point);
   std::string at(double key) const;
@@ -37,6 +40,7 @@ private:
   std::vector<std::string> remarks_; ///< why something failed
   long halves_ = 2;
   double sign_ = 1;
+  bool stuck_ = false;
 };
 
 } // namespace vibroimpact::analyses

@@ -6,7 +6,8 @@
 // period doubling or on a steep flank, comes closer together with every halving, a jump does not:
 // the search ends without one as soon as the two ends differ by less than the threshold. A slow
 // transient just past a fold is still near the branch that ended there and belongs to it, so that a
-// short dwell delays the jump but does not invent one.
+// short dwell delays the jump but does not invent one. The bracket is therefore that of the motion
+// with its settling, not of the fold.
 //
 // A step is itself a disturbance and can throw a motion off a branch that goes on. A narrow bracket
 // is therefore tried once more: when the motion that settles at its far end from the near one is
@@ -23,7 +24,7 @@
 
 namespace vibroimpact::analyses {
 
-/// Bracket of a jump in the direction of the sweep; NaN when there is none.
+/// Where the motion jumps, settled as it was, in the direction of the sweep; NaN when it does not.
 struct Jump {
   double from = std::numeric_limits<double>::quiet_NaN();
   double to = std::numeric_limits<double>::quiet_NaN();

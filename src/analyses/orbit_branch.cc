@@ -86,11 +86,19 @@ PointResult OrbitBranch::compute(System &system, LineContext &context) const {
                }));
   PointResult result;
   table.add_fields(result);
+  if (table.stuck())
+    result.reason += rigid_body_cause(system);
   return result;
 }
 
 void OrbitBranch::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
-  run_single_point(context, [&] { return compute(system, context); });
+  run_single_point(context, [&] {
+    try {
+      return compute(system, context);
+    } catch (const NumericalError &error) {
+      throw no_orbit(system, error);
+    }
+  });
 }
 
 } // namespace vibroimpact::analyses

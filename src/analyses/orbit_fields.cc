@@ -2,6 +2,9 @@
 
 #include "analyses/fields.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace vibroimpact::analyses {
 
 namespace {
@@ -27,6 +30,10 @@ struct OrbitLabels {
   Label without{"events_without_derivative", "1",
                 "contact changes of the motion that have no derivative, such as grazes; where "
                 "there are any, the multipliers are of no use"};
+  Label settled{"settled_multiple", "1",
+                "forcing periods after which the settled motion repeated itself that Newton's "
+                "method began with; 0 where it was not seen to repeat itself within Longest "
+                "period, NaN where nothing was to settle"};
   Label state{"state",
               "SI",
               "state at the forcing phase of time zero: coordinates, their rates, internal states "
@@ -70,6 +77,25 @@ void add_orbit(PointResult &result, const periodic::StroboscopicMap &map,
   add_scalar(result, labels.iterations, static_cast<double>(orbit.iterations));
   add_scalar(result, labels.without, static_cast<double>(orbit.point.image.without_derivative));
   add_vector(result, labels.state, state_at_zero);
+}
+
+void add_settled_multiple(PointResult &result, std::optional<long> multiple) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  result.fields.push_back(
+      scalar_field(orbit_labels().settled, multiple ? static_cast<double>(*multiple) : none));
+  if (settled_elsewhere(result))
+    result.reason += "the motion that had settled is another one than this unstable orbit: it "
+                     "repeats itself after more forcing periods than Longest period, or not at "
+                     "all. ";
+}
+
+bool settled_elsewhere(const PointResult &result) {
+  const auto is_zero = [&](const Label &label) {
+    return std::any_of(result.fields.begin(), result.fields.end(), [&](const Field &field) {
+      return field.name() == label.name() && field.values.at(0) == 0;
+    });
+  };
+  return is_zero(orbit_labels().settled) && is_zero(orbit_labels().stable);
 }
 
 } // namespace vibroimpact::analyses

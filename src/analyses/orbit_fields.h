@@ -4,11 +4,19 @@
 #include "common/result_sink.h"
 #include "periodic/orbit.h"
 
+#include <optional>
+
 namespace vibroimpact::analyses {
 
 /// Multipliers, stability, residual, multiple, symmetry and section of an orbit, and its state at
 /// phase 0.
 void add_orbit(PointResult &result, const periodic::StroboscopicMap &map,
                const periodic::Orbit &orbit, const Vector &state_at_zero);
+
+/// After how many periods the settled motion repeated itself from which the orbit was found: 0, it
+/// was not seen to; none, nothing settled. An unstable orbit is not where such a motion settles.
+void add_settled_multiple(PointResult &result, std::optional<long> multiple);
+/// The orbit is unstable, though it was found from a motion that had settled, to something else.
+bool settled_elsewhere(const PointResult &result);
 
 } // namespace vibroimpact::analyses

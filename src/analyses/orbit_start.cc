@@ -2,6 +2,7 @@
 
 #include "analyses/steadiness.h"
 #include "analyses/stored_state.h"
+#include "common/decompositions.h"
 #include "common/recorded_step.h"
 
 #include <algorithm>
@@ -61,6 +62,33 @@ OrbitStart read_orbit_start(const parameters::Values &section) {
   return start;
 }
 
+namespace {
+
+// A direction without stiffness: M^(-1/2) K M^(-1/2), with the squares of the natural frequencies
+// as eigenvalues, is singular up to rounding.
+bool moves_as_a_rigid_body(const model::Model &model) {
+  constexpr double rounding = 1e-10;
+  if (model.size() == 0)
+    return false;
+  const auto unit = model.mass().cwiseSqrt().cwiseInverse().asDiagonal();
+  const Vector squares = symmetric_eigen(unit * model.stiffness().dense() * unit).values.cwiseAbs();
+  return squares.minCoeff() <= rounding * squares.maxCoeff();
+}
+
+} // namespace
+
+std::string rigid_body_cause(const System &system) {
+  if (!moves_as_a_rigid_body(system.model))
+    return "";
+  return "; the model moves as a rigid body (a natural frequency is 0 Hz): unless a contact holds "
+         "it, its periodic motions have a multiplier of 1 and are not isolated, so that none can "
+         "be found or followed";
+}
+
+NumericalError no_orbit(const System &system, const NumericalError &why) {
+  return NumericalError(why.what() + rigid_body_cause(system));
+}
+
 motion::VariationAccuracy orbit_accuracy(const System &system,
                                          const periodic::ForcedSystem &forced) {
   return {.scale = deviation_scale(forced.equations(), 2 * std::numbers::pi / forced.period()),
@@ -86,6 +114,8 @@ OrbitSearch::first_state(const std::function<void(long periods)> &after_period) 
   trajectory.start(0, system_.initial.displacement, system_.initial.velocity);
   const SettledMotion settled =
       Settler(trajectory)(forced_.period(), scale_, start_.settling, after_period);
+  if (start_.settling.maximum > 0)
+    settled_multiple_ = settled.multiple;
   return {.state = settled.state.physical,
           .multiple = std::max(1L, settled.multiple),
           .cycles = settled.cycles};

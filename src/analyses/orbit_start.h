@@ -4,7 +4,10 @@
 
 #include "analyses/analysis.h"
 #include "analyses/settling.h"
+#include "common/error.h"
 #include "periodic/orbit.h"
+
+#include <optional>
 
 namespace vibroimpact::analyses {
 
@@ -35,6 +38,9 @@ public:
   /// Made by run().
   periodic::StroboscopicMap &map() { return *map_; }
   long settling_cycles() const { return cycles_; }
+  /// Periods after which the settled motion repeated itself; 0: it was not seen to; none: nothing
+  /// was to settle, or that was left to an earlier run.
+  std::optional<long> settled_multiple() const { return settled_multiple_; }
 
 private:
   /// From which Newton's method starts.
@@ -55,7 +61,15 @@ private:
   Vector scale_;
   std::optional<periodic::StroboscopicMap> map_;
   long cycles_ = 0;
+  std::optional<long> settled_multiple_;
 };
+
+/// What to say where motions cannot be found or followed and the model has a rigid-body motion;
+/// empty where it has none.
+std::string rigid_body_cause(const System &system);
+/// Why no periodic motion was found, and the rigid-body motion as its cause where the model has
+/// one.
+NumericalError no_orbit(const System &system, const NumericalError &why);
 
 /// Factors that make states comparable, and how exactly tangents are carried along.
 motion::VariationAccuracy orbit_accuracy(const System &system,

@@ -77,6 +77,7 @@ PointResult PeriodicOrbit::compute(const System &system, LineContext &context) c
   result.fields.push_back(scalar_field("settling_cycles",
                                        static_cast<double>(search.settling_cycles()), "1",
                                        "forcing periods before Newton's method"));
+  add_settled_multiple(result, search.settled_multiple());
   add_accuracy(result, trajectory.accuracy(), system.integration);
   add_all_derivatives(
       result,
@@ -86,7 +87,13 @@ PointResult PeriodicOrbit::compute(const System &system, LineContext &context) c
 }
 
 void PeriodicOrbit::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
-  run_single_point(context, [&] { return compute(system, context); });
+  run_single_point(context, [&] {
+    try {
+      return compute(system, context);
+    } catch (const NumericalError &error) {
+      throw no_orbit(system, error);
+    }
+  });
 }
 
 } // namespace vibroimpact::analyses

@@ -84,11 +84,15 @@ void add_jump(PointResult &result, const Jump &jump, const SettledMotion &settle
   static const Label highest = state_label(highest_state, "largest state at the ends of periods");
   result.fields.push_back(state_field(lowest, settled.lowest));
   result.fields.push_back(state_field(highest, settled.highest));
-  result.fields.push_back(scalar_field("jump_from", jump.from, unit,
-                                       "last value before a jump between the previous point of "
-                                       "the sweep and this one, NaN when there is none"));
-  result.fields.push_back(
-      scalar_field("jump_to", jump.to, unit, "first value after that jump, NaN without one"));
+  result.fields.push_back(scalar_field(
+      "jump_from", jump.from, unit,
+      "last value at which the motion, settled for as long as the sweep lets it, is still near the "
+      "branch that it comes from, between the previous point of the sweep and this one; NaN "
+      "without a jump. It is where the settled motion jumps and no bound of the fold behind it, "
+      "which a branch or locus gives"));
+  result.fields.push_back(scalar_field(
+      "jump_to", jump.to, unit,
+      "first value at which the motion settled in that way has left the branch; NaN without one"));
   if (jump.found()) {
     result.summary.push_back(scalar_line("jump_from", jump.from, unit));
     result.summary.push_back(scalar_line("jump_to", jump.to, unit));
@@ -131,7 +135,9 @@ void SteppedSweep::declare(parameters::Section &analysis) {
                "Periods of the recorded window.")
       .quantity("Jump tolerance", "0", dimension::none, Range{.lower = 0, .upper = 0.1}, "",
                 "Width, relative to the largest swept value, to which the bracket of each jump of "
-                "the response between two points is narrowed; 0: jumps are not looked for.")
+                "the response between two points is narrowed, by motions that settle as those of "
+                "the sweep do; 0: jumps are not looked for. Transients near a fold last ever "
+                "longer, so that the fold may lie outside of the bracket.")
       .quantity("Jump threshold", "0.05", dimension::none,
                 Range{.lower = 0, .upper = 1, .lower_open = true}, "",
                 "Change of the state, relative to its size, from which on a discontinuity counts "

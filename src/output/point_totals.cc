@@ -1,6 +1,7 @@
 #include "output/point_totals.h"
 
 #include "analyses/fields.h"
+#include "analyses/orbit_fields.h"
 
 #include <algorithm>
 
@@ -29,6 +30,7 @@ std::string without_numbers(const std::string &text) {
 void PointTotals::add(const PointResult &point) {
   ++points_;
   unsettled_ += analyses::recorded_unsettled(point) ? 1 : 0;
+  elsewhere_ += analyses::settled_elsewhere(point) ? 1 : 0;
   unbalanced_ += analyses::unbalanced(point) ? 1 : 0;
   undecided_ += analyses::undecided_events(point);
   has_motion_ = has_motion_ || !point.motion.empty();
@@ -78,6 +80,15 @@ std::string PointTotals::unsettled() const {
     return "";
   return std::to_string(unsettled_) + " of " + std::to_string(points_) +
          " points were recorded before their motion was judged steady (steady in results.h5)";
+}
+
+std::string PointTotals::settled_elsewhere() const {
+  if (elsewhere_ == 0)
+    return "";
+  return std::to_string(elsewhere_) + " of " + std::to_string(points_) +
+         " periodic orbits are unstable, found from a motion that had settled to another one: it "
+         "repeats itself after more than Longest period, or not at all (settled_multiple in "
+         "results.h5)";
 }
 
 } // namespace vibroimpact::output

@@ -21,6 +21,8 @@ public:
   std::string failures() const;
   /// How many points were recorded before they were steady; empty when all were steady.
   std::string unsettled() const;
+  /// How many unstable periodic orbits are not where their motion had settled; empty when none.
+  std::string settled_elsewhere() const;
   /// True when a point holds the motion of its bodies.
   bool has_motion() const { return has_motion_; }
 
@@ -32,7 +34,7 @@ private:
   };
   std::size_t listed_reasons() const;
 
-  std::size_t points_ = 0, failed_ = 0, unsettled_ = 0, unbalanced_ = 0;
+  std::size_t points_ = 0, failed_ = 0, unsettled_ = 0, elsewhere_ = 0, unbalanced_ = 0;
   double undecided_ = 0;
   bool has_motion_ = false;
   std::vector<Reason> reasons_; ///< in the order of the points

@@ -132,6 +132,8 @@ void FileSink::tell_totals() const {
   const std::string prefix = "analysis " + header_.name + ": ";
   if (const std::string failures = totals_.failures(); !failures.empty())
     log::warning(prefix + failures);
+  if (const std::string elsewhere = totals_.settled_elsewhere(); !elsewhere.empty())
+    log::warning(prefix + elsewhere);
   if (const std::string unsettled = totals_.unsettled(); !unsettled.empty())
     log::info(prefix + unsettled);
 }

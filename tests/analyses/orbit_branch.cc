@@ -151,6 +151,19 @@ TEST(OrbitBranchTest, GoesToTheEndsThatItsKeyAllows) {
   EXPECT_EQ(field_of(point.result, "end/reason").values, (std::vector<double>{1, 1}));
 }
 
+// A free mass may be anywhere; one on a spring may not.
+TEST(OrbitBranchTest, FailuresOfAFreeBodyNameItsMotion) {
+  const NumericalError why("Newton's method diverges");
+  for (const double stiffness : {0.0, 1.0}) {
+    const System system =
+        testing::system_of(model::Model({testing::single_mass("block", 1, stiffness, 0.1),
+                                         testing::single_mass("other", 2, 3, 0.1)}));
+    const std::string said = no_orbit(system, why).what();
+    EXPECT_EQ(said.find(why.what()), 0u);
+    EXPECT_EQ(said.find("rigid body") != std::string::npos, stiffness == 0) << said;
+  }
+}
+
 // A recorder that fails leaves the motions, with what has failed as the reason.
 TEST(OrbitBranchTest, MotionsThatAreNotRecordedSayWhy) {
   class Failing : public Recorder {

@@ -2,6 +2,9 @@
 // period, against an independent shooting solver and closed forms.
 #include "analyses/periodic_orbit.h"
 
+#include "analyses/fields.h"
+#include "analyses/orbit_fields.h"
+
 #include "common/error.h"
 #include "contact/laws/bilinear_stop.h"
 #include "support/recorded_windows.h"
@@ -104,6 +107,23 @@ TEST(PeriodicOrbitTest, StateIsNoCoordinate) {
   const Field state = field_of(run(settled(0), isolator(1.3)), "state");
   EXPECT_EQ(state.dimensions(), std::vector<std::string>{"state_index"});
   EXPECT_EQ(state.shape, std::vector<std::size_t>{2});
+}
+
+TEST(PeriodicOrbitTest, SaysWhereTheMotionHadSettledToSomethingElse) {
+  const auto found = [](std::optional<long> multiple, double stable) {
+    PointResult result;
+    result.fields.push_back(scalar_field("stable", stable, "1", ""));
+    add_settled_multiple(result, multiple);
+    return result;
+  };
+  EXPECT_TRUE(settled_elsewhere(found(0, 0)));
+  EXPECT_NE(found(0, 0).reason.find("Longest period"), std::string::npos);
+  for (const PointResult &fine : {found(0, 1), found(2, 0), found(std::nullopt, 0)}) {
+    EXPECT_FALSE(settled_elsewhere(fine));
+    EXPECT_EQ(fine.reason, "");
+  }
+  EXPECT_EQ(value_of(run(settled(30), isolator(1.3)), "settled_multiple"), 0); // tolerance 0
+  EXPECT_TRUE(std::isnan(value_of(run(settled(0), isolator(1.3)), "settled_multiple")));
 }
 
 TEST(PeriodicOrbitTest, FailureIsRecordedWithItsReason) {
