@@ -7,6 +7,7 @@
 #include "common/log.h"
 #include "common/petsc_stage.h"
 #include "common/signals.h"
+#include "contact/attachment_damping.h"
 #include "contact/contact_set.h"
 #include "contact/laws.h"
 #include "contact/unknown_flexibility.h"
@@ -307,14 +308,15 @@ std::vector<ContactFigures> Simulation::contacts_of(const std::vector<Job> &jobs
   std::vector<ContactFigures> figures;
   std::set<std::string> groups;
   std::set<std::string> known;
-  std::set<std::string> unknown;
+  std::set<std::string> unknown, ringing;
   for (const Job &job : jobs) {
     const analyses::System system = build_case(job, analyses::grid_overrides(job.keys, 0)).system;
     log_groups(system.contacts, groups);
-    if (const std::string warning =
-            contact::unknown_flexibility_warning(system.contacts, system.model, unknown);
-        !warning.empty())
-      log::warning(warning);
+    for (const std::string &warning :
+         {contact::unknown_flexibility_warning(system.contacts, system.model, unknown),
+          contact::attachment_damping_warning(system.contacts, system.model, ringing)})
+      if (!warning.empty())
+        log::warning(warning);
     for (const ContactFigures &contact : contact::contact_figures(system.contacts, system.model))
       if (known.insert(contact.name).second)
         figures.push_back(contact);

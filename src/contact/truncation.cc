@@ -144,6 +144,14 @@ std::optional<std::vector<Remainder>> remainders_of(const ContactPair &pair, con
   return remainders;
 }
 
+std::string why_no_remainders(const ContactPair &pair, const Model &model) {
+  for (const auto &side : sides_of(pair, model))
+    if (model.bodies()[side.point.body]->type == "modes" &&
+        std::isnan(whole_inverse_mass(side, pair.normal, model)))
+      return "the given modes do not say what mass the body has there";
+  return "the mass matrix is singular there; compare with twice as many modes";
+}
+
 double longest_of_shortest_periods(const std::vector<Remainder> &remainders) {
   constexpr double two_pi = 6.283185307179586476925;
   double period = 0;
@@ -160,6 +168,7 @@ ContactFigures figures_of(const ContactPair &pair, double kept_mass, const Model
           .flexibility_share = flexibility ? flexibility->share() : unknown,
           .least_share = pair.least_flexibility_share,
           .impact_error = remainders ? impact_error(*pair.law, kept_mass, *remainders) : unknown,
+          .no_impact_error = remainders ? "" : why_no_remainders(pair, model),
           .largest_error = pair.largest_impact_error,
           .shortest_period = remainders ? longest_of_shortest_periods(*remainders) : unknown};
 }

@@ -47,11 +47,12 @@ double impact_error(const ContactLaw &law, double kept_mass,
 /// Measures of a contact that are known before any motion.
 struct ContactFigures {
   std::string name;
-  double clearance = 0;         ///< [m]
-  double flexibility_share = 0; ///< of the kept coordinates; NaN where it is not known
-  double least_share = 0;       ///< below it there is a warning
-  double impact_error = 0;      ///< see above; NaN where it is not known
-  double largest_error = 0;     ///< above it there is a warning
+  double clearance = 0;          ///< [m]
+  double flexibility_share = 0;  ///< of the kept coordinates; NaN where it is not known
+  double least_share = 0;        ///< below it there is a warning
+  double impact_error = 0;       ///< see above; NaN where it is not known
+  std::string no_impact_error{}; ///< why it is not known, where a body does not say; else empty
+  double largest_error = 0;      ///< above it there is a warning
   /// Shortest period of the kept coordinates of the side where it is longer [s]; 0 where no mesh
   /// takes part.
   double shortest_period = 0;

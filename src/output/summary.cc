@@ -79,6 +79,9 @@ SummaryList contact_summary(const std::vector<contact::ContactFigures> &contacts
     };
     add("flexibility_share", contact.flexibility_share);
     add("impact_error", contact.impact_error);
+    if (!contact.no_impact_error.empty())
+      list.add_note("contact." + contact.name + ".impact_error",
+                    "not known: " + contact.no_impact_error);
   }
   return list;
 }

@@ -1,5 +1,6 @@
 // The error of an impact by the modes that are left out, known before any motion.
 #include "contact/truncation.h"
+#include "contact/attachment_damping.h"
 #include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
@@ -65,6 +66,43 @@ double end_of_row() {
                                                 mass.topRightCorner<2, 2>())
               .eval();
   return 1 / end.inverse()(0, 0);
+}
+
+// Normal modes may be undamped, attachment modes not.
+TEST(Truncation, UndampedAttachmentModesAreNamedWithTheirRatio) {
+  const auto warning_of = [](bool attached, std::optional<double> ratio) {
+    BodyDefinition definition = examples::body_of(cantilever(8, 0.02), 3);
+    definition.name = "beam";
+    if (attached)
+      definition.attachments = {{"head", 0}};
+    definition.damping = {.ratios = {0.01}, .attachment_ratio = ratio};
+    const Model model({std::make_shared<ReducedBody>(reduce(definition, MPI_COMM_WORLD))});
+    ContactPair pair = testing::contact_along_x(model, "beam.head", "", 0, hertz());
+    pair.normal = Vector3::UnitX();
+    std::set<std::string> known;
+    return attachment_damping_warning(ContactSet({pair}), model, known);
+  };
+  EXPECT_NE(warning_of(true, {}).find("damping ratio of 0.01:"), std::string::npos);
+  EXPECT_NE(warning_of(true, 0.0).find("damping ratio of 0:"), std::string::npos);
+  EXPECT_EQ(warning_of(true, 0.05), "");
+  EXPECT_EQ(warning_of(false, {}), "");
+}
+
+// What it cannot be compared with is said.
+TEST(Truncation, WhyTheErrorIsNotKnown) {
+  ReducedBody body = *kept(cantilever(8, 0.02), 3, "beam");
+  EXPECT_EQ(figures_of(Model({std::make_shared<ReducedBody>(body)}), hertz(), "beam.head")
+                .no_impact_error,
+            "");
+  for (BodyPoint &point : body.points)
+    point.inverse_mass = Matrix();
+  const ContactFigures singular =
+      figures_of(Model({std::make_shared<ReducedBody>(body)}), hertz(), "beam.head");
+  EXPECT_TRUE(std::isnan(singular.impact_error));
+  EXPECT_TRUE(singular.no_impact_error.starts_with("the mass matrix is singular"));
+  body.type = "modes";
+  EXPECT_TRUE(figures_of(Model({std::make_shared<ReducedBody>(body)}), hertz(), "beam.head")
+                  .no_impact_error.starts_with("the given modes do not say"));
 }
 
 // The two beams of case S: 1/m_N in units of 1/(rho A L), from the series over closed-form modes,
