@@ -162,7 +162,8 @@ class Exported(Folder):
                                        err_msg=path)
 
     def test_the_results_of_a_run_give_the_same_impacts_on_any_number_of_ranks(self):
-        original = self.beam(8, "    set Damping ratio = 0.01, 0.02\n    set Attachments = tip.y\n")
+        original = self.beam(8, "    set Damping ratio = 0.01, 0.02\n    set Attachments = tip.y\n"
+                                "    set Attachment damping ratio = 0.3\n")
         for ranks in (1, 2, 3):
             text = self.given(original / "results.h5") + self.motion("beam", SPRING)
             folder, said = self.run_text(f"again-{ranks}", text, ranks)
