@@ -247,7 +247,7 @@ def entries(copy, left_out):
                            capture_output=True, text=True).stdout
     found = [Entry(test) for test in json.loads(shown)["tests"]
              if "command" in test and not re.search(left_out, test["name"])]
-    return [entry for entry in found if entry.folder in ORDER and "verification" not in entry.labels]
+    return [entry for entry in found if entry.folder in ORDER and not {"verification", "slow"} & set(entry.labels)]
 
 
 def measure(tests, file):
