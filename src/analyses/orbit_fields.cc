@@ -1,6 +1,7 @@
 #include "analyses/orbit_fields.h"
 
 #include "analyses/fields.h"
+#include "analyses/window_recording.h"
 
 #include <algorithm>
 #include <limits>
@@ -57,6 +58,25 @@ void add_scalar(PointResult &result, const Label &label, double value) {
   result.summary.push_back({.label = label, .value = value});
 }
 
+bool any_closed(const contact::ContactSet &contacts, const std::vector<int> &modes) {
+  for (std::size_t c = 0; c < modes.size(); ++c)
+    if (contacts.pairs()[c].law->modes()[static_cast<std::size_t>(modes[c])].in_contact)
+      return true;
+  return false;
+}
+
+/// Where the motion is recorded from [periods].
+double open_phase(const contact::ContactSet &contacts, const periodic::StroboscopicMap &map,
+                  const periodic::Orbit &orbit, const Vector &state_at_zero) {
+  if (!any_closed(contacts, map.start(0, state_at_zero).equations().modes()))
+    return 0;
+  const auto periods = static_cast<double>(orbit.multiple());
+  periodic::PatternObserver seen(contacts, 0);
+  map.observe(0, periods, state_at_zero, seen);
+  const double open = seen.pattern(periods * map.period()).open_instant() / map.period();
+  return open > 0 ? open : orbit.section.phase;
+}
+
 } // namespace
 
 void add_orbit(PointResult &result, const periodic::StroboscopicMap &map,
@@ -77,6 +97,22 @@ void add_orbit(PointResult &result, const periodic::StroboscopicMap &map,
   add_scalar(result, labels.iterations, static_cast<double>(orbit.iterations));
   add_scalar(result, labels.without, static_cast<double>(orbit.point.image.without_derivative));
   add_vector(result, labels.state, state_at_zero);
+}
+
+periodic::Orbit record_orbit(PointResult &result, const std::vector<RecorderFactory> &recorders,
+                             const System &system, const periodic::StroboscopicMap &map,
+                             const periodic::Orbit &orbit, const Vector &state_at_zero) {
+  periodic::Orbit recorded = orbit;
+  recorded.section.phase = open_phase(system.contacts, map, orbit, state_at_zero);
+  recorded.point.state = recorded.section.phase == 0
+                             ? state_at_zero
+                             : map.carry(0, recorded.section.phase, state_at_zero);
+  WindowRecording recording(recorders, system);
+  const double start = recorded.section.phase * map.period();
+  motion::Trajectory &trajectory = map.start(recorded.section.phase, recorded.point.state);
+  recording.run(periods_window(start, map.period(), orbit.multiple()), trajectory);
+  recording.add_fields(result);
+  return recorded.section.phase == 0 ? orbit : recorded;
 }
 
 void add_settled_multiple(PointResult &result, std::optional<long> multiple) {

@@ -1,6 +1,7 @@
 // Fields of periodic motions that several analyses share.
 #pragma once
 
+#include "analyses/recorders.h"
 #include "common/result_sink.h"
 #include "periodic/orbit.h"
 
@@ -12,6 +13,15 @@ namespace vibroimpact::analyses {
 /// phase 0.
 void add_orbit(PointResult &result, const periodic::StroboscopicMap &map,
                const periodic::Orbit &orbit, const Vector &state_at_zero);
+
+/// Adds what the recorders see of the motion until it repeats itself. They begin at phase 0, or,
+/// where a contact is closed there, in the middle of the longest stay without one, so that no
+/// impact is cut in two; where one is always closed, at the section. Returns the motion from a
+/// phase from which all of this has the same values and derivatives, away from contact changes.
+/// NumericalError.
+periodic::Orbit record_orbit(PointResult &result, const std::vector<RecorderFactory> &recorders,
+                             const System &system, const periodic::StroboscopicMap &map,
+                             const periodic::Orbit &orbit, const Vector &state_at_zero);
 
 /// After how many periods the settled motion repeated itself from which the orbit was found: 0, it
 /// was not seen to; none, nothing settled. An unstable orbit is not where such a motion settles.

@@ -2,7 +2,6 @@
 
 #include "analyses/fields.h"
 #include "analyses/orbit_fields.h"
-#include "analyses/window_recording.h"
 #include "common/error.h"
 
 namespace vibroimpact::analyses {
@@ -16,7 +15,8 @@ PointResult OrbitRows::of(const Vector &keys, const Orbit &orbit) const {
   const Vector state = state_at_zero_phase(map, orbit);
   add_orbit(row, map, orbit, state);
   try {
-    record(state, map.period(), orbit.section.multiple(), row);
+    record_orbit(row, recorders_, maps_.system(), map, orbit, state);
+    add_accuracy(row, maps_.trajectory().accuracy(), maps_.system().integration);
   } catch (const NumericalError &error) {
     row.reason = error.what();
   }
@@ -31,15 +31,6 @@ PointResult OrbitRows::of(const Vector &keys, const Section &section, const Vect
   Orbit orbit{.section = section, .point = {.state = state, .image = map.image(section, state)}};
   orbit.point.residual = map.norm(orbit.point.image.state - state) / map.norm(state);
   return of(keys, orbit);
-}
-
-void OrbitRows::record(const Vector &state, double period, long periods, PointResult &row) const {
-  WindowRecording recording(recorders_, maps_.system());
-  motion::Trajectory &trajectory = maps_.trajectory();
-  trajectory.start({.time = 0, .physical = state});
-  recording.run(periods_window(0, period, periods), trajectory);
-  recording.add_fields(row);
-  add_accuracy(row, trajectory.accuracy(), maps_.system().integration);
 }
 
 } // namespace vibroimpact::analyses

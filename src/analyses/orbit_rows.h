@@ -20,8 +20,6 @@ public:
   PointResult of(const Vector &keys, const periodic::Section &section, const Vector &state) const;
 
 private:
-  void record(const Vector &state, double period, long periods, PointResult &row) const;
-
   KeyedMap &maps_;
   const std::vector<RecorderFactory> &recorders_;
 };

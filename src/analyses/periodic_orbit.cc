@@ -68,20 +68,17 @@ PointResult PeriodicOrbit::compute(const System &system, LineContext &context) c
   });
   PointResult result;
   const Vector state = state_at_zero_phase(search.map(), orbit);
-  motion::Trajectory &trajectory = search.forced().trajectory();
-  WindowRecording recording(settings_.recorders, system);
-  trajectory.start({.time = 0, .physical = state});
-  recording.run(periods_window(0, search.map().period(), orbit.multiple()), trajectory);
-  recording.add_fields(result);
+  const periodic::Orbit recorded =
+      record_orbit(result, settings_.recorders, system, search.map(), orbit, state);
   add_orbit(result, search.map(), orbit, state);
   result.fields.push_back(scalar_field("settling_cycles",
                                        static_cast<double>(search.settling_cycles()), "1",
                                        "forcing periods before Newton's method"));
   add_settled_multiple(result, search.settled_multiple());
-  add_accuracy(result, trajectory.accuracy(), system.integration);
+  add_accuracy(result, search.forced().trajectory().accuracy(), system.integration);
   add_all_derivatives(
       result,
-      {.system = system, .map = search.map(), .orbit = orbit, .recorders = settings_.recorders},
+      {.system = system, .map = search.map(), .orbit = recorded, .recorders = settings_.recorders},
       context);
   return result;
 }

@@ -39,12 +39,12 @@ double EventPattern::nearest_event() const {
 }
 
 // Times of a motion that repeats itself: the last stay goes on into the first.
-double EventPattern::calmest_instant() const {
-  double best = -1, instant = 0;
+double EventPattern::longest_stay(double weight_of_contact) const {
+  double best = 0, instant = 0;
   for (std::size_t i = 0; i < events.size(); ++i) {
     const bool last = i + 1 == events.size();
     const double end = last ? length + events.front().time : events[i + 1].time;
-    const double stay = (end - events[i].time) * (touches_after[i] ? 1 : 2);
+    const double stay = (end - events[i].time) * (touches_after[i] ? weight_of_contact : 2);
     if (stay > best) {
       best = stay;
       instant = (events[i].time + end) / 2;

@@ -41,7 +41,12 @@ struct EventPattern {
   double nearest_event() const;
   /// The middle of the longest stay in one phase of a motion that repeats itself, after the start
   /// [s]; phases without a closed contact count double. 0 without events.
-  double calmest_instant() const;
+  double calmest_instant() const { return longest_stay(1); }
+  /// The middle of the longest stay without a closed contact; 0 where there is none.
+  double open_instant() const { return longest_stay(0); }
+
+private:
+  double longest_stay(double weight_of_contact) const;
 };
 
 /// Notes the pattern of the motion that it observes.

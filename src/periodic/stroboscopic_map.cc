@@ -16,8 +16,9 @@ StroboscopicMap::StroboscopicMap(ForcedSystem &system, motion::VariationAccuracy
       lineariser_(std::make_shared<motion::Lineariser>(system.trajectory(), accuracy_)),
       symmetry_(std::move(symmetry)) {}
 
-void StroboscopicMap::start(double phase, const Vector &state) const {
+motion::Trajectory &StroboscopicMap::start(double phase, const Vector &state) const {
   system_.trajectory().start({.time = phase * period(), .physical = state});
+  return system_.trajectory();
 }
 
 Vector StroboscopicMap::rates(double phase, const Vector &state) const {

@@ -75,8 +75,8 @@ public:
   Vector carry(double from, double to, const Vector &state) const;
   /// The motion seen by an observer.
   void observe(double from, double to, const Vector &state, motion::Observer &observer) const;
-  /// Begins a motion, so that the equations of the system are in its modes.
-  void start(double phase, const Vector &state) const;
+  /// Begins a motion, so that the equations of the system are in its modes; returns it.
+  motion::Trajectory &start(double phase, const Vector &state) const;
   /// Entries of the state that a motion from there does not see (contact_memory.h).
   std::vector<Index> idle(double phase, const Vector &state) const;
   /// dx/dt at a phase.
