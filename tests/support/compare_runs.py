@@ -25,14 +25,15 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 OF_THE_RUN = {"version", "commit", "command_line", "libraries", "ranks", "processor"}
 OF_THE_LIBRARY = {"REFERENCE_LIST", "DIMENSION_LIST"}   # addresses in the file
 LEFT_OUT = re.compile(r"^(results\.h5|log\.txt)$|^(journal|bodies)/")
-CREATED = re.compile(rb"(?:generated|created|written)[^\n]*\d{4}[^\n]*", re.IGNORECASE)
+OF_THE_MACHINE = re.compile(r"(?:generated|created|written)[^\n]*\d{4}[^\n]*|File folder *=[^\n]*",
+                            re.IGNORECASE)
 
 
 def plain(value):
     """An attribute or a dataset as something that compares by its bytes."""
     array = np.asarray(value)
     if array.dtype.kind == "O":
-        return repr(array.tolist())
+        return OF_THE_MACHINE.sub("", "\n".join(map(str, array.ravel().tolist())))
     return str(array.dtype), array.shape, array.tobytes()
 
 
@@ -94,11 +95,15 @@ def files(folder):
     return {path for path in paths if not LEFT_OUT.search(path)}
 
 
+def without_machine(content):
+    return OF_THE_MACHINE.sub("", content.decode("latin-1"))
+
+
 def differences(before, after):
     for path in sorted(files(before) ^ files(after)):
         yield f"{path}: only {'before' if (before / path).exists() else 'after'}"
     for path in sorted(files(before) & files(after)):
-        one, other = (CREATED.sub(b"", (folder / path).read_bytes()) for folder in (before, after))
+        one, other = (without_machine((folder / path).read_bytes()) for folder in (before, after))
         if one != other:
             yield f"{path}: other bytes"
     if all((folder / "results.h5").exists() for folder in (before, after)):
@@ -136,6 +141,7 @@ def main():
     parser.add_argument("files", nargs="*")
     parser.add_argument("--work", type=pathlib.Path)
     parser.add_argument("--ranks", default="1")
+    parser.add_argument("--show", type=int, default=12, help="differences of a file")
     arguments = parser.parse_args()
     shipped = sorted([*ROOT.glob("params/*.prm"), *ROOT.glob("params/verification/*.prm")])
     differing = 0
@@ -149,7 +155,7 @@ def main():
                 found, seconds = compare(arguments, file, ranks, work)
                 differing += bool(found)
                 print(f"{file} on {ranks}: {len(found) or 'no'} differences ({seconds:.0f} s)",
-                      *found, sep="\n  ", flush=True)
+                      *found[:arguments.show], sep="\n  ", flush=True)
     sys.exit(differing > 0)
 
 
