@@ -32,7 +32,7 @@ OF_THE_MACHINE = re.compile(r"(?:generated|created|written)[^\n]*\d{4}[^\n]*|Fil
 def plain(value):
     """An attribute or a dataset as something that compares by its bytes."""
     array = np.asarray(value)
-    if array.dtype.kind == "O":
+    if array.dtype.kind in "OSU":
         return OF_THE_MACHINE.sub("", "\n".join(map(str, array.ravel().tolist())))
     return str(array.dtype), array.shape, array.tobytes()
 
