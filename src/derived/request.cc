@@ -1,4 +1,3 @@
-#include "common/log.h"
 #include "derived/operation.h"
 #include "derived/units_of_fields.h"
 #include "parameters/text.h"
@@ -6,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace vibroimpact::derived {
 
@@ -24,25 +22,6 @@ void add_names(const std::vector<Named> &list, std::vector<std::string> &names) 
     names.push_back(candidate.name);
 }
 
-// Former last words of the paths of fields, and the present ones.
-const std::vector<std::pair<std::string, std::string>> former_words{
-    {"/peak_to_peak_excursion", "/peak_to_peak"}, {"/peak_excursion", "/largest"}};
-
-std::string present_name(const std::string &name) {
-  for (const auto &[former, present] : former_words)
-    if (name.ends_with(former))
-      return name.substr(0, name.size() - former.size()) + present;
-  return name;
-}
-
-// Once for each place: searches evaluate a quantity many times.
-void warn_of_former_name(const std::string &place, const std::string &name) {
-  static std::set<std::string> warned;
-  if (warned.insert(place + name).second)
-    log::warning(place + ": the field is now called " + present_name(name) +
-                 "; the next version no longer reads the former name.");
-}
-
 } // namespace
 
 void check_numbered_axes(const parameters::Values &section, const AxisNames &names) {
@@ -56,10 +35,6 @@ LabelledArray Request::array(const std::string &key, const std::string &name) co
     return derived->view();
   if (const LabelledArray *field = named(source_.arrays, name))
     return *field;
-  if (const LabelledArray *field = named(source_.arrays, present_name(name))) {
-    warn_of_former_name(section_.place(key), name);
-    return *field;
-  }
   const Axis *axis = named(source_.dimensions, names_.own_name(name));
   if (axis != nullptr && axis->labels.empty())
     return {axis->name,   axis->unit,     axis->description,

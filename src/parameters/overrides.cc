@@ -10,6 +10,15 @@ namespace {
 
 const std::string variables_prefix = "Variables/";
 
+/// Parts of the path of a key, "Contact/heads/Clearance"; normalised.
+std::vector<std::string> path_parts(const std::string &path) {
+  std::vector<std::string> parts;
+  std::istringstream stream(path);
+  for (std::string part; std::getline(stream, part, '/');)
+    parts.push_back(normalised(part));
+  return parts;
+}
+
 /// Follows a path from the root, noting every section it enters.
 class PathWalker {
 public:
@@ -84,14 +93,6 @@ private:
 };
 
 } // namespace
-
-std::vector<std::string> path_parts(const std::string &path) {
-  std::vector<std::string> parts;
-  std::istringstream stream(path);
-  for (std::string part; std::getline(stream, part, '/');)
-    parts.push_back(normalised(part));
-  return parts;
-}
 
 Origin override_origin(const Override &replacement) {
   return {.kind = Origin::Kind::override, .source = replacement.origin + " " + replacement.path};

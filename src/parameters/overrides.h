@@ -7,9 +7,6 @@
 
 namespace vibroimpact::parameters {
 
-/// Parts of the path of a key, "Contact/heads/Clearance"; normalised.
-std::vector<std::string> path_parts(const std::string &path);
-
 /// Where messages say an override comes from: "--set Contact/heads/Clearance".
 Origin override_origin(const Override &replacement);
 

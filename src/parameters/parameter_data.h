@@ -1,7 +1,6 @@
 // What a ParameterSet holds.
 #pragma once
 
-#include "parameters/former_names.h"
 #include "parameters/tree.h"
 #include "parameters/values.h"
 #include "parameters/variables.h"
@@ -10,7 +9,6 @@ namespace vibroimpact::parameters {
 
 struct ParameterSet::Data {
   std::shared_ptr<const Section> declarations; ///< the tree points into it
-  std::shared_ptr<FormerNames> former_names;   ///< the same for all sets of a file
   std::string file;
   Node root;
   std::vector<VariableDefinition> definitions;

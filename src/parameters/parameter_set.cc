@@ -48,9 +48,8 @@ std::vector<std::string> path_of(const Pending &pending) {
   return path;
 }
 
-void check(const Pending &pending, const VariableTable &variables, FormerNames &former_names) {
+void check(const Pending &pending, const VariableTable &variables) {
   const std::vector<std::string> path = path_of(pending);
-  former_names.rename_options(*pending.value, path);
   try {
     check_value(*pending.value, variables);
   } catch (const Refused &refused) {
@@ -69,8 +68,7 @@ std::vector<Pending> values_where(Node &root, const std::function<bool(const Val
 }
 
 /// In file order, so that the first error of the file is the one reported; overrides come last.
-void check_in_order(std::vector<Pending> pending, const VariableTable &variables,
-                    FormerNames &former_names) {
+void check_in_order(std::vector<Pending> pending, const VariableTable &variables) {
   const auto rank = [](const Pending &item) {
     const Origin &origin = item.value->origin;
     return std::pair(origin.kind == Origin::Kind::override, origin.order);
@@ -78,7 +76,7 @@ void check_in_order(std::vector<Pending> pending, const VariableTable &variables
   std::stable_sort(pending.begin(), pending.end(),
                    [&](const Pending &a, const Pending &b) { return rank(a) < rank(b); });
   for (const Pending &item : pending)
-    check(item, variables, former_names);
+    check(item, variables);
 }
 
 /// What overrides have changed in a tree.
@@ -139,12 +137,6 @@ void warn_of_missing_units(const Node &file, const std::vector<VariableDefinitio
       log::warning(warning);
 }
 
-std::vector<Override> with_present_paths(std::vector<Override> overrides, FormerNames &names) {
-  for (Override &replacement : overrides)
-    replacement.path = names.present_path(replacement.path, override_origin(replacement).source);
-  return overrides;
-}
-
 bool is_json(const std::string &file) {
   const std::string suffix = std::filesystem::path(file).extension().string();
   if (suffix != ".prm" && suffix != ".json")
@@ -174,8 +166,6 @@ std::shared_ptr<const ParameterSet> ParameterSet::parse(std::shared_ptr<const Se
   data->variables.dimensionless = is_dimensionless(scanned);
   if (data->variables.dimensionless)
     declarations = declarations->without_units();
-  data->former_names = std::make_shared<FormerNames>(*declarations);
-  data->former_names->rename(scanned);
   take_over_entries(scanned, *declarations);
   data->file = name;
   data->root = build_tree(*declarations, scanned);
@@ -185,12 +175,10 @@ std::shared_ptr<const ParameterSet> ParameterSet::parse(std::shared_ptr<const Se
     data->definitions = read_definitions(*variables);
   const Node file = data->root;
   const std::vector<VariableDefinition> file_definitions = data->definitions;
-  const std::vector<Override> replacements = with_present_paths(overrides, *data->former_names);
-  replace_texts(data->root, data->definitions, replacements);
+  replace_texts(data->root, data->definitions, overrides);
   data->variables = evaluate_variables(data->definitions, data->variables.dimensionless);
-  check_in_order(values_where(data->root, [](const Value &) { return true; }), data->variables,
-                 *data->former_names);
-  warn_of_missing_units(file, file_definitions, replacements, data->variables);
+  check_in_order(values_where(data->root, [](const Value &) { return true; }), data->variables);
+  warn_of_missing_units(file, file_definitions, overrides, data->variables);
   return std::make_shared<const ParameterSet>(std::move(data));
 }
 
@@ -202,7 +190,7 @@ std::shared_ptr<const ParameterSet> ParameterSet::with(const std::vector<Overrid
   else if (!changes.variables.empty())
     data->variables = evaluate_variables(data->definitions, data_->variables, changes.variables);
   const auto is_outdated = [&](const Value &value) { return outdated(value, changes); };
-  check_in_order(values_where(data->root, is_outdated), data->variables, *data->former_names);
+  check_in_order(values_where(data->root, is_outdated), data->variables);
   return std::make_shared<const ParameterSet>(std::move(data));
 }
 

@@ -205,17 +205,6 @@ class Derived(ProgramRuns):
             np.testing.assert_array_equal(derived["jump"], jumps)
         self.assertIn("analysis.map.derived.peak[6,4] = ", (out / "summary.txt").read_text())
 
-    def test_a_field_by_its_former_name_is_read_with_one_warning(self):
-        former = FIELD.replace("peak_to_peak", "peak_to_peak_excursion")
-        expected, out = self.folder / "present", self.folder / "former"
-        self.assertEqual(self.run_map(expected).returncode, 0)
-        self.file.write_text((FILE + DERIVED).replace(FIELD, former))
-        done = self.run_map(out)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(datasets(out), datasets(expected))
-        self.assertEqual(done.stdout.count("Derived upward / Field: the field is now called " + FIELD),
-                         1)
-
     def test_a_field_that_is_not_there_is_told_and_costs_nothing_else(self):
         self.file.write_text((FILE + DERIVED).replace("= upward", "= downward", 1))
         for ranks in (1, 2):

@@ -3,49 +3,12 @@
 
 usage: check_language.py PROGRAM MPIEXEC
 """
-import pathlib
 import re
 
 import h5py
 import numpy
 
 from program_runs import ProgramRuns, datasets, main
-
-FORMER = pathlib.Path(__file__).resolve().parent / "models/former_names.prm"
-PRESENT = {"relaxing stop": "kelvin-voigt bumper", "Relaxing stop": "Kelvin-Voigt bumper",
-           "piecewise stop": "bilinear stop", "Piecewise stop": "Bilinear stop",
-           "Follows": "Tied to", "= flight": "= exact", "= response": "= steady state",
-           "Response": "Steady state", "excursions": "extreme values",
-           "Excursions": "Extreme values"}
-
-
-class FormerNames(ProgramRuns):
-    def test_the_same_results_with_one_warning_for_each_name(self):
-        text = FORMER.read_text()
-        for former, present in PRESENT.items():
-            self.assertIn(former, text)
-            text = text.replace(former, present)
-        self.file.write_text(text)
-        new = self.run_program(self.file, "--output", "new")
-        self.assertEqual(new.returncode, 0, new.stdout + new.stderr)
-        self.assertNotIn("is now called", new.stdout + new.stderr)
-        old = self.run_program(FORMER, "--output", "old")
-        self.assertEqual(old.returncode, 0, old.stdout + old.stderr)
-        self.assertEqual(datasets(self.folder / "old"), datasets(self.folder / "new"))
-        printed = old.stdout + old.stderr
-        self.assertEqual(printed.count("is now called"), len(PRESENT), printed)
-        self.assertIn(f"{FORMER}:23: Contact left / Law: 'relaxing stop' is now called "
-                      "'kelvin-voigt bumper'", printed)
-
-    def test_the_stored_file_has_present_names_and_the_run_can_be_repeated_and_resumed(self):
-        self.run_program(FORMER, "--output", "old")
-        for name, arguments in (("again", [self.folder / "old/parameters.prm", "--output", "again"]),
-                                ("old", ["--resume", "old"])):
-            done = self.run_program(*arguments)
-            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-            self.assertNotIn("is now called", done.stdout + done.stderr)
-            self.assertEqual(datasets(self.folder / name), datasets(self.folder / "old"))
-
 
 MODEL = """
 set Variables = gap = 1 mm, k = 2 kN/m

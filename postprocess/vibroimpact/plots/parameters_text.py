@@ -108,11 +108,6 @@ def case_columns(table: str) -> list[tuple[str, list[str]]]:
     return columns
 
 
-def leader(key: dict) -> str:
-    """What a key of a grid changes together with; `Follows` in results of the version before."""
-    return key.get("Tied to") or key.get("Follows") or ""
-
-
 def followers(parameters: dict, analysis: str, path: str) -> list[tuple[str, list[str]]]:
     """Keys that change together with the swept key `path` of a grid: path and texts of values."""
     grid = parameters.get(f"Analysis {analysis}", {}).get("Parameter grid", {})
@@ -123,5 +118,5 @@ def followers(parameters: dict, analysis: str, path: str) -> list[tuple[str, lis
     return [
         (key["Path"], [value.strip() for value in key["Values"].split(",")])
         for key in keys.values()
-        if leader(key) in leaders and leader(key) and key.get("Values")
+        if key.get("Tied to") in leaders and key.get("Tied to") and key.get("Values")
     ]

@@ -13,10 +13,6 @@ from .errors import ResultError
 from .parameters_text import sections
 
 
-# Last words of fields and their former names.
-FORMER_WORDS = {"peak_to_peak": "peak_to_peak_excursion", "largest": "peak_excursion"}
-
-
 @dataclass
 class Array:
     """Values with their unit."""
@@ -60,17 +56,11 @@ class Analysis:
         return self.axes[: len(self.grid)]
 
     def has(self, path: str) -> bool:
-        return isinstance(self._group.get(self._stored(path)), h5py.Dataset)
+        return isinstance(self._group.get(path), h5py.Dataset)
 
     def read(self, path: str) -> Array:
         """A field or axis; its first dimensions are the outer axes, unless it is a coordinate."""
-        return read_array(self._group[self._stored(path)])
-
-    def _stored(self, path: str) -> str:
-        """By the name that results of the version before have, where they hold only that one."""
-        stem, _, word = path.rpartition("/")
-        former = f"{stem}/{FORMER_WORDS.get(word, word)}"
-        return former if path not in self._group and former in self._group else path
+        return read_array(self._group[path])
 
     def symbol(self, derived: str) -> str:
         """Of a derived quantity: its key Symbol, else its name in words."""
@@ -96,7 +86,7 @@ class Analysis:
 
     def dimensions(self, path: str) -> list[str]:
         """Names of the dimensions of a field."""
-        return [dimension.label for dimension in self._group[self._stored(path)].dims]
+        return [dimension.label for dimension in self._group[path].dims]
 
     def is_coordinate(self, path: str) -> bool:
         return h5py.h5ds.is_scale(self._group[path].id)
