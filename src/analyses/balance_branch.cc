@@ -3,7 +3,7 @@
 #include "analyses/balance_table.h"
 #include "analyses/curve_progress.h"
 #include "analyses/single_point.h"
-#include "analyses/swept_system.h"
+#include "analyses/keyed_system.h"
 #include "continuation/archived_types.h"
 #include "continuation/branch.h"
 #include "continuation/harmonic_series.h"

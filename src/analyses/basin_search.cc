@@ -1,7 +1,7 @@
 #include "analyses/basin_search.h"
 
 #include "analyses/orbit_start.h"
-#include "analyses/swept_system.h"
+#include "analyses/keyed_system.h"
 #include "common/error.h"
 #include "periodic/contact_memory.h"
 #include "periodic/orbit.h"

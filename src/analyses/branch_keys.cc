@@ -1,6 +1,6 @@
 #include "analyses/branch_keys.h"
 
-#include "analyses/swept_system.h"
+#include "analyses/keyed_system.h"
 #include "common/error.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "analyses/linear_response.h"
 #include "analyses/single_point.h"
 #include "analyses/swept_parameter.h"
-#include "analyses/swept_system.h"
+#include "analyses/keyed_system.h"
 #include "common/error.h"
 
 #include <algorithm>

@@ -1,11 +1,9 @@
 // The harmonic balance of a system at any value of a key, for continuation.
 #pragma once
 
-#include "analyses/analysis.h"
-#include "analyses/swept_parameter.h"
+#include "analyses/keyed_system.h"
 #include "periodic/harmonic_model.h"
 
-#include <memory>
 #include <optional>
 
 namespace vibroimpact::analyses {
@@ -24,20 +22,13 @@ public:
   }
 
   /// Of the last equations().
-  const System &system() const { return *present_; }
+  const System &system() const { return *keyed_.system(); }
   const periodic::HarmonicModel &balance() const { return *balance_; }
 
 private:
-  void move_to(double key);
-
-  const SweptParameter &parameter_;
-  std::string excitation_;
-  System &original_;
-  const LineContext &context_;
+  KeyedSystem keyed_;
   Index harmonics_;
   periodic::HarmonicGrids grids_;
-  std::unique_ptr<System> built_;
-  const System *present_;
   std::optional<periodic::HarmonicModel> balance_;
   continuation::HarmonicEquations equations_;
   std::optional<double> key_; ///< of these

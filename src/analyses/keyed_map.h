@@ -1,8 +1,7 @@
 // The stroboscopic map of a system at any values of some keys, for continuation.
 #pragma once
 
-#include "analyses/analysis.h"
-#include "analyses/swept_parameter.h"
+#include "analyses/keyed_system.h"
 #include "periodic/orbit_problem.h"
 
 #include <map>
@@ -13,9 +12,8 @@ namespace vibroimpact::analyses {
 
 class KeyedMap : public periodic::MapAlongKeys {
 public:
-  /// Keeps references. A frequency alone is set in `system` itself; for other keys the systems are
-  /// built by `context`. Maps measure states by `accuracy`; `size` as for Symmetry::find(), which
-  /// must hold at all ends of the keys. InputError.
+  /// Keys, system and context as for KeyedSystem. Maps measure states by `accuracy`; `size` as for
+  /// Symmetry::find(), which must hold at all ends of the keys. InputError.
   KeyedMap(std::vector<SweptParameter> keys, const std::string &excitation, System &system,
            const LineContext &context, motion::VariationAccuracy accuracy, double size);
 
@@ -23,7 +21,7 @@ public:
   const periodic::StroboscopicMap &overlooking(const Vector &values,
                                                const periodic::Overlooked &overlooked) override;
   /// Of the last at().
-  const System &system() const { return *present_; }
+  const System &system() const { return *keyed_.system(); }
   motion::Trajectory &trajectory() { return maps_.forced->trajectory(); }
   bool symmetric() const { return symmetry_.has_value(); }
 
@@ -40,23 +38,14 @@ private:
 
   Vector within_ends(Vector values) const;
   void move_to(const Vector &values);
-  std::vector<parameters::Override> overrides(const Vector &values) const;
-  void set_frequency(System &system, const Vector &values) const;
   void find_symmetry(double size);
   void make_forced(Maps &maps) const;
   void finish(Maps &maps, Neighbours neighbours) const;
   Neighbours neighbours(const Vector &values) const;
-  std::vector<motion::KeyNeighbour> neighbours(const Vector &values, Index key) const;
 
-  std::vector<SweptParameter> keys_;
-  std::string excitation_;
-  System &original_;
-  const LineContext &context_;
+  KeyedSystem keyed_;
   motion::VariationAccuracy accuracy_;
   std::optional<periodic::Symmetry> symmetry_;
-  std::unique_ptr<System> built_;
-  System *present_;
-  std::vector<parameters::Override> built_with_;
   Maps maps_;
   std::map<periodic::Overlooked, Maps> overlooking_;
   std::optional<Vector> values_; ///< at which the maps have their keys

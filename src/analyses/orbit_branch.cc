@@ -1,8 +1,9 @@
 #include "analyses/orbit_branch.h"
 
 #include "analyses/branch_table.h"
+#include "analyses/keyed_system.h"
 #include "analyses/single_point.h"
-#include "analyses/swept_system.h"
+#include "analyses/window_recording.h"
 #include "common/error.h"
 #include "continuation/archived_types.h"
 

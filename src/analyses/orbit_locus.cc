@@ -1,7 +1,8 @@
 #include "analyses/orbit_locus.h"
 
+#include "analyses/keyed_system.h"
 #include "analyses/single_point.h"
-#include "analyses/swept_system.h"
+#include "analyses/window_recording.h"
 #include "common/error.h"
 #include "continuation/archived_types.h"
 #include "parameters/text.h"

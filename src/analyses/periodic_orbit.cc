@@ -4,7 +4,7 @@
 #include "analyses/key_neighbours.h"
 #include "analyses/orbit_fields.h"
 #include "analyses/single_point.h"
-#include "analyses/swept_system.h"
+#include "analyses/keyed_system.h"
 #include "analyses/window_recording.h"
 #include "common/error.h"
 

@@ -1,9 +1,8 @@
 // The system of a stepped sweep at the present value of the swept parameter.
 #pragma once
 
-#include "analyses/analysis.h"
+#include "analyses/keyed_system.h"
 #include "analyses/settling.h"
-#include "analyses/swept_parameter.h"
 #include "analyses/window_recording.h"
 #include "motion/trajectory.h"
 
@@ -12,16 +11,9 @@
 
 namespace vibroimpact::analyses {
 
-/// Index of the excitation that gives an analysis its period: `name`, or the only one that repeats
-/// when the name is empty. InputError when there is none, or one without a frequency. `who` needs
-/// it: "A stepped sweep".
-std::size_t sweep_source(const System &system, const std::string &name,
-                         const std::string &who = "A stepped sweep");
-
 class SweptSystem {
 public:
-  /// Keeps references. A frequency is set in `system` itself; for another key the systems are built
-  /// by `context`.
+  /// As for KeyedSystem.
   SweptSystem(const SweptParameter &parameter, const std::string &excitation,
               const std::vector<RecorderFactory> &recorders, System &system,
               const LineContext &context);
@@ -40,15 +32,11 @@ public:
   Vector scale() const;
 
 private:
-  void build(double value);
+  void renew();
 
-  const SweptParameter &parameter_;
-  std::string excitation_;
+  KeyedSystem keyed_;
   const std::vector<RecorderFactory> &recorders_;
-  System &original_;
-  const LineContext &context_;
-  std::unique_ptr<System> built_;
-  const System *present_;
+  std::shared_ptr<const System> present_;
   std::unique_ptr<motion::Trajectory> trajectory_;
   std::optional<Settler> settler_;
   std::optional<WindowRecording> recording_; ///< once asked for

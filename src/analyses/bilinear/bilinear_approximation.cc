@@ -3,7 +3,7 @@
 #include "analyses/bilinear/bilinear_fields.h"
 #include "analyses/fields.h"
 #include "analyses/swept_parameter.h"
-#include "analyses/swept_system.h"
+#include "analyses/keyed_system.h"
 #include "common/error.h"
 #include "parameters/text.h"
 

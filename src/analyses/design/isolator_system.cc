@@ -1,6 +1,6 @@
 #include "analyses/design/isolator_system.h"
 
-#include "analyses/swept_system.h"
+#include "analyses/keyed_system.h"
 #include "common/error.h"
 
 #include <cmath>
