@@ -78,7 +78,6 @@ private:
   derived::DerivedQuantities derived_quantities(const std::vector<Job> &jobs) const;
   void refuse_file_names(const Job &job) const;
   void check_cases(const Job &job) const;
-  void check_length(const Job &job, const analyses::Case &work) const;
   void check_swept_key(const Job &job) const;
   void try_evaluated(const std::vector<Job> &jobs) const;
   void refuse_swept(const Job &job, const analyses::GridKey &key, const std::string &swept) const;

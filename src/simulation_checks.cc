@@ -2,12 +2,10 @@
 // runs.
 #include "analyses/constants.h"
 #include "common/error.h"
-#include "parameters/text.h"
 #include "reduction/body_file.h"
 #include "simulation.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace vibroimpact {
 
@@ -33,7 +31,6 @@ void Simulation::check_cases(const Job &job) const {
     try {
       const analyses::Case work = build_case(job, analyses::grid_overrides(job.keys, point));
       analyses::check_case(work);
-      check_length(job, work);
       std::vector<std::size_t> shape;
       for (const Axis &axis : work.analysis->axes())
         shape.push_back(axis.size());
@@ -50,29 +47,6 @@ void Simulation::check_cases(const Job &job) const {
                        ".");
     }
   }
-}
-
-// A motion that would take years of computing is a mistake in a unit or an exponent.
-void Simulation::check_length(const Job &job, const analyses::Case &work) const {
-  constexpr double most = 1e12; // steps, or periods of the highest natural frequency
-  const Values root = job.parameters->root();
-  const Values analysis = root.instance("Analysis", job.repeated);
-  const Values transient = analysis.subsection("Transient");
-  if (analysis.choice("Type") != "transient" || !transient.has("Duration"))
-    return;
-  const double time = transient.quantity("Duration");
-  if (const double step = work.system.integration.maximum_step; step > 0 && time / step > most)
-    root.subsection("Integration")
-        .reject("Maximum step",
-                "must be greater than 1e-12 of the Duration of the analysis " + job.repeated);
-  double highest = 0;
-  for (const auto &body : work.system.model.bodies())
-    highest = std::max(highest, body->omega().maxCoeff());
-  if (time * highest / (2 * std::numbers::pi) > most)
-    transient.reject(
-        "Duration",
-        "must be at most 1e12 periods of the highest natural frequency of the bodies, " +
-            parameters::number_text(most * 2 * std::numbers::pi / highest));
 }
 
 // One rank alone finds out how far it comes in a limited time.

@@ -23,6 +23,7 @@
 #include "analyses/stepped_sweep.h"
 #include "analyses/transient.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace vibroimpact::analyses {
@@ -33,8 +34,11 @@ struct Entry {
   const char *type;
   void (*declare)(parameters::Section &analysis);
   std::shared_ptr<const Analysis> (*create)(const parameters::Values &analysis);
-  bool records = false; ///< has recorders
+  bool records = false;                                            ///< has recorders
+  bool (*evaluates)(const parameters::Values &analysis) = nullptr; ///< another one; none: never
 };
+
+bool always(const parameters::Values & /*analysis*/) { return true; }
 
 constexpr Entry known_analyses[] = {
     {"modal", Modal::declare, Modal::create},
@@ -50,11 +54,12 @@ constexpr Entry known_analyses[] = {
     {"basins", Basins::declare, Basins::create},
     {"basin shares", BasinShares::declare, BasinShares::create},
     {"identify", Identify::declare, Identify::create},
-    {"estimate", Estimate::declare, Estimate::create},
-    {"optimise", Optimise::declare, Optimise::create},
-    {"isolator design", IsolatorDesign::declare, IsolatorDesign::create},
-    {"pareto front", ParetoFront::declare, ParetoFront::create},
-    {"sensitivity", Sensitivity::declare, Sensitivity::create},
+    {"estimate", Estimate::declare, Estimate::create, false, always},
+    {"optimise", Optimise::declare, Optimise::create, false, always},
+    {"isolator design", IsolatorDesign::declare, IsolatorDesign::create, false,
+     IsolatorDesign::evaluates},
+    {"pareto front", ParetoFront::declare, ParetoFront::create, false, always},
+    {"sensitivity", Sensitivity::declare, Sensitivity::create, false, always},
 };
 
 } // namespace
@@ -74,6 +79,17 @@ void declare_analyses(parameters::Section &root) {
   for (const Entry &entry : known_analyses)
     entry.declare(analysis);
   declare_grid(analysis);
+}
+
+bool evaluates_another(const parameters::Values &analysis) {
+  const parameters::Values root = analysis.parameters().root();
+  const std::string type = analysis.choice("Type");
+  if (type == grid_type)
+    return evaluates_another(
+        root.instance("Analysis", repeated_analysis(analysis, root.instances("Analysis"))));
+  const Entry *entry = std::find_if(std::begin(known_analyses), std::end(known_analyses),
+                                    [&](const Entry &known) { return type == known.type; });
+  return entry->evaluates != nullptr && entry->evaluates(analysis);
 }
 
 std::shared_ptr<const Analysis> create_analysis(const parameters::Values &analysis) {

@@ -53,6 +53,11 @@ public:
   }
 };
 
+struct BestOf {
+  std::string field;
+  bool largest = false; ///< not the smallest
+};
+
 class Analysis {
 public:
   virtual ~Analysis() = default;
@@ -68,6 +73,9 @@ public:
   /// Name of the analysis that this one evaluates at other values of keys; empty when there is
   /// none.
   virtual std::string evaluated() const { return {}; }
+  /// The field by which the best of several starts of a search is chosen; empty where there are no
+  /// starts.
+  virtual BestOf best_of() const { return {}; }
   /// Paths of the keys that the analysis changes itself.
   virtual std::vector<std::string> changed_keys() const {
     const auto changes = variants();
@@ -91,6 +99,9 @@ public:
 
 /// Declares the kind "Analysis" with the sections of every type.
 void declare_analyses(parameters::Section &root);
+
+/// Does the analysis of a section, or the one that it repeats as a grid, evaluate another one?
+bool evaluates_another(const parameters::Values &analysis);
 
 /// The analysis a section chooses; `parameter grid` is resolved before (grid.h).
 std::shared_ptr<const Analysis> create_analysis(const parameters::Values &analysis);

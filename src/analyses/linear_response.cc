@@ -21,7 +21,7 @@ LinearResponse::LinearResponse(const model::Model &model, std::size_t source)
     throw InputError("A frequency response must have a linear model, without cubic springs and "
                      "rotors; use a stepped sweep.");
   const model::Source &driving = model.sources().at(source);
-  if (dynamic_cast<const model::Harmonic *>(driving.function.get()) == nullptr)
+  if (!driving.function->harmonic())
     throw InputError("A frequency response must have a harmonic excitation, but " + driving.name +
                      " is none.");
 }

@@ -10,11 +10,29 @@
 #include "parameters/text.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace vibroimpact::analyses {
 
 namespace {
 constexpr const char *transient_section = "Transient";
+
+// A motion that would take years of computing is a mistake in a unit or an exponent.
+void check_length(const parameters::Values &section, double duration, const System &system) {
+  constexpr double most = 1e12; // steps, or periods of the highest natural frequency
+  if (const double step = system.integration.maximum_step; step > 0 && duration / step > most)
+    section.parameters()
+        .root()
+        .subsection("Integration")
+        .reject("Maximum step", "must be greater than 1e-12 of the Duration in " + section.path());
+  double highest = 0;
+  for (const auto &body : system.model.bodies())
+    highest = std::max(highest, body->omega().maxCoeff());
+  if (duration * highest / (2 * std::numbers::pi) > most)
+    section.reject("Duration",
+                   "must be at most 1e12 periods of the highest natural frequency of the bodies, " +
+                       parameters::number_text(most * 2 * std::numbers::pi / highest));
+}
 } // namespace
 
 void Transient::declare(parameters::Section &analysis) {
@@ -53,7 +71,8 @@ std::shared_ptr<const Analysis> Transient::create(const parameters::Values &anal
       .stress_instants = static_cast<std::size_t>(values.integer("Stress instants")),
       .recorders = read_recorders(analysis, {}),
       .place = values.locate(values.has("Sampling interval") ? "Sampling interval" : "Duration"),
-      .stress_place = values.locate("Stress instants")};
+      .stress_place = values.locate("Stress instants"),
+      .section = values};
   settings.sampling_interval = values.has("Sampling interval")
                                    ? values.quantity("Sampling interval")
                                    : settings.duration / 1000;
@@ -68,6 +87,8 @@ std::shared_ptr<const Analysis> Transient::create(const parameters::Values &anal
 }
 
 void Transient::check(const System &system) const {
+  if (settings_.section)
+    check_length(*settings_.section, settings_.duration, system);
   // Three numbers of each point along each axis and two of each contact, kept by the recorder, the
   // result of the point and the arrays of the file.
   const double series = 9 * static_cast<double>(system.model.point_names().size()) +

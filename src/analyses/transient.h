@@ -19,6 +19,7 @@ public:
     std::vector<RecorderFactory> recorders; ///< of the whole motion
     std::string place{};                    ///< file and line of the sampling, for messages
     std::string stress_place{};             ///< likewise, of the instants of the stress
+    std::optional<parameters::Values> section{};
   };
   explicit Transient(Settings settings) : settings_(std::move(settings)) {}
 

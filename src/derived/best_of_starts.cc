@@ -55,16 +55,15 @@ DerivedArray result(const LabelledArray &like, const std::string &name, const st
 
 } // namespace
 
-std::vector<DerivedArray> best_of_starts(const Source &source, const std::string &name,
-                                         bool maximise) {
-  const LabelledArray *objective = find(source, name);
+std::vector<DerivedArray> best_of_starts(const Source &source, const analyses::BestOf &by) {
+  const LabelledArray *objective = find(source, by.field);
   if (objective == nullptr)
     return {};
   const Starts starts(objective->shape);
   std::vector<DerivedArray> results;
   std::vector<std::size_t> best;
   for (std::size_t cell = 0; cell < starts.cells(); ++cell)
-    best.push_back(starts.best(objective->values, cell, maximise ? -1 : 1));
+    best.push_back(starts.best(objective->values, cell, by.largest ? -1 : 1));
   const auto add = [&](const LabelledArray &array, const std::string &title) {
     DerivedArray &values = results.emplace_back(
         result(array, title, array.unit, array.description + ", at the best of all starts"));
@@ -72,7 +71,7 @@ std::vector<DerivedArray> best_of_starts(const Source &source, const std::string
       if (best[cell] != no_start)
         values.values[cell] = starts.value(array.values, cell, best[cell]);
   };
-  add(*objective, "best_" + name);
+  add(*objective, "best_" + by.field);
   for (const LabelledArray &array : source.arrays)
     if (array.name.starts_with("key/"))
       add(array, "best_" + array.name.substr(4));

@@ -1,6 +1,7 @@
 // Of an analysis that searches from several starts: which of them has found the best, and what.
 #pragma once
 
+#include "analyses/analysis.h"
 #include "derived/labelled_array.h"
 
 #include <vector>
@@ -11,7 +12,6 @@ namespace vibroimpact::derived {
 /// a fit, `standard_error_KEY` of every key and, of several starts, `best_start` (from 1), over the
 /// axes before start and evaluation; NaN where no start has found anything. Nothing before the
 /// first result.
-std::vector<DerivedArray> best_of_starts(const Source &source, const std::string &objective,
-                                         bool maximise);
+std::vector<DerivedArray> best_of_starts(const Source &source, const analyses::BestOf &by);
 
 } // namespace vibroimpact::derived

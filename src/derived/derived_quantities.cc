@@ -158,11 +158,7 @@ void DerivedQuantities::add(const Values &root, const std::string &analysis,
                             const std::vector<Axis> &axes,
                             const std::vector<analyses::GridKey> &keys) {
   Wanted wanted{.names = AxisNames(axes, keys), .titles = {}, .sections = {}};
-  const Values search = computing_section(root, analysis);
-  const std::string type = search.choice("Type");
-  wanted.objective = type == "optimise" ? "objective" : type == "estimate" ? "sum_of_squares" : "";
-  wanted.maximises =
-      type == "optimise" && search.subsection("Optimise").choice("Sense") == "maximise";
+  wanted.best = analyses::create_analysis(computing_section(root, analysis))->best_of();
   for (const std::string &name : root.instances("Derived")) {
     const Values section = root.instance("Derived", name);
     if (section.text("From") != analysis)
@@ -171,7 +167,7 @@ void DerivedQuantities::add(const Values &root, const std::string &analysis,
     wanted.sections.push_back(section);
     wanted.titles.push_back(name);
   }
-  if (!wanted.sections.empty() || !wanted.objective.empty())
+  if (!wanted.sections.empty() || !wanted.best.field.empty())
     wanted_[analysis] = std::move(wanted);
 }
 
@@ -182,8 +178,8 @@ DerivedQuantities::Result DerivedQuantities::evaluate(const std::string &analysi
   if (found == wanted_.end() || source.arrays.empty())
     return result;
   const Wanted &wanted = found->second;
-  if (!wanted.objective.empty())
-    for (DerivedArray &array : best_of_starts(source, wanted.objective, wanted.maximises))
+  if (!wanted.best.field.empty())
+    for (DerivedArray &array : best_of_starts(source, wanted.best))
       if (!holds(wanted.titles, array.name))
         result.arrays.push_back(std::move(array));
   const auto &sections = wanted.sections;

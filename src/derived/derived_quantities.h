@@ -1,6 +1,7 @@
 // Quantities that a parameter file asks to be derived from the results of its analyses.
 #pragma once
 
+#include "analyses/analysis.h"
 #include "derived/labelled_array.h"
 #include "derived/names.h"
 #include "parameters/values.h"
@@ -39,8 +40,7 @@ private:
     AxisNames names;
     std::vector<std::string> titles; ///< "Derived TITLE"
     std::vector<parameters::Values> sections;
-    std::string objective{}; ///< field of a search from several starts, see best_of_starts.h
-    bool maximises = false;
+    analyses::BestOf best{}; ///< of a search from several starts
   };
   std::map<std::string, Wanted> wanted_; ///< by analysis
 };

@@ -22,6 +22,8 @@ public:
   virtual double period() const = 0;
   /// Highest angular frequency contained [rad/s], for the choice of a first time step.
   virtual double highest_frequency() const = 0;
+  /// s = Im(S exp(i omega t)), with the period 2 pi / omega.
+  virtual bool harmonic() const { return false; }
   /// The same function at another angular frequency [rad/s]; nullptr when it has no frequency.
   virtual std::shared_ptr<const TimeFunction> with_frequency(double angular_frequency) const = 0;
 
@@ -48,6 +50,7 @@ public:
   double acceleration(double time) const override;
   double period() const override;
   double highest_frequency() const override { return angular_frequency_; }
+  bool harmonic() const override { return true; }
   std::shared_ptr<const TimeFunction> with_frequency(double angular_frequency) const override;
   std::optional<ExponentialForm> exponential_form(double time) const override;
 

@@ -68,8 +68,7 @@ ForcedKey forced_key(const std::string &name, const ForcedSystem &system,
 
 const model::Source *source_without_period(const model::Model &model, double period) {
   const auto harmonic = [&](const model::TimeFunction &function) { // known without looking
-    return dynamic_cast<const model::Harmonic *>(&function) != nullptr &&
-           std::abs(function.period() - period) <= 1e-12 * period;
+    return function.harmonic() && std::abs(function.period() - period) <= 1e-12 * period;
   };
   for (const model::Source &source : model.sources())
     if (!harmonic(*source.function) && !repeats(*source.function, period, period, 1))

@@ -367,7 +367,7 @@ const Broken cases[] = {
     {"steps too short to end",
      "subsection Excitation ground",
      "subsection Integration\n set Maximum step = 1e-15 s\nend\nsubsection Excitation ground",
-     {"test.prm:", "Integration / Maximum step", "1e-12 of the Duration of the analysis release"}},
+     {"test.prm:", "Integration / Maximum step", "1e-12 of the Duration in Analysis release"}},
     {"samples beyond number",
      "Duration = 1 s",
      "Duration = 1 s\n set Sampling interval = 1e-15 s",

@@ -13,7 +13,7 @@ bool constant(const model::TimeFunction &function) { return function.highest_fre
 
 void check_sources(const model::Model &model, std::size_t source) {
   const model::Source &driving = model.sources().at(source);
-  if (dynamic_cast<const model::Harmonic *>(driving.function.get()) == nullptr)
+  if (!driving.function->harmonic())
     throw InputError(std::string(approximation_subject) + " must have a harmonic excitation, but " +
                      driving.name + " is none.");
   for (std::size_t s = 0; s < model.sources().size(); ++s)

@@ -1,5 +1,6 @@
 #include "analyses/design/design_keys.h"
 
+#include "analyses/analysis.h"
 #include "analyses/grid.h"
 #include "common/error.h"
 #include "common/scalar.h"
@@ -70,17 +71,6 @@ DesignKey read_key(const Values &section, const std::string &name) {
   if (step > 0)
     key.step = step / key.length;
   return key;
-}
-
-bool evaluates_others(const Values &root, const std::string &analysis) {
-  const Values section = root.instance("Analysis", analysis);
-  const std::string type = section.choice("Type");
-  if (type == grid_type)
-    return evaluates_others(root, repeated_analysis(section, root.instances("Analysis")));
-  if (type == "isolator design")
-    return section.subsection("Isolator design").has("Repeat");
-  return type == "optimise" || type == "estimate" || type == "pareto front" ||
-         type == "sensitivity";
 }
 
 } // namespace
@@ -226,7 +216,7 @@ std::string evaluated_analysis(const Values &section) {
   const Values root = section.parameters().root();
   const std::string name = section.text("Repeat");
   section.require_known("Repeat", name, root.instances("Analysis"));
-  if (evaluates_others(root, name))
+  if (evaluates_another(root.instance("Analysis", name)))
     section.reject("Repeat", "must be an analysis that does not evaluate another one itself");
   return name;
 }

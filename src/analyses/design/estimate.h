@@ -32,6 +32,7 @@ public:
   static std::shared_ptr<const Analysis> create(const parameters::Values &analysis);
 
   std::string type() const override { return "estimate"; }
+  BestOf best_of() const override { return {"sum_of_squares"}; }
   /// start, evaluation
   std::vector<Axis> axes() const override;
   std::size_t lines() const override { return settings_.starts; }

@@ -96,6 +96,10 @@ void IsolatorDesign::declare(parameters::Section &analysis) {
   IsolatorBranches::declare(section);
 }
 
+bool IsolatorDesign::evaluates(const Values &analysis) {
+  return analysis.subsection(isolator_design_section).has("Repeat");
+}
+
 std::shared_ptr<const Analysis> IsolatorDesign::create(const Values &analysis) {
   const Values section = analysis.subsection(isolator_design_section);
   section.require("Working frequency");

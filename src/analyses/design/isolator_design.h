@@ -36,6 +36,8 @@ public:
   static void declare(parameters::Section &analysis);
   static std::shared_ptr<const Analysis> create(const parameters::Values &analysis);
 
+  /// For branches, which another analysis follows.
+  static bool evaluates(const parameters::Values &analysis);
   std::string type() const override { return "isolator design"; }
   std::vector<Axis> axes() const override { return {}; }
   void check(const System &system) const override;

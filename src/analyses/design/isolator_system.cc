@@ -29,11 +29,11 @@ void check_model(const model::Model &model) {
 
 /// Amplitude of the load on the coordinate.
 double load_amplitude(const model::Source &source) {
-  const auto *harmonic = dynamic_cast<const model::Harmonic *>(source.function.get());
-  if (harmonic == nullptr || source.inertial_load.any() || source.rate_load.any())
+  const model::TimeFunction &history = *source.function;
+  if (!history.harmonic() || source.inertial_load.any() || source.rate_load.any())
     refuse_isolator("a harmonic force; the excitation " + source.name + " is none.");
-  const double frequency = 2 * std::numbers::pi / harmonic->period();
-  const double amplitude = std::hypot(harmonic->value(0), harmonic->rate(0) / frequency);
+  const double frequency = 2 * std::numbers::pi / history.period();
+  const double amplitude = std::hypot(history.value(0), history.rate(0) / frequency);
   if (!(std::abs(source.load[0]) * amplitude > 0))
     refuse_isolator("a force whose amplitude along the motion is greater than 0 N.");
   return std::abs(source.load[0]) * amplitude;
