@@ -1,6 +1,7 @@
 // How much memory there is, for requests that could never be met.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace vibroimpact {
@@ -11,6 +12,12 @@ double available_memory();
 
 /// The most that this process has held so far [B].
 double peak_memory();
+
+/// Of the entries of vectors and matrices together.
+template <class... Arrays> std::size_t bytes_of(const Arrays &...arrays) {
+  return (std::size_t{0} + ... +
+          (static_cast<std::size_t>(arrays.size()) * sizeof(*arrays.data())));
+}
 
 /// "1.2 kB", "24 GB"
 std::string memory_text(double bytes);

@@ -3,6 +3,7 @@
 
 #include "parameters/values.h"
 
+#include <cstddef>
 #include <string>
 
 namespace vibroimpact::motion {
@@ -15,6 +16,8 @@ struct Settings {
   double maximum_step = 0;        ///< [s]; 0: none
   long maximum_steps = 0;         ///< per case; 0: none
   long maximum_events = 0;        ///< per case; 0: none
+  /// Of what is prepared of linear phases, for each motion [B]; it changes no result.
+  std::size_t prepared_bytes = std::size_t{512} << 20;
 };
 
 void declare_integration(parameters::Section &root);

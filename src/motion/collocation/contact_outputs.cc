@@ -43,6 +43,13 @@ bool ContactOutputs::possible(const PhaseContact &contact) {
   return shape.begin >= 1 && (shape.end >= 1 || shape.end == 0);
 }
 
+std::size_t ContactOutputs::bytes() const {
+  std::size_t sum = bytes_of(times_, integrals_);
+  for (const Output &output : outputs_)
+    sum += bytes_of(output.form.rows());
+  return sum;
+}
+
 void ContactOutputs::renew() {
   known_ = false;
   if (version_ == contact_.version())

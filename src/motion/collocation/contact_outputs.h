@@ -31,6 +31,7 @@ public:
   /// Keeps references to both. `tolerance`: relative, of the polynomials.
   ContactOutputs(const MonitoredForms &forms, const PhaseContact &contact, double tolerance);
 
+  std::size_t bytes() const;
   /// The ranges grow by the contact that was passed last.
   void include();
 

@@ -18,6 +18,7 @@ public:
   ContactWork(const PowerForms &powers, const PhaseContact &contact, const Equations &equations,
               double tolerance);
 
+  std::size_t bytes() const { return static_cast<std::size_t>(factors_.nonZeros()) * 12; }
   /// Adds the integrals over the contact that was passed last and began at `time` to the entries of
   /// `state`. In place of the integral of |power| stands the absolute value of the integral, which
   /// is never larger.

@@ -1,7 +1,10 @@
 #include "motion/collocation/phase_contact.h"
 
+#include "common/memory.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vibroimpact::motion {
 
@@ -44,7 +47,8 @@ StepReason reason_of(Refusal refusal) {
 } // namespace
 
 std::unique_ptr<PhaseContact> PhaseContact::create(const Equations &equations, LinearPhase &linear,
-                                                   std::size_t guard, double tolerance) {
+                                                   std::size_t guard, double tolerance,
+                                                   std::shared_ptr<TaughtContact> taught) {
   const PhaseGuard &onset = linear.forms().guards()[guard];
   const ContactLaw &law = *equations.contacts().pairs()[onset.contact].law;
   const int open = linear.forms().contact_modes()[onset.contact];
@@ -54,14 +58,15 @@ std::unique_ptr<PhaseContact> PhaseContact::create(const Equations &equations, L
       !equations.holding().empty() || !is_gap(passed.indicator, 1) ||
       passed.action != contact::GuardAction::change_mode)
     return nullptr;
-  std::unique_ptr<PhaseContact> made(new PhaseContact(equations, linear, onset, tolerance));
+  std::unique_ptr<PhaseContact> made(
+      new PhaseContact(equations, linear, onset, tolerance, std::move(taught)));
   return made->endings_.empty() ? nullptr : std::move(made);
 }
 
 PhaseContact::PhaseContact(const Equations &equations, LinearPhase &linear, const PhaseGuard &onset,
-                           double tolerance)
+                           double tolerance, std::shared_ptr<TaughtContact> taught)
     : equations_(equations), linear_(linear), onset_(onset), tolerance_(tolerance),
-      force_(law(), onset.target) {
+      force_(law(), onset.target), taught_(std::move(taught)) {
   const contact::ForceCourse course = *law().force_course(onset.target);
   for (const contact::ForceCourse::End &end : course.ends)
     if (ends_without_force(law(), mode().guards[end.guard]))
@@ -72,12 +77,18 @@ const ContactLaw &PhaseContact::law() const {
   return *equations_.contacts().pairs()[onset_.contact].law;
 }
 
-void PhaseContact::forget() {
-  left_out_ = 0;
-  ending_ = 0;
-  for (Ending &ending : endings_)
-    if (ending.contact)
-      ending.contact->forget();
+void TaughtContact::forget() {
+  left_out = 0;
+  ending = 0;
+  for (const std::shared_ptr<WholeContact::Taught> &shape : shapes)
+    *shape = {};
+}
+
+std::size_t PhaseContact::bytes() const {
+  constexpr std::size_t of_sparse_entry = sizeof(double) + sizeof(int);
+  const auto entries = static_cast<std::size_t>(state_rows_.nonZeros() + bent_rows_.nonZeros());
+  return (penetration_ ? bytes_of(penetration_->rows()) : 0) + entries * of_sparse_entry +
+         bytes_of(before_, after_, reach_, bent_load_);
 }
 
 // A form of the rows of the phase, or one of its columns, by places.
@@ -114,10 +125,12 @@ std::vector<FlowBlock> PhaseContact::blocks() const {
 // Under another excitation the inputs are others, and what the gap sees of them.
 void PhaseContact::renew() {
   ExactPhase &phase = linear_.phase();
-  if (contact_ && generation_ == phase.generation() && arrangement_ == phase.arrangement())
+  if (contact_ && generation_ == phase.generation())
     return;
   generation_ = phase.generation();
-  arrangement_ = phase.arrangement();
+  if (taught_->generation != generation_)
+    taught_->shapes.clear();
+  taught_->generation = generation_;
   ++version_;
   const StateLayout &layout = equations_.layout();
   const contact::ContactPair &pair = equations_.contacts().pairs()[onset_.contact];
@@ -137,9 +150,11 @@ void PhaseContact::renew() {
                                                 WholeContact::most_terms);
   set_rows();
   const contact::ForceEdge begin = law().force_course(onset_.target)->begin;
-  for (Ending &ending : endings_)
-    ending.contact =
-        std::make_unique<WholeContact>(*penetration_, force_, begin, ending.edge, tolerance_);
+  while (taught_->shapes.size() < endings_.size())
+    taught_->shapes.push_back(std::make_shared<WholeContact::Taught>());
+  for (std::size_t i = 0; i < endings_.size(); ++i)
+    endings_[i].contact = std::make_unique<WholeContact>(
+        *penetration_, force_, begin, endings_[i].edge, tolerance_, taught_->shapes[i]);
   contact_ = endings_.front().contact.get();
 }
 
@@ -167,8 +182,8 @@ void PhaseContact::set_rows() {
 }
 
 std::optional<StepReason> PhaseContact::pass(const double *amplitudes, double longest) {
-  if (left_out_ > 0) {
-    --left_out_;
+  if (taught_->left_out > 0) {
+    --taught_->left_out;
     return StepReason::pause;
   }
   renew();
@@ -177,7 +192,7 @@ std::optional<StepReason> PhaseContact::pass(const double *amplitudes, double lo
   const Refusal refusal = solve(longest);
   if (refusal != Refusal::none) {
     if (refusal != Refusal::too_long)
-      left_out_ = left_out_after_refusal;
+      taught_->left_out = left_out_after_refusal;
     return reason_of(refusal);
   }
   if (!others_stay_away())
@@ -190,14 +205,14 @@ std::optional<StepReason> PhaseContact::pass(const double *amplitudes, double lo
 Refusal PhaseContact::solve(double longest) {
   Refusal refusal = Refusal::none;
   for (std::size_t i = 0; i < endings_.size(); ++i) {
-    contact_ = endings_[ending_].contact.get();
+    contact_ = endings_[taught_->ending].contact.get();
     contact_->set_end(condition(release()));
     const Refusal present = contact_->solve(before_.data(), longest);
     if (present == Refusal::none && guards_of_law_hold())
       return present;
     if (i == 0)
       refusal = present == Refusal::none ? Refusal::no_release : present;
-    ending_ = (ending_ + 1) % endings_.size();
+    taught_->ending = (taught_->ending + 1) % endings_.size();
   }
   return refusal;
 }

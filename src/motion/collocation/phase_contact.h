@@ -27,15 +27,23 @@
 
 namespace vibroimpact::motion {
 
+/// What earlier contacts that began at one guard have taught; it outlives what solves them.
+struct TaughtContact {
+  int left_out = 0;       ///< contacts to come that are left to others
+  std::size_t ending = 0; ///< of the last contact
+  long generation = -1;   ///< of the phase that these are for:
+  std::vector<std::shared_ptr<WholeContact::Taught>> shapes{}; ///< by endings
+
+  void forget();
+};
+
 class PhaseContact {
 public:
   /// The contact that begins where `guard` of the phase is passed. nullptr: none of this kind. The
   /// modes of the equations are those of the phase. Keeps references.
-  static std::unique_ptr<PhaseContact> create(const Equations &equations, LinearPhase &linear,
-                                              std::size_t guard, double tolerance);
-
-  /// Forgets what earlier contacts taught.
-  void forget();
+  static std::unique_ptr<PhaseContact>
+  create(const Equations &equations, LinearPhase &linear, std::size_t guard, double tolerance,
+         std::shared_ptr<TaughtContact> taught = std::make_shared<TaughtContact>());
 
   /// From the amplitudes at the touch. `longest`: what the contact may last [s]. A reason: it is
   /// left to others, as are the next few when it was of another kind.
@@ -46,7 +54,7 @@ public:
   const Amplitudes &after() const { return after_; }
   std::size_t contact() const { return onset_.contact; }
   /// Guard of the contact's mode by which its force ends, and the mode behind it.
-  std::size_t release() const { return endings_[ending_].guard; }
+  std::size_t release() const { return endings_[taught_->ending].guard; }
   int mode_after() const { return mode().guards[release()].target; }
   /// Largest rounding of each of the phase's groups that the contact has added.
   void add_rounding(double *rounding) const;
@@ -71,6 +79,7 @@ public:
 
   /// Counts the systems that flow() has been made for; what was made of an earlier one is outdated.
   long version() const { return version_; }
+  std::size_t bytes() const;
   /// A form of the rows of the phase, by the places of the amplitudes.
   Vector in_amplitudes(const RowVector &row) const;
 
@@ -82,7 +91,7 @@ private:
   };
 
   PhaseContact(const Equations &equations, LinearPhase &linear, const PhaseGuard &onset,
-               double tolerance);
+               double tolerance, std::shared_ptr<TaughtContact> taught);
 
   const contact::ContactLaw &law() const;
   const contact::Mode &mode() const {
@@ -109,9 +118,9 @@ private:
   std::unique_ptr<ForcedFlow> flow_;
   std::unique_ptr<ForcedOutput> penetration_;
   std::vector<Ending> endings_;
-  std::size_t ending_ = 0;                  ///< of the last contact
-  WholeContact *contact_ = nullptr;         ///< by that
-  long generation_ = -1, arrangement_ = -1; ///< of the phase that these are for
+  std::shared_ptr<TaughtContact> taught_;
+  WholeContact *contact_ = nullptr; ///< by the ending of the last contact
+  long generation_ = -1;            ///< of the phase that these are for
   Rows state_rows_, bent_rows_;
   Vector bent_load_;
   Amplitudes before_, after_;
@@ -120,7 +129,6 @@ private:
   std::vector<double> internal_;
   std::vector<double> reach_;
   Vector state_;
-  int left_out_ = 0; ///< contacts to come that are left to others
 };
 
 } // namespace vibroimpact::motion

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <utility>
 
 namespace vibroimpact::motion {
 
@@ -14,7 +15,6 @@ namespace {
 constexpr std::array<int, 7> node_counts = {8, 10, 12, 16, 20, 24, 32};
 constexpr int most_nodes = 20;
 constexpr int most_nodes_of_rough_force = 32;
-constexpr int first_nodes = 12;
 // The fourth root of time would take out the singularities of t^(1/4) and t^(9/4), but as a
 // parameter it makes all else steep. In the square root the quotient f / w begins with smooth terms
 // and xi^(5/2): twenty nodes leave 1e-6 of it, against 1e-4.
@@ -53,72 +53,71 @@ double free_contact_duration(const contact::ElasticForce &elastic, double mass, 
 
 WholeContact::WholeContact(const ForcedOutput &penetration, const ContactForce &force,
                            const contact::ForceEdge &begin, const contact::ForceEdge &end,
-                           double tolerance)
+                           double tolerance, std::shared_ptr<Taught> taught)
     : output_(penetration), force_(force), begin_(begin), end_(end), tolerance_(tolerance),
       tolerance_of_newton_(std::clamp(0.1 * tolerance, 1e-13, 1e-8)),
-      exponent_(force.elastic().exponent),
+      exponent_(force.elastic().exponent), taught_(std::move(taught)),
       mass_(-1 / (penetration.responses()[1] * penetration.flow().fastest())) {
-  choose_nodes(first_nodes);
+  use_nodes(taught_->nodes);
 }
 
-void WholeContact::forget() {
-  has_shape_ = has_inverse_ = false;
-  fewest_nodes_ = node_counts.front();
-  choose_nodes(first_nodes);
-  good_steps_ = 0;
-}
-
-// The shape goes along to other nodes.
-void WholeContact::choose_nodes(int nodes) {
-  if (nodes == n_)
-    return;
-  ForceTools *const before = tools_;
+void WholeContact::use_nodes(int nodes) {
+  n_ = nodes;
   tools_ = &force_tools({.begin = begin_.power,
                          .end = end_.power,
                          .nodes = nodes,
                          .begin_root = std::min(begin_.root, highest_root),
                          .end_root = std::min(end_.root, highest_root)});
-  if (has_shape_) {
+}
+
+// The shape goes along to other nodes.
+void WholeContact::choose_nodes(int nodes) {
+  const ForceTools *const before = tools_;
+  const int n_before = n_;
+  use_nodes(nodes);
+  if (taught_->has_shape) {
     std::vector<double> shape(static_cast<std::size_t>(nodes));
     const GaussRule &rule = tools_->family.rule();
     for (int j = 0; j < nodes; ++j) {
       const LongArray functions = before->family.functions(rule.nodes[j], rule.rest[j]);
       long double sum = 0;
-      for (int i = 0; i < n_; ++i)
-        sum += functions[i] * shape_[static_cast<std::size_t>(i)];
+      for (int i = 0; i < n_before; ++i)
+        sum += functions[i] * taught_->shape[static_cast<std::size_t>(i)];
       shape[static_cast<std::size_t>(j)] = static_cast<double>(sum);
     }
-    shape_ = std::move(shape);
+    taught_->shape = std::move(shape);
   }
-  n_ = nodes;
-  has_inverse_ = false;
-  good_steps_ = 0;
+  taught_->nodes = nodes;
+  taught_->has_inverse = false;
+  taught_->good_steps = 0;
 }
 
 Refusal WholeContact::solve(const double *x, double longest) {
   start_ = x;
   known_coefficients_ = 0;
-  if (good_steps_ >= steps_before_fewer && n_ > fewest_nodes_)
+  if (taught_->nodes != n_)
+    use_nodes(taught_->nodes);
+  if (taught_->good_steps >= steps_before_fewer && n_ > taught_->fewest_nodes)
     choose_nodes(*std::prev(std::lower_bound(node_counts.begin(), node_counts.end(), n_)));
   while (true) {
     const Refusal refusal = solve_with_present_nodes(longest);
     const auto more = std::upper_bound(node_counts.begin(), node_counts.end(), n_);
     if (refusal != Refusal::too_coarse || n_ >= highest_count())
       return refusal;
-    fewest_nodes_ = *more;
+    taught_->fewest_nodes = *more;
     choose_nodes(*more);
   }
 }
 
 // What was learned from a contact of another kind may lead nowhere.
 Refusal WholeContact::solve_with_present_nodes(double longest) {
-  const bool learned = has_shape_ || has_inverse_;
+  const bool learned = taught_->has_shape || taught_->has_inverse;
   if (!begin(longest))
     return Refusal::no_approach;
   guess();
   Refusal refusal = iterate(longest);
   if (refusal != Refusal::none && learned) {
-    has_shape_ = has_inverse_ = false;
+    taught_->has_shape = taught_->has_inverse = false;
     guess();
     refusal = iterate(longest);
   }
@@ -138,14 +137,14 @@ bool WholeContact::begin(double longest) {
 
 void WholeContact::guess() {
   const double power = (exponent_ - 1) / (exponent_ + 1);
-  if (!has_shape_) {
+  if (!taught_->has_shape) {
     guess_anew();
     return;
   }
-  duration_ = length_scale_ * std::pow(speed_, -power);
+  duration_ = taught_->length_scale * std::pow(speed_, -power);
   const double unit = mass_ * speed_ / duration_;
   for (int j = 0; j < n_; ++j)
-    forces_[static_cast<std::size_t>(j)] = unit * shape_[static_cast<std::size_t>(j)];
+    forces_[static_cast<std::size_t>(j)] = unit * taught_->shape[static_cast<std::size_t>(j)];
 }
 
 // The two sides alone under the acceleration that they meet with, by the classical Runge-Kutta
@@ -219,7 +218,7 @@ Refusal WholeContact::iterate(double longest) {
     }
     evaluate();
     find_residual();
-    const bool fresh = !has_inverse_;
+    const bool fresh = !taught_->has_inverse;
     if (fresh)
       factorise();
     const double size = correct();
@@ -235,7 +234,7 @@ Refusal WholeContact::iterate(double longest) {
     // The inverse is that of another place.
     const bool moved_far = (fresh || fresh_inverse) && size > 0.03;
     if (moved_far || (sweep > 0 && ratio > 0.2))
-      has_inverse_ = false;
+      taught_->has_inverse = false;
     fresh_inverse = fresh;
     before = size;
   }
@@ -364,14 +363,14 @@ void WholeContact::factorise() {
   matrix.row(n_).head(n_) =
       unit * (of_value * by_force_.row(n_) + of_rate * rate_by_force_.row(n_));
   matrix(n_, n_) = of_value * by_length_[n_] + of_rate * rate_by_length_[n_];
-  inverse_ = inverse(matrix);
-  has_inverse_ = true;
+  taught_->inverse = inverse(matrix);
+  taught_->has_inverse = true;
 }
 
 // Returns the size of the correction; where the inverse is spoilt, the residual shows it.
 double WholeContact::correct() {
   const double unit = mass_ * speed_ / duration_;
-  correction_.noalias() = inverse_ * residual_;
+  correction_.noalias() = taught_->inverse * residual_;
   const double size = correction_.cwiseAbs().maxCoeff();
   for (int j = 0; j < n_; ++j)
     forces_[static_cast<std::size_t>(j)] += unit * correction_[j];
@@ -404,12 +403,13 @@ Refusal WholeContact::judge() {
 
 void WholeContact::learn() {
   const double unit = mass_ * speed_ / duration_;
-  shape_.resize(static_cast<std::size_t>(n_));
+  taught_->shape.resize(static_cast<std::size_t>(n_));
   for (int j = 0; j < n_; ++j)
-    shape_[static_cast<std::size_t>(j)] = forces_[static_cast<std::size_t>(j)] / unit;
-  length_scale_ = duration_ * std::pow(speed_, (exponent_ - 1) / (exponent_ + 1));
-  has_shape_ = true;
-  good_steps_ = error_ < good_error && error_between_ < good_error_between ? good_steps_ + 1 : 0;
+    taught_->shape[static_cast<std::size_t>(j)] = forces_[static_cast<std::size_t>(j)] / unit;
+  taught_->length_scale = duration_ * std::pow(speed_, (exponent_ - 1) / (exponent_ + 1));
+  taught_->has_shape = true;
+  taught_->good_steps =
+      error_ < good_error && error_between_ < good_error_between ? taught_->good_steps + 1 : 0;
 }
 
 } // namespace vibroimpact::motion

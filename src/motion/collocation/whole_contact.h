@@ -34,6 +34,7 @@
 #include "contact/contact_law.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace vibroimpact::motion {
@@ -69,17 +70,28 @@ public:
   /// Coefficients of Taylor series that are made use of at most.
   static constexpr int most_terms = 44;
 
+  /// What earlier contacts have taught; it may outlive what solves them.
+  struct Taught {
+    int nodes = 12, fewest_nodes = 8; ///< the latter were not too few
+    int good_steps = 0;               ///< in a row, far below the tolerance
+    bool has_shape = false, has_inverse = false;
+    std::vector<double> shape{}; ///< f T / (m v)
+    double length_scale = 0;     ///< T v^((n-1)/(n+1))
+    Matrix inverse{};
+  };
+
   /// Keeps references. `penetration` has most_terms coefficients; `begin`, `end`: how the force
   /// begins and ends; `tolerance`: relative, of the impulse.
   WholeContact(const ForcedOutput &penetration, const ContactForce &force,
-               const contact::ForceEdge &begin, const contact::ForceEdge &end, double tolerance);
+               const contact::ForceEdge &begin, const contact::ForceEdge &end, double tolerance,
+               std::shared_ptr<Taught> taught = std::make_shared<Taught>());
 
   /// Of the contacts to come; before, that is u = 0.
   void set_end(const EndCondition &condition) { condition_ = condition; }
   const EndCondition &end() const { return condition_; }
 
   /// Forgets what earlier contacts taught.
-  void forget();
+  void forget() { *taught_ = {}; }
 
   /// From x, where the penetration is zero but for rounding. `longest`: what the contact may last
   /// [s].
@@ -135,6 +147,7 @@ private:
   double end_scale() const;
   void find_error();
   void choose_nodes(int nodes);
+  void use_nodes(int nodes);
   void learn();
 
   const ForcedOutput &output_;
@@ -146,13 +159,7 @@ private:
 
   ForceTools *tools_ = nullptr;
   int n_ = 0;
-  // Learned:
-  bool has_shape_ = false, has_inverse_ = false;
-  std::vector<double> shape_; ///< f T / (m v)
-  double length_scale_ = 0;   ///< T v^((n-1)/(n+1))
-  Matrix inverse_;
-  int good_steps_ = 0;   ///< in a row, far below the tolerance
-  int fewest_nodes_ = 8; ///< that were not too few
+  std::shared_ptr<Taught> taught_;
 
   const double *start_ = nullptr;
   double speed_ = 0, mass_ = 0, duration_ = 0;

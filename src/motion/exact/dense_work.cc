@@ -1,6 +1,7 @@
 #include "motion/exact/dense_work.h"
 
 #include "common/decompositions.h"
+#include "common/memory.h"
 #include "common/signals.h"
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -45,6 +46,15 @@ void DenseWork::renew() {
     seen_.push_back(seen(group));
   moved_.resize(seen_.size());
   list_products();
+}
+
+std::size_t DenseWork::bytes() const {
+  std::size_t sum = 0;
+  for (const Seen &seen : seen_)
+    sum += bytes_of(seen.first, seen.second);
+  for (const Mixed &mixed : mixed_)
+    sum += bytes_of(mixed.coefficients);
+  return sum;
 }
 
 // The constants of the forms are seen of the input that is the number 1.

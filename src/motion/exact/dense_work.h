@@ -24,6 +24,7 @@ public:
   /// The inputs of the phase are others.
   void renew();
 
+  std::size_t bytes() const;
   /// Adds the integral of each power over a part of length h to `integrals`, one entry per power.
   void add(const double *start, const double *end, double h, std::vector<double> &integrals);
 

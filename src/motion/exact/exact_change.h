@@ -19,6 +19,7 @@ public:
   void renew();
 
   const ChangeView &view() const { return view_; }
+  std::size_t bytes() const { return bytes_of(columns_, magnitudes_); }
 
 private:
   using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;

@@ -19,6 +19,7 @@ public:
   void renew();
 
   std::size_t size() const { return leaders_.size(); }
+  std::size_t bytes() const { return bytes_of(storage_, dense_magnitudes_); }
   /// That the searches so far have examined, of parts of the motion and blocks of eight outputs.
   long pieces() const { return view_.pieces; }
 

@@ -1,6 +1,7 @@
 #include "motion/exact/exact_path.h"
 
 #include "common/error.h"
+#include "common/memory.h"
 #include "common/signals.h"
 
 #include <algorithm>
@@ -48,10 +49,41 @@ void ExactPath::begin() {
   walk_.pieces = 0;
   last_event_ = -std::numeric_limits<double>::infinity();
   exact_phases_.forget();
-  for (auto &[modes, known] : phases_)
-    for (const std::unique_ptr<Transition> &transition : known.transitions)
-      if (transition && transition->contact)
-        transition->contact->contact->forget();
+}
+
+std::size_t ExactPath::WholeContactPart::bytes() const {
+  std::size_t sum = contact->bytes() + (work ? work->bytes() : 0);
+  for (const auto *part : {&monitored, &monitored_before})
+    sum += *part ? (*part)->outputs->bytes() : 0;
+  return sum;
+}
+
+std::size_t ExactPath::Transition::bytes() const {
+  std::size_t sum = bytes_of(proportion) + (change ? change->bytes() : 0);
+  for (const auto &[mode, transition] : behind)
+    sum += transition->bytes();
+  return sum + (contact ? contact->bytes() : 0);
+}
+
+std::size_t ExactPath::KnownPhase::bytes() const {
+  std::size_t sum = bytes_of(transitions);
+  for (const auto &transition : transitions)
+    sum += transition ? transition->bytes() : 0;
+  for (const auto *part : {&monitored, &monitored_before})
+    sum +=
+        *part && (*part)->outputs ? bytes_of((*part)->forms.rows) + (*part)->outputs->bytes() : 0;
+  return sum;
+}
+
+void ExactPath::KnownPhase::forget(const LinearPhase &other) {
+  const auto leads_there = [&](const std::unique_ptr<Transition> &transition) {
+    return transition && transition->target && &transition->target->linear == &other;
+  };
+  for (std::unique_ptr<Transition> &transition : transitions)
+    if (leads_there(transition))
+      transition.reset();
+    else if (transition)
+      std::erase_if(transition->behind, [&](const auto &at) { return leads_there(at.second); });
 }
 
 double ExactPath::time_tolerance(double time) const {
@@ -64,12 +96,23 @@ void ExactPath::set_modes(const std::vector<int> &modes) {
 }
 
 // Of the present modes of the equations, under the present excitation.
-ExactPath::KnownPhase &ExactPath::known_phase() {
-  KnownPhase &known = phases_[equations_.modes()];
-  known.linear = exact_phases_.present();
-  if (known.linear && known.transitions.empty())
-    known.transitions.resize(known.guards().size());
-  return known;
+ExactPath::KnownPhase *ExactPath::known_phase() {
+  LinearPhase *const linear = exact_phases_.present();
+  return linear ? &linear->part<KnownPhase>() : nullptr;
+}
+
+// Under the present excitation.
+void ExactPath::renew(Transition &transition, const std::vector<PhaseForms::Reset> &resets) {
+  const long excitation = exact_phases_.excitation().generation();
+  if (transition.excitation == excitation)
+    return;
+  transition.excitation = excitation;
+  transition.target->phase().take(exact_phases_.excitation());
+  if (transition.change)
+    transition.change->renew();
+  else
+    transition.change =
+        std::make_unique<ExactChange>(known_->phase(), resets, transition.target->phase());
 }
 
 // To the phase beyond a guard of the present one. None where it is left to others: impacts and rest
@@ -78,32 +121,24 @@ ExactPath::Transition *ExactPath::transition(std::size_t guard) {
   std::unique_ptr<Transition> &known = known_->transitions[guard];
   if (!known)
     known = std::make_unique<Transition>(find_transition(known_->guards()[guard]));
-  if (!known->target || !known->target->linear)
+  if (!known->target)
     return nullptr;
-  if (known->excitation != exact_phases_.excitation().generation()) {
-    known->target->phase().take(exact_phases_.excitation());
-    if (known->change)
-      known->change->renew();
-  }
-  if (!known->change)
-    known->change = std::make_unique<ExactChange>(
-        known_->phase(), known_->linear->forms().resets(guard), known->target->phase());
-  known->excitation = exact_phases_.excitation().generation();
+  renew(*known, known_->linear.forms().resets(guard));
   return known.get();
 }
 
 ExactPath::Transition ExactPath::find_transition(const PhaseGuard &passed) {
   if (equations_.contacts().pairs()[passed.contact].law->rigid())
     return {};
-  set_modes(known_->linear->forms().contact_modes());
+  set_modes(known_->linear.forms().contact_modes());
   const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
   equations_.set_mode(passed.contact, passed.target);
-  Transition transition{.target = &known_phase(), .proportion = {}};
-  if (transition.target->linear)
+  Transition transition{.target = known_phase(), .proportion = {}};
+  if (transition.target)
     for (const PhaseGuard &other : transition.target->guards())
       transition.proportion.push_back(
           proportion(linear_row(equations_, other.contact, indicator(equations_, other)), form));
-  set_modes(known_->linear->forms().contact_modes());
+  set_modes(known_->linear.forms().contact_modes());
   return transition;
 }
 
@@ -122,6 +157,7 @@ void ExactPath::start_walk(KnownPhase &known) {
   walk_.time = 0;
   walk_.pieces_of_phase = 0;
   known_ = &known;
+  exact_phases_.enter(known.linear);
 }
 
 // A guard that has just been passed is zero within what its location has left. False: it falls at
@@ -129,7 +165,7 @@ void ExactPath::start_walk(KnownPhase &known) {
 bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
   if (!exact_phases_.linear() || !exact_phases_.take_sources(time))
     return false;
-  KnownPhase &known = known_phase();
+  KnownPhase &known = *known_phase();
   inputs_.resize(static_cast<std::size_t>(exact_phases_.excitation().size()));
   exact_phases_.excitation().coordinates(time, inputs_.data());
   const auto largest =
@@ -198,7 +234,7 @@ void ExactPath::begin_part(double time) {
     return;
   prepare_monitoring(*known_);
   if (observer_->integrals)
-    part_limit_ = time + known_->linear->work(equations_).longest();
+    part_limit_ = time + known_->linear.work(equations_).longest();
   part_ = start_.data();
   if (walk_.time > 0) {
     std::copy_n(walk_.amplitudes, known_->phase().n_amplitudes(), part_copy_.begin());
@@ -215,7 +251,7 @@ void ExactPath::end_part(double time, const double *amplitudes) {
   if (part && observer_->steps)
     show_steps(time, amplitudes);
   else if (part && observer_->integrals)
-    known_->linear->work(equations_).add(part_, amplitudes, time - part_start_, state_);
+    known_->linear.work(equations_).add(part_, amplitudes, time - part_start_, state_);
   known_->phase().state(amplitudes, state_.data());
   if (!part || !observer_->monitor)
     return;
@@ -227,8 +263,8 @@ void ExactPath::end_part(double time, const double *amplitudes) {
 // The part from part_start_ on as steps whose polynomials keep the tolerance, all of them from the
 // amplitudes at its start. Two halves rather than a step and a sliver.
 void ExactPath::show_steps(double time, const double *amplitudes) {
-  ExactSegment &segment = known_->linear->segment(equations_);
-  WorkIntegrals &work = known_->linear->work(equations_);
+  ExactSegment &segment = known_->linear.segment(equations_);
+  WorkIntegrals &work = known_->linear.work(equations_);
   std::copy_n(part_, known_->phase().n_amplitudes(), step_start_.begin());
   start_point_.state = state_;
   segment.fill(part_start_, step_start_.data(), start_point_);
@@ -370,7 +406,7 @@ void ExactPath::note_residual() {
 // Where nobody observes, the equations need the modes of the last phase only.
 void ExactPath::stand(double time, const double *amplitudes) {
   if (!observer_)
-    set_modes(known_->linear->forms().contact_modes());
+    set_modes(known_->linear.forms().contact_modes());
   end_part(time, amplitudes);
   if (!state_.allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");

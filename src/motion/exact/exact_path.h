@@ -92,8 +92,12 @@ private:
     std::unique_ptr<ContactWork> work{}; ///< none until the integrals are asked for
     /// By the present observer and by the one before.
     std::unique_ptr<MonitoredContact> monitored{}, monitored_before{};
+
+    std::size_t bytes() const;
   };
   struct Transition {
+    std::size_t bytes() const;
+
     KnownPhase *target = nullptr;   ///< none: left to others
     std::vector<double> proportion; ///< of the guards of the target to the one passed
     std::unique_ptr<ExactChange> change{};
@@ -112,20 +116,25 @@ private:
     long excitation = -1;                    ///< that these are for
   };
   // What depends on the excitation is renewed when it is asked for under another one.
-  struct KnownPhase {
-    LinearPhase *linear = nullptr; ///< none: not linear
-    std::vector<std::unique_ptr<Transition>> transitions{};
+  struct KnownPhase : PhasePart {
+    explicit KnownPhase(LinearPhase &of) : linear(of), transitions(guards().size()) {}
+    std::size_t bytes() const override;
+    void forget(const LinearPhase &other) override;
+
+    LinearPhase &linear;
+    std::vector<std::unique_ptr<Transition>> transitions;
     /// By the present observer and by the one before: a search for the steady motion and the
     /// recorders of a window take turns.
     std::unique_ptr<MonitoredOutputs> monitored{}, monitored_before{};
 
-    const std::vector<PhaseGuard> &guards() const { return linear->forms().guards(); }
-    ExactPhase &phase() const { return linear->phase(); }
-    const PhaseView &view() const { return linear->phase().view(); }
+    const std::vector<PhaseGuard> &guards() const { return linear.forms().guards(); }
+    ExactPhase &phase() const { return linear.phase(); }
+    const PhaseView &view() const { return linear.phase().view(); }
   };
 
   void set_modes(const std::vector<int> &modes);
-  KnownPhase &known_phase();
+  KnownPhase *known_phase();
+  void renew(Transition &transition, const std::vector<PhaseForms::Reset> &resets);
   Transition *transition(std::size_t guard);
   Transition find_transition(const PhaseGuard &passed);
   bool start_from(double time, std::span<const ZeroGuard> zero);
@@ -158,7 +167,6 @@ private:
   const Kernel &kernel_;
   double event_tolerance_, tolerance_, longest_step_;
   ContactSteps contact_steps_;
-  std::map<std::vector<int>, KnownPhase> phases_;
   std::vector<double> inputs_;
   KnownPhase *known_ = nullptr;
   Walk walk_;

@@ -19,8 +19,11 @@ ExactPath::WholeContactPart *ExactPath::contact_beyond(std::size_t guard) {
   Transition &known = *known_->transitions[guard];
   if (!known.contact_known) {
     known.contact_known = true;
-    set_modes(known_->linear->forms().contact_modes());
-    if (auto contact = PhaseContact::create(equations_, *known_->linear, guard, tolerance_))
+    set_modes(known_->linear.forms().contact_modes());
+    std::shared_ptr<TaughtContact> &taught = known_->linear.taught(guard);
+    if (!taught)
+      taught = std::make_shared<TaughtContact>();
+    if (auto contact = PhaseContact::create(equations_, known_->linear, guard, tolerance_, taught))
       known.contact =
           std::make_unique<WholeContactPart>(WholeContactPart{.contact = std::move(contact)});
   }
@@ -30,27 +33,19 @@ ExactPath::WholeContactPart *ExactPath::contact_beyond(std::size_t guard) {
 // Where the law cuts its force off while the sides still overlap, the phase behind the contact is
 // another one than that before. nullptr: the same.
 ExactPath::Transition *ExactPath::phase_behind(std::size_t passed, const PhaseContact &contact) {
-  std::vector<int> modes = known_->linear->forms().contact_modes();
+  std::vector<int> modes = known_->linear.forms().contact_modes();
   if (contact.mode_after() == modes[contact.contact()])
     return nullptr;
   std::unique_ptr<Transition> &behind = known_->transitions[passed]->behind[contact.mode_after()];
-  const long excitation = exact_phases_.excitation().generation();
   if (!behind) {
     modes[contact.contact()] = contact.mode_after();
     const std::vector<int> present = equations_.modes();
     set_modes(modes);
-    behind = std::make_unique<Transition>(Transition{.target = &known_phase(), .proportion = {}});
+    behind = std::make_unique<Transition>(Transition{.target = known_phase(), .proportion = {}});
     set_modes(present);
   }
-  if (behind->excitation != excitation) {
-    behind->target->phase().take(exact_phases_.excitation());
-    if (behind->change)
-      behind->change->renew();
-  }
   static const std::vector<PhaseForms::Reset> none;
-  if (!behind->change)
-    behind->change = std::make_unique<ExactChange>(known_->phase(), none, behind->target->phase());
-  behind->excitation = excitation;
+  renew(*behind, none);
   return behind.get();
 }
 
@@ -127,7 +122,7 @@ void ExactPath::monitor_contact(WholeContactPart &part, double time) {
 void ExactPath::report_contact(WholeContactPart &part, double time) {
   const PhaseContact &contact = *part.contact;
   if (observer_->integrals && !part.work)
-    part.work = std::make_unique<ContactWork>(known_->linear->powers(equations_), contact,
+    part.work = std::make_unique<ContactWork>(known_->linear.powers(equations_), contact,
                                               equations_, tolerance_);
   report_change(time);
   const bool in_steps =

@@ -1,9 +1,11 @@
 #include "motion/exact/exact_phase.h"
 
 #include "common/decompositions.h"
+#include "common/memory.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vibroimpact::motion {
 
@@ -29,9 +31,9 @@ double largest(const Vector &list) { return list.size() > 0 ? list.cwiseAbs().ma
 
 ExactPhase::ExactPhase(const Matrix &matrix, const Vector &constant,
                        const std::vector<LinearSystem::Load> &loads, const GuardForms &guards,
-                       double h0)
-    : modal_(matrix), h0_(h0), guard_rows_(guards.rows), guard_constants_(guards.constants),
-      n_rows_(guards.rows.cols()) {
+                       double h0, std::shared_ptr<TaughtLengths> taught)
+    : modal_(matrix), h0_(h0), taught_(std::move(taught)), guard_rows_(guards.rows),
+      guard_constants_(guards.constants), n_rows_(guards.rows.cols()) {
   set_loads(constant, loads);
   for (const ModalBlock &block : modal_.blocks())
     for (const Complex e : eigenvalues_.emplace_back(eigenvalues_of(block)))
@@ -42,7 +44,6 @@ ExactPhase::ExactPhase(const Matrix &matrix, const Vector &constant,
   view_.owner = this;
   levels_.resize(n_levels);
   level_views_.resize(n_levels);
-  forget();
 }
 
 void ExactPhase::set_loads(const Vector &constant, const std::vector<LinearSystem::Load> &loads) {
@@ -55,17 +56,32 @@ void ExactPhase::set_loads(const Vector &constant, const std::vector<LinearSyste
     load_sizes_.push_back({largest(load.value), largest(load.rate), largest(load.acceleration)});
 }
 
-void ExactPhase::forget() { hints_.fill(-1); }
-
+// Lengths of pieces are forgotten where the groups are arranged anew, but not where the phase
+// itself has been dropped since and is made again.
 void ExactPhase::take(const Excitation &excitation) {
   if (generation_ == excitation.generation())
     return;
   generation_ = excitation.generation();
-  if (structure_ == excitation.structure() && !coupled_)
+  const bool known = taught_->generation == generation_;
+  const bool same_groups = taught_->structure == excitation.structure() && !taught_->coupled;
+  if (same_groups && !groups_.empty())
     renew(excitation);
   else
     arrange(excitation);
-  structure_ = excitation.structure();
+  if (!known && (!same_groups || taught_->coupled))
+    taught_->hints.fill(-1);
+  taught_->generation = generation_;
+  taught_->structure = excitation.structure();
+}
+
+std::size_t ExactPhase::bytes() const {
+  std::size_t sum = modal_.bytes() + bytes_of(guard_rows_, columns_, couples_, rows_, sizes_,
+                                              second_, third_, eighth_, magnitudes_, weights_);
+  for (const std::unique_ptr<Level> &level : levels_)
+    if (level)
+      sum += bytes_of(level->turn, level->growth, level->table, level->bounds, level->dense,
+                      level->dense_growth);
+  return sum;
 }
 
 void ExactPhase::arrange(const Excitation &excitation) {
@@ -76,7 +92,7 @@ void ExactPhase::arrange(const Excitation &excitation) {
   couples_ = Matrix::Zero(n, excitation.size());
   couplings_.clear();
   respond(excitation, true);
-  coupled_ = !couplings_.empty();
+  taught_->coupled = !couplings_.empty();
   groups_ = phase_groups(modal_, inputs_, couplings_, couples_);
   place_groups();
   allocate();
@@ -88,7 +104,6 @@ void ExactPhase::arrange(const Excitation &excitation) {
   for (std::unique_ptr<Level> &level : levels_)
     level.reset();
   forget_levels();
-  forget();
   ++arrangement_;
 }
 
@@ -177,7 +192,7 @@ void ExactPhase::show() {
   view_.constant_sizes = constant_sizes_.data();
   view_.weights = weights_.data();
   view_.levels = level_views_.data();
-  view_.hints = hints_.data();
+  view_.hints = taught_->hints.data();
 }
 
 void ExactPhase::amplitudes(const Vector &y, const double *inputs, Amplitudes &amplitudes) const {

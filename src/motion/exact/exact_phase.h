@@ -23,20 +23,28 @@ using Amplitudes = AlignedArray;
 
 struct TabulatedExponential;
 
+/// What the motion so far has taught about lengths of pieces; it outlives the phase.
+struct TaughtLengths {
+  TaughtLengths() { hints.fill(-1); }
+
+  std::array<signed char, n_hints> hints{}; ///< lengths of the first pieces
+  /// Of the excitation that they are for, and whether an input is coupled with modes.
+  long generation = -1, structure = -1;
+  bool coupled = false;
+};
+
 class ExactPhase {
 public:
   /// y' = matrix y + constant + sum over sources (value s + rate s' + acceleration s''). h0: length
   /// of the longest pieces [s], the same for all phases that exchange amplitudes.
   ExactPhase(const Matrix &matrix, const Vector &constant,
-             const std::vector<LinearSystem::Load> &loads, const GuardForms &guards, double h0);
+             const std::vector<LinearSystem::Load> &loads, const GuardForms &guards, double h0,
+             std::shared_ptr<TaughtLengths> taught = std::make_shared<TaughtLengths>());
   ExactPhase(const ExactPhase &) = delete;
   ExactPhase &operator=(const ExactPhase &) = delete;
 
   /// Renews what belongs to the inputs when they are others than the last time.
   void take(const Excitation &excitation);
-  /// Forgets what earlier motions taught about lengths of pieces.
-  void forget();
-
   /// Counts the arrangements of the groups; amplitudes of another one mean nothing.
   long arrangement() const { return arrangement_; }
   Index n_modes() const { return modal_.basis().cols(); }
@@ -54,6 +62,7 @@ public:
   /// renewed for it.
   long generation() const { return generation_; }
   bool has_dense() const { return view_.n_dense > 0; }
+  std::size_t bytes() const;
 
   /// y to amplitudes, whose inputs have the coordinates given; each is rounded once.
   void amplitudes(const Vector &y, const double *inputs, Amplitudes &amplitudes) const;
@@ -106,6 +115,7 @@ private:
 
   ModalForm modal_;
   double h0_, radius_ = 0;
+  std::shared_ptr<TaughtLengths> taught_;
   /// W^-1 times the loads of the sources, and behind these times the constant
   std::vector<LinearSystem::Load> modal_loads_;
   std::vector<std::array<double, 3>> load_sizes_; ///< their largest entries
@@ -115,8 +125,7 @@ private:
   Index n_rows_ = 0;
 
   std::vector<Input> inputs_;
-  long generation_ = -1, structure_ = -1, arrangement_ = 0;
-  bool coupled_ = false;
+  long generation_ = -1, arrangement_ = 0;
   std::vector<Coupling> couplings_;
   Matrix couples_; ///< modes x input coordinates, of the couplings
   Matrix columns_;
@@ -131,7 +140,6 @@ private:
   std::vector<std::vector<double>> generators_;
   std::vector<std::unique_ptr<Level>> levels_;
   std::vector<LevelView> level_views_;
-  std::array<signed char, n_hints> hints_{};
 };
 
 } // namespace vibroimpact::motion

@@ -1,5 +1,8 @@
 #include "motion/exact/exact_phases.h"
 
+#include "common/memory.h"
+#include "motion/collocation/phase_contact.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,10 +27,11 @@ double longest_piece(const model::Model &model) {
 
 } // namespace
 
-LinearPhase::LinearPhase(const Equations &equations, const Settings &settings, double longest_piece)
-    : system_(equations), forms_(equations),
+LinearPhase::LinearPhase(const Equations &equations, const Settings &settings, double longest_piece,
+                         std::shared_ptr<TaughtPhase> taught)
+    : taught_(std::move(taught)), system_(equations), forms_(equations),
       phase_(system_.matrix(), system_.constant(), system_.loads(), forms_.guard_forms(),
-             longest_piece),
+             longest_piece, {taught_, &taught_->lengths}),
       tolerance_(settings.relative_tolerance),
       longest_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()) {}
@@ -56,6 +60,12 @@ ExactSegment &LinearPhase::segment(const Equations &equations) {
   return *segment_;
 }
 
+std::size_t LinearPhase::bytes() const {
+  return bytes_of(system_.matrix(), forms_.guard_forms().rows) + phase_.bytes() +
+         (powers_ ? bytes_of(powers_->rows()) : 0) + (work_ ? work_->bytes() : 0) +
+         (segment_ ? segment_->bytes() : 0) + (part_ ? part_->bytes() : 0);
+}
+
 ExactPhases::ExactPhases(const Equations &equations, const Settings &settings)
     : equations_(equations), settings_(settings), longest_piece_(longest_piece(equations.model())) {
 }
@@ -73,13 +83,16 @@ bool ExactPhases::take_sources(double time) {
 }
 
 LinearPhase *ExactPhases::find() {
-  const auto known = phases_.find(equations_.modes());
-  if (known != phases_.end())
-    return known->second.get();
-  std::unique_ptr<LinearPhase> &made = phases_[equations_.modes()];
-  if (LinearSystem::holds(equations_))
-    made = std::make_unique<LinearPhase>(equations_, settings_, longest_piece_);
-  return made.get();
+  const auto [place, unknown] = phases_.try_emplace(equations_.modes());
+  Known &known = place->second;
+  if (unknown && LinearSystem::holds(equations_))
+    known.taught = std::make_shared<TaughtPhase>();
+  if (known.taught && !known.phase) {
+    known.phase =
+        std::make_shared<LinearPhase>(equations_, settings_, longest_piece_, known.taught);
+    check_ = true;
+  }
+  return known.phase.get();
 }
 
 bool ExactPhases::linear() { return find() != nullptr; }
@@ -91,10 +104,47 @@ LinearPhase *ExactPhases::present() {
   return found;
 }
 
-void ExactPhases::forget() {
+std::size_t ExactPhases::bytes() const {
+  std::size_t sum = 0;
   for (const auto &[modes, known] : phases_)
-    if (known)
-      known->phase().forget();
+    sum += known.phase ? known.phase->bytes() : 0;
+  return sum;
+}
+
+void ExactPhases::enter(LinearPhase &phase) {
+  phase.entered_ = ++entries_;
+  if (!std::exchange(check_, false))
+    return;
+  std::size_t sum = bytes();
+  while (sum > settings_.prepared_bytes) {
+    const LinearPhase *oldest = &phase;
+    for (const auto &[modes, known] : phases_)
+      if (known.phase && known.phase->entered_ < oldest->entered_)
+        oldest = known.phase.get();
+    if (oldest == &phase)
+      return;
+    sum -= oldest->bytes();
+    drop(*oldest);
+  }
+}
+
+void ExactPhases::drop(const LinearPhase &phase) {
+  for (auto &[modes, known] : phases_)
+    if (known.phase && known.phase->part_)
+      known.phase->part_->forget(phase);
+  phases_.at(phase.forms().contact_modes()).phase.reset();
+}
+
+// Of phases that have been dropped nothing is left.
+void ExactPhases::forget() {
+  check_ = true;
+  std::erase_if(phases_, [](const auto &at) { return at.second.taught && !at.second.phase; });
+  for (const auto &[modes, known] : phases_)
+    if (known.taught) {
+      known.taught->lengths.hints.fill(-1);
+      for (const auto &[guard, contact] : known.taught->contacts)
+        contact->forget();
+    }
 }
 
 } // namespace vibroimpact::motion

@@ -34,6 +34,7 @@ public:
   void begin(const double *amplitudes, bool anew);
   /// Length of the longest step from these amplitudes on, after begin() [s].
   double step(const double *amplitudes);
+  std::size_t bytes() const { return sizes_.size() * bytes_of(sizes_[0]); }
   /// What is known of the motion there; the work integrals in the state stay.
   void fill(double time, const double *amplitudes, EndPoint &point);
 

@@ -103,13 +103,14 @@ void ExactStepper::restart(double time, const Vector &x) {
   place(time, x);
   start_.time = time;
   start_.state = x;
-  phase_ = nullptr;
+  phase_.reset();
 }
 
 // What is zero at the start comes out as zero from the state and the equations, not from a sum of
 // amplitudes.
 void ExactStepper::begin() {
-  phase_ = phases_.present();
+  phase_ = phases_.present()->shared_from_this();
+  phases_.enter(*phase_);
   const Index size = equations_.layout().physical_size();
   const Vector y = end_.state.head(size);
   Vector inputs(phases_.excitation().size());

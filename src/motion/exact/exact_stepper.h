@@ -38,7 +38,7 @@ private:
 
   const Equations &equations_;
   ExactPhases phases_;
-  LinearPhase *phase_ = nullptr; ///< none: not begun
+  std::shared_ptr<LinearPhase> phase_; ///< none: not begun
   std::unique_ptr<Guards> guards_;
   Amplitudes from_, to_; ///< at both ends of the last step
   bool pending_ = false; ///< the last step is not accepted yet

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "common/linear_algebra.h"
+#include "common/memory.h"
 
 #include <complex>
 #include <vector>
@@ -52,6 +53,7 @@ public:
   const Matrix &inverse() const { return inverse_; } ///< W^-1
   /// W^-1 in extended precision, for amplitudes that are small differences of large terms.
   const Long &long_inverse() const { return long_inverse_; }
+  std::size_t bytes() const { return bytes_of(basis_, inverse_, long_inverse_); }
 
 private:
   bool diagonalise(const Long &balanced, const Vector &scale);

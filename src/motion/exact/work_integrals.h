@@ -29,6 +29,7 @@ public:
   /// The longest part that is integrated to rounding [s], and no more than a turn of the slowest
   /// vibration, over which the work of a load changes its sign.
   double longest() const { return longest_; }
+  std::size_t bytes() const { return bytes_of(products_, forms_, coefficients_) + dense_.bytes(); }
 
   /// Adds the integrals over a part of length h to the entries of `state`. In place of the integral
   /// of |power| stands the absolute value of the integral, which is never larger.

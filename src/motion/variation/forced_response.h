@@ -25,6 +25,7 @@ public:
   /// `coupling`: E, in the coordinates that the groups count [1/s].
   ForcedResponse(const std::vector<PhaseGroup> &groups, const Matrix &coupling);
 
+  std::size_t bytes() const { return bytes_of(waves_, wave_couplings_); }
   /// dx(h) of x(0) and dx(0).
   Vector operator()(double h, const Vector &x, const Vector &start) const;
 

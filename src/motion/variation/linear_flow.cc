@@ -32,6 +32,13 @@ void turn(const ModalBlock &block, double h, Matrix &modal) {
 
 } // namespace
 
+std::size_t LinearFlow::bytes() const {
+  std::size_t sum = bytes_of(modal_);
+  for (const KnownKey &key : keys_)
+    sum += key.response ? key.response->bytes() : 0;
+  return sum;
+}
+
 void LinearFlow::propagate(double h, Matrix &columns) {
   const ModalForm &form = phase_.phase().modal();
   modal_.noalias() = form.inverse() * columns;

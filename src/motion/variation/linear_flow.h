@@ -19,10 +19,11 @@
 namespace vibroimpact::motion {
 
 /// The linear phase of one combination of contact modes.
-class LinearFlow {
+class LinearFlow : public PhasePart {
 public:
   /// Keeps a reference.
   explicit LinearFlow(LinearPhase &phase) : phase_(phase) {}
+  std::size_t bytes() const override;
 
   /// columns <- exp(A h) columns, physical_size() rows.
   void propagate(double h, Matrix &columns);

@@ -141,7 +141,8 @@ bool Variation::pass_linear(double time, const Vector &state, double h) {
   LinearPhase *const phase = keys_.empty() ? phases_.find() : phases_.present();
   if (!phase)
     return false;
-  LinearFlow &flow = flows_.try_emplace(phase, *phase).first->second;
+  phases_.enter(*phase);
+  LinearFlow &flow = phase->part<LinearFlow>();
   Matrix forced;
   if (!keys_.empty())
     forced = flow.forced(keys_, phases_.excitation(), time, state, h);
@@ -162,7 +163,10 @@ LinearFlow *Variation::free_flow() {
   LinearPhase *const phase = phases_.find();
   for (std::size_t c = 0; c < modes.size(); ++c)
     equations_.set_mode(c, modes[c]);
-  return phase ? &flows_.try_emplace(phase, *phase).first->second : nullptr;
+  if (!phase)
+    return nullptr;
+  phases_.enter(*phase);
+  return &phase->part<LinearFlow>();
 }
 
 void Variation::check(double time) const {

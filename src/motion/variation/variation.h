@@ -18,7 +18,6 @@
 #include "motion/variation/start_projection.h"
 
 #include <limits>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -124,7 +123,6 @@ private:
   VariationAccuracy accuracy_;
   Saltations saltations_;
   ExactPhases phases_;
-  std::map<LinearPhase *, LinearFlow> flows_;
   bool closed_forms_ = false; ///< of the sources up to their next break; asked for by keys alone
   double start_ = 0;          ///< of the motion [s]
   Vector part_state_;         ///< at the start of a part
