@@ -3,7 +3,6 @@
 #include "parameters/echo.h"
 #include "parameters/file_units.h"
 #include "parameters/like.h"
-#include "parameters/official_parse.h"
 #include "parameters/overrides.h"
 #include "parameters/parameter_data.h"
 #include "parameters/text.h"
@@ -169,7 +168,6 @@ std::shared_ptr<const ParameterSet> ParameterSet::parse(std::shared_ptr<const Se
   take_over_entries(scanned, *declarations);
   data->file = name;
   data->root = build_tree(*declarations, scanned);
-  parse_with_dealii(scanned, data->root);
   data->declarations = std::move(declarations);
   if (const Value *variables = std::as_const(data->root).find_value("Variables"))
     data->definitions = read_definitions(*variables);

@@ -1,7 +1,10 @@
 #include "parameters/values.h"
+#include "parameters/text.h"
+#include "parameters/tree.h"
 
 #include "sample.h"
 
+#include <deal.II/base/parameter_handler.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -31,6 +34,30 @@ TEST(Values, the_sample_is_read_in_si) {
   EXPECT_EQ(heads.quantity("Stiffness"), 2000);
   EXPECT_TRUE(heads.boolean("Prestressed"));
   EXPECT_EQ(root.instance("Body", "right").choice("Type"), "lumped");
+}
+
+// The language is that of deal.II's ParameterHandler: whatever stands in a file, both read the
+// same.
+TEST(Values, texts_are_those_that_deal_ii_reads) {
+  const std::string text = sample_text + "  SUBSECTION   Contact\ttails # two = 2\n"
+                                         "SET Between\t=  left.tail ,\t\tright.tail \\ \n, x # y\n"
+                                         "   set Clearance= a = 1,  set b\r\n END\n";
+  const auto declarations = sample_declarations();
+  const Node root = build_tree(*declarations, scan_prm(text, "beams.prm"));
+  dealii::ParameterHandler handler;
+  for_each_node(root, [&](const Node &node) {
+    for (const std::string &name : node.path)
+      handler.enter_subsection(name);
+    for (const Value &value : node.values)
+      handler.declare_entry(value.key->name, value.key->default_value);
+    for (std::size_t i = 0; i < node.path.size(); ++i)
+      handler.leave_subsection();
+  });
+  handler.parse_input_from_string(text);
+  for_each_node(root, [&](const Node &node) {
+    for (const Value &value : node.values)
+      EXPECT_EQ(value.text, normalised(handler.get(node.path, value.key->name))) << value.key->name;
+  });
 }
 
 TEST(Values, what_is_not_given_has_its_default) {
