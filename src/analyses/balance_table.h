@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyses/branch_rows.h"
+#include "analyses/field_writer.h"
 #include "analyses/kept_rows.h"
 #include "analyses/keyed_balance.h"
 
@@ -19,7 +20,7 @@ public:
   void add(const continuation::SpecialPoint &special);
   void end(const continuation::Branch &branch) { rows_.end(branch); }
 
-  void add_fields(PointResult &result) const { rows_.add_fields(result, "balance_residual"); }
+  void add_fields(const FieldWriter &result) const { rows_.add_fields(result, "balance_residual"); }
 
 private:
   PointResult row_of(const continuation::BranchPoint &point) {
@@ -27,8 +28,8 @@ private:
   }
   PointResult values_of(const continuation::BranchPoint &point) const;
   void add_points(const continuation::HarmonicMotion &motion, const continuation::LeftOut &left,
-                  PointResult &row) const;
-  void add_contacts(const continuation::HarmonicMotion &motion, PointResult &row) const;
+                  const FieldWriter &row) const;
+  void add_contacts(const continuation::HarmonicMotion &motion, const FieldWriter &row) const;
 
   KeyedBalance &system_;
   continuation::HarmonicBalance &problem_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyses/basin_search.h"
-#include "common/result_sink.h"
+#include "analyses/field_writer.h"
 
 namespace vibroimpact::analyses {
 
@@ -13,13 +13,9 @@ inline constexpr double undecided = -1, no_motion = -2, another = -3;
 double mark_of(const periodic::Decision &decision, std::size_t known);
 
 /// Share of the starts for each attractor and each mark; `of`: of what, for the descriptions.
-void add_shares(PointResult &result, const std::vector<double> &marks, std::size_t known,
+void add_shares(const FieldWriter &result, const std::vector<double> &marks, std::size_t known,
                 const std::string &of);
 /// Multiple, largest multiplier and state of the first `known` attractors.
-void add_attractors(PointResult &result, const BasinSearch &search, std::size_t known);
-
-/// Along the attractors, "attractors/NAME".
-Field attractor_field(const std::string &name, std::vector<double> values, const std::string &unit,
-                      const std::string &description);
+void add_attractors(const FieldWriter &result, const BasinSearch &search, std::size_t known);
 
 } // namespace vibroimpact::analyses

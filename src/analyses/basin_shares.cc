@@ -90,7 +90,8 @@ PointResult BasinShares::compute(LineContext &context) const {
   for (double &mark : marks)
     if (mark >= 0)
       mark = static_cast<double>(places[static_cast<std::size_t>(mark)]);
-  PointResult result;
+  PointResult point;
+  const FieldWriter result(point);
   add_shares(result, marks, places.size(), "the starts");
   std::vector<double> errors;
   for (std::size_t a = 0; a < places.size(); ++a) {
@@ -98,13 +99,12 @@ PointResult BasinShares::compute(LineContext &context) const {
         static_cast<double>(std::count(marks.begin(), marks.end(), static_cast<double>(a))) /
         static_cast<double>(marks.size());
     errors.push_back(std::sqrt(share * (1 - share) / static_cast<double>(marks.size())));
-    const std::string name = "attractors.share[" + std::to_string(a + 1) + "]";
-    result.summary.push_back(scalar_line(name, share, "1"));
+    result.line("attractors/share[" + std::to_string(a + 1) + "]", share, "1");
   }
-  result.fields.push_back(
-      attractor_field("share_error", std::move(errors), "1", "standard error of the share"));
+  result.series("attractors/share_error", "attractor", std::move(errors), "1",
+                "standard error of the share");
   add_attractors(result, search, places.size());
-  return result;
+  return point;
 }
 
 void BasinShares::run_line(std::size_t /*line*/, System & /*system*/, LineContext &context) const {

@@ -216,20 +216,20 @@ std::vector<std::vector<parameters::Override>> Basins::variants() const {
   return overrides;
 }
 
-void Basins::add_cells(PointResult &result, std::vector<double> marks,
+void Basins::add_cells(const FieldWriter &result, std::vector<double> marks,
                        std::vector<double> periods) const {
   const std::string axis = settings_.first.axis_name();
-  result.fields.push_back(series_field(axis, axis, settings_.first.values, settings_.first.unit,
-                                       "centre of the cell, key " + settings_.first.path));
-  result.fields.push_back(series_field(
+  result.series(axis, axis, settings_.first.values, settings_.first.unit,
+                "centre of the cell, key " + settings_.first.path);
+  result.series(
       "cell/attractor", axis, std::move(marks), "1",
       "motion that the cell leads to, counted from 0 in the order of attractors/state; -1 not "
-      "caught within the periods, -2 no motion, -3 a motion that Coarse cells have not met"));
-  result.fields.push_back(series_field("cell/periods", axis, std::move(periods), "1",
-                                       "forcing periods until the cell was decided"));
+      "caught within the periods, -2 no motion, -3 a motion that Coarse cells have not met");
+  result.series("cell/periods", axis, std::move(periods), "1",
+                "forcing periods until the cell was decided");
 }
 
-void Basins::add_places(PointResult &result, const Rows &rows) const {
+void Basins::add_places(const FieldWriter &result, const Rows &rows) const {
   std::vector<double> first, second;
   for (std::size_t a = 0; a < rows.known(); ++a) {
     const Eigen::Vector2d place = rows.place(rows.state(a));
@@ -238,10 +238,10 @@ void Basins::add_places(PointResult &result, const Rows &rows) const {
   }
   const std::string description =
       "key at which a motion would start like it; NaN where the cells are not all states";
-  result.fields.push_back(
-      attractor_field("first_axis", std::move(first), settings_.first.unit, description));
-  result.fields.push_back(
-      attractor_field("second_axis", std::move(second), settings_.second.unit, description));
+  result.series("attractors/first_axis", "attractor", std::move(first), settings_.first.unit,
+                description);
+  result.series("attractors/second_axis", "attractor", std::move(second), settings_.second.unit,
+                description);
 }
 
 PointResult Basins::compute(std::size_t row, Rows &rows, LineContext &context) const {
@@ -262,23 +262,23 @@ PointResult Basins::compute(std::size_t row, Rows &rows, LineContext &context) c
     }
     context.note_progress(static_cast<double>(cell + 1) / static_cast<double>(cells));
   }
-  PointResult result{.index = {row}};
+  PointResult point{.index = {row}};
+  const FieldWriter result(point);
   add_shares(result, marks, rows.known(), "the cells of the row");
-  result.fields.push_back(scalar_field(
+  result.number(
       "other_share",
       static_cast<double>(std::count(marks.begin(), marks.end(), another)) /
           static_cast<double>(cells),
-      "1", "share of the cells of the row that lead to a motion that Coarse cells have not met"));
+      "1", "share of the cells of the row that lead to a motion that Coarse cells have not met");
   if (!settings_.exactly) {
-    result.fields.push_back(scalar_field(
-        "checked_cells", checked, "1", "interpolated cells that were followed by the motion too"));
-    result.fields.push_back(
-        scalar_field("wrong_cells", wrong, "1", "of these, those that lead elsewhere"));
+    result.number("checked_cells", checked, "1",
+                  "interpolated cells that were followed by the motion too");
+    result.number("wrong_cells", wrong, "1", "of these, those that lead elsewhere");
   }
   add_cells(result, std::move(marks), std::move(periods));
   add_attractors(result, search, rows.known());
   add_places(result, rows);
-  return result;
+  return point;
 }
 
 // A line takes every n-th row. Motions found in one row do not count in the next, so that rows

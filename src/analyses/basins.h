@@ -11,6 +11,7 @@
 
 #include "analyses/analysis.h"
 #include "analyses/basin_search.h"
+#include "analyses/field_writer.h"
 #include "analyses/start_box.h"
 
 namespace vibroimpact::analyses {
@@ -42,8 +43,9 @@ public:
 private:
   class Rows;
   PointResult compute(std::size_t row, Rows &rows, LineContext &context) const;
-  void add_places(PointResult &result, const Rows &rows) const;
-  void add_cells(PointResult &result, std::vector<double> marks, std::vector<double> periods) const;
+  void add_places(const FieldWriter &result, const Rows &rows) const;
+  void add_cells(const FieldWriter &result, std::vector<double> marks,
+                 std::vector<double> periods) const;
 
   Settings settings_;
   /// What the lines of one rank have in common: the search of the coarse part. No row depends on

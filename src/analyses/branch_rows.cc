@@ -1,6 +1,6 @@
 #include "analyses/branch_rows.h"
 
-#include "analyses/fields.h"
+#include "analyses/coded.h"
 
 #include <utility>
 
@@ -8,42 +8,36 @@ namespace vibroimpact::analyses {
 
 using continuation::BranchPoint;
 using continuation::End;
+using continuation::Special;
 
 namespace {
 
-constexpr const char *special_kinds =
-    "1 fold, 2 branch point, 3 period doubling, 4 loss of symmetry, 5 "
-    "Neimark-Sacker, 6 graze, 7 grazing fold, 8 change of the contact "
-    "changes";
-constexpr const char *branch_ends =
-    "0 lower end of the key, 1 upper end of the key, 2 the branch "
-    "closes on itself, 3 it falls onto motions of a smaller multiple, "
-    "4 least step, 5 most points, 6 a graze it returns to again and "
-    "again, 7 the motion grows beyond all measure";
+constexpr Coded<Special> special_kinds[] = {
+    {Special::fold, 1, "fold"},
+    {Special::branch_point, 2, "branch point"},
+    {Special::flip, 3, "period doubling"},
+    {Special::flip, 4, "loss of symmetry"},
+    {Special::neimark_sacker, 5, "Neimark-Sacker"},
+    {Special::graze, 6, "graze"},
+    {Special::grazing_fold, 7, "grazing fold"},
+    {Special::pattern_change, 8, "change of the contact changes"}};
 
-int number_of(End end) {
-  switch (end) {
-  case End::lower_bound:
-    return 0;
-  case End::upper_bound:
-    return 1;
-  case End::closed:
-    return 2;
-  case End::shorter_return:
-    return 3;
-  case End::least_step:
-    return 4;
-  case End::most_points:
-    return 5;
-  case End::graze:
-    return 6;
-  case End::far:
-    return 7;
-  }
-  return -1;
-}
+constexpr Coded<End> branch_ends[] = {
+    {End::lower_bound, 0, "lower end of the key"},
+    {End::upper_bound, 1, "upper end of the key"},
+    {End::closed, 2, "the branch closes on itself"},
+    {End::shorter_return, 3, "it falls onto motions of a smaller multiple"},
+    {End::least_step, 4, "least step"},
+    {End::most_points, 5, "most points"},
+    {End::graze, 6, "a graze it returns to again and again"},
+    {End::far, 7, "the motion grows beyond all measure"}};
 
 } // namespace
+
+// Behind each kind of flip stands that of symmetric motions.
+int kind_number(Special kind, bool symmetric) {
+  return code_of(special_kinds, kind) + (symmetric && kind == Special::flip ? 1 : 0);
+}
 
 BranchRows::BranchRows(const SweptParameter &parameter)
     : key_(parameter.axis_name(), parameter.unit, parameter.axis().description),
@@ -59,11 +53,12 @@ void BranchRows::begin(long number, double sign) {
 }
 
 CurveRow BranchRows::row(const BranchPoint &point, PointResult values) const {
-  CurveRow row{.arclength = sign_ * point.arclength, .curve = number_, .values = std::move(values)};
-  const std::vector<Field> place = {scalar_field(branch_, static_cast<double>(number_)),
-                                    scalar_field(arclength_, row.arclength),
-                                    scalar_field(key_, point.point.keys[0])};
-  row.values.fields.insert(row.values.fields.begin(), place.begin(), place.end());
+  CurveRow row{.arclength = sign_ * point.arclength, .curve = number_};
+  const FieldWriter fields(row.values);
+  fields.number(branch_, static_cast<double>(number_));
+  fields.number(arclength_, row.arclength);
+  fields.number(key_, point.point.keys[0]);
+  std::move(values.fields.begin(), values.fields.end(), std::back_inserter(row.values.fields));
   return row;
 }
 
@@ -73,7 +68,7 @@ void BranchRows::add_point(const BranchPoint &point, PointResult values) {
 
 void BranchRows::add_special(const BranchPoint &point, int kind, PointResult values) {
   special_.push_back(row(point, std::move(values)));
-  special_.back().values.fields.push_back(scalar_field("kind", kind, "1", special_kinds));
+  FieldWriter(special_.back().values).number("kind", kind, "1", meaning_of(special_kinds));
 }
 
 void BranchRows::end(const continuation::Branch &branch) {
@@ -81,9 +76,10 @@ void BranchRows::end(const continuation::Branch &branch) {
     return;
   const BranchPoint &last = branch.points.back();
   CurveRow row{.arclength = sign_ * last.arclength, .curve = number_};
-  row.values.fields = {scalar_field(branch_, static_cast<double>(number_)),
-                       scalar_field(key_, last.point.keys[0]),
-                       scalar_field("reason", number_of(branch.end), "1", branch_ends)};
+  const FieldWriter fields(row.values);
+  fields.number(branch_, static_cast<double>(number_));
+  fields.number(key_, last.point.keys[0]);
+  fields.number("reason", code_of(branch_ends, branch.end), "1", meaning_of(branch_ends));
   ends_.push_back(std::move(row));
 }
 
@@ -92,13 +88,13 @@ void BranchRows::drop(long number) {
     std::erase_if(*rows, [number](const CurveRow &row) { return row.curve == number; });
 }
 
-void BranchRows::add_fields(PointResult &result, const std::string &residual) const {
+void BranchRows::add_fields(const FieldWriter &result, const std::string &residual) const {
   const std::vector<PointResult> special = in_order(special_);
-  add_rows(result, in_order(points_), "branch_point", "");
-  add_rows(result, special, "special_point", "special/");
-  add_rows(result, in_order(ends_), "branch_end", "end/");
-  result.summary.push_back(scalar_line("points", static_cast<double>(points_.size()), "1"));
-  summarise_special(result, special, {"kind", key_.name(), residual});
+  add_stacked(result, in_order(points_), "branch_point");
+  add_stacked(result.below("special/"), special, "special_point");
+  add_stacked(result.below("end/"), in_order(ends_), "branch_end");
+  result.line("points", static_cast<double>(points_.size()), "1");
+  summarise(result, "special", special, {"kind", key_.name(), residual});
 }
 
 } // namespace vibroimpact::analyses

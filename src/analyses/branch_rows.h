@@ -4,16 +4,14 @@
 #pragma once
 
 #include "analyses/curve_rows.h"
+#include "analyses/field_writer.h"
 #include "analyses/swept_parameter.h"
 #include "continuation/branch.h"
 
 namespace vibroimpact::analyses {
 
-/// Numbers of the field `special/kind`.
-struct SpecialKind {
-  static constexpr int fold = 1, branch_point = 2, period_doubling = 3, loss_of_symmetry = 4,
-                       neimark_sacker = 5, graze = 6, grazing_fold = 7, pattern_change = 8;
-};
+/// Of a kind in the field `special/kind`; a flip of half a symmetric motion loses the symmetry.
+int kind_number(continuation::Special kind, bool symmetric = false);
 
 class BranchRows {
 public:
@@ -24,6 +22,7 @@ public:
   void begin(long number, double sign);
   /// All with the fields branch, arclength and key before those given.
   void add_point(const continuation::BranchPoint &point, PointResult values);
+  /// `kind`: its number.
   void add_special(const continuation::BranchPoint &point, int kind, PointResult values);
   void end(const continuation::Branch &branch);
   /// Forgets all of a branch.
@@ -31,7 +30,7 @@ public:
 
   /// Arrays of everything; in the summary the number of points, and kind, key and field `residual`
   /// of each special point.
-  void add_fields(PointResult &result, const std::string &residual) const;
+  void add_fields(const FieldWriter &result, const std::string &residual) const;
 
 private:
   CurveRow row(const continuation::BranchPoint &point, PointResult values) const;

@@ -15,41 +15,21 @@ using periodic::Section;
 
 namespace {
 
-int number_of(Special kind, const Section &section) {
-  switch (kind) {
-  case Special::fold:
-    return SpecialKind::fold;
-  case Special::branch_point:
-    return SpecialKind::branch_point;
-  case Special::flip:
-    return section.with_symmetry() ? SpecialKind::loss_of_symmetry : SpecialKind::period_doubling;
-  case Special::neimark_sacker:
-    return SpecialKind::neimark_sacker;
-  case Special::graze:
-    return SpecialKind::graze;
-  case Special::grazing_fold:
-    return SpecialKind::grazing_fold;
-  case Special::pattern_change:
-    return SpecialKind::pattern_change;
-  }
-  return 0;
-}
-
 std::string per(const std::string &unit) { return unit == "1" ? unit : "1/(" + unit + ")"; }
 
-void add_special_values(PointResult &row, const SpecialPoint &special, const std::string &unit) {
-  const auto add = [&row](const char *name, double value, const std::string &in, const char *text) {
-    row.fields.push_back(scalar_field(name, value, in, text));
-  };
-  add("unstable_before", special.unstable_before, "1",
-      "multipliers outside the unit circle on the side of smaller arclength");
-  add("unstable_after", special.unstable_after, "1",
-      "multipliers outside the unit circle on the side of larger arclength");
-  add("multiplier_slope", special.slope, per(unit),
+void add_special_values(const FieldWriter &row, const SpecialPoint &special,
+                        const std::string &unit) {
+  row.number("unstable_before", special.unstable_before, "1",
+             "multipliers outside the unit circle on the side of smaller arclength");
+  row.number("unstable_after", special.unstable_after, "1",
+             "multipliers outside the unit circle on the side of larger arclength");
+  row.number(
+      "multiplier_slope", special.slope, per(unit),
       "derivative, by the key, of the multiplier that crosses the unit circle, of the modulus for "
       "a "
       "pair; where it is small the place is sensitive. 0 at other kinds");
-  add("key_width", special.width, unit,
+  row.number(
+      "key_width", special.width, unit,
       "change of the contact changes: of the interval of the key at whose end the point lies; 0 at "
       "other kinds, which are located");
 }
@@ -125,8 +105,7 @@ void BranchTable::add(const SpecialPoint &special) {
     note_enclosed(special);
   PointResult values = orbit_of(special.at);
   add_special_values(values, ordered, parameter_.unit);
-  rows_.add_special(special.at, number_of(special.kind, {.phase = 0, .halves = halves_}),
-                    std::move(values));
+  rows_.add_special(special.at, kind_number(special.kind, halves_ % 2 != 0), std::move(values));
 }
 
 } // namespace vibroimpact::analyses

@@ -3,6 +3,7 @@
 
 #include "analyses/branch_follower.h"
 #include "analyses/branch_rows.h"
+#include "analyses/field_writer.h"
 #include "analyses/kept_rows.h"
 #include "analyses/orbit_rows.h"
 

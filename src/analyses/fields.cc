@@ -71,18 +71,6 @@ const SettledLabels &settled_labels() {
   return labels;
 }
 
-// Of a scalar; `otherwise` when the point does not have it.
-double scalar_of(const PointResult &result, const Label &label, double otherwise) {
-  const auto first = [&result](auto is_wanted) {
-    const auto found = std::find_if(result.fields.begin(), result.fields.end(), is_wanted);
-    return found == result.fields.end() ? nullptr : &*found;
-  };
-  const Field *found = first([&](const Field &field) { return field.label == label; });
-  if (found == nullptr) // an earlier version of the program may have described it otherwise
-    found = first([&](const Field &field) { return field.name() == label.name(); });
-  return found == nullptr || found->values.empty() ? otherwise : found->values[0];
-}
-
 constexpr PatternColumn columns[] = {
     {"time", "s", "instant at which the sides meet", [](const Impact &i) { return i.start_time; }},
     {"duration", "s", "time in contact", [](const Impact &i) { return i.duration; }},
@@ -110,77 +98,51 @@ constexpr PatternColumn columns[] = {
 
 } // namespace
 
-Field scalar_field(const Label &label, double value) {
-  return {.label = label, .shape = {}, .values = {value}};
-}
-
-Field scalar_field(const std::string &name, double value, const std::string &unit,
-                   const std::string &description) {
-  return scalar_field(Label(name, unit, description), value);
-}
-
-Field series_field(const std::string &name, const std::string &dimension,
-                   std::vector<double> values, const std::string &unit,
-                   const std::string &description) {
-  const std::size_t length = values.size();
-  return {.label = Label(name, unit, description, {dimension}),
-          .shape = {length},
-          .values = std::move(values)};
-}
-
-SummaryLine scalar_line(const std::string &name, double value, const std::string &unit) {
-  return {.label = Label(name, unit, ""), .value = value};
-}
-
-void add_settled(PointResult &result, bool steady, long multiple, long cycles) {
+void add_settled(const FieldWriter &result, bool steady, long multiple, long cycles) {
   const SettledLabels &labels = settled_labels();
-  result.fields.push_back(scalar_field(labels.steady, steady ? 1 : 0));
-  result.fields.push_back(scalar_field(labels.multiple, static_cast<double>(multiple)));
-  result.fields.push_back(scalar_field(labels.cycles, static_cast<double>(cycles)));
+  result.number(labels.steady, steady ? 1 : 0);
+  result.number(labels.multiple, static_cast<double>(multiple));
+  result.number(labels.cycles, static_cast<double>(cycles));
 }
 
-void add_accuracy(PointResult &result, const motion::Accuracy &accuracy,
+void add_accuracy(const FieldWriter &result, const motion::Accuracy &accuracy,
                   const motion::Settings &settings) {
-  const auto add = [&result](const Label &label, double value) {
-    result.fields.push_back(scalar_field(label, value));
-    result.summary.push_back({.label = label, .value = value});
-  };
+  const FieldWriter listed = result.listed();
   const AccuracyLabels &labels = accuracy_labels();
-  add(labels.energy_residual, accuracy.energy_residual);
-  add(labels.unbalanced, accuracy.balanced() ? 0 : 1);
-  add(labels.event_residual, accuracy.event_residual);
-  add(labels.relative_tolerance, settings.relative_tolerance);
-  add(labels.steps, static_cast<double>(accuracy.steps));
-  add(labels.rejected_steps, static_cast<double>(accuracy.rejected_steps));
-  add(labels.events, static_cast<double>(accuracy.events));
-  add(labels.undecided_events, static_cast<double>(accuracy.undecided_events));
-  add(labels.chatters, static_cast<double>(accuracy.chatters));
-  add(labels.whole_contacts, static_cast<double>(accuracy.whole_contacts));
-  add(labels.stepped_contacts, static_cast<double>(accuracy.stepped_contacts()));
+  listed.number(labels.energy_residual, accuracy.energy_residual);
+  listed.number(labels.unbalanced, accuracy.balanced() ? 0 : 1);
+  listed.number(labels.event_residual, accuracy.event_residual);
+  listed.number(labels.relative_tolerance, settings.relative_tolerance);
+  listed.number(labels.steps, static_cast<double>(accuracy.steps));
+  listed.number(labels.rejected_steps, static_cast<double>(accuracy.rejected_steps));
+  listed.number(labels.events, static_cast<double>(accuracy.events));
+  listed.number(labels.undecided_events, static_cast<double>(accuracy.undecided_events));
+  listed.number(labels.chatters, static_cast<double>(accuracy.chatters));
+  listed.number(labels.whole_contacts, static_cast<double>(accuracy.whole_contacts));
+  listed.number(labels.stepped_contacts, static_cast<double>(accuracy.stepped_contacts()));
   for (std::size_t i = 0; i < motion::n_step_reasons; ++i) {
     const auto count = static_cast<double>(accuracy.step_reasons[i]);
-    result.fields.push_back(scalar_field(labels.reasons[i], count));
-    if (count > 0)
-      result.summary.push_back({.label = labels.reasons[i], .value = count});
+    (count > 0 ? listed : result).number(labels.reasons[i], count);
   }
 }
 
 bool unbalanced(const PointResult &result) {
-  return scalar_of(result, accuracy_labels().unbalanced, 0) > 0;
+  return number_of(result, accuracy_labels().unbalanced.name(), 0) > 0;
 }
 
 bool recorded_unsettled(const PointResult &result) {
-  return scalar_of(result, settled_labels().steady, 1) == 0;
+  return number_of(result, settled_labels().steady.name(), 1) == 0;
 }
 
 double undecided_events(const PointResult &result) {
-  return scalar_of(result, accuracy_labels().undecided_events, 0);
+  return number_of(result, accuracy_labels().undecided_events.name(), 0);
 }
 
 namespace {
 
 // Of all contacts of a group, in the summary and as scalars.
-void add_group(PointResult &result, const contact::ContactGroup &group, const ImpactLog &log) {
+void add_group(const FieldWriter &result, const contact::ContactGroup &group,
+               const ImpactLog &log) {
   double impacts = 0;
   double touched = 0;
   double peak = 0;
@@ -195,56 +157,48 @@ void add_group(PointResult &result, const contact::ContactGroup &group, const Im
       dissipated += impact.dissipated_energy;
     }
   }
-  const auto add = [&](const std::string &name, double value, const std::string &unit,
-                       const std::string &description) {
-    result.fields.push_back(
-        scalar_field("group/" + group.name + "/" + name, value, unit, description));
-    result.summary.push_back(scalar_line("group." + group.name + "." + name, value, unit));
-  };
-  add("contacts", static_cast<double>(group.count), "1", "contacts of the group");
-  add("touched", touched, "1", "contacts with an impact");
-  add("impacts", impacts, "1", "impacts of all its contacts");
-  add("peak_force", peak, "N", "largest normal force of a single contact");
-  add("impulse", impulse, "N s", "sum over all impacts");
-  add("dissipated_energy", dissipated, "J", "lost in the contact laws, sum over all impacts");
+  const FieldWriter of = result.below("group/" + group.name + "/").listed();
+  of.number("contacts", static_cast<double>(group.count), "1", "contacts of the group");
+  of.number("touched", touched, "1", "contacts with an impact");
+  of.number("impacts", impacts, "1", "impacts of all its contacts");
+  of.number("peak_force", peak, "N", "largest normal force of a single contact");
+  of.number("impulse", impulse, "N s", "sum over all impacts");
+  of.number("dissipated_energy", dissipated, "J", "lost in the contact laws, sum over all impacts");
 }
 
 } // namespace
 
-void add_impacts(PointResult &result, const contact::ContactSet &contacts, const ImpactLog &log,
-                 std::size_t summary_lines) {
+void add_impacts(const FieldWriter &result, const contact::ContactSet &contacts,
+                 const ImpactLog &log, std::size_t summary_lines) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::string &name = contacts.pairs()[c].name;
+    const FieldWriter of = result.below("contact/" + name + "/");
     const std::vector<Impact> &impacts = log.impacts(c);
     for (const PatternColumn &column : columns) {
       std::vector<double> values;
       std::transform(impacts.begin(), impacts.end(), std::back_inserter(values), column.value);
-      result.fields.push_back(series_field("contact/" + name + "/impact/" + column.name,
-                                           "impact_" + name, std::move(values), column.unit,
-                                           column.description));
+      of.series(std::string("impact/") + column.name, "impact_" + name, std::move(values),
+                column.unit, column.description);
     }
-    result.summary.push_back(
-        scalar_line("contact." + name + ".impacts", static_cast<double>(impacts.size()), "1"));
+    of.line("impacts", static_cast<double>(impacts.size()), "1");
     for (std::size_t i = 0; i < std::min(summary_lines, impacts.size()); ++i)
       for (const PatternColumn &column : columns)
-        result.summary.push_back(
-            scalar_line("contact." + name + ".impact[" + std::to_string(i + 1) + "]." + column.name,
-                        column.value(impacts[i]), column.unit));
+        of.line("impact[" + std::to_string(i + 1) + "]." + column.name, column.value(impacts[i]),
+                column.unit);
   }
   for (const contact::ContactGroup &group : contacts.groups())
     add_group(result, group, log);
 }
 
-void add_pulses(PointResult &result, const contact::ContactSet &contacts, const ImpactLog &log) {
+void add_pulses(const FieldWriter &result, const contact::ContactSet &contacts,
+                const ImpactLog &log) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const std::string base = "contact/" + contacts.pairs()[c].name + "/pulse/";
-    const std::string dimension = "pulse_" + contacts.pairs()[c].name;
+    const std::string &name = contacts.pairs()[c].name;
+    const FieldWriter of = result.below("contact/" + name + "/pulse/");
     const motion::Pulses &pulses = log.pulses(c);
-    result.fields.push_back(
-        series_field(base + "time", dimension, pulses.time, "s", "time; NaN separates impacts"));
-    result.fields.push_back(
-        series_field(base + "normal_force", dimension, pulses.force, "N", "normal force"));
-    result.fields.push_back(series_field(base + "gap", dimension, pulses.gap, "m", "gap"));
+    of.series("time", "pulse_" + name, pulses.time, "s", "time; NaN separates impacts");
+    of.series("normal_force", "pulse_" + name, pulses.force, "N", "normal force");
+    of.series("gap", "pulse_" + name, pulses.gap, "m", "gap");
   }
 }
 

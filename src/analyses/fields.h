@@ -1,7 +1,7 @@
-// Short ways to make result fields and summary lines.
+// Fields that several analyses share.
 #pragma once
 
-#include "common/result_sink.h"
+#include "analyses/field_writer.h"
 #include "contact/contact_set.h"
 #include "motion/event/impact_log.h"
 #include "motion/trajectory.h"
@@ -14,21 +14,11 @@ namespace vibroimpact::analyses {
 /// Dimension of states. Another name than that of the field, whose values are no coordinate.
 inline constexpr const char *state_dimension = "state_index";
 
-Field scalar_field(const Label &label, double value);
-Field scalar_field(const std::string &name, double value, const std::string &unit,
-                   const std::string &description);
-/// One-dimensional field along `dimension`.
-Field series_field(const std::string &name, const std::string &dimension,
-                   std::vector<double> values, const std::string &unit,
-                   const std::string &description);
-
-SummaryLine scalar_line(const std::string &name, double value, const std::string &unit);
-
 /// What a motion has settled to.
-void add_settled(PointResult &result, bool steady, long multiple, long cycles);
+void add_settled(const FieldWriter &result, bool steady, long multiple, long cycles);
 
 /// Accuracy of a motion as fields and summary lines.
-void add_accuracy(PointResult &result, const motion::Accuracy &accuracy,
+void add_accuracy(const FieldWriter &result, const motion::Accuracy &accuracy,
                   const motion::Settings &settings);
 
 /// True when the energy balance of the motion did not close.
@@ -40,11 +30,11 @@ double undecided_events(const PointResult &result);
 
 /// Impact tables of all contacts as fields, and as summary lines of the first `summary_lines`; sums
 /// and maxima of the groups of contacts.
-void add_impacts(PointResult &result, const contact::ContactSet &contacts,
+void add_impacts(const FieldWriter &result, const contact::ContactSet &contacts,
                  const motion::ImpactLog &log, std::size_t summary_lines);
 
 /// Force samples of the recorded impacts of all contacts, impacts separated by NaN.
-void add_pulses(PointResult &result, const contact::ContactSet &contacts,
+void add_pulses(const FieldWriter &result, const contact::ContactSet &contacts,
                 const motion::ImpactLog &log);
 
 } // namespace vibroimpact::analyses

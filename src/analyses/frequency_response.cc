@@ -75,16 +75,13 @@ Peak find_peak(const std::vector<double> &frequencies, const std::vector<double>
   return -negative > listed.value ? Peak{.value = -negative, .frequency = frequency} : listed;
 }
 
-void add_peak(PointResult &result, const Quantity &quantity, const Peak &peak) {
-  const std::string base = "peak/" + quantity.name + "/";
-  result.fields.push_back(scalar_field(base + "amplitude", peak.value, quantity.unit,
-                                       "largest amplitude over frequency, " + quantity.meaning));
-  result.fields.push_back(
-      scalar_field(base + "frequency", peak.frequency, "Hz", "frequency of the largest amplitude"));
-  std::string line = "peak." + quantity.name;
-  std::replace(line.begin(), line.end(), '/', '.');
-  result.summary.push_back(scalar_line(line, peak.value, quantity.unit));
-  result.summary.push_back(scalar_line(line + ".frequency", peak.frequency, "Hz"));
+void add_peak(const FieldWriter &result, const Quantity &quantity, const Peak &peak) {
+  const std::string path = "peak/" + quantity.name;
+  result.number(path + "/amplitude", peak.value, quantity.unit,
+                "largest amplitude over frequency, " + quantity.meaning);
+  result.line(path, peak.value, quantity.unit);
+  result.listed().number(path + "/frequency", peak.frequency, "Hz",
+                         "frequency of the largest amplitude");
 }
 
 } // namespace
@@ -130,9 +127,9 @@ PointResult FrequencyResponse::compute(const System &system, LineContext &contex
     motions.push_back(at(frequency));
     context.note_progress(share() / 2); // the other half goes into the quantities
   }
-  PointResult result;
-  result.fields.push_back(
-      series_field("frequency", "frequency", settings_.frequencies, "Hz", "excitation frequency"));
+  PointResult point;
+  const FieldWriter result(point);
+  result.series("frequency", "frequency", settings_.frequencies, "Hz", "excitation frequency");
   for (const Quantity &quantity : quantities(channels)) {
     std::vector<double> amplitudes, phases;
     for (const ComplexAmplitudes &motion : motions) {
@@ -143,12 +140,12 @@ PointResult FrequencyResponse::compute(const System &system, LineContext &contex
     add_peak(result, quantity, find_peak(settings_.frequencies, amplitudes, [&](double frequency) {
                return std::abs(amplitude(response, quantity, at(frequency)));
              }));
-    result.fields.push_back(series_field(quantity.name + "/amplitude", "frequency", amplitudes,
-                                         quantity.unit, "amplitude, " + quantity.meaning));
-    result.fields.push_back(series_field(quantity.name + "/phase", "frequency", phases, "rad",
-                                         "phase of the sine, " + quantity.meaning));
+    result.series(quantity.name + "/amplitude", "frequency", amplitudes, quantity.unit,
+                  "amplitude, " + quantity.meaning);
+    result.series(quantity.name + "/phase", "frequency", phases, "rad",
+                  "phase of the sine, " + quantity.meaning);
   }
-  return result;
+  return point;
 }
 
 void FrequencyResponse::run_line(std::size_t /*line*/, System &system, LineContext &context) const {

@@ -69,9 +69,9 @@ std::vector<std::size_t> GridLine::full(const std::vector<std::size_t> &index) c
 void GridLine::add_own_coordinates(PointResult &result) const {
   for (std::size_t k = 0; k < own_axes_.size(); ++k)
     if (own_axes_[k].values != shared_axes_[k].values)
-      result.fields.push_back(scalar_field(
+      FieldWriter(result).number(
           "own/" + own_axes_[k].name, own_axes_[k].values[result.index[k]], own_axes_[k].unit,
-          "where the grid changes the values of that axis: its value at this point"));
+          "where the grid changes the values of that axis: its value at this point");
 }
 
 std::size_t points_of(const std::vector<Axis> &axes) {

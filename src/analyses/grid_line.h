@@ -1,6 +1,7 @@
 // One line of one grid point, with the position in the grid before the indices of its points.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/runner.h"
 
 namespace vibroimpact::analyses {

@@ -2,10 +2,10 @@
 // summary lines.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/identify_fits.h"
 #include "analyses/identify_pulses.h"
 #include "analyses/identify_record.h"
-#include "common/result_sink.h"
 
 #include <optional>
 #include <string>
@@ -27,19 +27,19 @@ struct IdentificationInput {
 
 /// Constants of the contact, the pulses as measured, and for each set of formulas e with its
 /// interval, v_c, mu (dimension impact_NAME) and the fitted laws.
-void add_identification(PointResult &result, const IdentificationInput &input);
+void add_identification(const FieldWriter &result, const IdentificationInput &input);
 
 /// e of each set over a grid of impulses and peak forces that reaches a fifth beyond the largest
 /// pulse, and over gamma from 1 to 4: `points` per axis.
-void add_restitution_maps(PointResult &result, const IdentificationInput &input,
+void add_restitution_maps(const FieldWriter &result, const IdentificationInput &input,
                           std::size_t points);
 
 /// The force [N] over the samples [s] of its record.
-void add_force_record(PointResult &result, const std::string &contact,
+void add_force_record(const FieldWriter &result, const std::string &contact,
                       const std::vector<double> &time, const std::vector<double> &force);
 
 /// Where the pulses of a measured record are.
-void add_measured_pulses(PointResult &result, const std::string &contact,
+void add_measured_pulses(const FieldWriter &result, const std::string &contact,
                          const std::vector<MeasuredPulse> &pulses);
 
 } // namespace vibroimpact::analyses

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "analyses/curve_rows.h"
+#include "analyses/field_writer.h"
 #include "analyses/kept_rows.h"
 #include "analyses/orbit_rows.h"
 #include "continuation/locus.h"
+
+#include <optional>
 
 namespace vibroimpact::analyses {
 
@@ -24,13 +27,13 @@ public:
   /// The locus cannot be entered at these keys.
   void end_at_start(const Vector &keys);
 
-  void add_fields(PointResult &result) const;
+  void add_fields(const FieldWriter &result) const;
 
 private:
   CurveRow row_of(const continuation::LocusPoint &point);
   PointResult values_of(const continuation::LocusPoint &point) const;
-  void add_end(const Vector &keys, double arclength, int reason);
-  void add_keys(PointResult &row, const Vector &keys) const;
+  void add_end(const Vector &keys, double arclength, std::optional<continuation::LocusEnd> end);
+  void add_keys(const FieldWriter &row, const Vector &keys) const;
   periodic::Orbit orbit_of(const continuation::LocusPoint &point) const;
 
   KeyedMap &maps_;

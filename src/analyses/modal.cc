@@ -10,13 +10,11 @@ namespace {
 
 std::vector<double> entries(const Vector &vector) { return {vector.begin(), vector.end()}; }
 
-void add_body(PointResult &result, const reduction::ReducedBody &body) {
-  const std::string base = "body/" + body.name + "/";
-  const std::string dimension = "mode_" + body.name;
+void add_body(const FieldWriter &result, const reduction::ReducedBody &body) {
+  const FieldWriter of = result.below("body/" + body.name + "/");
   const auto add = [&](const std::string &name, const Vector &values, const std::string &unit,
                        const std::string &description) {
-    result.fields.push_back(
-        series_field(base + name, dimension, entries(values), unit, description));
+    of.series(name, "mode_" + body.name, entries(values), unit, description);
   };
   add("frequency", body.omega() / (2 * std::numbers::pi), "Hz", "undamped natural frequency");
   add("damping_ratio", body.damping_ratio(), "1", "fraction of critical damping");
@@ -27,24 +25,19 @@ void add_body(PointResult &result, const reduction::ReducedBody &body) {
         "1", "participation of a base motion along " + name);
     add("effective_modal_mass_" + name, effective, "kg", "effective modal mass along " + name);
     if (body.total_mass[axis] > 0)
-      result.summary.push_back(
-          scalar_line("body." + body.name + ".effective_modal_mass_share." + name,
-                      effective.sum() / body.total_mass[axis], "1"));
+      of.line("effective_modal_mass_share." + name, effective.sum() / body.total_mass[axis], "1");
   }
 }
 
 // The share of each coordinate in the contact's compliance to impulses, 1 / effective mass.
-void add_contact(PointResult &result, const System &system, std::size_t c) {
+void add_contact(const FieldWriter &result, const System &system, std::size_t c) {
   const contact::ContactPair &pair = system.contacts.pairs()[c];
   const Vector compliance = pair.gap.row.transpose().cwiseAbs2().cwiseQuotient(system.model.mass());
-  const std::string base = "contact/" + pair.name + "/";
-  result.fields.push_back(series_field(base + "impulse_compliance", "coordinate",
-                                       entries(compliance), "1/kg",
-                                       "gap speed per impulse, share of each coordinate"));
-  const double mass = system.contacts.effective_mass(c, system.model);
-  result.fields.push_back(
-      scalar_field(base + "effective_mass", mass, "kg", "mass that meets at the contact"));
-  result.summary.push_back(scalar_line("contact." + pair.name + ".effective_mass", mass, "kg"));
+  const FieldWriter of = result.below("contact/" + pair.name + "/");
+  of.series("impulse_compliance", "coordinate", entries(compliance), "1/kg",
+            "gap speed per impulse, share of each coordinate");
+  of.listed().number("effective_mass", system.contacts.effective_mass(c, system.model), "kg",
+                     "mass that meets at the contact");
 }
 
 } // namespace

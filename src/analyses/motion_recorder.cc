@@ -68,27 +68,26 @@ void MotionRecorder::step(const StepView &view) {
   next_ = last;
 }
 
-void MotionRecorder::add_fields(PointResult &result) const {
+void MotionRecorder::add_fields(const FieldWriter &result) const {
   const std::vector<double> recorded(instants_.begin(),
                                      instants_.begin() + static_cast<std::ptrdiff_t>(next_));
-  result.fields.push_back(series_field("time", "time", recorded, "s", "time"));
+  result.series("time", "time", recorded, "s", "time");
   for (std::size_t k = 0; k < channels_.size(); ++k) {
     const std::string base = "point/" + channels_[k].point + "/";
     const std::string axis(1, channels_[k].axis);
     const Series &series = series_[k];
-    result.fields.push_back(series_field(base + "displacement_" + axis, "time", series.displacement,
-                                         "m", "displacement relative to the base along " + axis));
-    result.fields.push_back(series_field(base + "velocity_" + axis, "time", series.velocity, "m/s",
-                                         "velocity relative to the base along " + axis));
-    result.fields.push_back(series_field(base + "acceleration_" + axis, "time", series.acceleration,
-                                         "m/s^2", "absolute acceleration along " + axis));
+    result.series(base + "displacement_" + axis, "time", series.displacement, "m",
+                  "displacement relative to the base along " + axis);
+    result.series(base + "velocity_" + axis, "time", series.velocity, "m/s",
+                  "velocity relative to the base along " + axis);
+    result.series(base + "acceleration_" + axis, "time", series.acceleration, "m/s^2",
+                  "absolute acceleration along " + axis);
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const std::string base = "contact/" + contacts_.pairs()[c].name + "/";
-    result.fields.push_back(
-        series_field(base + "gap", "time", contact_series_[c].gap, "m", "gap, > 0 open"));
-    result.fields.push_back(series_field(base + "normal_force", "time", contact_series_[c].force,
-                                         "N", "normal force, > 0 pushes apart"));
+    result.series(base + "gap", "time", contact_series_[c].gap, "m", "gap, > 0 open");
+    result.series(base + "normal_force", "time", contact_series_[c].force, "N",
+                  "normal force, > 0 pushes apart");
   }
 }
 

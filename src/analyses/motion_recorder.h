@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analyses/channels.h"
+#include "analyses/field_writer.h"
 #include "analyses/system.h"
-#include "common/result_sink.h"
 #include "motion/event/impact_log.h"
 #include "motion/trajectory.h"
 
@@ -22,7 +22,7 @@ public:
   void step(const motion::StepView &view) override;
 
   /// Adds `time` and one field per channel and contact along the dimension `time`.
-  void add_fields(PointResult &result) const;
+  void add_fields(const FieldWriter &result) const;
 
 private:
   struct Series {

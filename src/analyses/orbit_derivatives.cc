@@ -6,6 +6,7 @@
 #include "analyses/window_recording.h"
 #include "common/decompositions.h"
 #include "common/error.h"
+#include "motion/variation/key_stencil.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,65 +90,29 @@ std::vector<Recorded> record_neighbours(std::vector<KeyNeighbour> neighbours, co
   return all;
 }
 
-/// Of the differences to the value at 0: exact for polynomials of degree four.
-Vector weights(const std::vector<KeyNeighbour> &neighbours) {
-  const auto n = static_cast<Index>(neighbours.size());
-  const double size = std::abs(neighbours.front().offset);
-  Matrix powers(n, n);
-  for (Index m = 0; m < n; ++m)
-    for (Index i = 0; i < n; ++i)
-      powers(m, i) = std::pow(neighbours[static_cast<std::size_t>(i)].offset / size,
-                              static_cast<double>(m + 1));
-  return solve_fully_pivoted(powers, Vector::Unit(n, 0)) / size;
-}
-
 std::string unit_by_key(const std::string &unit, const std::string &key_unit) {
   return key_unit == "1" ? unit : unit + "/(" + key_unit + ")";
-}
-
-const Field *find(const PointResult &point, const std::string &name) {
-  for (const Field &field : point.fields)
-    if (field.name() == name)
-      return &field;
-  return nullptr;
-}
-
-void add_derivative_number(PointResult &result, const std::string &name, double value,
-                           const std::string &unit, const std::string &description) {
-  result.fields.push_back(scalar_field(name, value, unit, description));
-  std::string line = name;
-  std::replace(line.begin(), line.end(), '/', '.');
-  result.summary.push_back(scalar_line(line, value, unit));
-}
-
-void add_state(PointResult &result, const OrbitKey &key, const Vector &values) {
-  result.fields.push_back(series_field(
-      "derivative/" + key.name + "/state", state_dimension, {values.begin(), values.end()}, "SI",
-      "derivative of the state at the forcing phase of time zero, by "
-      "the key in " +
-          key.parameter.unit));
 }
 
 double difference(const Field &field, const std::vector<Recorded> &near, const Vector &weight) {
   double derivative = 0;
   for (std::size_t i = 0; i < near.size(); ++i) {
-    const Field *there = find(near[i].point, field.name());
-    derivative += weight[static_cast<Index>(i)] * (there->values[0] - field.values[0]);
+    const double there = field_of(near[i].point, field.name()).values[0];
+    derivative += weight[static_cast<Index>(i)] * (there - field.values[0]);
   }
   return derivative;
 }
 
-void add_recorded(PointResult &result, const OrbitKey &key, const Recorded &present,
+void add_recorded(const FieldWriter &result, const OrbitKey &key, const Recorded &present,
                   const std::map<std::string, double> &tangents, const std::vector<Recorded> &near,
                   const Vector &weight) {
   for (const Field &field : present.point.fields) {
     if (!field.shape.empty() || field.unit() == "1" || !std::isfinite(field.values[0]))
       continue;
     const auto known = tangents.find(field.name());
-    add_derivative_number(result, "derivative/" + key.name + "/" + field.name(),
-                          known != tangents.end() ? known->second : difference(field, near, weight),
-                          unit_by_key(field.unit(), key.parameter.unit),
-                          "derivative: " + field.description());
+    result.number(
+        field.name(), known != tangents.end() ? known->second : difference(field, near, weight),
+        unit_by_key(field.unit(), key.parameter.unit), "derivative: " + field.description());
   }
 }
 
@@ -184,29 +149,37 @@ std::vector<OrbitKey> read_orbit_keys(const parameters::Values &section) {
   return keys;
 }
 
-void add_derivatives(PointResult &result, const OrbitKey &key, const RecordedOrbit &motion,
+void add_derivatives(const FieldWriter &result, const OrbitKey &key, const RecordedOrbit &motion,
                      const SystemSource &build) {
   std::vector<KeyNeighbour> neighbours = neighbours_of(key, motion, build);
   periodic::ForcedKey forced = forced_key(key.name, motion.map.system(), neighbours);
   motion.map.set_keys({&forced});
   const Vector by_key = state_by_key(motion);
-  add_state(result, key, at_zero_phase(motion, by_key));
+  const FieldWriter of = result.below("derivative/" + key.name + "/"), listed = of.listed();
+  of.array({"state",
+            "SI",
+            "derivative of the state at the forcing phase of time zero, by the key in " +
+                key.parameter.unit,
+            {state_dimension}},
+           at_zero_phase(motion, by_key));
   motion.map.set_keys({});
   const std::map<std::string, double> tangents =
       measure_tangents(motion, forced, neighbours, by_key);
-  const Vector weight = weights(neighbours);
+  std::vector<double> offsets;
+  for (const KeyNeighbour &neighbour : neighbours)
+    offsets.push_back(neighbour.offset);
+  const Vector weight = motion::derivative_weights(offsets);
   const Recorded present = record(motion.system, motion.orbit.point.state, motion);
   const std::vector<Recorded> near = record_neighbours(std::move(neighbours), by_key, motion);
   const bool smooth = std::all_of(
       near.begin(), near.end(), [&](const Recorded &one) { return one.events == present.events; });
-  add_derivative_number(
-      result, "derivative/" + key.name + "/smooth", smooth ? 1 : 0, "1",
-      "0 where motions with the key some thousandths off have another number of contact "
-      "changes, so that derivatives of what other recorders give may be of no use");
+  listed.number("smooth", smooth ? 1 : 0, "1",
+                "0 where motions with the key some thousandths off have another number of contact "
+                "changes, so that derivatives of what other recorders give may be of no use");
   if (!key.parameter.is_frequency())
-    add_derivative_number(result, "derivative/" + key.name + "/value", key.parameter.values[0],
-                          key.parameter.unit, "value of the key " + key.parameter.path);
-  add_recorded(result, key, present, tangents, near, weight);
+    listed.number("value", key.parameter.values[0], key.parameter.unit,
+                  "value of the key " + key.parameter.path);
+  add_recorded(listed, key, present, tangents, near, weight);
 }
 
 } // namespace vibroimpact::analyses

@@ -13,6 +13,7 @@
 // are treated alike.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/orbit_start.h"
 #include "analyses/recorders.h"
 #include "analyses/swept_parameter.h"
@@ -42,7 +43,7 @@ struct RecordedOrbit {
 
 /// Adds derivative/NAME/state and, for every single number that the recorders give and that has a
 /// unit, derivative/NAME/FIELD. NumericalError where the motion has no derivative, as at a fold.
-void add_derivatives(PointResult &result, const OrbitKey &key, const RecordedOrbit &motion,
+void add_derivatives(const FieldWriter &result, const OrbitKey &key, const RecordedOrbit &motion,
                      const SystemSource &build);
 
 } // namespace vibroimpact::analyses

@@ -2,9 +2,7 @@
 
 #include "analyses/fields.h"
 #include "analyses/window_recording.h"
-
-#include <algorithm>
-#include <limits>
+#include "common/scalar.h"
 
 namespace vibroimpact::analyses {
 
@@ -47,17 +45,6 @@ const OrbitLabels &orbit_labels() {
   return labels;
 }
 
-void add_vector(PointResult &result, const Label &label, const Vector &values) {
-  result.fields.push_back({.label = label,
-                           .shape = {static_cast<std::size_t>(values.size())},
-                           .values = {values.begin(), values.end()}});
-}
-
-void add_scalar(PointResult &result, const Label &label, double value) {
-  result.fields.push_back(scalar_field(label, value));
-  result.summary.push_back({.label = label, .value = value});
-}
-
 bool any_closed(const contact::ContactSet &contacts, const std::vector<int> &modes) {
   for (std::size_t c = 0; c < modes.size(); ++c)
     if (contacts.pairs()[c].law->modes()[static_cast<std::size_t>(modes[c])].in_contact)
@@ -79,29 +66,31 @@ double open_phase(const contact::ContactSet &contacts, const periodic::Strobosco
 
 } // namespace
 
-void add_orbit(PointResult &result, const periodic::StroboscopicMap &map,
+void add_orbit(const FieldWriter &result, const periodic::StroboscopicMap &map,
                const periodic::Orbit &orbit, const Vector &state_at_zero) {
   const OrbitLabels &labels = orbit_labels();
+  const FieldWriter listed = result.listed();
   const Eigen::VectorXcd multipliers = orbit.multipliers(map);
-  add_vector(result, labels.real, multipliers.real());
-  add_vector(result, labels.imaginary, multipliers.imag());
+  result.array(labels.real, multipliers.real());
+  result.array(labels.imaginary, multipliers.imag());
   if (multipliers.size() > 0) {
-    result.summary.push_back(scalar_line("multiplier[1].real", multipliers[0].real(), "1"));
-    result.summary.push_back(scalar_line("multiplier[1].imaginary", multipliers[0].imag(), "1"));
+    result.line("multiplier[1].real", multipliers[0].real(), "1");
+    result.line("multiplier[1].imaginary", multipliers[0].imag(), "1");
   }
-  add_scalar(result, labels.stable, periodic::is_stable(multipliers) ? 1 : 0);
-  add_scalar(result, labels.residual, orbit.point.residual);
-  add_scalar(result, labels.multiple, static_cast<double>(orbit.multiple()));
-  add_scalar(result, labels.symmetric, orbit.symmetric() ? 1 : 0);
-  add_scalar(result, labels.phase, orbit.section.phase);
-  add_scalar(result, labels.iterations, static_cast<double>(orbit.iterations));
-  add_scalar(result, labels.without, static_cast<double>(orbit.point.image.without_derivative));
-  add_vector(result, labels.state, state_at_zero);
+  listed.number(labels.stable, periodic::is_stable(multipliers) ? 1 : 0);
+  listed.number(labels.residual, orbit.point.residual);
+  listed.number(labels.multiple, static_cast<double>(orbit.multiple()));
+  listed.number(labels.symmetric, orbit.symmetric() ? 1 : 0);
+  listed.number(labels.phase, orbit.section.phase);
+  listed.number(labels.iterations, static_cast<double>(orbit.iterations));
+  listed.number(labels.without, static_cast<double>(orbit.point.image.without_derivative));
+  result.array(labels.state, state_at_zero);
 }
 
-periodic::Orbit record_orbit(PointResult &result, const std::vector<RecorderFactory> &recorders,
-                             const System &system, const periodic::StroboscopicMap &map,
-                             const periodic::Orbit &orbit, const Vector &state_at_zero) {
+periodic::Orbit record_orbit(const FieldWriter &result,
+                             const std::vector<RecorderFactory> &recorders, const System &system,
+                             const periodic::StroboscopicMap &map, const periodic::Orbit &orbit,
+                             const Vector &state_at_zero) {
   periodic::Orbit recorded = orbit;
   recorded.section.phase = open_phase(system.contacts, map, orbit, state_at_zero);
   recorded.point.state = recorded.section.phase == 0
@@ -116,9 +105,8 @@ periodic::Orbit record_orbit(PointResult &result, const std::vector<RecorderFact
 }
 
 void add_settled_multiple(PointResult &result, std::optional<long> multiple) {
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  result.fields.push_back(
-      scalar_field(orbit_labels().settled, multiple ? static_cast<double>(*multiple) : none));
+  FieldWriter(result).number(orbit_labels().settled,
+                             multiple ? static_cast<double>(*multiple) : nan);
   if (settled_elsewhere(result))
     result.reason += "the motion that had settled is another one than this unstable orbit: it "
                      "repeats itself after more forcing periods than Longest period, or not at "
@@ -126,11 +114,7 @@ void add_settled_multiple(PointResult &result, std::optional<long> multiple) {
 }
 
 bool settled_elsewhere(const PointResult &result) {
-  const auto is_zero = [&](const Label &label) {
-    return std::any_of(result.fields.begin(), result.fields.end(), [&](const Field &field) {
-      return field.name() == label.name() && field.values.at(0) == 0;
-    });
-  };
+  const auto is_zero = [&](const Label &label) { return number_of(result, label.name(), 1) == 0; };
   return is_zero(orbit_labels().settled) && is_zero(orbit_labels().stable);
 }
 

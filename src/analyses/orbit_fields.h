@@ -1,8 +1,8 @@
 // Fields of periodic motions that several analyses share.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/recorders.h"
-#include "common/result_sink.h"
 #include "periodic/orbit.h"
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace vibroimpact::analyses {
 
 /// Multipliers, stability, residual, multiple, symmetry and section of an orbit, and its state at
 /// phase 0.
-void add_orbit(PointResult &result, const periodic::StroboscopicMap &map,
+void add_orbit(const FieldWriter &result, const periodic::StroboscopicMap &map,
                const periodic::Orbit &orbit, const Vector &state_at_zero);
 
 /// Adds what the recorders see of the motion until it repeats itself. They begin at phase 0, or,
@@ -19,9 +19,10 @@ void add_orbit(PointResult &result, const periodic::StroboscopicMap &map,
 /// impact is cut in two; where one is always closed, at the section. Returns the motion from a
 /// phase from which all of this has the same values and derivatives, away from contact changes.
 /// NumericalError.
-periodic::Orbit record_orbit(PointResult &result, const std::vector<RecorderFactory> &recorders,
-                             const System &system, const periodic::StroboscopicMap &map,
-                             const periodic::Orbit &orbit, const Vector &state_at_zero);
+periodic::Orbit record_orbit(const FieldWriter &result,
+                             const std::vector<RecorderFactory> &recorders, const System &system,
+                             const periodic::StroboscopicMap &map, const periodic::Orbit &orbit,
+                             const Vector &state_at_zero);
 
 /// After how many periods the settled motion repeated itself from which the orbit was found: 0, it
 /// was not seen to; none, nothing settled. An unstable orbit is not where such a motion settles.

@@ -20,9 +20,9 @@ PointResult OrbitRows::of(const Vector &keys, const Orbit &orbit) const {
   } catch (const NumericalError &error) {
     row.reason = error.what();
   }
-  row.fields.push_back(scalar_field("recorded", row.reason.empty() ? 1 : 0, "1",
-                                    "0 where the recording of the motion failed and its values are "
-                                    "NaN; why stands in reason"));
+  FieldWriter(row).number("recorded", row.reason.empty() ? 1 : 0, "1",
+                          "0 where the recording of the motion failed and its values are "
+                          "NaN; why stands in reason");
   return row;
 }
 

@@ -1,6 +1,7 @@
 // Rows of tables of periodic motions: what is known and recorded of each.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/keyed_map.h"
 #include "analyses/recorders.h"
 #include "periodic/orbit.h"

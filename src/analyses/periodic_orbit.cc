@@ -71,9 +71,8 @@ PointResult PeriodicOrbit::compute(const System &system, LineContext &context) c
   const periodic::Orbit recorded =
       record_orbit(result, settings_.recorders, system, search.map(), orbit, state);
   add_orbit(result, search.map(), orbit, state);
-  result.fields.push_back(scalar_field("settling_cycles",
-                                       static_cast<double>(search.settling_cycles()), "1",
-                                       "forcing periods before Newton's method"));
+  FieldWriter(result).number("settling_cycles", static_cast<double>(search.settling_cycles()), "1",
+                             "forcing periods before Newton's method");
   add_settled_multiple(result, search.settled_multiple());
   add_accuracy(result, search.forced().trajectory().accuracy(), system.integration);
   add_all_derivatives(

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analyses/analysis.h"
+#include "analyses/field_writer.h"
 #include "analyses/orbit_derivatives.h"
 #include "analyses/recorders.h"
 

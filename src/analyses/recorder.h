@@ -8,8 +8,8 @@
 // period's end), tells them where it ends, and lets them turn what they saw into fields.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/system.h"
-#include "common/result_sink.h"
 #include "motion/trajectory.h"
 
 #include <functional>
@@ -41,7 +41,7 @@ public:
 
   /// Fields and summary lines of what was seen between the window's start and its end. Recorders
   /// of cheap points make the labels of their fields when they are made.
-  virtual void add_fields(PointResult &result) const = 0;
+  virtual void add_fields(const FieldWriter &result) const = 0;
 };
 
 /// Makes a recorder of the points of an analysis. The system outlives the recorder. InputError

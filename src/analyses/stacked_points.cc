@@ -1,7 +1,8 @@
 #include "analyses/stacked_points.h"
 
+#include "common/scalar.h"
+
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <numeric>
 
@@ -37,42 +38,52 @@ std::vector<FieldColumn> columns_of(const std::vector<PointResult> &points) {
   return columns;
 }
 
-// Puts a row-major array into a longer one.
-void place(const Field &field, const std::vector<std::size_t> &shape, double *into) {
-  for (std::size_t i = 0; i < field.values.size(); ++i) {
-    std::size_t rest = i, at = 0, stride = 1;
-    for (std::size_t k = shape.size(); k-- > 0;) {
-      at += rest % field.shape[k] * stride;
-      rest /= field.shape[k];
-      stride *= shape[k];
-    }
-    into[at] = field.values[i];
-  }
-}
-
-Field joined(const FieldColumn &column, const std::string &dimension, const std::string &prefix) {
+void add_column(const FieldWriter &result, const FieldColumn &column,
+                const std::string &dimension) {
+  const Label &label = column.label;
   std::vector<std::string> dimensions = {dimension};
-  dimensions.insert(dimensions.end(), column.label.dimensions().begin(),
-                    column.label.dimensions().end());
-  Field field{.label = Label(prefix + column.label.name(), column.label.unit(),
-                             column.label.description(), dimensions)};
-  field.shape = {column.fields.size()};
-  field.shape.insert(field.shape.end(), column.shape.begin(), column.shape.end());
-  field.values.assign(product(field.shape), std::numeric_limits<double>::quiet_NaN());
+  dimensions.insert(dimensions.end(), label.dimensions().begin(), label.dimensions().end());
+  std::vector<std::size_t> shape = {column.fields.size()};
+  shape.insert(shape.end(), column.shape.begin(), column.shape.end());
+  std::vector<double> values(product(shape), nan);
   for (std::size_t p = 0; p < column.fields.size(); ++p)
     if (column.fields[p] != nullptr)
-      place(*column.fields[p], column.shape, field.values.data() + p * product(column.shape));
-  return field;
+      copy_block(*column.fields[p], column.shape, values.data() + p * product(column.shape));
+  result.array({label.name(), label.unit(), label.description(), dimensions}, std::move(shape),
+               std::move(values));
 }
 
 } // namespace
 
-std::vector<Field> stacked(const std::vector<PointResult> &points, const std::string &dimension,
-                           const std::string &prefix) {
-  std::vector<Field> fields;
+void add_stacked(const FieldWriter &result, const std::vector<PointResult> &points,
+                 const std::string &dimension) {
   for (const FieldColumn &column : columns_of(points))
-    fields.push_back(joined(column, dimension, prefix));
-  return fields;
+    add_column(result, column, dimension);
+}
+
+void summarise(const FieldWriter &result, const std::string &kind,
+               const std::vector<PointResult> &points, const std::vector<std::string> &names) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (const Field &field : points[i].fields)
+      if (std::find(names.begin(), names.end(), field.name()) != names.end())
+        result.line(kind + "[" + std::to_string(i + 1) + "]." + field.name(), field.values[0],
+                    field.unit());
+}
+
+void copy_block(const Field &field, const std::vector<std::size_t> &full, double *target) {
+  if (field.shape == full) {
+    std::copy(field.values.begin(), field.values.end(), target);
+    return;
+  }
+  for (std::size_t flat = 0; flat < field.values.size(); ++flat) {
+    std::size_t rest = flat, position = 0, stride = 1;
+    for (std::size_t d = full.size(); d-- > 0;) {
+      position += stride * (rest % field.shape[d]);
+      rest /= field.shape[d];
+      stride *= full[d];
+    }
+    target[position] = field.values[flat];
+  }
 }
 
 } // namespace vibroimpact::analyses

@@ -128,9 +128,9 @@ PointResult SteadyState::compute(const System &system, LineContext &context) con
   if (!settings_.by_time)
     add_settled(result, settled.steady(), settled.multiple, settled.cycles);
   const Vector state = trajectory.motion_state().physical;
-  result.fields.push_back(series_field("state", state_dimension, {state.begin(), state.end()}, "SI",
-                                       "state at the end: coordinates, their rates, internal "
-                                       "states of contacts, torques of motors"));
+  FieldWriter(result).series("state", state_dimension, {state.begin(), state.end()}, "SI",
+                             "state at the end: coordinates, their rates, internal "
+                             "states of contacts, torques of motors");
   add_accuracy(result, trajectory.accuracy(), system.integration);
   return result;
 }

@@ -42,24 +42,11 @@ Label state_label(const char *name, const std::string &description) {
           {state_dimension}};
 }
 
-Field state_field(const Label &label, const Vector &physical) {
-  return {.label = label,
-          .shape = {static_cast<std::size_t>(physical.size())},
-          .values = {physical.begin(), physical.end()}};
-}
-
 Vector stored_state(const PointResult &result, const char *name) {
-  for (const Field &field : result.fields)
-    if (field.name() == name)
-      return ConstVectorView(field.values.data(), static_cast<Index>(field.values.size()));
-  return {};
-}
-
-double stored_scalar(const PointResult &result, const char *name) {
-  for (const Field &field : result.fields)
-    if (field.name() == name)
-      return field.values.at(0);
-  return 0;
+  const Field *field = find(result, name);
+  return field == nullptr
+             ? Vector()
+             : ConstVectorView(field->values.data(), static_cast<Index>(field->values.size()));
 }
 
 // What find_jump() needs of a point that an earlier run finished.
@@ -68,34 +55,34 @@ SettledMotion stored_motion(const PointResult &result) {
   motion.state.physical = stored_state(result, state);
   motion.lowest = stored_state(result, lowest_state);
   motion.highest = stored_state(result, highest_state);
-  motion.multiple = static_cast<long>(stored_scalar(result, "period_multiple"));
+  motion.multiple = static_cast<long>(number_of(result, "period_multiple", 0));
   return motion;
 }
 
-void add_settling(PointResult &result, const SettledMotion &settled) {
+void add_settling(const FieldWriter &result, const SettledMotion &settled) {
   static const Label end_state = state_label(state, "state at the end");
   add_settled(result, settled.steady(), settled.multiple, settled.cycles);
-  result.fields.push_back(state_field(end_state, settled.state.physical));
+  result.array(end_state, settled.state.physical);
 }
 
-void add_jump(PointResult &result, const Jump &jump, const SettledMotion &settled,
+void add_jump(const FieldWriter &result, const Jump &jump, const SettledMotion &settled,
               const std::string &unit) {
   static const Label lowest = state_label(lowest_state, "smallest state at the ends of periods");
   static const Label highest = state_label(highest_state, "largest state at the ends of periods");
-  result.fields.push_back(state_field(lowest, settled.lowest));
-  result.fields.push_back(state_field(highest, settled.highest));
-  result.fields.push_back(scalar_field(
+  result.array(lowest, settled.lowest);
+  result.array(highest, settled.highest);
+  result.number(
       "jump_from", jump.from, unit,
       "last value at which the motion, settled for as long as the sweep lets it, is still near the "
       "branch that it comes from, between the previous point of the sweep and this one; NaN "
       "without a jump. It is where the settled motion jumps and no bound of the fold behind it, "
-      "which a branch or locus gives"));
-  result.fields.push_back(scalar_field(
+      "which a branch or locus gives");
+  result.number(
       "jump_to", jump.to, unit,
-      "first value at which the motion settled in that way has left the branch; NaN without one"));
+      "first value at which the motion settled in that way has left the branch; NaN without one");
   if (jump.found()) {
-    result.summary.push_back(scalar_line("jump_from", jump.from, unit));
-    result.summary.push_back(scalar_line("jump_to", jump.to, unit));
+    result.line("jump_from", jump.from, unit);
+    result.line("jump_to", jump.to, unit);
   }
 }
 

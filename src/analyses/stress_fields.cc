@@ -32,20 +32,15 @@ LargestStress largest_stress(const Recovery &recovery, const Matrix &coordinates
   return largest;
 }
 
-void add_body(PointResult &result, const std::string &name, const LargestStress &largest,
+void add_body(const FieldWriter &result, const std::string &name, const LargestStress &largest,
               double time) {
-  const auto add = [&](const std::string &what, double value, const std::string &unit,
-                       const std::string &description) {
-    result.fields.push_back(
-        scalar_field("body/" + name + "/von_mises_stress/" + what, value, unit, description));
-    result.summary.push_back(
-        scalar_line("body." + name + ".von_mises_stress." + what, value, unit));
-  };
-  add("maximum", largest.value, "Pa", "largest von Mises stress of all elements at the instants");
-  add("time", time, "s", "instant of the largest von Mises stress");
+  const FieldWriter of = result.below("body/" + name + "/von_mises_stress/").listed();
+  of.number("maximum", largest.value, "Pa",
+            "largest von Mises stress of all elements at the instants");
+  of.number("time", time, "s", "instant of the largest von Mises stress");
   for (int axis = 0; axis < 3; ++axis)
-    add(std::string(1, static_cast<char>('x' + axis)), largest.place[axis], "m",
-        "place of the largest von Mises stress, undeformed");
+    of.number(std::string(1, static_cast<char>('x' + axis)), largest.place[axis], "m",
+              "place of the largest von Mises stress, undeformed");
 }
 
 bool has_stress(const reduction::ReducedBody &body) {
@@ -54,7 +49,8 @@ bool has_stress(const reduction::ReducedBody &body) {
 
 } // namespace
 
-void add_largest_stresses(PointResult &result, const model::Model &model, const Motion &motion) {
+void add_largest_stresses(const FieldWriter &result, const model::Model &model,
+                          const Motion &motion) {
   for (std::size_t b = 0; b < model.bodies().size(); ++b)
     if (const reduction::ReducedBody &body = *model.bodies()[b]; has_stress(body)) {
       const LargestStress largest = largest_stress(body.recovery, motion.coordinates[b]);

@@ -131,7 +131,7 @@ PointResult Transient::compute(const System &system, LineContext &context) const
   try {
     trajectory.start(0, system.initial.displacement, system.initial.velocity);
     recording.run({.start = 0, .end = settings_.duration}, trajectory, observers);
-    recording.add_fields(result, "recorded/");
+    recording.add_fields({result, "recorded/"});
     log.end_record(trajectory.time(), trajectory.state(), trajectory.layout());
   } catch (const NumericalError &error) {
     result.status = Status::failed;

@@ -1,19 +1,9 @@
 #include "analyses/window_recording.h"
 
-#include <algorithm>
-
 namespace vibroimpact::analyses {
 
 using motion::Observer;
 using motion::Trajectory;
-
-namespace {
-
-Label behind(const std::string &prefix, const Label &label) {
-  return {prefix + label.name(), label.unit(), label.description(), label.dimensions()};
-}
-
-} // namespace
 
 WindowRecording::WindowRecording(const std::vector<RecorderFactory> &factories,
                                  const System &system) {
@@ -61,19 +51,9 @@ void WindowRecording::watch(const Window &window, Trajectory &trajectory, Observ
     recorder->end(trajectory);
 }
 
-void WindowRecording::add_fields(PointResult &result, const std::string &prefix) const {
-  const std::size_t first_field = result.fields.size();
-  const std::size_t first_line = result.summary.size();
+void WindowRecording::add_fields(const FieldWriter &result) const {
   for (const auto &recorder : recorders_)
     recorder->add_fields(result);
-  if (prefix.empty())
-    return;
-  std::string line_prefix = prefix;
-  std::replace(line_prefix.begin(), line_prefix.end(), '/', '.');
-  for (std::size_t f = first_field; f < result.fields.size(); ++f)
-    result.fields[f].label = behind(prefix, result.fields[f].label);
-  for (std::size_t l = first_line; l < result.summary.size(); ++l)
-    result.summary[l].label = behind(line_prefix, result.summary[l].label);
 }
 
 Window periods_window(double start, double period, long cycles) {

@@ -1,6 +1,7 @@
 // Watches a window of a motion with the recorders of an analysis.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 
 #include <functional>
@@ -24,8 +25,8 @@ public:
   void run(const Window &window, motion::Trajectory &trajectory, motion::Observer &also);
 
   bool empty() const { return recorders_.empty(); }
-  /// What all recorders saw, their fields' names behind `prefix`.
-  void add_fields(PointResult &result, const std::string &prefix = "") const;
+  /// What all recorders saw.
+  void add_fields(const FieldWriter &result) const;
 
 private:
   std::vector<motion::Observer *> observers() const;

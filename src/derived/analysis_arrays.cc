@@ -1,5 +1,7 @@
 #include "derived/analysis_arrays.h"
 
+#include "analyses/stacked_points.h"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -80,10 +82,8 @@ bool same_in_all_points(const AssembledField &field, const PointSequence &points
   points([&](const PointResult &point) {
     if (point.status != Status::finished || !same)
       return;
-    const auto here =
-        std::find_if(point.fields.begin(), point.fields.end(),
-                     [&](const Field &candidate) { return candidate.name() == field.name(); });
-    same = here != point.fields.end() && (!found || here->values == first);
+    const Field *here = analyses::find(point, field.name());
+    same = here != nullptr && (!found || here->values == first);
     if (same && !found)
       first = here->values;
     found = true;
@@ -106,25 +106,6 @@ void choose_coordinates(AnalysisArrays &arrays, const PointSequence &points) {
   }
 }
 
-/// Copies a row-major block into the corner of a larger one of shape `full`.
-void copy_block(const Field &field, const Shape &full, double *target) {
-  if (field.shape == full) {
-    std::copy(field.values.begin(), field.values.end(), target);
-    return;
-  }
-  for (std::size_t flat = 0; flat < field.values.size(); ++flat) {
-    std::size_t rest = flat;
-    std::size_t position = 0;
-    std::size_t stride = 1;
-    for (std::size_t d = full.size(); d-- > 0;) {
-      position += stride * (rest % field.shape[d]);
-      rest /= field.shape[d];
-      stride *= full[d];
-    }
-    target[position] = field.values[flat];
-  }
-}
-
 void make_room(AnalysisArrays &arrays, const Shape &outer) {
   for (AssembledField &field : arrays.fields) {
     for (const std::string &name : field.inner_dimensions())
@@ -144,7 +125,7 @@ void fill_point(const PointResult &point, std::size_t position,
     if (!field.over_axes && point.status != Status::finished)
       continue; // only finished points agree on a coordinate
     const std::size_t start = field.over_axes ? position * number_of_values(field.inner_shape) : 0;
-    copy_block(here, field.inner_shape, field.values.data() + start);
+    analyses::copy_block(here, field.inner_shape, field.values.data() + start);
   }
 }
 

@@ -46,11 +46,12 @@ public:
       compute_for(carried ? seconds_ : 10 * seconds_);
       carried = true;
       tried.insert(i);
-      context.store(
-          {.index = {i},
-           .status = reason_.empty() ? Status::finished : Status::failed,
-           .reason = reason_,
-           .fields = {series_field("numbers", "number", std::vector<double>(100), "1", "")}});
+      context.store({.index = {i},
+                     .status = reason_.empty() ? Status::finished : Status::failed,
+                     .reason = reason_,
+                     .fields = {{.label = Label("numbers", "1", "", {"number"}),
+                                 .shape = {100},
+                                 .values = std::vector<double>(100)}}});
     }
   }
 

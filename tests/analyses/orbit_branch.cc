@@ -171,7 +171,7 @@ TEST(OrbitBranchTest, MotionsThatAreNotRecordedSayWhy) {
     void begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) override {
       throw NumericalError("the pen is broken");
     }
-    void add_fields(PointResult & /*result*/) const override {}
+    void add_fields(const FieldWriter & /*result*/) const override {}
   };
   OrbitBranch::Settings settings = along_frequency(1.8, 2);
   settings.recorders = {[](const System & /*system*/) { return std::make_unique<Failing>(); }};

@@ -123,7 +123,7 @@ TEST(PeriodicOrbitTest, StateIsNoCoordinate) {
 TEST(PeriodicOrbitTest, SaysWhereTheMotionHadSettledToSomethingElse) {
   const auto found = [](std::optional<long> multiple, double stable) {
     PointResult result;
-    result.fields.push_back(scalar_field("stable", stable, "1", ""));
+    FieldWriter(result).number("stable", stable, "1", "");
     add_settled_multiple(result, multiple);
     return result;
   };

@@ -1,9 +1,11 @@
-// Points as arrays: ragged inner dimensions and missing fields become NaN.
+// Results as they are written: names below paths and in the summary; points as arrays, whose ragged
+// inner dimensions and missing fields become NaN.
 #include "analyses/stacked_points.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace vibroimpact::analyses {
 namespace stacked_points_tests {
@@ -15,13 +17,36 @@ Field field(const std::string &name, std::vector<std::string> dimensions,
           .values = std::move(values)};
 }
 
+TEST(StackedPointsTest, PutsPathsBeforeNamesAndDotsIntoTheSummary) {
+  PointResult result;
+  const FieldWriter contact = FieldWriter(result).below("contact/stop/");
+  contact.number("gap/minimum", 1, "m", "smallest gap");
+  contact.listed().number(Label("impacts", "1", "number"), 2);
+  contact.line("impact[1]/force", 3, "N");
+  contact.array({"map", "m", "rows", {"i", "j"}}, Matrix{{1, 2, 3}, {4, 5, 6}});
+  ASSERT_EQ(result.fields.size(), 3u);
+  EXPECT_EQ(find(result, "contact/stop/gap/minimum")->values, std::vector<double>{1});
+  EXPECT_EQ(number_of(result, "contact/stop/impacts", 0), 2);
+  EXPECT_EQ(number_of(result, "impacts", 7), 7);
+  EXPECT_EQ(find(result, "impacts"), nullptr);
+  EXPECT_THROW(field_of(result, "impacts"), std::out_of_range);
+  const Field &map = field_of(result, "contact/stop/map");
+  EXPECT_EQ(map.shape, (std::vector<std::size_t>{2, 3}));
+  EXPECT_EQ(map.values, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+  ASSERT_EQ(result.summary.size(), 2u);
+  EXPECT_EQ(result.summary[0].name(), "contact.stop.impacts");
+  EXPECT_EQ(result.summary[1].name(), "contact.stop.impact[1].force");
+}
+
 TEST(StackedPointsTest, OneDimensionMore) {
   const std::vector<PointResult> points = {
       {.index = {}, .fields = {field("a", {}, {}, {1}), field("b", {"i", "j"}, {2, 1}, {3, 4})}},
       {.index = {}, .fields = {field("b", {"i", "j"}, {1, 2}, {5, 6})}},
       {.index = {},
        .fields = {field("b", {"i", "j"}, {2, 2}, {1, 2, 3, 4}), field("a", {}, {}, {2})}}};
-  const std::vector<Field> fields = stacked(points, "point", "x/");
+  PointResult all;
+  add_stacked({all, "x/"}, points, "point");
+  const std::vector<Field> &fields = all.fields;
   ASSERT_EQ(fields.size(), 2u);
   EXPECT_EQ(fields[0].name(), "x/a");
   EXPECT_EQ(fields[0].unit(), "m");
@@ -40,7 +65,11 @@ TEST(StackedPointsTest, OneDimensionMore) {
         << i;
 }
 
-TEST(StackedPointsTest, NoPointsHaveNoFields) { EXPECT_TRUE(stacked({}, "point").empty()); }
+TEST(StackedPointsTest, NoPointsHaveNoFields) {
+  PointResult all;
+  add_stacked(all, {}, "point");
+  EXPECT_TRUE(all.fields.empty());
+}
 
 } // namespace stacked_points_tests
 } // namespace vibroimpact::analyses

@@ -84,7 +84,7 @@ public:
     deviation_ *= distance / size;
     set_back(trajectory);
   }
-  void add_fields(PointResult & /*result*/) const override {}
+  void add_fields(const FieldWriter & /*result*/) const override {}
   double exponent() const { return growth_.exponent(); }
 
 private:
@@ -123,7 +123,7 @@ Exponents exponents(double right_stiffness, long cycles) {
       a_.period_end(cycle, trajectory);
       b_.period_end(cycle, trajectory);
     }
-    void add_fields(PointResult &result) const override { a_.add_fields(result); }
+    void add_fields(const FieldWriter &result) const override { a_.add_fields(result); }
 
   private:
     Recorder &a_, &b_;

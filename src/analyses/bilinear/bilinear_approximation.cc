@@ -114,9 +114,9 @@ PointResult BilinearApproximation::compute(std::size_t point, const System &syst
     throw NumericalError(why_none(motions));
   PointResult result{.index = {point}};
   add_bilinear_motion(result, system, tied, *motion, settings_.samples, settings_.orders);
-  result.fields.push_back(
-      scalar_field("admissible_solutions", static_cast<double>(admissible(motions)), "1",
-                   "of the equations, whose contact only pushes and whose sides do not overlap"));
+  FieldWriter(result).number(
+      "admissible_solutions", static_cast<double>(admissible(motions)), "1",
+      "of the equations, whose contact only pushes and whose sides do not overlap");
   return result;
 }
 

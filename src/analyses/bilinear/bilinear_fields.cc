@@ -35,14 +35,12 @@ void include(FormRange &range, const FormRange &other) {
   range.maximum = std::max(range.maximum, other.maximum);
 }
 
-void add_bounds(PointResult &result, const Signal &signal, const FormRange &range) {
-  result.fields.push_back(scalar_field(signal.path + "/minimum", range.minimum, signal.unit,
-                                       "smallest " + signal.meaning));
-  result.fields.push_back(scalar_field(signal.path + "/maximum", range.maximum, signal.unit,
-                                       "largest " + signal.meaning));
+void add_bounds(const FieldWriter &result, const Signal &signal, const FormRange &range) {
+  result.number(signal.path + "/minimum", range.minimum, signal.unit, "smallest " + signal.meaning);
+  result.number(signal.path + "/maximum", range.maximum, signal.unit, "largest " + signal.meaning);
 }
 
-void add_extremes(PointResult &result, const TiedSystem &tied, const BilinearMotion &motion,
+void add_extremes(const FieldWriter &result, const TiedSystem &tied, const BilinearMotion &motion,
                   const std::vector<Signal> &signals, const std::string &contact,
                   std::size_t samples) {
   std::vector<RowVector> forms;
@@ -54,40 +52,33 @@ void add_extremes(PointResult &result, const TiedSystem &tied, const BilinearMot
   for (std::size_t k = 0; k < all.size(); ++k)
     include(all[k], closed[k]);
   for (std::size_t k = 0; k < signals.size(); ++k) {
-    result.fields.push_back(scalar_field(signals[k].path + "/peak_to_peak",
-                                         all[k].maximum - all[k].minimum, signals[k].unit,
-                                         "largest minus smallest " + signals[k].meaning));
-    result.fields.push_back(scalar_field(
-        signals[k].path + "/amplitude", (all[k].maximum - all[k].minimum) / 2, signals[k].unit,
-        "half of the largest minus the smallest " + signals[k].meaning));
+    result.number(signals[k].path + "/peak_to_peak", all[k].maximum - all[k].minimum,
+                  signals[k].unit, "largest minus smallest " + signals[k].meaning);
+    result.number(signals[k].path + "/amplitude", (all[k].maximum - all[k].minimum) / 2,
+                  signals[k].unit, "half of the largest minus the smallest " + signals[k].meaning);
     add_bounds(result, signals[k], all[k]);
   }
   const std::string base = "contact/" + contact + "/";
   add_bounds(result, {.path = base + "gap", .unit = "m", .meaning = "gap", .form = {}}, all.back());
   const FormRange force = ranges(tied, motion, {tied.force()}, true, samples)[0];
-  result.fields.push_back(scalar_field(base + "normal_force/maximum", std::max(0.0, force.maximum),
-                                       "N",
-                                       "largest force of the tie, without the impulse of closing"));
+  result.number(base + "normal_force/maximum", std::max(0.0, force.maximum), "N",
+                "largest force of the tie, without the impulse of closing");
 }
 
-void add_character(PointResult &result, const BilinearMotion &motion, const std::string &contact,
-                   double angular_frequency) {
-  const std::string base = "contact/" + contact + "/";
-  const auto add = [&](const std::string &name, double value, const std::string &unit,
-                       const std::string &description) {
-    result.fields.push_back(scalar_field(name, value, unit, description));
-  };
-  add(base + "contact_fraction", motion.contact_angle / full_turn, "1",
-      "share of the period in contact");
-  add(base + "contact_time", motion.contact_angle / angular_frequency, "s",
-      "time in contact in each period");
-  add(base + "impacts_per_period", motion.closes ? 1 : 0, "1", "closings in each period");
-  add(base + "closing_phase", motion.closing_phase, "rad", "phase of the excitation at closing");
-  add(base + "approach_speed/maximum", motion.approach_speed, "m/s", "rate of the gap at closing");
-  add("largest_multiplier", motion.largest_multiplier, "1",
-      "largest modulus of what small deviations are multiplied by in each period");
-  add("stable", motion.largest_multiplier < 1 ? 1 : 0, "1",
-      "1 when the largest multiplier is smaller than 1");
+void add_character(const FieldWriter &result, const BilinearMotion &motion,
+                   const std::string &contact, double angular_frequency) {
+  const FieldWriter of = result.below("contact/" + contact + "/");
+  of.number("contact_fraction", motion.contact_angle / full_turn, "1",
+            "share of the period in contact");
+  of.number("contact_time", motion.contact_angle / angular_frequency, "s",
+            "time in contact in each period");
+  of.number("impacts_per_period", motion.closes ? 1 : 0, "1", "closings in each period");
+  of.number("closing_phase", motion.closing_phase, "rad", "phase of the excitation at closing");
+  of.number("approach_speed/maximum", motion.approach_speed, "m/s", "rate of the gap at closing");
+  result.number("largest_multiplier", motion.largest_multiplier, "1",
+                "largest modulus of what small deviations are multiplied by in each period");
+  result.number("stable", motion.largest_multiplier < 1 ? 1 : 0, "1",
+                "1 when the largest multiplier is smaller than 1");
 }
 
 /// At equal intervals over the period, its end included.
@@ -108,13 +99,12 @@ std::vector<double> values(const Samples &samples, const RowVector &form) {
   return {row.begin(), row.end()};
 }
 
-void add_history(PointResult &result, const TiedSystem &tied, const BilinearMotion &motion,
+void add_history(const FieldWriter &result, const TiedSystem &tied, const BilinearMotion &motion,
                  const Samples &samples, const std::vector<Signal> &signals,
                  const std::string &contact) {
   const auto add = [&](const std::string &name, std::vector<double> series, const std::string &unit,
                        const std::string &meaning) {
-    result.fields.push_back(
-        series_field("history/" + name, "history_time", std::move(series), unit, meaning));
+    result.series("history/" + name, "history_time", std::move(series), unit, meaning);
   };
   const Vector time = samples.angles / tied.angular_frequency();
   add("history_time", {time.begin(), time.end()}, "s", "time");
@@ -129,7 +119,7 @@ void add_history(PointResult &result, const TiedSystem &tied, const BilinearMoti
       "normal force, > 0 pushes apart");
 }
 
-void add_orders(PointResult &result, const Samples &samples, double frequency,
+void add_orders(const FieldWriter &result, const Samples &samples, double frequency,
                 const std::vector<Signal> &signals, std::size_t orders) {
   std::vector<double> order, line;
   for (std::size_t k = 0; k <= orders; ++k) {
@@ -138,8 +128,7 @@ void add_orders(PointResult &result, const Samples &samples, double frequency,
   }
   const auto series = [&](const std::string &name, const std::vector<double> &numbers,
                           const std::string &unit, const std::string &meaning) {
-    result.fields.push_back(
-        series_field("spectrum/" + name, "spectrum_frequency", numbers, unit, meaning));
+    result.series("spectrum/" + name, "spectrum_frequency", numbers, unit, meaning);
   };
   series("frequency", line, "Hz", "frequency of a line");
   series("order", order, "1", "frequency of a line over forcing frequency");
@@ -154,7 +143,7 @@ void add_orders(PointResult &result, const Samples &samples, double frequency,
 
 } // namespace
 
-void add_bilinear_motion(PointResult &result, const System &system, const TiedSystem &tied,
+void add_bilinear_motion(const FieldWriter &result, const System &system, const TiedSystem &tied,
                          const BilinearMotion &motion, std::size_t samples, std::size_t orders) {
   const std::string &contact = system.contacts.pairs()[0].name;
   const std::vector<Signal> signals = displacements(system, tied);

@@ -3,14 +3,14 @@
 #pragma once
 
 #include "analyses/bilinear/bilinear_motion.h"
+#include "analyses/field_writer.h"
 #include "analyses/system.h"
-#include "common/result_sink.h"
 
 namespace vibroimpact::analyses {
 
 /// Adds the fields of a motion of `system`, of which `tied` was made. `samples` per period;
 /// `orders`: highest multiple of the excitation frequency.
-void add_bilinear_motion(PointResult &result, const System &system, const TiedSystem &tied,
+void add_bilinear_motion(const FieldWriter &result, const System &system, const TiedSystem &tied,
                          const BilinearMotion &motion, std::size_t samples, std::size_t orders);
 
 } // namespace vibroimpact::analyses

@@ -17,35 +17,32 @@ std::size_t failures(const EvaluationList &evaluations) {
                     [](const Evaluation &evaluation) { return evaluation.value.failed(); }));
 }
 
-void add(PointResult &result, const std::string &name, double value,
-         const std::string &description) {
-  result.fields.push_back(scalar_field("search/" + name, value, "1", description));
-}
+// In the summary as well.
+FieldWriter of_search(const FieldWriter &result) { return result.below("search/").listed(); }
 
-void add_active(PointResult &result, const Evaluation &best, const std::vector<DesignKey> &keys,
-                const Objective &objective, double tolerance, double constraint_tolerance) {
+void add_active(const FieldWriter &search, const Evaluation &best,
+                const std::vector<DesignKey> &keys, const Objective &objective, double tolerance,
+                double constraint_tolerance) {
   for (std::size_t k = 0; k < keys.size(); ++k)
-    add(result, "bound/" + keys[k].name,
-        bound_at(keys[k], keys[k].value(best.coordinates[static_cast<Index>(k)]), tolerance),
+    search.number(
+        "bound/" + keys[k].name,
+        bound_at(keys[k], keys[k].value(best.coordinates[static_cast<Index>(k)]), tolerance), "1",
         "-1 where the best value is at the lower bound, 1 at the upper one, else 0");
   for (std::size_t c = 0; c < best.value.excess.size(); ++c)
-    add(result, "active/" + objective.constraints()[c],
-        best.value.excess[c] >= -std::max(tolerance, constraint_tolerance) ? 1 : 0,
-        "1 where the constraint is at its limit");
+    search.number("active/" + objective.constraints()[c],
+                  best.value.excess[c] >= -std::max(tolerance, constraint_tolerance) ? 1 : 0, "1",
+                  "1 where the constraint is at its limit");
 }
 
-void add_summary(PointResult &result, const Evaluation &best, const std::vector<DesignKey> &keys,
-                 const Objective &objective) {
-  result.summary.push_back(scalar_line("objective", best.value.objective, best.value.unit));
+void add_summary(const FieldWriter &result, const Evaluation &best,
+                 const std::vector<DesignKey> &keys, const Objective &objective) {
+  result.line("objective", best.value.objective, best.value.unit);
   for (std::size_t k = 0; k < keys.size(); ++k)
-    result.summary.push_back(scalar_line("key." + keys[k].name,
-                                         keys[k].value(best.coordinates[static_cast<Index>(k)]),
-                                         keys[k].parameter.unit));
+    result.line("key." + keys[k].name, keys[k].value(best.coordinates[static_cast<Index>(k)]),
+                keys[k].parameter.unit);
   for (std::size_t c = 0; c < best.value.excess.size(); ++c)
-    result.summary.push_back(scalar_line("constraint." + objective.constraints()[c],
-                                         best.value.constrained[c],
-                                         best.value.constrained_units[c]));
-  add_search_summary(result);
+    result.line("constraint." + objective.constraints()[c], best.value.constrained[c],
+                best.value.constrained_units[c]);
 }
 
 } // namespace
@@ -71,18 +68,12 @@ std::string why_nothing_is_good(const std::deque<Evaluation> &evaluations,
          parameters::number_text(*worst) + " of its limit";
 }
 
-void add_counts(PointResult &result, const std::deque<Evaluation> &evaluations) {
-  add(result, "evaluations", static_cast<double>(evaluations.size()), "evaluations of the search");
-  add(result, "failed", static_cast<double>(failures(evaluations)), "of these, those that failed");
-}
-
-void add_search_summary(PointResult &result) {
-  for (const Field &field : result.fields)
-    if (field.name().starts_with("search/")) {
-      std::string name = field.name();
-      std::replace(name.begin(), name.end(), '/', '.');
-      result.summary.push_back(scalar_line(name, field.values[0], field.unit()));
-    }
+void add_counts(const FieldWriter &result, const std::deque<Evaluation> &evaluations) {
+  const FieldWriter search = of_search(result);
+  search.number("evaluations", static_cast<double>(evaluations.size()), "1",
+                "evaluations of the search");
+  search.number("failed", static_cast<double>(failures(evaluations)), "1",
+                "of these, those that failed");
 }
 
 const Evaluation *best_evaluation(const std::deque<Evaluation> &evaluations,
@@ -109,14 +100,16 @@ PointResult result_of_search(std::size_t line, const std::deque<Evaluation> &eva
             .status = Status::failed,
             .reason = why_nothing_is_good(evaluations, objective)};
   PointResult result = evaluation_point(index, *best, keys, objective);
-  add(result, "best", static_cast<double>(best->number), "number of the best evaluation");
+  add_summary(result, *best, keys, objective);
+  const FieldWriter search = of_search(result);
+  search.number("best", static_cast<double>(best->number), "1", "number of the best evaluation");
   add_counts(result, evaluations);
-  add(result, "end", static_cast<double>(end),
+  search.number(
+      "end", static_cast<double>(end), "1",
       "why the search ended: 1 the keys change by less than Tolerance, 2 the objective by less "
       "than "
       "Objective tolerance, 3 Most evaluations, 4 rounding, 0 the method's own end");
-  add_active(result, *best, keys, objective, tolerance, constraint_tolerance);
-  add_summary(result, *best, keys, objective);
+  add_active(search, *best, keys, objective, tolerance, constraint_tolerance);
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "analyses/design/evaluations.h"
 #include "analyses/design/nlopt_search.h"
+#include "analyses/field_writer.h"
 
 namespace vibroimpact::analyses {
 
@@ -14,10 +15,8 @@ const Evaluation *best_evaluation(const std::deque<Evaluation> &evaluations,
 /// Why none of them meets the constraints.
 std::string why_nothing_is_good(const std::deque<Evaluation> &evaluations,
                                 const Objective &objective);
-/// The fields search/evaluations and search/failed.
-void add_counts(PointResult &result, const std::deque<Evaluation> &evaluations);
-/// Summary lines of all fields search/...
-void add_search_summary(PointResult &result);
+/// The fields search/evaluations and search/failed, in the summary as well.
+void add_counts(const FieldWriter &result, const std::deque<Evaluation> &evaluations);
 /// The point with index (line, 0): the best evaluation again, with why the search ended and which
 /// bounds and constraints are active, within `tolerance` of the coordinates; failed when no
 /// evaluation is good.

@@ -49,41 +49,24 @@ double rate(const DesignKey &key, double value) {
   return key.length * (key.logarithmic ? value : 1);
 }
 
-void add_search(PointResult &result, const std::string &name, double value,
-                const std::string &description) {
-  result.fields.push_back(scalar_field("search/" + name, value, "1", description));
-  std::string line = "search." + name;
-  std::replace(line.begin(), line.end(), '/', '.');
-  result.summary.push_back(scalar_line(line, value, "1"));
-}
+FieldWriter search_numbers(PointResult &result) { return {result, "search/", Listed::yes}; }
 
-/// Row by row.
-std::vector<double> rows_of(const Matrix &matrix) {
-  const Matrix transposed = matrix.transpose();
-  return {transposed.data(), transposed.data() + transposed.size()};
-}
-
-void add_matrices(PointResult &result, const FitStatistics &statistics) {
-  const auto n = static_cast<std::size_t>(statistics.correlation.rows());
-  result.fields.push_back({Label("correlation", "1", "of the estimates of two keys, in their order",
-                                 {"fitted_key", "other_key"}),
-                           {n, n},
-                           rows_of(statistics.correlation)});
-  result.fields.push_back(
-      {Label("direction", "1", "relative change of each key in each combination, one a row",
-             {"combination", "fitted_key"}),
-       {n, n},
-       rows_of(statistics.direction)});
-  const auto add = [&](const std::string &name, const Vector &values,
-                       const std::string &description) {
-    result.fields.push_back(
-        series_field(name, "combination", {values.begin(), values.end()}, "1", description));
-  };
-  add("singular_value", statistics.singular_value,
-      "of the derivatives of the residuals by relative changes of all keys");
-  add("direction_error", statistics.direction_error,
-      "standard error of each combination of relative changes; infinite where the data say "
-      "nothing");
+void add_matrices(const FieldWriter &result, const FitStatistics &statistics) {
+  result.array(Label("correlation", "1", "of the estimates of two keys, in their order",
+                     {"fitted_key", "other_key"}),
+               statistics.correlation);
+  result.array(Label("direction", "1", "relative change of each key in each combination, one a row",
+                     {"combination", "fitted_key"}),
+               statistics.direction);
+  result.array(Label("singular_value", "1",
+                     "of the derivatives of the residuals by relative changes of all keys",
+                     {"combination"}),
+               statistics.singular_value);
+  result.array(Label("direction_error", "1",
+                     "standard error of each combination of relative changes; infinite where the "
+                     "data say nothing",
+                     {"combination"}),
+               statistics.direction_error);
 }
 
 } // namespace
@@ -280,19 +263,17 @@ void Estimate::add_statistics(PointResult &result, const FitEvaluation &best,
   for (Index k = 0; k < n; ++k) {
     const DesignKey &key = settings_.keys[static_cast<std::size_t>(k)];
     const double value = values[static_cast<std::size_t>(k)];
-    const auto add = [&](const std::string &group, double number, const std::string &description) {
-      result.fields.push_back(
-          scalar_field(group + "/" + key.name, number, key.parameter.unit, description));
-    };
-    add("standard_error", statistics.standard_error[k],
+    const FieldWriter write(result);
+    write.listed().number(
+        "standard_error/" + key.name, statistics.standard_error[k], key.parameter.unit,
         "of the key; infinite where the data leave it free, NaN where a bound fixes it");
-    add("interval_lower", value - statistics.half_width[k], "lower end of the interval of 95 %");
-    add("interval_upper", value + statistics.half_width[k], "upper end of the interval of 95 %");
-    result.summary.push_back(scalar_line("standard_error." + key.name, statistics.standard_error[k],
-                                         key.parameter.unit));
+    write.number("interval_lower/" + key.name, value - statistics.half_width[k], key.parameter.unit,
+                 "lower end of the interval of 95 %");
+    write.number("interval_upper/" + key.name, value + statistics.half_width[k], key.parameter.unit,
+                 "upper end of the interval of 95 %");
   }
-  add_search(result, "residual_variance", statistics.residual_variance,
-             "sum of squares over the degrees of freedom");
+  search_numbers(result).number("residual_variance", statistics.residual_variance, "1",
+                                "sum of squares over the degrees of freedom");
   add_matrices(result, statistics);
   result.reason = combinations_in_words(statistics, names);
 }
@@ -308,12 +289,11 @@ PointResult Estimate::result(std::size_t line, FitEvaluations &evaluations,
                 "all " + std::to_string(evaluations.all().size()) +
                 " evaluations failed, the first one: " + evaluations.all().front().value.failure};
   PointResult result = fit_point(index, *best, settings_.keys, settings_.data);
-  result.summary.push_back(
-      scalar_line("sum_of_squares", best->value.residuals().squaredNorm(), "1"));
+  FieldWriter(result).line("sum_of_squares", best->value.residuals().squaredNorm(), "1");
   const std::vector<double> values = values_at(settings_.keys, best->coordinates);
   for (std::size_t k = 0; k < values.size(); ++k)
-    result.summary.push_back(
-        scalar_line("key." + settings_.keys[k].name, values[k], settings_.keys[k].parameter.unit));
+    FieldWriter(result).line("key/" + settings_.keys[k].name, values[k],
+                             settings_.keys[k].parameter.unit);
   try {
     add_statistics(result, *best, evaluations);
   } catch (const NumericalError &error) {
@@ -325,20 +305,22 @@ PointResult Estimate::result(std::size_t line, FitEvaluations &evaluations,
     result.status = Status::failed;
     result.reason = ended.not_converged;
   }
-  add_search(result, "best", static_cast<double>(best->number), "number of the best evaluation");
-  add_search(result, "evaluations", static_cast<double>(evaluations.all().size()),
-             "evaluations of the fit, those for derivatives included");
-  add_search(result, "failed", static_cast<double>(failures(evaluations.all())),
-             "of these, those that failed");
-  add_search(result, "end", static_cast<double>(ended.end),
-             "why the fit ended: 1 the keys change by less than Tolerance, 2 the sum of squares by "
-             "less than "
-             "1e-9 of it, "
-             "3 Most evaluations, 4 rounding, 0 an evaluation that failed");
+  const FieldWriter search = search_numbers(result);
+  search.number("best", static_cast<double>(best->number), "1", "number of the best evaluation");
+  search.number("evaluations", static_cast<double>(evaluations.all().size()), "1",
+                "evaluations of the fit, those for derivatives included");
+  search.number("failed", static_cast<double>(failures(evaluations.all())), "1",
+                "of these, those that failed");
+  search.number(
+      "end", static_cast<double>(ended.end), "1",
+      "why the fit ended: 1 the keys change by less than Tolerance, 2 the sum of squares by "
+      "less than "
+      "1e-9 of it, "
+      "3 Most evaluations, 4 rounding, 0 an evaluation that failed");
   for (std::size_t k = 0; k < values.size(); ++k)
-    add_search(result, "bound/" + settings_.keys[k].name,
-               bound_at(settings_.keys[k], values[k], settings_.tolerance),
-               "-1 where the best value is at the lower bound, 1 at the upper one, else 0");
+    search.number("bound/" + settings_.keys[k].name,
+                  bound_at(settings_.keys[k], values[k], settings_.tolerance), "1",
+                  "-1 where the best value is at the lower bound, 1 at the upper one, else 0");
   return result;
 }
 

@@ -19,11 +19,10 @@ std::vector<std::string> analyses_of(const std::vector<DataSet> &data) {
   return names;
 }
 
-void add_set(PointResult &point, const FittedSet &fitted, const DataSet &data) {
+void add_set(const FieldWriter &point, const FittedSet &fitted, const DataSet &data) {
   const auto add = [&](const std::string &group, const std::vector<double> &values,
                        const std::string &unit, const std::string &description) {
-    point.fields.push_back(series_field(group + "/" + data.name(), "datum_of_" + data.name(),
-                                        values, unit, description));
+    point.series(group + "/" + data.name(), "datum_of_" + data.name(), values, unit, description);
   };
   add("abscissa", fitted.abscissa, fitted.abscissa_unit, "where the data were measured");
   add("measured", fitted.measured, fitted.unit, "measured " + data.quantity());
@@ -91,8 +90,8 @@ PointResult fit_point(const std::vector<std::size_t> &index, const FitEvaluation
     point.reason = evaluation.value.failure;
     return point;
   }
-  point.fields.push_back(scalar_field("sum_of_squares", evaluation.value.residuals().squaredNorm(),
-                                      "1", "of all residuals"));
+  FieldWriter(point).number("sum_of_squares", evaluation.value.residuals().squaredNorm(), "1",
+                            "of all residuals");
   for (std::size_t s = 0; s < data.size(); ++s)
     add_set(point, evaluation.value.sets[s], data[s]);
   return point;
@@ -109,19 +108,15 @@ FitValue FitEvaluations::read(const PointResult &point) const {
   FitValue value;
   for (const DataSet &data : data_) {
     FittedSet &set = value.sets.emplace_back();
-    for (const Field &field : point.fields) {
-      if (field.name() == "abscissa/" + data.name()) {
-        set.abscissa = field.values;
-        set.abscissa_unit = field.unit();
-      } else if (field.name() == "measured/" + data.name()) {
-        set.measured = field.values;
-        set.unit = field.unit();
-      } else if (field.name() == "model/" + data.name()) {
-        set.model = field.values;
-      } else if (field.name() == "residual/" + data.name()) {
-        set.residual = field.values;
-      }
-    }
+    const auto stored = [&](const std::string &group, std::vector<double> &values) {
+      const Field &field = field_of(point, group + "/" + data.name());
+      values = field.values;
+      return field.unit();
+    };
+    set.abscissa_unit = stored("abscissa", set.abscissa);
+    set.unit = stored("measured", set.measured);
+    stored("model", set.model);
+    stored("residual", set.residual);
   }
   return value;
 }

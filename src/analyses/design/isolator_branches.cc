@@ -53,7 +53,8 @@ const std::vector<double> &values_of(const Evaluated &evaluated, std::size_t nam
 }
 
 bool is_turning_point(double kind) {
-  return kind == SpecialKind::fold || kind == SpecialKind::grazing_fold;
+  return kind == kind_number(continuation::Special::fold) ||
+         kind == kind_number(continuation::Special::grazing_fold);
 }
 
 // 0 and 1 are the ends of the range of the key.

@@ -6,7 +6,6 @@
 #include "common/scalar.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -15,19 +14,6 @@ namespace vibroimpact::analyses {
 namespace {
 
 using std::numbers::pi;
-
-void add_isolator_number(PointResult &result, const std::string &name, double value,
-                         const std::string &unit, const std::string &description) {
-  result.fields.push_back(scalar_field(name, value, unit, description));
-}
-
-void add_reported(PointResult &result, const std::string &name, double value,
-                  const std::string &unit, const std::string &description) {
-  add_isolator_number(result, name, value, unit, description);
-  std::string line = name;
-  std::replace(line.begin(), line.end(), '/', '.');
-  result.summary.push_back(scalar_line(line, value, unit));
-}
 
 /// Columns of equal length along one dimension.
 class Table {
@@ -41,10 +27,9 @@ public:
       found = columns_.insert(columns_.end(), Column{name, description, {}});
     found->values.push_back(value);
   }
-  void into(PointResult &result) const {
+  void into(const FieldWriter &result) const {
     for (const Column &column : columns_)
-      result.fields.push_back(
-          series_field(prefix_ + column.name, dimension_, column.values, "1", column.description));
+      result.series(prefix_ + column.name, dimension_, column.values, "1", column.description);
   }
 
 private:
@@ -67,30 +52,31 @@ double even_share(std::size_t i, std::size_t points) {
 
 } // namespace
 
-void add_linear_step(PointResult &result, const IsolatorSystem &isolator,
+void add_linear_step(const FieldWriter &result, const IsolatorSystem &isolator,
                      const StopConditions &conditions, std::optional<double> wanted) {
   const double zeta = conditions.damping.isolator;
-  add_isolator_number(result, "natural_frequency", isolator.natural_frequency() / (2 * pi), "Hz",
-                      "of the isolator without stops");
-  add_isolator_number(result, "damping_ratio", zeta, "1", "zeta_0, of the isolator");
-  add_isolator_number(result, "stop_damping_ratio", conditions.damping.stop, "1",
-                      "zeta_1, of a stop, over the critical damping of the isolator");
-  add_isolator_number(result, "unfolding_ratio", conditions.unfolding_ratio, "1",
-                      "lambda in the first unfolding parameter");
-  add_reported(result, "working_ratio", conditions.working_ratio, "1",
-               "lambda_w, working over natural frequency");
-  add_reported(result, "transmissibility", transmissibility(conditions.working_ratio, zeta), "1",
-               "of the isolator at the working frequency");
+  const FieldWriter listed = result.listed();
+  result.number("natural_frequency", isolator.natural_frequency() / (2 * pi), "Hz",
+                "of the isolator without stops");
+  result.number("damping_ratio", zeta, "1", "zeta_0, of the isolator");
+  result.number("stop_damping_ratio", conditions.damping.stop, "1",
+                "zeta_1, of a stop, over the critical damping of the isolator");
+  result.number("unfolding_ratio", conditions.unfolding_ratio, "1",
+                "lambda in the first unfolding parameter");
+  listed.number("working_ratio", conditions.working_ratio, "1",
+                "lambda_w, working over natural frequency");
+  listed.number("transmissibility", transmissibility(conditions.working_ratio, zeta), "1",
+                "of the isolator at the working frequency");
   if (!wanted)
     return;
-  add_isolator_number(result, "wanted_transmissibility", *wanted, "1", "that the file asks for");
-  add_reported(result, "least_ratio", ratio_for_transmissibility(*wanted, zeta), "1",
-               "frequency ratio from which the transmissibility is at most the wanted one");
-  add_reported(result, "least_ratio_undamped", undamped_ratio_for_transmissibility(*wanted), "1",
-               "the same without damping, sqrt(1 + 1/T)");
+  result.number("wanted_transmissibility", *wanted, "1", "that the file asks for");
+  listed.number("least_ratio", ratio_for_transmissibility(*wanted, zeta), "1",
+                "frequency ratio from which the transmissibility is at most the wanted one");
+  listed.number("least_ratio_undamped", undamped_ratio_for_transmissibility(*wanted), "1",
+                "the same without damping, sqrt(1 + 1/T)");
 }
 
-void add_plane(PointResult &result, const StopConditions &conditions, std::size_t points) {
+void add_plane(const FieldWriter &result, const StopConditions &conditions, std::size_t points) {
   const double rho = conditions.damping.rho();
   const double force = conditions.largest_force();
   Table sets("set_point", "set/"), hysteresis("hysteresis_point", "hysteresis/");
@@ -125,16 +111,17 @@ void add_plane(PointResult &result, const StopConditions &conditions, std::size_
 
 namespace {
 
-void add_corner(PointResult &result, const std::string &name, const StopChoice &stop,
+void add_corner(const FieldWriter &result, const std::string &name, const StopChoice &stop,
                 const StopConditions &conditions, const std::string &of) {
   const UnfoldingParameters at = unfolding_of(stop, conditions.damping, conditions.unfolding_ratio);
-  add_reported(result, "corner/" + name + "/force", stop.force, "1", "f " + of);
-  add_reported(result, "corner/" + name + "/stiffness", stop.stiffness, "1", "mu " + of);
-  add_reported(result, "corner/" + name + "/alpha_1", at.first, "1", "alpha_1 " + of);
-  add_reported(result, "corner/" + name + "/alpha_2", at.second, "1", "alpha_2 " + of);
+  const FieldWriter corner = result.below("corner/" + name + "/").listed();
+  corner.number("force", stop.force, "1", "f " + of);
+  corner.number("stiffness", stop.stiffness, "1", "mu " + of);
+  corner.number("alpha_1", at.first, "1", "alpha_1 " + of);
+  corner.number("alpha_2", at.second, "1", "alpha_2 " + of);
 }
 
-void add_curves(PointResult &result, const StopConditions &conditions, std::size_t points) {
+void add_curves(const FieldWriter &result, const StopConditions &conditions, std::size_t points) {
   Table limits("limit_point", "limit/");
   const double first = 1 / conditions.allowed, last = conditions.largest_force();
   for (std::size_t i = 1; i <= points && first < last; ++i) {
@@ -156,20 +143,20 @@ void add_curves(PointResult &result, const StopConditions &conditions, std::size
 
 } // namespace
 
-void add_limits(PointResult &result, const StopConditions &conditions, const StopCorners &corners,
-                const IsolatorSystem &isolator, std::size_t points) {
-  add_reported(result, "largest_force", conditions.largest_force(), "1",
-               "f that leaves the working frequency linear");
-  add_isolator_number(result, "allowed_amplification", conditions.allowed, "1",
-                      "allowed displacement over the static one");
-  add_isolator_number(result, "margin", conditions.margin, "1",
-                      "by which the conditions are more than met");
+void add_limits(const FieldWriter &result, const StopConditions &conditions,
+                const StopCorners &corners, const IsolatorSystem &isolator, std::size_t points) {
+  const FieldWriter listed = result.listed();
+  listed.number("largest_force", conditions.largest_force(), "1",
+                "f that leaves the working frequency linear");
+  result.number("allowed_amplification", conditions.allowed, "1",
+                "allowed displacement over the static one");
+  result.number("margin", conditions.margin, "1", "by which the conditions are more than met");
   const double force = isolator.stop().force;
-  add_reported(result, "present/force", force, "1", "f with the clearance of the file");
-  add_reported(result, "present/least_stiffness", conditions.least_stiffness(force), "1",
-               "mu that the allowed displacement needs with the clearance of the file");
-  add_reported(result, "present/largest_stiffness", conditions.largest_stiffness(force), "1",
-               "mu up to which there is no jump with the clearance of the file");
+  listed.number("present/force", force, "1", "f with the clearance of the file");
+  listed.number("present/least_stiffness", conditions.least_stiffness(force), "1",
+                "mu that the allowed displacement needs with the clearance of the file");
+  listed.number("present/largest_stiffness", conditions.largest_stiffness(force), "1",
+                "mu up to which there is no jump with the clearance of the file");
   add_corner(result, "resonance_and_jump", corners.resonance_and_jump, conditions,
              "where the allowed displacement and the limit of jumps meet: the largest clearance");
   add_corner(result, "linear_and_resonance", corners.linear_and_resonance, conditions,
@@ -181,21 +168,22 @@ void add_limits(PointResult &result, const StopConditions &conditions, const Sto
 
 namespace {
 
-void add_array(PointResult &judged, const std::string &name, const std::string &dimension,
+void add_array(const FieldWriter &judged, const std::string &name, const std::string &dimension,
                const std::vector<double> &values, const std::string &description) {
   if (!values.empty())
-    judged.fields.push_back(series_field(name, dimension, values, "1", description));
+    judged.series(name, dimension, values, "1", description);
 }
 
-void add_folds(PointResult &judged, const std::string &method, const std::vector<double> &folds,
-               const std::string &how) {
-  add_isolator_number(judged, method + "/folds", static_cast<double>(folds.size()), "1",
-                      "folds of the response curve, " + how);
+void add_folds(const FieldWriter &judged, const std::string &method,
+               const std::vector<double> &folds, const std::string &how) {
+  judged.number(method + "/folds", static_cast<double>(folds.size()), "1",
+                "folds of the response curve, " + how);
   add_array(judged, method + "/fold_ratio", method + "_fold", folds, "lambda of the folds, " + how);
 }
 
 // From one first touch over the peak to the other.
-void add_averaged_curve(PointResult &judged, const AveragedResponse &response, std::size_t points) {
+void add_averaged_curve(const FieldWriter &judged, const AveragedResponse &response,
+                        std::size_t points) {
   Table curve("averaged_point", "averaged/");
   for (const int side : {0, 1})
     for (std::size_t i = 0; i < points && response.reaches_stop(); ++i) {
@@ -210,7 +198,7 @@ void add_averaged_curve(PointResult &judged, const AveragedResponse &response, s
 
 // eta = -u +- sqrt(D), D = alpha_1^2 (rho z - 1) - alpha_2 z^2, between its zero and z = 1 or, on
 // an isola, its other zero.
-void add_expansion_curve(PointResult &judged, const UnfoldingParameters &at, double rho,
+void add_expansion_curve(const FieldWriter &judged, const UnfoldingParameters &at, double rho,
                          double stiffness, std::size_t points) {
   const double a = at.first * at.first;
   const double root = std::sqrt(std::max(0.0, rho * rho * a * a - 4 * at.second * a));
@@ -240,26 +228,24 @@ constexpr const char *stop_kinds =
 
 PointResult judge_by_averaging(const StopToJudge &stop, const IsolatorSystem &isolator,
                                const StopConditions &conditions, std::size_t points) {
-  PointResult judged;
+  PointResult point;
+  const FieldWriter judged(point);
   const UnfoldingParameters at =
       unfolding_of(stop.choice, conditions.damping, conditions.unfolding_ratio);
   const double rho = conditions.damping.rho();
   const Region region = region_of(at, rho);
-  add_isolator_number(judged, "kind", static_cast<double>(stop.kind), "1", stop_kinds);
-  add_isolator_number(judged, "alpha_1", at.first, "1", "first unfolding parameter");
-  add_isolator_number(judged, "alpha_2", at.second, "1", "second unfolding parameter");
-  add_isolator_number(judged, "region", static_cast<double>(region), "1",
-                      "1 to 4: I to IV, the last without folds; 0 where there is no force");
-  add_isolator_number(judged, "stiffness", stop.choice.stiffness, "1",
-                      "mu, over that of the isolator");
-  add_isolator_number(judged, "force", stop.choice.force, "1",
-                      "f, static displacement over clearance");
-  add_isolator_number(judged, "stop_stiffness", stop.choice.stiffness * isolator.stiffness, "N/m",
-                      "stiffness of the stop");
-  add_isolator_number(judged, "clearance", isolator.clearance_of(stop.choice), "m",
-                      "clearance of the stop");
-  add_isolator_number(judged, "expansion/folds", folds_in(region), "1",
-                      "folds of the response curve, by the expansion");
+  judged.number("kind", static_cast<double>(stop.kind), "1", stop_kinds);
+  judged.number("alpha_1", at.first, "1", "first unfolding parameter");
+  judged.number("alpha_2", at.second, "1", "second unfolding parameter");
+  judged.number("region", static_cast<double>(region), "1",
+                "1 to 4: I to IV, the last without folds; 0 where there is no force");
+  judged.number("stiffness", stop.choice.stiffness, "1", "mu, over that of the isolator");
+  judged.number("force", stop.choice.force, "1", "f, static displacement over clearance");
+  judged.number("stop_stiffness", stop.choice.stiffness * isolator.stiffness, "N/m",
+                "stiffness of the stop");
+  judged.number("clearance", isolator.clearance_of(stop.choice), "m", "clearance of the stop");
+  judged.number("expansion/folds", folds_in(region), "1",
+                "folds of the response curve, by the expansion");
   add_expansion_curve(judged, at, rho, stop.choice.stiffness, points);
   const AveragedResponse response(conditions.damping, stop.choice);
   std::vector<double> folds;
@@ -267,51 +253,41 @@ PointResult judge_by_averaging(const StopToJudge &stop, const IsolatorSystem &is
     folds.push_back(fold.ratio);
   add_folds(judged, "averaged", folds, "by averaging");
   const ResponsePeak peak = response.peak();
-  add_isolator_number(judged, "averaged/peak", peak.amplitude * isolator.clearance_of(stop.choice),
-                      "m", "largest amplitude by averaging");
-  add_isolator_number(judged, "averaged/peak_ratio", peak.ratio, "1",
-                      "lambda of the largest amplitude");
+  judged.number("averaged/peak", peak.amplitude * isolator.clearance_of(stop.choice), "m",
+                "largest amplitude by averaging");
+  judged.number("averaged/peak_ratio", peak.ratio, "1", "lambda of the largest amplitude");
   add_averaged_curve(judged, response, points);
-  return judged;
+  return point;
 }
 
-void add_exact(PointResult &judged, const ExactResponse &exact, double clearance) {
+void add_exact(PointResult &point, const ExactResponse &exact, double clearance) {
   const std::string how = "of periodic motions";
-  judged.reason = exact.failure;
+  point.reason = exact.failure;
+  const FieldWriter judged(point);
   if (!exact.failure.empty()) {
-    add_isolator_number(judged, "exact/folds", nan, "1", "folds of the response curve, " + how);
+    judged.number("exact/folds", nan, "1", "folds of the response curve, " + how);
     return;
   }
   add_folds(judged, "exact", exact.folds, how);
-  add_isolator_number(judged, "exact/peak", exact.peak * clearance, "m",
-                      "largest displacement of the periodic motions that were found");
-  const auto add = [&](const char *name, const std::vector<double> &values, const char *text) {
-    add_array(judged, std::string("exact/") + name, "exact_point", values, text);
-  };
-  add("frequency_ratio", exact.ratios, "lambda along the branch");
-  add("amplitude", exact.amplitudes, "largest displacement over the clearance along the branch");
-  add("stable", exact.stable, "1 where the motion is stable");
+  judged.number("exact/peak", exact.peak * clearance, "m",
+                "largest displacement of the periodic motions that were found");
+  add_array(judged, "exact/frequency_ratio", "exact_point", exact.ratios,
+            "lambda along the branch");
+  add_array(judged, "exact/amplitude", "exact_point", exact.amplitudes,
+            "largest displacement over the clearance along the branch");
+  add_array(judged, "exact/stable", "exact_point", exact.stable, "1 where the motion is stable");
 }
 
 void add_judged(PointResult &result, const std::vector<PointResult> &judged) {
-  constexpr std::array summarised = {
-      "kind",        "alpha_1",        "alpha_2",   "region",          "stiffness",
-      "force",       "stop_stiffness", "clearance", "expansion/folds", "averaged/folds",
-      "exact/folds", "averaged/peak",  "exact/peak"};
-  for (std::size_t i = 0; i < judged.size(); ++i) {
-    for (const Field &field : judged[i].fields)
-      if (std::find(summarised.begin(), summarised.end(), field.name()) != summarised.end()) {
-        std::string name = field.name();
-        std::replace(name.begin(), name.end(), '/', '.');
-        result.summary.push_back(scalar_line("stop[" + std::to_string(i + 1) + "]." + name,
-                                             field.values[0], field.unit()));
-      }
+  summarise(result, "stop", judged,
+            {"kind", "alpha_1", "alpha_2", "region", "stiffness", "force", "stop_stiffness",
+             "clearance", "expansion/folds", "averaged/folds", "exact/folds", "averaged/peak",
+             "exact/peak"});
+  for (std::size_t i = 0; i < judged.size(); ++i)
     if (!judged[i].reason.empty())
       result.reason += (result.reason.empty() ? "" : "; ") + std::string("the branch of stop ") +
                        std::to_string(i + 1) + " is not followed: " + judged[i].reason;
-  }
-  for (Field &field : stacked(judged, "design", "stop/"))
-    result.fields.push_back(std::move(field));
+  add_stacked({result, "stop/"}, judged, "design");
 }
 
 } // namespace vibroimpact::analyses

@@ -3,7 +3,7 @@
 
 #include "analyses/design/isolator_branches.h"
 #include "analyses/design/isolator_constraints.h"
-#include "common/result_sink.h"
+#include "analyses/field_writer.h"
 
 #include <optional>
 #include <vector>
@@ -30,15 +30,15 @@ struct StopToJudge {
 
 /// Natural frequency, damping ratios, and transmissibility at the working frequency; where one is
 /// wanted, the least frequency ratio for it, exact and without damping.
-void add_linear_step(PointResult &result, const IsolatorSystem &isolator,
+void add_linear_step(const FieldWriter &result, const IsolatorSystem &isolator,
                      const StopConditions &conditions, std::optional<double> transmissibility);
 
 /// The bifurcation sets along alpha_1 and the hysteresis set along z.
-void add_plane(PointResult &result, const StopConditions &conditions, std::size_t points);
+void add_plane(const FieldWriter &result, const StopConditions &conditions, std::size_t points);
 
 /// The conditions along f, their corners, and the two limits of the stiffness at the present f.
-void add_limits(PointResult &result, const StopConditions &conditions, const StopCorners &corners,
-                const IsolatorSystem &isolator, std::size_t points);
+void add_limits(const FieldWriter &result, const StopConditions &conditions,
+                const StopCorners &corners, const IsolatorSystem &isolator, std::size_t points);
 
 /// Place of a stop in the plane, its region, its averaged response curve and the expansion of that.
 PointResult judge_by_averaging(const StopToJudge &stop, const IsolatorSystem &isolator,

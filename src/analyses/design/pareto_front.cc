@@ -99,15 +99,14 @@ PopulationSearch &ParetoFront::population() const {
   return *population_;
 }
 
-void ParetoFront::add_front(PointResult &result,
+void ParetoFront::add_front(const FieldWriter &result,
                             const std::vector<const Evaluation *> &front) const {
   const auto add = [&](const std::string &name, const std::string &unit,
                        const std::string &description, const auto &value) {
     std::vector<double> values;
     for (const Evaluation *evaluation : front)
       values.push_back(value(*evaluation));
-    result.fields.push_back(
-        series_field("front/" + name, "member", std::move(values), unit, description));
+    result.series("front/" + name, "member", std::move(values), unit, description);
   };
   add("evaluation", "1", "number of the evaluation",
       [](const Evaluation &evaluation) { return static_cast<double>(evaluation.number); });
@@ -151,9 +150,8 @@ PointResult ParetoFront::front(const std::deque<Evaluation> &evaluations) const 
   });
   add_front(result, front);
   add_counts(result, evaluations);
-  result.fields.push_back(scalar_field("search/front", static_cast<double>(front.size()), "1",
-                                       "evaluations on the front"));
-  add_search_summary(result);
+  FieldWriter(result, "search/", Listed::yes)
+      .number("front", static_cast<double>(front.size()), "1", "evaluations on the front");
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "analyses/analysis.h"
 #include "analyses/design/design_note.h"
 #include "analyses/design/population_search.h"
+#include "analyses/field_writer.h"
 
 #include <memory>
 
@@ -44,7 +45,7 @@ public:
 private:
   PopulationSearch &population() const;
   PointResult front(const std::deque<Evaluation> &evaluations) const;
-  void add_front(PointResult &result, const std::vector<const Evaluation *> &front) const;
+  void add_front(const FieldWriter &result, const std::vector<const Evaluation *> &front) const;
 
   Settings settings_;
   mutable std::unique_ptr<PopulationSearch> population_; ///< lines share what they have taken in

@@ -17,32 +17,26 @@ namespace {
 
 constexpr const char *sensitivity_section = "Sensitivity";
 
-std::string field_of(const Sensitivity::Quantity &quantity) { return "quantity/" + quantity.name; }
-
-void add_index(PointResult &result, const std::string &name, double value, const std::string &unit,
-               const std::string &description) {
-  result.fields.push_back(scalar_field(name, value, unit, description));
-  std::string line = name;
-  std::replace(line.begin(), line.end(), '/', '.');
-  result.summary.push_back(scalar_line(line, value, unit));
+std::string field_name(const Sensitivity::Quantity &quantity) {
+  return "quantity/" + quantity.name;
 }
 
-void add_indices(PointResult &result, const std::string &quantity, const std::string &unit,
+void add_indices(const FieldWriter &result, const std::string &quantity, const std::string &unit,
                  const std::vector<DesignKey> &keys, const SobolIndices &indices) {
-  add_index(result, "mean/" + quantity, indices.mean, unit, "mean over all samples");
-  add_index(result, "deviation/" + quantity, std::sqrt(indices.variance), unit,
-            "standard deviation over all samples");
-  add_index(result, "samples/" + quantity, static_cast<double>(indices.rows), "1",
-            "samples of which no evaluation failed");
+  result.number("mean/" + quantity, indices.mean, unit, "mean over all samples");
+  result.number("deviation/" + quantity, std::sqrt(indices.variance), unit,
+                "standard deviation over all samples");
+  result.number("samples/" + quantity, static_cast<double>(indices.rows), "1",
+                "samples of which no evaluation failed");
   for (std::size_t k = 0; k < keys.size(); ++k) {
     const SobolIndex &index = indices.arguments[k];
     const std::string path = quantity + "/" + keys[k].name;
-    add_index(result, "first_order/" + path, index.first, "1",
-              "share of the variance that the key brings about by itself");
-    add_index(result, "first_order_error/" + path, index.first_error, "1", "its standard error");
-    add_index(result, "total/" + path, index.total, "1",
-              "share of the variance that the key brings about together with all others");
-    add_index(result, "total_error/" + path, index.total_error, "1", "its standard error");
+    result.number("first_order/" + path, index.first, "1",
+                  "share of the variance that the key brings about by itself");
+    result.number("first_order_error/" + path, index.first_error, "1", "its standard error");
+    result.number("total/" + path, index.total, "1",
+                  "share of the variance that the key brings about together with all others");
+    result.number("total_error/" + path, index.total_error, "1", "its standard error");
   }
 }
 
@@ -138,9 +132,9 @@ void Sensitivity::add_values(PointResult &point, LineContext &context) const {
       settings_.evaluated, overrides_at(settings_.keys, coordinates), paths,
       [&context](double share) { context.note_progress(share); });
   for (std::size_t q = 0; q < paths.size(); ++q)
-    point.fields.push_back(scalar_field(field_of(settings_.quantities[q]),
-                                        single_number(evaluated.outcomes[q], paths[q]),
-                                        evaluated.outcomes[q].unit, paths[q]));
+    FieldWriter(point).number(field_name(settings_.quantities[q]),
+                              single_number(evaluated.outcomes[q], paths[q]),
+                              evaluated.outcomes[q].unit, paths[q]);
 }
 
 PointResult Sensitivity::evaluate(std::size_t number, LineContext &context) const {
@@ -166,11 +160,10 @@ LineNote Sensitivity::note(const PointResult &point) const {
   if (point.status == Status::failed)
     return note;
   for (std::size_t q = 0; q < settings_.quantities.size(); ++q)
-    for (const Field &field : point.fields)
-      if (field.name() == field_of(settings_.quantities[q])) {
-        note.values[q] = field.values[0];
-        note.text += (q > 0 ? "\n" : "") + field.unit();
-      }
+    if (const Field *field = find(point, field_name(settings_.quantities[q]))) {
+      note.values[q] = field->values[0];
+      note.text += (q > 0 ? "\n" : "") + field->unit();
+    }
   return note;
 }
 
@@ -198,7 +191,8 @@ PointResult Sensitivity::result(const LineContext &context) const {
               .reason =
                   "fewer than two samples have all their evaluations; the first that failed: " +
                   failure};
-    add_indices(result, settings_.quantities[q].name, units.at(q), settings_.keys, indices);
+    add_indices({result, "", Listed::yes}, settings_.quantities[q].name, units.at(q),
+                settings_.keys, indices);
   }
   return result;
 }

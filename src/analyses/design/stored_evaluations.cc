@@ -40,11 +40,12 @@ std::vector<Axis> search_axes(std::size_t starts, std::size_t most) {
           evaluation_axis(most)};
 }
 
-void add_keys(PointResult &point, const std::vector<DesignKey> &keys, const Vector &coordinates) {
+void add_keys(const FieldWriter &point, const std::vector<DesignKey> &keys,
+              const Vector &coordinates) {
   const std::vector<double> values = values_at(keys, coordinates);
   for (std::size_t k = 0; k < keys.size(); ++k)
-    point.fields.push_back(scalar_field("key/" + keys[k].name, values[k], keys[k].parameter.unit,
-                                        "value of the key " + keys[k].parameter.path));
+    point.number("key/" + keys[k].name, values[k], keys[k].parameter.unit,
+                 "value of the key " + keys[k].parameter.path);
 }
 
 double bound_at(const DesignKey &key, double value, double tolerance) {
@@ -56,13 +57,6 @@ double bound_at(const DesignKey &key, double value, double tolerance) {
 
 std::string stored_failure(const PointResult &point) {
   return point.reason.empty() ? "an evaluation that was left out" : point.reason;
-}
-
-double stored_value(const PointResult &point, const std::string &name) {
-  for (const Field &field : point.fields)
-    if (field.name() == name)
-      return field.values.at(0);
-  return std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace vibroimpact::analyses

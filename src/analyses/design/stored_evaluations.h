@@ -4,6 +4,7 @@
 
 #include "analyses/analysis.h"
 #include "analyses/design/design_keys.h"
+#include "analyses/field_writer.h"
 
 #include <deque>
 #include <map>
@@ -84,13 +85,12 @@ void skip_the_rest(std::size_t most, std::size_t points, LineContext &context);
 Axis evaluation_axis(std::size_t most);
 std::vector<Axis> search_axes(std::size_t starts, std::size_t most);
 /// The fields key/NAME.
-void add_keys(PointResult &point, const std::vector<DesignKey> &keys, const Vector &coordinates);
+void add_keys(const FieldWriter &point, const std::vector<DesignKey> &keys,
+              const Vector &coordinates);
 /// -1 where the value is at the lower bound within `tolerance` of the coordinate, 1 at the upper
 /// one, else 0.
 double bound_at(const DesignKey &key, double value, double tolerance);
 /// Why a point failed; never empty.
 std::string stored_failure(const PointResult &point);
-/// Value of a scalar field; NaN without one.
-double stored_value(const PointResult &point, const std::string &name);
 
 } // namespace vibroimpact::analyses

@@ -144,14 +144,13 @@ void Energy::end(const Trajectory &trajectory) {
   base_work_ += energy_beyond(trajectory);
 }
 
-void Energy::add_work(PointResult &result, const WorkLabels &labels, double work) const {
-  result.fields.push_back(scalar_field(labels.whole, work));
+void Energy::add_work(const FieldWriter &result, const WorkLabels &labels, double work) const {
+  result.number(labels.whole, work);
   if (window_.cycles > 0)
-    result.fields.push_back(
-        scalar_field(labels.per_period, work / static_cast<double>(window_.cycles)));
+    result.number(labels.per_period, work / static_cast<double>(window_.cycles));
 }
 
-void Energy::add_fields(PointResult &result) const {
+void Energy::add_fields(const FieldWriter &result) const {
   const motion::StateLayout layout{.n = system_.model.size(),
                                    .n_internal = system_.contacts.n_internal(),
                                    .n_drive = system_.model.n_drive(),
@@ -180,8 +179,8 @@ void Energy::add_fields(PointResult &result) const {
   add_work(result, damping_work, damping);
   add_work(result, contact_work, contacts);
   const double stored = last_energy_ - first_energy_;
-  result.fields.push_back(scalar_field(stored_change, stored));
-  result.fields.push_back(scalar_field(residual, stored - input + damping + contacts));
+  result.number(stored_change, stored);
+  result.number(residual, stored - input + damping + contacts);
 }
 
 } // namespace vibroimpact::analyses

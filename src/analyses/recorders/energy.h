@@ -6,6 +6,7 @@
 // of B v s' + M s'^2/2, which repeats.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 
 #include <vector>
@@ -25,7 +26,7 @@ public:
   /// energy/input_work, /damping_work, /contact_work, /stored_change, /residual (stored change less
   /// input plus losses), dissipated_energy of every body, connection and contact, and motor_work of
   /// every rotor [J]; all works also per period where the window has periods.
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
   /// A work and its mean per period.
@@ -33,7 +34,7 @@ private:
     WorkLabels(const std::string &path, const std::string &meaning);
     Label whole, per_period;
   };
-  void add_work(PointResult &result, const WorkLabels &labels, double work) const;
+  void add_work(const FieldWriter &result, const WorkLabels &labels, double work) const;
   double energy_beyond(const motion::Trajectory &trajectory) const;
   double stored_energy(const motion::Trajectory &trajectory) const;
   void add_connection(std::size_t connection, const motion::StepView &view);

@@ -12,10 +12,11 @@ namespace {
 
 constexpr const char *extreme_values_section = "Extreme values";
 
-void add_bounds(PointResult &result, const ExtremeValueLabels &labels, const ValueRange &range) {
+void add_bounds(const FieldWriter &result, const ExtremeValueLabels &labels,
+                const ValueRange &range) {
   const bool seen = range.maximum >= range.minimum;
-  result.fields.push_back(scalar_field(labels.minimum, seen ? range.minimum : nan));
-  result.fields.push_back(scalar_field(labels.maximum, seen ? range.maximum : nan));
+  result.number(labels.minimum, seen ? range.minimum : nan);
+  result.number(labels.maximum, seen ? range.maximum : nan);
 }
 
 } // namespace
@@ -32,10 +33,11 @@ ExtremeValueLabels::ExtremeValueLabels(const ObservedQuantity &quantity)
       maximum(quantity.path + "/maximum", quantity.unit,
               "largest value in the recorded window, " + quantity.meaning) {}
 
-void add_range(PointResult &result, const ExtremeValueLabels &labels, const ValueRange &range) {
-  result.fields.push_back(scalar_field(labels.peak_to_peak, range.peak_to_peak()));
-  result.fields.push_back(scalar_field(labels.amplitude, range.peak_to_peak() / 2));
-  result.fields.push_back(scalar_field(labels.largest, range.peak()));
+void add_range(const FieldWriter &result, const ExtremeValueLabels &labels,
+               const ValueRange &range) {
+  result.number(labels.peak_to_peak, range.peak_to_peak());
+  result.number(labels.amplitude, range.peak_to_peak() / 2);
+  result.number(labels.largest, range.peak());
   add_bounds(result, labels, range);
 }
 
@@ -89,14 +91,14 @@ void ExtremeValues::add_forms(const motion::Equations &equations,
       forms.push_back(motion::monitored_force(equations, c, forces_[c]));
 }
 
-void ExtremeValues::add_fields(PointResult &result) const {
+void ExtremeValues::add_fields(const FieldWriter &result) const {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     if (quantities_[i].kind == "gap")
       add_bounds(result, labels_[i], ranges_[i]);
     else
       add_range(result, labels_[i], ranges_[i]);
   for (std::size_t c = 0; c < forces_.size(); ++c)
-    result.fields.push_back(scalar_field(force_labels_[c], forces_[c].maximum));
+    result.number(force_labels_[c], forces_[c].maximum);
 }
 
 } // namespace vibroimpact::analyses

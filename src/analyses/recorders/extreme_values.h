@@ -1,6 +1,7 @@
 // Extreme values of a motion over a window, from the dense output.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 #include "analyses/recorders/observed_quantities.h"
 #include "motion/segment/value_range.h"
@@ -17,7 +18,7 @@ struct ExtremeValueLabels {
 };
 
 /// All five as scalar fields.
-void add_range(PointResult &result, const ExtremeValueLabels &labels,
+void add_range(const FieldWriter &result, const ExtremeValueLabels &labels,
                const motion::ValueRange &range);
 
 class ExtremeValues : public Recorder, private motion::OutputMonitor {
@@ -33,7 +34,7 @@ public:
   motion::OutputMonitor *output_monitor() override { return linear_ ? this : nullptr; }
   /// Extreme values of every quantity observed; of gaps only minimum and maximum, of contact forces
   /// only the maximum.
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
   void add_forms(const motion::Equations &equations,

@@ -122,16 +122,15 @@ void Forces::step(const StepView &view) {
   }
 }
 
-void Forces::add_fields(PointResult &result) const {
+void Forces::add_fields(const FieldWriter &result) const {
   for (const ObservedForce &force : forces_) {
     add_range(result, force.range_labels, force.range);
     add_average(result, force.average_labels, force.average);
   }
   for (const Ratio &ratio : ratios_) {
     const double input = ratio.input_range.peak_to_peak();
-    result.fields.push_back(
-        scalar_field(ratio.label, input > 0 ? ratio.output_range.peak_to_peak() / input
-                                            : std::numeric_limits<double>::quiet_NaN()));
+    result.number(ratio.label, input > 0 ? ratio.output_range.peak_to_peak() / input
+                                         : std::numeric_limits<double>::quiet_NaN());
   }
 }
 

@@ -5,6 +5,7 @@
 // on the base to the applied force where a single force varies in time.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/recorders/extreme_values.h"
 #include "analyses/recorders/statistics.h"
 
@@ -22,7 +23,7 @@ public:
   /// Extreme values, mean and root mean squares of connection/NAME/force and
   /// body/NAME/base_force_x; transmissibility below point/BODY.POINT/displacement_x and
   /// /acceleration_x, and below body/NAME/base_force_x.
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
   struct ObservedForce {

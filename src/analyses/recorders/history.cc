@@ -84,18 +84,17 @@ void History::step(const motion::StepView &view) {
       forces_[c].push_back(in_contact(view, c) ? view.force(c, tau(i)) : 0);
 }
 
-void History::add_fields(PointResult &result) const {
-  const std::string base = "history/";
+void History::add_fields(const FieldWriter &result) const {
+  const FieldWriter of = result.below("history/");
   const std::vector<double> taken(instants_.begin(),
                                   instants_.begin() + static_cast<std::ptrdiff_t>(next_));
-  result.fields.push_back(series_field(base + dimension, dimension, taken, "s", "time"));
+  of.series(dimension, dimension, taken, "s", "time");
   for (std::size_t k = 0; k < quantities_.size(); ++k)
-    result.fields.push_back(series_field(base + quantities_[k].path, dimension, values_[k],
-                                         quantities_[k].unit, quantities_[k].meaning));
+    of.series(quantities_[k].path, dimension, values_[k], quantities_[k].unit,
+              quantities_[k].meaning);
   for (std::size_t c = 0; c < forces_.size(); ++c)
-    result.fields.push_back(
-        series_field(base + "contact/" + contacts_.pairs()[c].name + "/normal_force", dimension,
-                     forces_[c], "N", "normal force, > 0 pushes apart"));
+    of.series("contact/" + contacts_.pairs()[c].name + "/normal_force", dimension, forces_[c], "N",
+              "normal force, > 0 pushes apart");
 }
 
 } // namespace vibroimpact::analyses

@@ -1,6 +1,7 @@
 // Time histories of what a recorder can watch, sampled in the window.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 #include "analyses/recorders/observed_quantities.h"
 
@@ -25,7 +26,7 @@ public:
   void step(const motion::StepView &view) override;
   /// history/PATH along history_time for every quantity; a sample at a contact change is that
   /// before it.
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
   Settings settings_;

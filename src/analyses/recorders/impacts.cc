@@ -13,14 +13,15 @@ using motion::Impact;
 
 namespace {
 
-void add_range(PointResult &result, const RangeLabels &labels, const std::vector<double> &values) {
+void add_range(const FieldWriter &result, const RangeLabels &labels,
+               const std::vector<double> &values) {
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) /
                       static_cast<double>(std::max<std::size_t>(values.size(), 1));
   const bool none = values.empty();
-  result.fields.push_back(scalar_field(labels.mean, none ? nan : mean));
-  result.fields.push_back(scalar_field(labels.minimum, none ? nan : *lowest));
-  result.fields.push_back(scalar_field(labels.maximum, none ? nan : *highest));
+  result.number(labels.mean, none ? nan : mean);
+  result.number(labels.minimum, none ? nan : *lowest);
+  result.number(labels.maximum, none ? nan : *highest);
 }
 
 enum class Lasting : bool { left_out, included };
@@ -114,20 +115,18 @@ void Impacts::end(const motion::Trajectory &trajectory) {
   log_.end_record(trajectory.time(), trajectory.state(), trajectory.layout());
 }
 
-void Impacts::add_fields(PointResult &result) const {
+void Impacts::add_fields(const FieldWriter &result) const {
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const Labels &labels = labels_[c];
     const auto begun = static_cast<double>(log_.begun(c));
     const std::vector<Impact> &impacts = log_.impacts(c);
     const bool lasts = !impacts.empty() && !impacts.back().finished;
-    result.fields.push_back(scalar_field(labels.impacts, begun));
-    result.fields.push_back(scalar_field(labels.unfinished, lasts ? 1 : 0));
+    result.number(labels.impacts, begun);
+    result.number(labels.unfinished, lasts ? 1 : 0);
     if (window_.cycles > 0)
-      result.fields.push_back(
-          scalar_field(labels.impacts_per_period, begun / static_cast<double>(window_.cycles)));
-    result.fields.push_back(
-        scalar_field(labels.contact_fraction, time_in_contact_[c] / window_.length()));
-    result.fields.push_back(scalar_field(labels.chatters, static_cast<double>(chatters_[c])));
+      result.number(labels.impacts_per_period, begun / static_cast<double>(window_.cycles));
+    result.number(labels.contact_fraction, time_in_contact_[c] / window_.length());
+    result.number(labels.chatters, static_cast<double>(chatters_[c]));
     add_range(result, labels.approach_speed, approach_speeds_[c]);
     add_range(result, labels.impulse, values_of(impacts, &Impact::impulse, Lasting::left_out));
     add_range(result, labels.peak_force,

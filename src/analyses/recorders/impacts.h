@@ -5,6 +5,7 @@
 // are of impacts that also end in the window, for a part of an impact would falsify the mean.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 #include "motion/event/impact_log.h"
 
@@ -33,7 +34,7 @@ public:
   /// For every contact C: contact/C/impacts, /unfinished, /impacts_per_period (where the window has
   /// periods), /contact_fraction, /chatters, and mean, minimum and maximum of /approach_speed,
   /// /impulse, /peak_force, /contact_duration, /penetration; these are NaN without an impact.
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
   /// Of the impacts of one contact.

@@ -142,49 +142,31 @@ void LyapunovRecorder::period_end(long /*cycle*/, const Trajectory &trajectory) 
   exponents_.period_end(trajectory.time());
 }
 
-void LyapunovRecorder::add_fields(PointResult &result) const {
+void LyapunovRecorder::add_fields(const FieldWriter &result) const {
   const double exponent = exponents_.exponents().front();
-  std::vector<Field> scalars = {
-      scalar_field("lyapunov/exponent", exponent, "1/s", "largest Lyapunov exponent"),
-      scalar_field("lyapunov/standard_error", exponents_.standard_errors().front(), "1/s",
-                   "of the exponent, from the means of blocks"),
-      scalar_field("lyapunov/tangential_events",
-                   static_cast<double>(exponents_.tangential_events()), "1",
-                   "contact changes whose instant has no derivative; passed as if fixed"),
-      scalar_field(
-          "lyapunov/mean_divergence", exponents_.mean_divergence(), "1/s",
-          "mean growth of the volume of all deviations, which is the sum of all exponents")};
+  const FieldWriter of = result.below("lyapunov/"), listed = of.listed();
+  listed.number("exponent", exponent, "1/s", "largest Lyapunov exponent");
+  listed.number("standard_error", exponents_.standard_errors().front(), "1/s",
+                "of the exponent, from the means of blocks");
+  listed.number("tangential_events", static_cast<double>(exponents_.tangential_events()), "1",
+                "contact changes whose instant has no derivative; passed as if fixed");
+  listed.number("mean_divergence", exponents_.mean_divergence(), "1/s",
+                "mean growth of the volume of all deviations, which is the sum of all exponents");
   if (period_ > 0)
-    scalars.push_back(scalar_field("lyapunov/exponent_per_period", exponent * period_, "1",
-                                   "largest Lyapunov exponent times the forcing period"));
-  if (exponents_.exponents().size() > 1)
-    scalars.push_back(scalar_field(
-        "lyapunov/kaplan_yorke_dimension", kaplan_yorke_dimension(exponents_.exponents(), all_),
-        "1", "dimension of Kaplan and Yorke; NaN when more exponents are needed"));
-  for (const Field &field : scalars) {
-    result.summary.push_back(
-        scalar_line("lyapunov." + field.name().substr(field.name().find('/') + 1), field.values[0],
-                    field.unit()));
-    result.fields.push_back(field);
+    listed.number("exponent_per_period", exponent * period_, "1",
+                  "largest Lyapunov exponent times the forcing period");
+  if (exponents_.exponents().size() > 1) {
+    listed.number("kaplan_yorke_dimension", kaplan_yorke_dimension(exponents_.exponents(), all_),
+                  "1", "dimension of Kaplan and Yorke; NaN when more exponents are needed");
+    of.series("spectrum", "lyapunov_exponent", exponents_.exponents(), "1/s",
+              "Lyapunov exponents, the largest first; -infinity where deviations end in an event");
+    of.series("spectrum_error", "lyapunov_exponent", exponents_.standard_errors(), "1/s",
+              "standard errors of the exponents");
   }
-  add_spectrum(result);
-  result.fields.push_back(series_field("lyapunov/elapsed", "lyapunov_interval",
-                                       exponents_.growth().elapsed(), "s",
-                                       "time since the window began"));
-  result.fields.push_back(series_field("lyapunov/running_exponent", "lyapunov_interval",
-                                       exponents_.growth().running_exponent(), "1/s",
-                                       "exponent from the intervals up to this one"));
-}
-
-void LyapunovRecorder::add_spectrum(PointResult &result) const {
-  if (exponents_.exponents().size() < 2)
-    return;
-  result.fields.push_back(series_field(
-      "lyapunov/spectrum", "lyapunov_exponent", exponents_.exponents(), "1/s",
-      "Lyapunov exponents, the largest first; -infinity where deviations end in an event"));
-  result.fields.push_back(series_field("lyapunov/spectrum_error", "lyapunov_exponent",
-                                       exponents_.standard_errors(), "1/s",
-                                       "standard errors of the exponents"));
+  of.series("elapsed", "lyapunov_interval", exponents_.growth().elapsed(), "s",
+            "time since the window began");
+  of.series("running_exponent", "lyapunov_interval", exponents_.growth().running_exponent(), "1/s",
+            "exponent from the intervals up to this one");
 }
 
 } // namespace vibroimpact::analyses

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "analyses/character/growth.h"
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 #include "motion/variation/variation.h"
 
@@ -69,11 +70,9 @@ public:
   void step(const motion::StepView &view) override { exponents_.step(view); }
   void event(const motion::ContactEvent &event) override { exponents_.event(event); }
   void period_end(long cycle, const motion::Trajectory &trajectory) override;
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
-  void add_spectrum(PointResult &result) const;
-
   LyapunovExponents exponents_;
   double period_ = 0;
   bool all_ = false; ///< as many exponents as states

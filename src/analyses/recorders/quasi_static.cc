@@ -77,7 +77,7 @@ void QuasiStatic::end(const motion::Trajectory & /*trajectory*/) {
                                  .displacement);
 }
 
-void QuasiStatic::add_fields(PointResult &result) const {
+void QuasiStatic::add_fields(const FieldWriter &result) const {
   for (const Channel &channel : observed_channels(system_.model)) {
     const std::string path =
         "point/" + channel.point + "/quasi_static_displacement_" + channel.axis;
@@ -87,12 +87,12 @@ void QuasiStatic::add_fields(PointResult &result) const {
     const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
     if (values.empty())
       continue;
-    result.fields.push_back(scalar_field(path + "/minimum", *lowest, "m",
-                                         "static displacement under the peak of the excitation of "
-                                         "either sign, smaller one"));
-    result.fields.push_back(scalar_field(path + "/maximum", *highest, "m",
-                                         "static displacement under the peak of the excitation of "
-                                         "either sign, larger one"));
+    result.number(path + "/minimum", *lowest, "m",
+                  "static displacement under the peak of the excitation of "
+                  "either sign, smaller one");
+    result.number(path + "/maximum", *highest, "m",
+                  "static displacement under the peak of the excitation of "
+                  "either sign, larger one");
   }
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "analyses/channels.h"
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 
 #include <vector>
@@ -25,7 +26,7 @@ public:
   /// NumericalError when nothing balances the load.
   void end(const motion::Trajectory &trajectory) override;
   /// point/BODY.POINT/quasi_static_displacement_x/minimum and /maximum, relative to the base [m].
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
   void consider(double time);

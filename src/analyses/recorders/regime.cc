@@ -20,15 +20,6 @@ const LyapunovSettings exponent_settings;
 // Logarithm of the growth of deviations that go with the square of the time.
 double algebraic_growth() { return -2 * std::log(exponent_settings.discarded_share); }
 
-void put(PointResult &result, const std::string &name, double value, const std::string &unit,
-         const std::string &description) {
-  result.fields.push_back(scalar_field("regime/" + name, value, unit, description));
-  std::string line = "regime." + name;
-  for (char &c : line)
-    c = c == '/' ? '.' : c;
-  result.summary.push_back(scalar_line(line, value, unit));
-}
-
 } // namespace
 
 RegimeRecorder::RegimeRecorder(const System &system, RegimeSettings settings)
@@ -175,20 +166,22 @@ Regime RegimeRecorder::classify(const Repetition &repetition, const Approach &ap
 
 // Impacts at the very end of a period may fall on either side of it: the mean over all repetitions
 // in the window, rounded, is the count of each.
-void RegimeRecorder::add_impacts(PointResult &result, long multiple) const {
+void RegimeRecorder::add_impacts(const FieldWriter &result, long multiple) const {
   const auto cycles = static_cast<double>(states_.size() - 1);
   for (std::size_t c = 0; c < impacts_.size(); ++c) {
     const std::string &name = system_.contacts.pairs()[c].name;
     const double per_period = static_cast<double>(impacts_[c]) / cycles;
-    put(result, "impacts_per_period/" + name, per_period, "1", "impacts begun per forcing period");
-    put(result, "impacts_per_repetition/" + name,
-        multiple > 0 ? std::round(per_period * static_cast<double>(multiple))
-                     : std::numeric_limits<double>::quiet_NaN(),
-        "1", "impacts until the motion repeats; NaN when it does not");
+    result.number("impacts_per_period/" + name, per_period, "1",
+                  "impacts begun per forcing period");
+    result.number("impacts_per_repetition/" + name,
+                  multiple > 0 ? std::round(per_period * static_cast<double>(multiple))
+                               : std::numeric_limits<double>::quiet_NaN(),
+                  "1", "impacts until the motion repeats; NaN when it does not");
   }
 }
 
-void RegimeRecorder::add_fields(PointResult &result) const {
+void RegimeRecorder::add_fields(const FieldWriter &result) const {
+  const FieldWriter of = result.below("regime/").listed();
   const StroboscopicPoints points = this->points();
   Repetition repetition = find_repetition(points, settings_.longest, settings_.tolerance);
   Approach approach;
@@ -199,28 +192,29 @@ void RegimeRecorder::add_fields(PointResult &result) const {
   else if (repetition.multiple == 0)
     approach = find_approach(points, settings_.longest);
   const Regime regime = classify(repetition, approach);
-  put(result, "class", static_cast<double>(regime), "1",
+  of.number(
+      "class", static_cast<double>(regime), "1",
       "0 does not repeat, 1 periodic, 2 settling towards a periodic motion, 3 quasi-periodic, "
       "4 chaotic, 5 not decided between 3 and 4: a longer window would");
   if (regime == Regime::undecided)
-    result.summary.push_back(
-        scalar_line("regime.cycles_that_would_decide", deciding_cycles(), "1"));
-  put(result, "period_multiple", static_cast<double>(repetition.multiple), "1",
-      "forcing periods after which the motion repeats; 0 when it does not");
-  put(result, "difference", repetition.difference, "1",
+    of.line("cycles_that_would_decide", deciding_cycles(), "1");
+  of.number("period_multiple", static_cast<double>(repetition.multiple), "1",
+            "forcing periods after which the motion repeats; 0 when it does not");
+  of.number(
+      "difference", repetition.difference, "1",
       "largest relative difference of states a repetition apart; without one the smallest of all");
-  put(result, "longest_searched", static_cast<double>(repetition.searched), "1",
-      "longest repetition looked for, in forcing periods");
-  put(result, "approached_multiple", static_cast<double>(approach.multiple), "1",
-      "forcing periods of the repetition the motion approaches; 0 when none is recognised");
-  put(result, "remaining", approach.multiple > 0 ? approach.remaining : 0, "1",
-      "estimated relative distance to that motion at the end of the window");
+  of.number("longest_searched", static_cast<double>(repetition.searched), "1",
+            "longest repetition looked for, in forcing periods");
+  of.number("approached_multiple", static_cast<double>(approach.multiple), "1",
+            "forcing periods of the repetition the motion approaches; 0 when none is recognised");
+  of.number("remaining", approach.multiple > 0 ? approach.remaining : 0, "1",
+            "estimated relative distance to that motion at the end of the window");
   if (exponents_) {
-    put(result, "exponent", exponents_->exponents().front(), "1/s", "largest Lyapunov exponent");
-    put(result, "exponent_error", exponents_->standard_errors().front(), "1/s",
-        "standard error of it; NaN where the window has too few periods");
+    of.number("exponent", exponents_->exponents().front(), "1/s", "largest Lyapunov exponent");
+    of.number("exponent_error", exponents_->standard_errors().front(), "1/s",
+              "standard error of it; NaN where the window has too few periods");
   }
-  add_impacts(result, repetition.multiple);
+  add_impacts(of, repetition.multiple);
 }
 
 } // namespace vibroimpact::analyses

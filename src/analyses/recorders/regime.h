@@ -9,6 +9,7 @@
 #pragma once
 
 #include "analyses/character/repetition.h"
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 #include "analyses/recorders/lyapunov.h"
 
@@ -46,7 +47,7 @@ public:
   void step(const motion::StepView &view) override;
   void event(const motion::ContactEvent &event) override;
   void period_end(long cycle, const motion::Trajectory &trajectory) override;
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
   Vector scales() const;
@@ -55,7 +56,7 @@ private:
   double counted_periods() const;
   bool grows_exponentially(double growth) const;
   double deciding_cycles() const;
-  void add_impacts(PointResult &result, long multiple) const;
+  void add_impacts(const FieldWriter &result, long multiple) const;
 
   const System &system_;
   RegimeSettings settings_;

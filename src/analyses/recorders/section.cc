@@ -158,12 +158,11 @@ void SectionRecorder::period_end(long /*cycle*/, const motion::Trajectory &traje
   add_state(sections_[period_section], trajectory.time(), trajectory.state());
 }
 
-void SectionRecorder::add_samples(PointResult &result, const Samples &samples) const {
-  const std::string base = "section/" + samples.name + "/";
+void SectionRecorder::add_samples(const FieldWriter &result, const Samples &samples) const {
+  const FieldWriter of = result.below("section/" + samples.name + "/");
   const auto add = [&](const std::string &name, const std::vector<double> &values,
                        const std::string &unit, const std::string &what) {
-    result.fields.push_back(series_field(base + name, samples.dimension, values, unit,
-                                         what + " " + samples.description));
+    of.series(name, samples.dimension, values, unit, what + " " + samples.description);
   };
   add("time", samples.time, "s", "time");
   if (period_ > 0) {
@@ -178,11 +177,11 @@ void SectionRecorder::add_samples(PointResult &result, const Samples &samples) c
     add(point + "displacement_" + channel.axis, samples.displacement[k], "m", "displacement");
     add(point + "velocity_" + channel.axis, samples.velocity[k], "m/s", "velocity");
   }
-  result.fields.push_back(scalar_field(base + "left_out", static_cast<double>(samples.left_out),
-                                       "1", "samples beyond the maximum number"));
+  of.number("left_out", static_cast<double>(samples.left_out), "1",
+            "samples beyond the maximum number");
 }
 
-void SectionRecorder::add_fields(PointResult &result) const {
+void SectionRecorder::add_fields(const FieldWriter &result) const {
   for (const Samples &samples : sections_)
     if (period_ > 0 || &samples != &sections_[period_section])
       add_samples(result, samples);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analyses/channels.h"
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 
 #include <string>
@@ -30,7 +31,7 @@ public:
   void step(const motion::StepView &view) override;
   void event(const motion::ContactEvent &event) override;
   void period_end(long cycle, const motion::Trajectory &trajectory) override;
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
   // The samples of one section.
@@ -56,7 +57,7 @@ private:
   void add_state(Samples &samples, double time, const Vector &state) const;
   void add_point(Samples &samples, const motion::StepView &view, double tau) const;
   void add_zeros(RateSection &section, const motion::StepView &view, const motion::Bernstein &rate);
-  void add_samples(PointResult &result, const Samples &samples) const;
+  void add_samples(const FieldWriter &result, const Samples &samples) const;
 
   SectionSettings settings_;
   double start_ = 0, period_ = 0;

@@ -65,12 +65,11 @@ double SpectrumRecorder::line_spacing() const {
   return 1 / (static_cast<double>(count_) * samples_->interval());
 }
 
-void SpectrumRecorder::add_orders(PointResult &result) const {
+void SpectrumRecorder::add_orders(const FieldWriter &result) const {
   std::vector<double> orders;
   for (long j = 1; j <= settings_.orders; ++j)
     orders.push_back(static_cast<double>(j));
-  result.fields.push_back(
-      series_field("order", "order", orders, "1", "multiple of the forcing frequency"));
+  result.series("order", "order", orders, "1", "multiple of the forcing frequency");
   for (std::size_t s = 0; s < signals_.size(); ++s) {
     const ObservedSignal &signal = signals_[s];
     std::vector<double> amplitude, phase;
@@ -78,17 +77,16 @@ void SpectrumRecorder::add_orders(PointResult &result) const {
       amplitude.push_back(orders_->amplitude(s, static_cast<std::size_t>(j)));
       phase.push_back(orders_->phase(s, static_cast<std::size_t>(j)));
     }
-    result.fields.push_back(series_field("order_amplitude/" + signal.name, "order", amplitude,
-                                         signal.unit,
-                                         "amplitude of an order of the " + signal.description));
-    result.fields.push_back(series_field("order_phase/" + signal.name, "order", phase, "rad",
-                                         "phase of the cosine of an order at forcing phase zero"));
-    result.fields.push_back(scalar_field("mean/" + signal.name, orders_->mean(s), signal.unit,
-                                         "mean of the " + signal.description));
+    result.series("order_amplitude/" + signal.name, "order", amplitude, signal.unit,
+                  "amplitude of an order of the " + signal.description);
+    result.series("order_phase/" + signal.name, "order", phase, "rad",
+                  "phase of the cosine of an order at forcing phase zero");
+    result.number("mean/" + signal.name, orders_->mean(s), signal.unit,
+                  "mean of the " + signal.description);
   }
 }
 
-void SpectrumRecorder::add_lines(PointResult &result) const {
+void SpectrumRecorder::add_lines(const FieldWriter &result) const {
   const std::vector<double> weights = taper(settings_.window, count_);
   std::vector<double> frequency;
   for (std::size_t j = 0; j <= count_ / 2; ++j)
@@ -100,23 +98,21 @@ void SpectrumRecorder::add_lines(PointResult &result) const {
   std::vector<double> order;
   for (std::size_t j = 0; period_ > 0 && j < frequency.size(); ++j)
     order.push_back(frequency[j] * period_);
-  result.fields.push_back(series_field("spectrum/frequency", "spectrum_frequency", frequency, "Hz",
-                                       "frequency of a line"));
+  result.series("spectrum/frequency", "spectrum_frequency", frequency, "Hz", "frequency of a line");
   if (period_ > 0)
-    result.fields.push_back(series_field("spectrum/order", "spectrum_frequency", order, "1",
-                                         "frequency of a line over forcing frequency"));
+    result.series("spectrum/order", "spectrum_frequency", order, "1",
+                  "frequency of a line over forcing frequency");
   for (std::size_t s = 0; s < signals_.size(); ++s) {
     if (samples_->values(s).size() != count_)
       continue; // the motion ended early
     const std::vector<double> amplitudes = amplitude_spectrum(samples_->values(s), weights);
-    result.fields.push_back(series_field("spectrum/" + signals_[s].name, "spectrum_frequency",
-                                         {amplitudes.begin(), amplitudes.begin() + lines},
-                                         signals_[s].unit,
-                                         "amplitude of the " + signals_[s].description));
+    result.series("spectrum/" + signals_[s].name, "spectrum_frequency",
+                  {amplitudes.begin(), amplitudes.begin() + lines}, signals_[s].unit,
+                  "amplitude of the " + signals_[s].description);
   }
 }
 
-void SpectrumRecorder::add_fields(PointResult &result) const {
+void SpectrumRecorder::add_fields(const FieldWriter &result) const {
   if (orders_)
     add_orders(result);
   add_lines(result);

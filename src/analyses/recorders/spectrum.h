@@ -4,6 +4,7 @@
 
 #include "analyses/character/order_integrals.h"
 #include "analyses/character/uniform_samples.h"
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 
 #include <optional>
@@ -29,11 +30,11 @@ public:
 
   void begin(const Window &window, const motion::Trajectory &trajectory) override;
   void step(const motion::StepView &view) override;
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
-  void add_orders(PointResult &result) const;
-  void add_lines(PointResult &result) const;
+  void add_orders(const FieldWriter &result) const;
+  void add_lines(const FieldWriter &result) const;
   double line_spacing() const;
 
   std::vector<ObservedSignal> signals_;

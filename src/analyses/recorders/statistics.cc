@@ -33,10 +33,11 @@ AverageLabels::AverageLabels(const std::string &path, const std::string &unit)
       rms_about_mean(path + "/rms_about_mean", unit,
                      "root mean square of the difference from the mean") {}
 
-void add_average(PointResult &result, const AverageLabels &labels, const TimeAverage &average) {
-  result.fields.push_back(scalar_field(labels.mean, average.mean()));
-  result.fields.push_back(scalar_field(labels.rms, average.rms()));
-  result.fields.push_back(scalar_field(labels.rms_about_mean, average.rms_about_mean()));
+void add_average(const FieldWriter &result, const AverageLabels &labels,
+                 const TimeAverage &average) {
+  result.number(labels.mean, average.mean());
+  result.number(labels.rms, average.rms());
+  result.number(labels.rms_about_mean, average.rms_about_mean());
 }
 
 Statistics::Statistics(const ObservedSelection &selection, const System &system)
@@ -82,7 +83,7 @@ void Statistics::step(const motion::StepView &view) {
   }
 }
 
-void Statistics::add_fields(PointResult &result) const {
+void Statistics::add_fields(const FieldWriter &result) const {
   for (std::size_t i = 0; i < quantities_.size(); ++i)
     add_average(result, labels_[i], averages_[i]);
   for (std::size_t c = 0; c < forces_.size(); ++c)

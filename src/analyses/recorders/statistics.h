@@ -4,6 +4,7 @@
 // of ten points per step for contact forces, which may be powers.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 #include "analyses/recorders/observed_quantities.h"
 
@@ -44,7 +45,8 @@ struct AverageLabels {
 };
 
 /// All three as scalar fields.
-void add_average(PointResult &result, const AverageLabels &labels, const TimeAverage &average);
+void add_average(const FieldWriter &result, const AverageLabels &labels,
+                 const TimeAverage &average);
 
 class Statistics : public Recorder {
 public:
@@ -55,7 +57,7 @@ public:
 
   void begin(const Window &window, const motion::Trajectory &trajectory) override;
   void step(const motion::StepView &view) override;
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
   const contact::ContactSet &contacts_;

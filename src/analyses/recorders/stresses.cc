@@ -132,9 +132,9 @@ void Stresses::step(const motion::StepView &view) {
         point.largest = std::max(point.largest, curves.largest());
 }
 
-void Stresses::add_fields(PointResult &result) const {
+void Stresses::add_fields(const FieldWriter &result) const {
   for (const Point &point : points_)
-    result.fields.push_back(scalar_field(point.label, std::sqrt(point.largest)));
+    result.number(point.label, std::sqrt(point.largest));
 }
 
 } // namespace vibroimpact::analyses

@@ -6,6 +6,7 @@
 // counts.
 #pragma once
 
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 
 #include <array>
@@ -25,7 +26,7 @@ public:
   void begin(const Window &window, const motion::Trajectory &trajectory) override;
   void step(const motion::StepView &view) override;
   /// point/BODY.POINT/von_mises_stress/maximum [Pa].
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
   struct Point {

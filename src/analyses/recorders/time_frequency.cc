@@ -28,21 +28,20 @@ std::vector<std::size_t> picked(std::size_t samples, long instants) {
   return numbers;
 }
 
-Field time_field(const std::string &name, double start, double interval,
-                 const std::vector<std::size_t> &numbers) {
+void add_times(const FieldWriter &result, const std::string &name, double start, double interval,
+               const std::vector<std::size_t> &numbers) {
   std::vector<double> times;
   for (const std::size_t number : numbers)
     times.push_back(start + static_cast<double>(number) * interval);
-  return series_field(name, name, times, "s", "time");
+  result.series(name, name, times, "s", "time");
 }
 
-Field map_field(const std::string &name, const std::vector<std::string> &dimensions,
-                const std::vector<std::size_t> &shape, std::vector<double> values,
-                const ObservedSignal &signal) {
-  return {.label = Label(name + "/" + signal.name, signal.unit,
-                         "amplitude of the " + signal.description, dimensions),
-          .shape = shape,
-          .values = std::move(values)};
+// Frequencies x instants.
+void add_map(const FieldWriter &result, const std::string &name, const std::string &frequencies,
+             const Matrix &values, const ObservedSignal &signal) {
+  result.array(Label(name + "/" + signal.name, signal.unit,
+                     "amplitude of the " + signal.description, {frequencies, name + "_time"}),
+               values);
 }
 
 double hertz(const parameters::Values &values, const std::string &key) {
@@ -130,30 +129,28 @@ void WaveletRecorder::begin(const Window &window, const motion::Trajectory & /*t
   samples_.emplace(sample(signals_, window, settings_.interval));
 }
 
-void WaveletRecorder::add_fields(PointResult &result) const {
+void WaveletRecorder::add_fields(const FieldWriter &result) const {
   const std::vector<double> &scales = settings_.frequencies;
   const auto numbers = picked(samples_->values(0).size(), settings_.instants);
-  result.fields.push_back(time_field("wavelet_time", start_, settings_.interval, numbers));
-  result.fields.push_back(series_field("scale_frequency", "scale_frequency", scales, "Hz",
-                                       "centre frequency of the wavelet"));
+  add_times(result, "wavelet_time", start_, settings_.interval, numbers);
+  result.series("scale_frequency", "scale_frequency", scales, "Hz",
+                "centre frequency of the wavelet");
   std::vector<double> edge;
   const double decay = settings_.wavelet.decay_periods();
   std::transform(scales.begin(), scales.end(), std::back_inserter(edge),
                  [decay](double frequency) { return decay / frequency; });
-  result.fields.push_back(series_field("wavelet_edge", "scale_frequency", edge, "s",
-                                       "closer to the ends of the record its end shows"));
+  result.series("wavelet_edge", "scale_frequency", edge, "s",
+                "closer to the ends of the record its end shows");
   for (std::size_t s = 0; s < signals_.size(); ++s) {
     const WaveletTransform transform(settings_.wavelet, samples_->values(s), settings_.interval,
                                      scales.front());
-    std::vector<double> values;
-    for (const double frequency : scales) {
-      const auto row = transform.at(frequency);
-      for (const std::size_t number : numbers)
-        values.push_back(std::abs(row[number]));
+    Matrix values(static_cast<Index>(scales.size()), static_cast<Index>(numbers.size()));
+    for (Index j = 0; j < values.rows(); ++j) {
+      const auto row = transform.at(scales[static_cast<std::size_t>(j)]);
+      for (Index i = 0; i < values.cols(); ++i)
+        values(j, i) = std::abs(row[numbers[static_cast<std::size_t>(i)]]);
     }
-    result.fields.push_back(map_field("wavelet", {"scale_frequency", "wavelet_time"},
-                                      {scales.size(), numbers.size()}, std::move(values),
-                                      signals_[s]));
+    add_map(result, "wavelet", "scale_frequency", values, signals_[s]);
   }
 }
 
@@ -199,7 +196,7 @@ void SpectrogramRecorder::begin(const Window &window, const motion::Trajectory &
   samples_.emplace(sample(signals_, window, settings_.interval));
 }
 
-void SpectrogramRecorder::add_fields(PointResult &result) const {
+void SpectrogramRecorder::add_fields(const FieldWriter &result) const {
   const auto length = static_cast<std::size_t>(std::round(settings_.window / settings_.interval));
   const double spacing = 1 / (static_cast<double>(length) * settings_.interval);
   std::vector<double> lines;
@@ -207,19 +204,17 @@ void SpectrogramRecorder::add_fields(PointResult &result) const {
     if (static_cast<double>(j) * spacing <= settings_.highest_frequency * (1 + 1e-12))
       lines.push_back(static_cast<double>(j) * spacing);
   const auto numbers = picked(samples_->values(0).size(), settings_.instants);
-  result.fields.push_back(time_field("spectrogram_time", start_, settings_.interval, numbers));
-  result.fields.push_back(series_field("spectrogram_frequency", "spectrogram_frequency", lines,
-                                       "Hz", "frequency of a line"));
+  add_times(result, "spectrogram_time", start_, settings_.interval, numbers);
+  result.series("spectrogram_frequency", "spectrogram_frequency", lines, "Hz",
+                "frequency of a line");
   for (std::size_t s = 0; s < signals_.size(); ++s) {
-    std::vector<double> values(lines.size() * numbers.size());
+    Matrix values(static_cast<Index>(lines.size()), static_cast<Index>(numbers.size()));
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const auto amplitudes = short_time_amplitudes(samples_->values(s), numbers[i], length);
       for (std::size_t j = 0; j < lines.size(); ++j)
-        values[j * numbers.size() + i] = amplitudes[j];
+        values(static_cast<Index>(j), static_cast<Index>(i)) = amplitudes[j];
     }
-    result.fields.push_back(map_field("spectrogram", {"spectrogram_frequency", "spectrogram_time"},
-                                      {lines.size(), numbers.size()}, std::move(values),
-                                      signals_[s]));
+    add_map(result, "spectrogram", "spectrogram_frequency", values, signals_[s]);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "analyses/character/uniform_samples.h"
 #include "analyses/character/wavelet.h"
+#include "analyses/field_writer.h"
 #include "analyses/recorder.h"
 
 #include <optional>
@@ -29,7 +30,7 @@ public:
 
   void begin(const Window &window, const motion::Trajectory &trajectory) override;
   void step(const motion::StepView &view) override { samples_->step(view); }
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
   std::vector<ObservedSignal> signals_;
@@ -55,7 +56,7 @@ public:
 
   void begin(const Window &window, const motion::Trajectory &trajectory) override;
   void step(const motion::StepView &view) override { samples_->step(view); }
-  void add_fields(PointResult &result) const override;
+  void add_fields(const FieldWriter &result) const override;
 
 private:
   std::vector<ObservedSignal> signals_;
