@@ -11,7 +11,6 @@ namespace vibroimpact::analyses {
 using continuation::BranchPoint;
 using continuation::Special;
 using continuation::SpecialPoint;
-using periodic::Section;
 
 namespace {
 

@@ -16,7 +16,6 @@ using continuation::LocusPoint;
 using continuation::LocusSpecial;
 using continuation::SpecialLocusPoint;
 using periodic::Orbit;
-using periodic::Section;
 
 namespace {
 
@@ -47,7 +46,7 @@ int locus_kind_number(LocusKind kind, long halves) {
 }
 
 // Of the whole motion, whose multipliers are the squares of those of half a symmetric one.
-double angle_of(const LocusPoint &point, LocusKind kind, const Section &section) {
+double angle_of(const LocusPoint &point, LocusKind kind, const periodic::Section &section) {
   if (kind != LocusKind::neimark_sacker)
     return std::numeric_limits<double>::quiet_NaN();
   const double angle = section.with_symmetry() ? 2 * point.angle : point.angle;

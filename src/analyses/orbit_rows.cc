@@ -7,7 +7,6 @@
 namespace vibroimpact::analyses {
 
 using periodic::Orbit;
-using periodic::Section;
 
 PointResult OrbitRows::of(const Vector &keys, const Orbit &orbit) const {
   const periodic::StroboscopicMap &map = maps_.at(keys);
@@ -26,7 +25,8 @@ PointResult OrbitRows::of(const Vector &keys, const Orbit &orbit) const {
   return row;
 }
 
-PointResult OrbitRows::of(const Vector &keys, const Section &section, const Vector &state) const {
+PointResult OrbitRows::of(const Vector &keys, const periodic::Section &section,
+                          const Vector &state) const {
   const periodic::StroboscopicMap &map = maps_.at(keys);
   Orbit orbit{.section = section, .point = {.state = state, .image = map.image(section, state)}};
   orbit.point.residual = map.norm(orbit.point.image.state - state) / map.norm(state);

@@ -42,7 +42,9 @@ public:
   /// Evaluates `Derived` sections given as the lines between subsection and end.
   derived::DerivedQuantities::Result
   derive(const std::vector<std::pair<std::string, std::string>> &sections) const {
-    std::string text = "set Variables = gap = 1, scale = 4\nsubsection Analysis map\nend\n";
+    std::string text =
+        "set Variables = gap = 1, scale = 4\nsubsection Analysis map\nsubsection Transient\n"
+        "set Duration = 1 s\nend\nend\n";
     for (const auto &[name, lines] : sections)
       text += "subsection Derived " + name + "\nset From = map\n" + lines + "\nend\n";
     const auto set = parameters::ParameterSet::parse(declare_parameters(), text, "test.prm", false);
