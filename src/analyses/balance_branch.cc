@@ -1,9 +1,8 @@
 #include "analyses/balance_branch.h"
 
 #include "analyses/balance_table.h"
-#include "analyses/curve_progress.h"
-#include "analyses/single_point.h"
 #include "analyses/keyed_system.h"
+#include "analyses/single_point.h"
 #include "continuation/archived_types.h"
 #include "continuation/branch.h"
 #include "continuation/harmonic_series.h"
@@ -13,7 +12,6 @@
 
 namespace vibroimpact::analyses {
 
-using continuation::Branch;
 using continuation::BranchPoint;
 using continuation::HarmonicBalance;
 using periodic::check_harmonic;
@@ -32,53 +30,6 @@ Vector sizes(const Matrix &elements, const contact::ContactSet &contacts) {
       size = std::max(size, std::abs(pair.clearance));
   return Vector::Constant(elements.rows(), size > 0 ? size : 1);
 }
-
-/// Follows the motion at the start in one direction after the other.
-class Follower {
-public:
-  Follower(const BalanceBranch::Settings &settings, HarmonicBalance &problem, BalanceTable &table,
-           LineContext &context, StepRecord *steps)
-      : settings_(settings), problem_(problem), table_(table), context_(context), steps_(steps),
-        progress_(settings.continuation.first_key) {}
-
-  void run(const BranchPoint &start) {
-    bool closed = false;
-    if (settings_.directions != Directions::backward)
-      closed = follow(start, true) == continuation::End::closed;
-    if (settings_.directions != Directions::forward && !closed)
-      follow(start, false);
-  }
-
-private:
-  continuation::End follow(const BranchPoint &start, bool forward) {
-    table_.begin(forward ? 1 : -1);
-    progress_.begin(start.point.keys[0]);
-    const double left = forward && settings_.directions == Directions::both ? 2 : 1;
-    bool first = forward || settings_.directions == Directions::backward;
-    const Branch branch = continuation::follow(
-        problem_, {.point = start.point, .direction = {}, .forward = forward},
-        settings_.continuation,
-        {.point =
-             [&](const BranchPoint &point) {
-               context_.note_progress(progress_.at(point.point.keys[0], left));
-               if (first)
-                 table_.add(point);
-               first = true; // the start of the second direction is there already
-             },
-         .special = [&](const continuation::SpecialPoint &special) { table_.add(special); }},
-        steps_);
-    table_.end(branch);
-    progress_.finish();
-    return branch.end;
-  }
-
-  const BalanceBranch::Settings &settings_;
-  HarmonicBalance &problem_;
-  BalanceTable &table_;
-  LineContext &context_;
-  StepRecord *steps_;
-  CurveProgress progress_;
-};
 
 } // namespace
 
@@ -187,9 +138,12 @@ PointResult BalanceBranch::compute(System &system, LineContext &context) const {
     return continuation::solve(rough, {.state = first, .keys = Vector::Constant(1, key)},
                                settings_.continuation);
   });
-  HarmonicBalance problem = scaled(start.point.state);
-  BalanceTable table(parameter, balance, problem, steps.get());
-  Follower(settings_, problem, table, context, steps.get()).run(start);
+  const auto problem = std::make_shared<HarmonicBalance>(scaled(start.point.state));
+  BalanceTable table(parameter, balance, *problem);
+  BranchFollower(
+      {settings_.directions, settings_.continuation}, table,
+      [&](double share) { context.note_progress(share); }, steps.get())
+      .run(problem, 0, start);
   PointResult result;
   table.add_fields(result);
   return result;

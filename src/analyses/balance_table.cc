@@ -36,8 +36,8 @@ void add_channel(const std::string &path, const std::string &meaning, const RowV
 } // namespace
 
 BalanceTable::BalanceTable(const SweptParameter &parameter, KeyedBalance &system,
-                           continuation::HarmonicBalance &problem, StepRecord *steps)
-    : system_(system), problem_(problem), kept_(steps), rows_(parameter) {}
+                           continuation::HarmonicBalance &problem)
+    : system_(system), problem_(problem), rows_(parameter) {}
 
 PointResult BalanceTable::values_of(const continuation::BranchPoint &point) const {
   const double key = point.point.keys[0];
@@ -91,7 +91,7 @@ void BalanceTable::add_contacts(const HarmonicMotion &motion, const FieldWriter 
 }
 
 void BalanceTable::add(const continuation::SpecialPoint &special) {
-  rows_.add_special(special.at, kind_number(special.kind), row_of(special.at));
+  rows_.add_special(special.at, kind_number(special.kind), values_of(special.at));
 }
 
 } // namespace vibroimpact::analyses

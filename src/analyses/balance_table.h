@@ -1,31 +1,29 @@
 // What is kept of the motions of a harmonic balance along a key, as arrays.
 #pragma once
 
+#include "analyses/branch_follower.h"
 #include "analyses/branch_rows.h"
-#include "analyses/field_writer.h"
-#include "analyses/kept_rows.h"
 #include "analyses/keyed_balance.h"
 
 namespace vibroimpact::analyses {
 
-class BalanceTable {
+class BalanceTable : public BranchSink {
 public:
-  /// Keeps references. Rows are steps of the record, if there is one.
+  /// Keeps references.
   BalanceTable(const SweptParameter &parameter, KeyedBalance &system,
-               continuation::HarmonicBalance &problem, StepRecord *steps);
+               continuation::HarmonicBalance &problem);
 
-  /// `sign`: -1 where the arclength falls.
-  void begin(double sign) { rows_.begin(0, sign); }
-  void add(const continuation::BranchPoint &point) { rows_.add_point(point, row_of(point)); }
-  void add(const continuation::SpecialPoint &special);
-  void end(const continuation::Branch &branch) { rows_.end(branch); }
+  void begin(long number, long /*halves*/, double sign) override { rows_.begin(number, sign); }
+  void add(const continuation::BranchPoint &point) override {
+    rows_.add_point(point, values_of(point));
+  }
+  void add(const continuation::SpecialPoint &special) override;
+  void drop(long number) override { rows_.drop(number); }
+  void end(const continuation::Branch &branch) override { rows_.end(branch); }
 
   void add_fields(const FieldWriter &result) const { rows_.add_fields(result, "balance_residual"); }
 
 private:
-  PointResult row_of(const continuation::BranchPoint &point) {
-    return kept_([&] { return values_of(point); });
-  }
   PointResult values_of(const continuation::BranchPoint &point) const;
   void add_points(const continuation::HarmonicMotion &motion, const continuation::LeftOut &left,
                   const FieldWriter &row) const;
@@ -33,7 +31,6 @@ private:
 
   KeyedBalance &system_;
   continuation::HarmonicBalance &problem_;
-  KeptRows kept_;
   BranchRows rows_;
 };
 

@@ -10,14 +10,17 @@ namespace vibroimpact::analyses {
 
 using continuation::Branch;
 using continuation::BranchPoint;
+using continuation::Problem;
 using continuation::SpecialPoint;
-using periodic::OrbitProblem;
 
-void BranchFollower::run(const std::shared_ptr<OrbitProblem> &problem, const BranchPoint &first) {
+void BranchFollower::run(const std::shared_ptr<Problem> &problem, long halves,
+                         const BranchPoint &first) {
   if (rule_.directions != Directions::backward)
-    tasks_.push_back({.problem = problem, .start = {.point = first.point, .direction = {}}});
+    tasks_.push_back(
+        {.problem = problem, .halves = halves, .start = {.point = first.point, .direction = {}}});
   if (rule_.directions != Directions::forward)
     tasks_.push_back({.problem = problem,
+                      .halves = halves,
                       .start = {.point = first.point, .direction = {}, .forward = false},
                       .sign = -1});
   bool closed = false;
@@ -41,7 +44,7 @@ void BranchFollower::enter(Task &task) {
 }
 
 continuation::End BranchFollower::follow(const Task &task) {
-  sink_.begin(task.number, task.problem->halves(), task.sign);
+  sink_.begin(task.number, task.halves, task.sign);
   progress_.begin(task.start.point.keys[0]);
   bool first = task.sign > 0 || rule_.directions == Directions::backward;
   const Branch branch = continuation::follow(
@@ -79,11 +82,12 @@ void BranchFollower::forget(const Task &done, double key) {
 void BranchFollower::switch_at(const Task &task, const SpecialPoint &special) {
   if (special.kind != continuation::Special::flip)
     return;
-  const auto doubled = std::make_shared<OrbitProblem>(task.problem->doubled_orbits());
+  const std::shared_ptr<Problem> doubled = task.problem->doubled();
   try {
     const continuation::Start start = recorded(
         steps_, "switch", [&] { return branch_from(*doubled, special, rule_.continuation); });
     tasks_.push_back({.problem = doubled,
+                      .halves = 2 * task.halves,
                       .start = start,
                       .level = task.level + 1,
                       .key = special.at.point.keys[0]});

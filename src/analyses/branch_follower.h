@@ -4,7 +4,6 @@
 #include "analyses/branch_keys.h"
 #include "analyses/curve_progress.h"
 #include "continuation/branch.h"
-#include "periodic/orbit_problem.h"
 
 #include <functional>
 #include <list>
@@ -43,14 +42,15 @@ public:
       : rule_(std::move(rule)), sink_(sink), note_(std::move(note)), steps_(steps),
         progress_(rule_.continuation.first_key) {}
 
-  /// From a motion that continuation::solve() has found.
-  void run(const std::shared_ptr<periodic::OrbitProblem> &problem,
+  /// From a solution that continuation::solve() has found; `halves` as for BranchSink::begin().
+  void run(const std::shared_ptr<continuation::Problem> &problem, long halves,
            const continuation::BranchPoint &first);
 
 private:
   /// A branch that is still to be followed.
   struct Task {
-    std::shared_ptr<periodic::OrbitProblem> problem;
+    std::shared_ptr<continuation::Problem> problem;
+    long halves = 2; ///< half periods over which its maps go
     continuation::Start start;
     long number = 0, level = 0;
     double sign = 1;

@@ -40,61 +40,31 @@ int kind_number(Special kind, bool symmetric) {
 }
 
 BranchRows::BranchRows(const SweptParameter &parameter)
-    : key_(parameter.axis_name(), parameter.unit, parameter.axis().description),
-      arclength_("arclength", "1",
-                 "from the start of the branch, in unknowns made comparable; negative behind it"),
-      branch_("branch", "1",
-              "number of the branch: 0 is that of the start, the others begin at "
-              "special points") {}
-
-void BranchRows::begin(long number, double sign) {
-  number_ = number;
-  sign_ = sign;
-}
-
-CurveRow BranchRows::row(const BranchPoint &point, PointResult values) const {
-  CurveRow row{.arclength = sign_ * point.arclength, .curve = number_};
-  const FieldWriter fields(row.values);
-  fields.number(branch_, static_cast<double>(number_));
-  fields.number(arclength_, row.arclength);
-  fields.number(key_, point.point.keys[0]);
-  std::move(values.fields.begin(), values.fields.end(), std::back_inserter(row.values.fields));
-  return row;
-}
+    : CurveTable("branch",
+                 "number of the branch: 0 is that of the start, the others begin at special points",
+                 {{parameter.axis_name(), parameter.unit, parameter.axis().description}}) {}
 
 void BranchRows::add_point(const BranchPoint &point, PointResult values) {
-  points_.push_back(row(point, std::move(values)));
+  add(Part::point, point.point.keys, point.arclength, std::move(values));
 }
 
 void BranchRows::add_special(const BranchPoint &point, int kind, PointResult values) {
-  special_.push_back(row(point, std::move(values)));
-  FieldWriter(special_.back().values).number("kind", kind, "1", meaning_of(special_kinds));
+  FieldWriter(values).number("kind", kind, "1", meaning_of(special_kinds));
+  add(Part::special, point.point.keys, point.arclength, std::move(values));
 }
 
 void BranchRows::end(const continuation::Branch &branch) {
   if (branch.points.empty())
     return;
+  PointResult values;
+  FieldWriter(values).number("reason", code_of(branch_ends, branch.end), "1",
+                             meaning_of(branch_ends));
   const BranchPoint &last = branch.points.back();
-  CurveRow row{.arclength = sign_ * last.arclength, .curve = number_};
-  const FieldWriter fields(row.values);
-  fields.number(branch_, static_cast<double>(number_));
-  fields.number(key_, last.point.keys[0]);
-  fields.number("reason", code_of(branch_ends, branch.end), "1", meaning_of(branch_ends));
-  ends_.push_back(std::move(row));
-}
-
-void BranchRows::drop(long number) {
-  for (std::vector<CurveRow> *rows : {&points_, &special_, &ends_})
-    std::erase_if(*rows, [number](const CurveRow &row) { return row.curve == number; });
+  add(Part::end, last.point.keys, last.arclength, std::move(values));
 }
 
 void BranchRows::add_fields(const FieldWriter &result, const std::string &residual) const {
-  const std::vector<PointResult> special = in_order(special_);
-  add_stacked(result, in_order(points_), "branch_point");
-  add_stacked(result.below("special/"), special, "special_point");
-  add_stacked(result.below("end/"), in_order(ends_), "branch_end");
-  result.line("points", static_cast<double>(points_.size()), "1");
-  summarise(result, "special", special, {"kind", key_.name(), residual});
+  CurveTable::add_fields(result, {"kind", keys()[0].name(), residual});
 }
 
 } // namespace vibroimpact::analyses

@@ -36,8 +36,8 @@ void add_special_values(const FieldWriter &row, const SpecialPoint &special,
 } // namespace
 
 BranchTable::BranchTable(const SweptParameter &parameter, KeyedMap &maps,
-                         const std::vector<RecorderFactory> &recorders, StepRecord *steps)
-    : parameter_(parameter), orbits_(maps, recorders), kept_(steps), rows_(parameter) {}
+                         const std::vector<RecorderFactory> &recorders)
+    : parameter_(parameter), orbits_(maps, recorders), rows_(parameter) {}
 
 void BranchTable::begin(long number, long halves, double sign) {
   halves_ = halves;
@@ -46,10 +46,8 @@ void BranchTable::begin(long number, long halves, double sign) {
 }
 
 PointResult BranchTable::orbit_of(const BranchPoint &point) {
-  PointResult row = kept_([&] {
-    return orbits_.of(point.point.keys, {.phase = point.point.chart, .halves = halves_},
-                      point.point.state);
-  });
+  PointResult row = orbits_.of(point.point.keys, {.phase = point.point.chart, .halves = halves_},
+                               point.point.state);
   if (!row.reason.empty())
     remarks_.push_back("the motion at " + at(point.point.keys[0]) +
                        " is not recorded: " + row.reason);

@@ -4,17 +4,15 @@
 #include "analyses/branch_follower.h"
 #include "analyses/branch_rows.h"
 #include "analyses/field_writer.h"
-#include "analyses/kept_rows.h"
 #include "analyses/orbit_rows.h"
 
 namespace vibroimpact::analyses {
 
 class BranchTable : public BranchSink {
 public:
-  /// Keeps references. Motions are recorded over one of their periods; rows are steps of the
-  /// record, if there is one.
+  /// Keeps references. Motions are recorded over one of their periods.
   BranchTable(const SweptParameter &parameter, KeyedMap &maps,
-              const std::vector<RecorderFactory> &recorders, StepRecord *steps);
+              const std::vector<RecorderFactory> &recorders);
 
   void begin(long number, long halves, double sign) override;
   void add(const continuation::BranchPoint &point) override;
@@ -36,7 +34,6 @@ private:
 
   const SweptParameter &parameter_;
   OrbitRows orbits_;
-  KeptRows kept_;
   BranchRows rows_;
   std::vector<std::string> remarks_; ///< why something failed
   long halves_ = 2;

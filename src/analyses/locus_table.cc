@@ -60,25 +60,16 @@ Label key_label(const SweptParameter &key, const std::string &which) {
 } // namespace
 
 LocusTable::LocusTable(const std::vector<SweptParameter> &keys, KeyedMap &maps,
-                       const std::vector<RecorderFactory> &recorders, StepRecord *steps)
+                       const std::vector<RecorderFactory> &recorders)
     : maps_(maps), orbits_(maps, recorders),
-      kept_(steps), keys_{key_label(keys[0], "first"), key_label(keys[1], "second")},
-      arclength_("arclength", "1",
-                 "from the start of the locus, in unknowns made comparable; negative behind it"),
-      locus_("locus", "1", "number of the locus, from 0"),
+      rows_("locus", "number of the locus, from 0",
+            {key_label(keys[0], "first"), key_label(keys[1], "second")}),
       kind_("kind", "1", "of the locus: " + meaning_of(locus_kinds)) {}
 
 void LocusTable::begin(long number, LocusKind kind, long halves, double sign) {
-  number_ = number;
+  rows_.begin(number, sign);
   kind_number_ = kind;
   halves_ = halves;
-  sign_ = sign;
-}
-
-void LocusTable::add_keys(const FieldWriter &row, const Vector &keys) const {
-  row.number(locus_, static_cast<double>(number_));
-  for (std::size_t k = 0; k < keys_.size(); ++k)
-    row.number(keys_[k], keys[static_cast<Index>(k)]);
 }
 
 // With the image that the locus has found: at a graze the map itself has no derivative.
@@ -93,21 +84,13 @@ Orbit LocusTable::orbit_of(const LocusPoint &point) const {
   return orbit;
 }
 
-CurveRow LocusTable::row_of(const LocusPoint &point) {
-  return {.arclength = sign_ * point.arclength, .curve = number_, .values = kept_([&] {
-                                                                    return values_of(point);
-                                                                  })};
-}
-
 PointResult LocusTable::values_of(const LocusPoint &point) const {
   PointResult values;
   const FieldWriter row(values);
-  add_keys(row, point.point.keys);
   const Orbit orbit = orbit_of(point);
   const double changes = (static_cast<double>(point.pattern.size()) -
                           static_cast<double>(maps_.system().contacts.size())) /
                          4 * (orbit.symmetric() ? 2 : 1);
-  row.number(arclength_, sign_ * point.arclength);
   row.number(
       "locus_residual", point.residual, "1",
       "length of the residual of the motion and of the condition of the locus, made comparable");
@@ -123,18 +106,18 @@ PointResult LocusTable::values_of(const LocusPoint &point) const {
 }
 
 void LocusTable::add(const LocusPoint &point) {
-  CurveRow row = row_of(point);
-  FieldWriter(row.values).number(kind_, locus_kind_number(kind_number_, halves_));
-  points_.push_back(std::move(row));
+  PointResult values = values_of(point);
+  FieldWriter(values).number(kind_, locus_kind_number(kind_number_, halves_));
+  rows_.add(CurveTable::Part::point, point.point.keys, point.arclength, std::move(values));
 }
 
 void LocusTable::end(const Locus &locus) {
   for (const SpecialLocusPoint &special : locus.special) {
-    CurveRow row = row_of(special.at);
-    FieldWriter(row.values)
-        .number("kind", code_of(special_kinds_of_loci, special.kind), "1",
-                meaning_of(special_kinds_of_loci));
-    special_.push_back(std::move(row));
+    PointResult values = values_of(special.at);
+    FieldWriter(values).number("kind", code_of(special_kinds_of_loci, special.kind), "1",
+                               meaning_of(special_kinds_of_loci));
+    rows_.add(CurveTable::Part::special, special.at.point.keys, special.at.arclength,
+              std::move(values));
   }
   const LocusPoint &last = locus.points.back();
   add_end(last.point.keys, last.arclength, locus.end);
@@ -143,20 +126,14 @@ void LocusTable::end(const Locus &locus) {
 void LocusTable::end_at_start(const Vector &keys) { add_end(keys, 0, not_entered); }
 
 void LocusTable::add_end(const Vector &keys, double arclength, std::optional<LocusEnd> end) {
-  CurveRow row{.arclength = sign_ * arclength, .curve = number_};
-  add_keys(row.values, keys);
-  FieldWriter(row.values).number("reason", code_of(locus_ends, end), "1", meaning_of(locus_ends));
-  ends_.push_back(std::move(row));
+  PointResult values;
+  FieldWriter(values).number("reason", code_of(locus_ends, end), "1", meaning_of(locus_ends));
+  rows_.add(CurveTable::Part::end, keys, arclength, std::move(values));
 }
 
 void LocusTable::add_fields(const FieldWriter &result) const {
-  const std::vector<PointResult> special = in_order(special_);
-  add_stacked(result, in_order(points_), "locus_point");
-  add_stacked(result.below("special/"), special, "special_point");
-  add_stacked(result.below("end/"), in_order(ends_), "locus_end");
-  result.line("points", static_cast<double>(points_.size()), "1");
-  summarise(result, "special", special,
-            {"kind", "locus", keys_[0].name(), keys_[1].name(), "locus_residual"});
+  rows_.add_fields(
+      result, {"kind", "locus", rows_.keys()[0].name(), rows_.keys()[1].name(), "locus_residual"});
 }
 
 } // namespace vibroimpact::analyses

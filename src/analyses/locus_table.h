@@ -1,9 +1,7 @@
 // What is kept of the loci of an analysis: their points, special points and ends, as arrays.
 #pragma once
 
-#include "analyses/curve_rows.h"
-#include "analyses/field_writer.h"
-#include "analyses/kept_rows.h"
+#include "analyses/curve_table.h"
 #include "analyses/orbit_rows.h"
 #include "continuation/locus.h"
 
@@ -13,10 +11,9 @@ namespace vibroimpact::analyses {
 
 class LocusTable {
 public:
-  /// Keeps references. Motions are recorded over one of their periods; rows are steps of the
-  /// record, if there is one.
+  /// Keeps references. Motions are recorded over one of their periods.
   LocusTable(const std::vector<SweptParameter> &keys, KeyedMap &maps,
-             const std::vector<RecorderFactory> &recorders, StepRecord *steps);
+             const std::vector<RecorderFactory> &recorders);
 
   /// What follows is a part of locus `number`, whose motions are fixed points of maps over `halves`
   /// half periods. `sign`: -1 where the arclength falls.
@@ -30,22 +27,16 @@ public:
   void add_fields(const FieldWriter &result) const;
 
 private:
-  CurveRow row_of(const continuation::LocusPoint &point);
   PointResult values_of(const continuation::LocusPoint &point) const;
   void add_end(const Vector &keys, double arclength, std::optional<continuation::LocusEnd> end);
-  void add_keys(const FieldWriter &row, const Vector &keys) const;
   periodic::Orbit orbit_of(const continuation::LocusPoint &point) const;
 
   KeyedMap &maps_;
   OrbitRows orbits_;
-  KeptRows kept_;
-  std::vector<Label> keys_;
-  Label arclength_, locus_, kind_;
-  long number_ = 0;
+  CurveTable rows_;
+  Label kind_; ///< of a locus
   continuation::LocusKind kind_number_ = continuation::LocusKind::fold;
   long halves_ = 2;
-  double sign_ = 1;
-  std::vector<CurveRow> points_, special_, ends_;
 };
 
 } // namespace vibroimpact::analyses

@@ -76,13 +76,13 @@ PointResult OrbitBranch::compute(System &system, LineContext &context) const {
                 orbit_accuracy(system, search.forced()), search.map().norm(orbit.point.state));
   const long halves = maps.symmetric() ? orbit.section.halves : 2 * orbit.multiple();
   const auto problem = std::make_shared<OrbitProblem>(maps, halves, sizes);
-  BranchTable table(settings_.parameter, maps, settings_.recorders, steps.get());
+  BranchTable table(settings_.parameter, maps, settings_.recorders);
   BranchFollower follower(
       {settings_.directions, settings_.continuation, settings_.levels}, table,
       [&](double share) { context.note_progress(share); }, steps.get());
   const continuation::Point guess{
       .state = orbit.point.state, .keys = Vector::Constant(1, value), .chart = orbit.section.phase};
-  follower.run(problem, recorded(steps.get(), "start", [&] {
+  follower.run(problem, halves, recorded(steps.get(), "start", [&] {
                  return continuation::solve(*problem, guess, settings_.continuation);
                }));
   PointResult result;

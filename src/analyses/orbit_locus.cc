@@ -167,7 +167,7 @@ std::vector<LocusOrigin> OrbitLocus::find_origins(const Motion &motion, double f
   const continuation::Point guess{.state = motion.orbit.point.state,
                                   .keys = Vector::Constant(1, first),
                                   .chart = motion.orbit.section.phase};
-  branch.run(problem, recorded(steps, "start", [&] {
+  branch.run(problem, problem->halves(), recorded(steps, "start", [&] {
                return continuation::solve(*problem, guess, settings_.continuation);
              }));
   return origins.in_order();
@@ -183,7 +183,7 @@ PointResult OrbitLocus::compute(System &system, LineContext &context) const {
   if (origins.empty())
     throw NumericalError("the branch along the first key has no special point of the kinds that "
                          "are wanted");
-  LocusTable table(settings_.keys, plane, settings_.recorders, steps.get());
+  LocusTable table(settings_.keys, plane, settings_.recorders);
   const auto note = [&](double share) { context.note_progress(0.1 + 0.9 * share); };
   LocusFollower follower(plane, motion.sizes, values[1], settings_.continuation, table,
                          origins.size(), note, steps.get());
