@@ -49,47 +49,35 @@ PointResult BranchTable::orbit_of(const BranchPoint &point) {
   PointResult row = orbits_.of(point.point.keys, {.phase = point.point.chart, .halves = halves_},
                                point.point.state);
   if (!row.reason.empty())
-    remarks_.push_back("the motion at " + at(point.point.keys[0]) +
-                       " is not recorded: " + row.reason);
+    rows_.remark("the motion at " + rows_.at(point.point.keys) + " is not recorded: " + row.reason);
   return row;
 }
 
-std::string BranchTable::at(double key) const {
-  std::ostringstream text;
-  text.precision(10);
-  text << parameter_.axis_name() << " = " << key
-       << (parameter_.unit == "1" ? "" : " " + parameter_.unit);
-  return text.str();
-}
-
 void BranchTable::note_missing(double key, const std::string &why) {
-  remarks_.push_back("the branch that begins at " + at(key) + " is not followed: " + why);
+  rows_.remark("the branch that begins at " + rows_.at(Vector::Constant(1, key)) +
+               " is not followed: " + why);
 }
 
 void BranchTable::note_enclosed(const SpecialPoint &special) {
   std::ostringstream width;
   width.precision(2);
   width << special.width << (parameter_.unit == "1" ? "" : " " + parameter_.unit);
-  remarks_.push_back("the contact changes are others from " + at(special.at.point.keys[0]) +
-                     " on, or up to " + width.str() +
-                     " before it, without a graze that could be located");
+  rows_.remark("the contact changes are others from " + rows_.at(special.at.point.keys) +
+               " on, or up to " + width.str() +
+               " before it, without a graze that could be located");
 }
 
 void BranchTable::end(const continuation::Branch &branch) {
   rows_.end(branch);
   stuck_ = stuck_ || (branch.end == continuation::End::least_step && branch.points.size() == 1);
   if (branch.end == continuation::End::least_step)
-    remarks_.push_back("a branch ends at " + at(branch.points.back().point.keys[0]) + ": " +
-                       branch.reason);
+    rows_.remark("a branch ends at " + rows_.at(branch.points.back().point.keys) + ": " +
+                 branch.reason);
 }
 
 void BranchTable::add_fields(PointResult &result) const {
   rows_.add_fields(result, "orbit_residual");
-  constexpr std::size_t most = 5;
-  for (std::size_t i = 0; i < std::min(most, remarks_.size()); ++i)
-    result.reason += (i == 0 ? "" : "; ") + remarks_[i];
-  if (remarks_.size() > most)
-    result.reason += "; and " + std::to_string(remarks_.size() - most) + " others";
+  result.reason = rows_.remarks();
 }
 
 void BranchTable::add(const BranchPoint &point) { rows_.add_point(point, orbit_of(point)); }

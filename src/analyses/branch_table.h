@@ -29,13 +29,11 @@ public:
 
 private:
   PointResult orbit_of(const continuation::BranchPoint &point);
-  std::string at(double key) const;
   void note_enclosed(const continuation::SpecialPoint &special);
 
   const SweptParameter &parameter_;
   OrbitRows orbits_;
   BranchRows rows_;
-  std::vector<std::string> remarks_; ///< why something failed
   long halves_ = 2;
   double sign_ = 1;
   bool stuck_ = false;

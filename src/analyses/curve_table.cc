@@ -1,6 +1,7 @@
 #include "analyses/curve_table.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace vibroimpact::analyses {
 
@@ -45,6 +46,25 @@ std::vector<PointResult> CurveTable::in_order(Part part) const {
   for (Row &row : rows)
     values.push_back(std::move(row.values));
   return values;
+}
+
+std::string CurveTable::at(const Vector &keys) const {
+  std::ostringstream text;
+  text.precision(10);
+  for (std::size_t k = 0; k < keys_.size(); ++k)
+    text << (k == 0 ? "" : ", ") << keys_[k].name() << " = " << keys[static_cast<Index>(k)]
+         << (keys_[k].unit() == "1" ? "" : " " + keys_[k].unit());
+  return text.str();
+}
+
+std::string CurveTable::remarks() const {
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, remarks_.size()); ++i)
+    text += (i == 0 ? "" : "; ") + remarks_[i];
+  if (remarks_.size() > most)
+    text += "; and " + std::to_string(remarks_.size() - most) + " others";
+  return text;
 }
 
 void CurveTable::add_fields(const FieldWriter &result,

@@ -26,6 +26,13 @@ public:
   /// Forgets all of a curve.
   void drop(long number);
 
+  /// "KEY = value unit", for remarks.
+  std::string at(const Vector &keys) const;
+  /// Why something is missing or ends early.
+  void remark(const std::string &why) { remarks_.push_back(why); }
+  /// The first five.
+  std::string remarks() const;
+
   /// Arrays of everything; in the summary the number of points and these fields of each special
   /// point.
   void add_fields(const FieldWriter &result, const std::vector<std::string> &summarised) const;
@@ -46,6 +53,7 @@ private:
   long number_ = 0;
   double sign_ = 1;
   std::array<std::vector<Row>, 3> rows_; ///< by part
+  std::vector<std::string> remarks_;
 };
 
 } // namespace vibroimpact::analyses

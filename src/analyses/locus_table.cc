@@ -121,6 +121,8 @@ void LocusTable::end(const Locus &locus) {
   }
   const LocusPoint &last = locus.points.back();
   add_end(last.point.keys, last.arclength, locus.end);
+  if (locus.end == LocusEnd::least_step || locus.end == LocusEnd::most_points)
+    rows_.remark("a locus ends at " + rows_.at(last.point.keys) + ": " + locus.reason);
 }
 
 void LocusTable::end_at_start(const Vector &keys) { add_end(keys, 0, not_entered); }
@@ -131,9 +133,10 @@ void LocusTable::add_end(const Vector &keys, double arclength, std::optional<Loc
   rows_.add(CurveTable::Part::end, keys, arclength, std::move(values));
 }
 
-void LocusTable::add_fields(const FieldWriter &result) const {
+void LocusTable::add_fields(PointResult &result) const {
   rows_.add_fields(
       result, {"kind", "locus", rows_.keys()[0].name(), rows_.keys()[1].name(), "locus_residual"});
+  result.reason = rows_.remarks();
 }
 
 } // namespace vibroimpact::analyses

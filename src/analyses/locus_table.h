@@ -24,7 +24,8 @@ public:
   /// The locus cannot be entered at these keys.
   void end_at_start(const Vector &keys);
 
-  void add_fields(const FieldWriter &result) const;
+  /// Arrays, and why loci end early as the reason of the result.
+  void add_fields(PointResult &result) const;
 
 private:
   PointResult values_of(const continuation::LocusPoint &point) const;

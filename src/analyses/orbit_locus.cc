@@ -195,7 +195,13 @@ PointResult OrbitLocus::compute(System &system, LineContext &context) const {
 }
 
 void OrbitLocus::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
-  run_single_point(context, [&] { return compute(system, context); });
+  run_single_point(context, [&] {
+    try {
+      return compute(system, context);
+    } catch (const NumericalError &error) {
+      throw no_orbit(system, error);
+    }
+  });
 }
 
 } // namespace vibroimpact::analyses

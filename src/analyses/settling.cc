@@ -201,8 +201,8 @@ void declare_settling(parameters::Section &section) {
       .integer("Settling cycles", "200", Range{.lower = 0, .upper = 1e9}, "",
                "Periods after which it is recorded, steady or not.")
       .quantity("Steadiness tolerance", "1e-6", dimension::none, Range{.lower = 0, .upper = 1}, "",
-                "Relative distance to the periodic motion at which it counts as steady; 0 always "
-                "takes all settling cycles.")
+                "Relative distance to the periodic motion at which it counts as steady; 0 takes "
+                "all settling cycles, unless a motion repeats itself bit for bit.")
       .choice("Settling method", "automatic", {"automatic", "transient", "Newton"},
               "How the steady motion is reached: by waiting until the transient has decayed, as "
               "that of a real system does; by Newton's method after 2 periods; or automatic, by "

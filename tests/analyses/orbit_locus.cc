@@ -28,7 +28,7 @@ SweptParameter frequency(double first, double last) {
 
 PointResult run(const SweptParameter &first, const SweptParameter &second,
                 const std::vector<double> &at, LocusOf kind, double lambda,
-                const std::vector<double> &state) {
+                const std::vector<double> &state, int most_points = 1000) {
   OrbitLocus::Settings settings{.keys = {first, second},
                                 .start_values = at,
                                 .kinds = {kind},
@@ -36,6 +36,7 @@ PointResult run(const SweptParameter &first, const SweptParameter &second,
                                 .excitation = {}};
   settings.continuation.first_key = {.lower = first.values[0], .upper = first.values[1]};
   settings.continuation.second_key = {.lower = second.values[0], .upper = second.values[1]};
+  settings.continuation.most_points = most_points;
   IsolatorPoint point(lambda);
   System system = isolator_system(lambda, 2, 0.52);
   OrbitLocus(settings).run_line(0, system, point);
@@ -64,6 +65,15 @@ TEST(OrbitLocusTest, CuspFromEitherFold) {
   for (const double lambda : {1.3, 1.231})
     expect_cusp(
         run(key("mu", 0.5, 3), frequency(0.5, 2), {2.5, 0}, LocusOf::fold, lambda, {-1.9, 1}));
+}
+
+TEST(OrbitLocusTest, LociThatEndEarlySayWhere) {
+  const PointResult result =
+      run(frequency(0.3, 1.8), key("f", 0.05, 1.2), {0, 0.52}, LocusOf::graze, 0.5, {0, 0}, 12);
+  EXPECT_EQ(result.status, Status::finished);
+  EXPECT_NE(result.reason.find("a locus ends at frequency = "), std::string::npos);
+  EXPECT_NE(result.reason.find("Hz, f = "), std::string::npos);
+  EXPECT_NE(result.reason.find("the limit of 12 points"), std::string::npos) << result.reason;
 }
 
 // |x| = 1 without contact: f = |1 - l^2 + 0.02 i l|.
