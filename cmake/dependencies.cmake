@@ -2,7 +2,7 @@
 find_package(PkgConfig REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C CXX)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(Boost 1.74 REQUIRED COMPONENTS program_options serialization)
+find_package(Boost 1.74 REQUIRED COMPONENTS program_options)
 find_package(deal.II 9.4 REQUIRED)
 pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
 pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET SLEPc)

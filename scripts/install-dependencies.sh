@@ -11,7 +11,7 @@ packages=(
   libdeal.ii-dev petsc-dev slepc-dev libmumps-dev libfftw3-dev libnlopt-dev
   zlib1g-dev
   libhdf5-openmpi-dev libopenmpi-dev openmpi-bin
-  libeigen3-dev libboost-dev libboost-serialization-dev libboost-program-options-dev
+  libeigen3-dev libboost-dev libboost-program-options-dev
   libopenblas0-serial
   python3 python3-h5py python3-matplotlib python3-xarray
 )

@@ -3,9 +3,9 @@
 #include "analyses/balance_table.h"
 #include "analyses/keyed_system.h"
 #include "analyses/single_point.h"
-#include "continuation/archived_types.h"
 #include "continuation/branch.h"
 #include "continuation/harmonic_series.h"
+#include "continuation/stored_steps.h"
 
 #include <algorithm>
 #include <numbers>

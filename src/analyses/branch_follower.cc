@@ -1,7 +1,7 @@
 #include "analyses/branch_follower.h"
 
 #include "common/error.h"
-#include "continuation/archived_types.h"
+#include "continuation/stored_steps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -43,13 +43,13 @@ void GridLine::note_progress(double share) {
   leave_if_stopped();
 }
 
-void GridLine::leave_note(std::size_t line, const LineNote &note) {
+void GridLine::leave_note(std::size_t line, const std::string &note) {
   if (notes_ != nullptr)
     notes_->leave(first_ + line, note);
 }
 
-LineNote GridLine::note_of(std::size_t line) const {
-  return notes_ != nullptr ? notes_->of(first_ + line) : LineNote{};
+std::string GridLine::note_of(std::size_t line) const {
+  return notes_ != nullptr ? notes_->of(first_ + line) : std::string();
 }
 
 std::unique_ptr<StepRecord> GridLine::steps(const std::vector<std::size_t> &index) {

@@ -34,8 +34,8 @@ public:
   void note_progress(double share) override;
   std::unique_ptr<StepRecord> steps(const std::vector<std::size_t> &index) override;
   void skip() override { progress_.count(); }
-  void leave_note(std::size_t line, const LineNote &note) override;
-  LineNote note_of(std::size_t line) const override;
+  void leave_note(std::size_t line, const std::string &note) override;
+  std::string note_of(std::size_t line) const override;
   System build(const std::vector<parameters::Override> &overrides) const override {
     return source_(overrides);
   }

@@ -5,7 +5,7 @@
 #include "analyses/single_point.h"
 #include "analyses/window_recording.h"
 #include "common/error.h"
-#include "continuation/archived_types.h"
+#include "continuation/stored_steps.h"
 
 #include <memory>
 

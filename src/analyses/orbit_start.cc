@@ -22,11 +22,10 @@ struct FoundOrbit {
   double phase = 0; ///< of the section [periods]
   long halves = 0;
   Vector state;
-
-  template <class Archive> void serialize(Archive &archive, unsigned) {
-    archive &phase &halves &state;
-  }
 };
+void members(auto &visit, As<FoundOrbit> auto &found) {
+  visit(found.phase, found.halves, found.state);
+}
 
 } // namespace
 

@@ -4,6 +4,7 @@
 
 #include "analyses/analysis.h"
 #include "analyses/settling.h"
+#include "common/bytes.h"
 #include "common/error.h"
 #include "periodic/orbit.h"
 
@@ -49,8 +50,8 @@ private:
     long multiple = 1;
     long cycles = 0; ///< until it had settled
 
-    template <class Archive> void serialize(Archive &archive, unsigned) {
-      archive &state &multiple &cycles;
+    friend void members(auto &visit, As<FirstState> auto &first) {
+      visit(first.state, first.multiple, first.cycles);
     }
   };
   FirstState first_state(const std::function<void(long periods)> &after_period);

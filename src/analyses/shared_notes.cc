@@ -1,5 +1,6 @@
 #include "analyses/shared_notes.h"
 
+#include "common/bytes.h"
 #include "common/signals.h"
 
 #include <algorithm>
@@ -18,10 +19,10 @@ std::size_t whole_words(std::size_t bytes) { return (bytes + word - 1) / word * 
 
 } // namespace
 
-// A slot: whether the note is there, its numbers, the length of its text, its text. Before all
-// slots: whether a rank has stopped.
-SharedNotes::SharedNotes(std::size_t tasks, NoteSize size, MPI_Comm communicator)
-    : size_(size), slot_bytes_((size.values + 2) * word + whole_words(size.bytes)) {
+// A slot: whether the note is there, its length, its bytes. Before all slots: whether a rank has
+// stopped.
+SharedNotes::SharedNotes(std::size_t tasks, std::size_t size, MPI_Comm communicator)
+    : slot_bytes_(2 * word + whole_words(size)) {
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
   const MPI_Aint bytes = rank == 0 ? place(tasks) : 0;
@@ -54,13 +55,10 @@ void SharedNotes::set_flag(MPI_Aint place) {
   MPI_Win_flush(0, window_);
 }
 
-void SharedNotes::leave(std::size_t task, const LineNote &note) {
-  std::vector<char> bytes(slot_bytes_ - word, '\0');
-  std::memcpy(bytes.data(), note.values.data(), std::min(note.values.size(), size_.values) * word);
-  const auto length = static_cast<long>(std::min(note.text.size(), size_.bytes));
-  char *behind = bytes.data() + size_.values * word;
-  std::memcpy(behind, &length, word);
-  std::memcpy(behind + word, note.text.data(), static_cast<std::size_t>(length));
+void SharedNotes::leave(std::size_t task, const std::string &note) {
+  const std::string bytes = packed(note);
+  if (bytes.size() > slot_bytes_ - word)
+    throw std::logic_error("the note of a line is longer than its room");
   const auto count = static_cast<int>(bytes.size());
   MPI_Put(bytes.data(), count, MPI_BYTE, 0, place(task) + static_cast<MPI_Aint>(word), count,
           MPI_BYTE, window_);
@@ -68,25 +66,19 @@ void SharedNotes::leave(std::size_t task, const LineNote &note) {
   set_flag(place(task));
 }
 
-LineNote SharedNotes::of(std::size_t task) {
+std::string SharedNotes::of(std::size_t task) {
   for (auto wait = shortest_wait; flag(place(task)) == 0; wait = std::min(2 * wait, longest_wait)) {
     if (flag(0) != 0)
       throw Interrupted{};
     leave_if_stopped();
     std::this_thread::sleep_for(wait);
   }
-  std::vector<char> bytes(slot_bytes_ - word);
+  std::string bytes(slot_bytes_ - word, '\0');
   const auto count = static_cast<int>(bytes.size());
   MPI_Get(bytes.data(), count, MPI_BYTE, 0, place(task) + static_cast<MPI_Aint>(word), count,
           MPI_BYTE, window_);
   MPI_Win_flush(0, window_);
-  LineNote note{.values = std::vector<double>(size_.values), .text = {}};
-  std::memcpy(note.values.data(), bytes.data(), size_.values * word);
-  const char *behind = bytes.data() + size_.values * word;
-  long length = 0;
-  std::memcpy(&length, behind, word);
-  note.text.assign(behind + word, static_cast<std::size_t>(length));
-  return note;
+  return Cursor(bytes).take<std::string>();
 }
 
 void SharedNotes::stop() { set_flag(0); }

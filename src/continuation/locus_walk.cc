@@ -2,10 +2,10 @@
 
 #include "common/decompositions.h"
 #include "common/signals.h"
-#include "continuation/archived_types.h"
 #include "continuation/locus_end.h"
 #include "continuation/node.h"
 #include "continuation/piece.h"
+#include "continuation/stored_steps.h"
 
 #include <boost/math/tools/toms748_solve.hpp>
 

@@ -1,7 +1,7 @@
 #include "continuation/walk.h"
 
 #include "common/signals.h"
-#include "continuation/archived_types.h"
+#include "continuation/stored_steps.h"
 
 #include <algorithm>
 #include <sstream>

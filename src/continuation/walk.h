@@ -1,6 +1,7 @@
 // The walk along a branch: prediction, correction, length of steps, and the checks after each step.
 #pragma once
 
+#include "common/bytes.h"
 #include "continuation/pattern_changes.h"
 
 namespace vibroimpact::continuation {
@@ -25,8 +26,8 @@ private:
     double step = 0;
     std::optional<std::vector<SpecialPoint>> special; ///< none: not found
 
-    template <class Archive> void serialize(Archive &archive, unsigned) {
-      archive &graze &guard &node &step &special;
+    friend void members(auto &visit, As<Behind> auto &behind) {
+      visit(behind.graze, behind.guard, behind.node, behind.step, behind.special);
     }
   };
 

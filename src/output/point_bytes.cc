@@ -1,55 +1,12 @@
 #include "output/point_bytes.h"
 
-#include "output/archived_types.h"
+#include "common/stored_results.h"
 
 #include <algorithm>
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-#include <cstring>
-#include <sstream>
-#include <stdexcept>
 
 namespace vibroimpact::output {
 
 namespace {
-
-template <class Number> void append(Number number, std::string &bytes) {
-  bytes.append(reinterpret_cast<const char *>(&number), sizeof number);
-}
-
-/// Takes values off the front of some bytes.
-class Cursor {
-public:
-  explicit Cursor(std::string_view bytes) : left_(bytes) {}
-
-  template <class Number> Number take() {
-    Number number;
-    copy(&number, sizeof number);
-    return number;
-  }
-
-  std::string_view take(std::size_t size) {
-    if (size > left_.size())
-      throw std::runtime_error("a stored point does not fit its layout");
-    const std::string_view taken = left_.substr(0, size);
-    left_.remove_prefix(size);
-    return taken;
-  }
-
-  void take_numbers(std::size_t size, std::vector<double> &numbers) {
-    const std::string_view taken = take(size * sizeof(double));
-    numbers.resize(size);
-    if (size > 0)
-      std::memcpy(numbers.data(), taken.data(), taken.size());
-  }
-
-  std::string_view rest() const { return left_; }
-
-private:
-  void copy(void *target, std::size_t size) { std::memcpy(target, take(size).data(), size); }
-
-  std::string_view left_;
-};
 
 void take_index(Cursor &cursor, std::vector<std::size_t> &index) {
   index.resize(cursor.take<std::uint8_t>());
@@ -63,30 +20,12 @@ void take_field(Cursor &cursor, Field &field) {
     length = cursor.take<std::uint64_t>();
     size *= length;
   }
-  cursor.take_numbers(size, field.values);
+  cursor.numbers(field.values, size);
 }
 
-void append_motion(const std::vector<Motion> &motion, std::string &bytes) {
-  if (motion.empty())
-    return;
-  std::ostringstream stream(std::ios::binary);
-  boost::archive::binary_oarchive archive(stream);
-  archive << motion;
-  bytes += stream.str();
-}
-
-std::vector<Motion> read_motion(std::string_view bytes) {
-  std::vector<Motion> motion;
-  if (bytes.empty())
-    return motion;
-  std::istringstream stream(std::string(bytes), std::ios::binary);
-  boost::archive::binary_iarchive archive(stream);
-  archive >> motion;
-  return motion;
-}
-
-template <class Labelled> bool same_label(const Labelled &one, const Labelled &other) {
-  return one.label == other.label;
+bool same_labels(const auto &labelled, const std::vector<Label> &labels) {
+  return std::equal(labelled.begin(), labelled.end(), labels.begin(), labels.end(),
+                    [](const auto &one, const Label &label) { return one.label == label; });
 }
 
 } // namespace
@@ -94,37 +33,31 @@ template <class Labelled> bool same_label(const Labelled &one, const Labelled &o
 PointLayout layout_of(const PointResult &result) {
   PointLayout layout;
   for (const Field &field : result.fields)
-    layout.fields.push_back({.label = field.label});
+    layout.fields.push_back(field.label);
   for (const SummaryLine &line : result.summary)
-    layout.summary.push_back({.label = line.label});
+    layout.summary.push_back(line.label);
   return layout;
 }
 
 bool has_layout(const PointResult &result, const PointLayout &layout) {
-  const auto &fields = layout.fields;
-  const auto &summary = layout.summary;
-  return std::equal(result.fields.begin(), result.fields.end(), fields.begin(), fields.end(),
-                    same_label<Field>) &&
-         std::equal(result.summary.begin(), result.summary.end(), summary.begin(), summary.end(),
-                    same_label<SummaryLine>);
+  return same_labels(result.fields, layout.fields) && same_labels(result.summary, layout.summary);
 }
 
 void append_point(const PointResult &result, std::string &bytes) {
-  append(static_cast<std::uint8_t>(result.index.size()), bytes);
+  Bytes put(bytes);
+  put(static_cast<std::uint8_t>(result.index.size()));
   for (const std::size_t position : result.index)
-    append(static_cast<std::uint32_t>(position), bytes);
-  append(result.status, bytes);
-  append(static_cast<std::uint32_t>(result.reason.size()), bytes);
+    put(static_cast<std::uint32_t>(position));
+  put(result.status, static_cast<std::uint32_t>(result.reason.size()));
   bytes += result.reason;
   for (const Field &field : result.fields) {
-    for (const std::size_t length : field.shape)
-      append(static_cast<std::uint64_t>(length), bytes);
-    bytes.append(reinterpret_cast<const char *>(field.values.data()),
-                 field.values.size() * sizeof(double));
+    put.numbers(field.shape.data(), field.shape.size());
+    put.numbers(field.values.data(), field.values.size());
   }
   for (const SummaryLine &line : result.summary)
-    append(line.value, bytes);
-  append_motion(result.motion, bytes);
+    put(line.value);
+  if (!result.motion.empty())
+    put(result.motion);
 }
 
 std::vector<std::size_t> index_of_point(std::string_view bytes) {
@@ -157,21 +90,25 @@ int compare_index(std::string_view one, std::string_view other) {
 
 const PointResult &PointReader::read(std::string_view bytes, const PointLayout &layout) {
   if (layout_ != &layout) {
-    point_.fields = layout.fields;
-    point_.summary = layout.summary;
-    for (Field &field : point_.fields)
-      field.shape.resize(field.dimensions().size());
+    point_ = {};
+    for (const Label &label : layout.fields)
+      point_.fields.push_back(
+          {.label = label, .shape = std::vector<std::size_t>(label.dimensions().size())});
+    for (const Label &label : layout.summary)
+      point_.summary.push_back({.label = label});
     layout_ = &layout;
   }
   Cursor cursor(bytes);
   take_index(cursor, point_.index);
-  point_.status = cursor.take<Status>();
+  cursor(point_.status);
   point_.reason = cursor.take(cursor.take<std::uint32_t>());
   for (Field &field : point_.fields)
     take_field(cursor, field);
   for (SummaryLine &line : point_.summary)
-    line.value = cursor.take<double>();
-  point_.motion = read_motion(cursor.rest());
+    cursor(line.value);
+  point_.motion.clear();
+  if (!cursor.rest().empty())
+    unpack(cursor.rest(), point_.motion);
   return point_;
 }
 

@@ -12,8 +12,7 @@ namespace vibroimpact::output {
 
 /// What a point holds besides its numbers.
 struct PointLayout {
-  std::vector<Field> fields;        ///< without shape and values
-  std::vector<SummaryLine> summary; ///< without values
+  std::vector<Label> fields, summary;
 };
 
 PointLayout layout_of(const PointResult &result);
@@ -32,8 +31,7 @@ int compare_index(std::string_view one, std::string_view other);
 /// points of the same layout takes no memory anew.
 class PointReader {
 public:
-  /// The result is valid until the next call. Throws std::runtime_error when the bytes do not fit
-  /// the layout.
+  /// The result is valid until the next call. BytesError when the bytes do not fit the layout.
   const PointResult &read(std::string_view bytes, const PointLayout &layout);
 
 private:

@@ -1,31 +1,18 @@
 #include "output/record.h"
 
-#include "output/archived_types.h"
+#include "common/stored_results.h"
 
 #include <algorithm>
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-#include <cstring>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
-namespace boost::serialization {
-
-template <class Archive>
-void serialize(Archive &archive, vibroimpact::output::PointLayout &layout, unsigned) {
-  archive &layout.fields &layout.summary;
-}
-
-template <class Archive>
-void serialize(Archive &archive, vibroimpact::output::StepBundle &bundle, unsigned) {
-  archive &bundle.index &bundle.first &bundle.steps;
-}
-
-} // namespace boost::serialization
-
 namespace vibroimpact::output {
+
+void members(auto &visit, As<PointLayout> auto &layout) { visit(layout.fields, layout.summary); }
+void members(auto &visit, As<StepBundle> auto &bundle) {
+  visit(bundle.index, bundle.first, bundle.steps);
+}
 
 namespace {
 
@@ -34,37 +21,34 @@ constexpr char layout_kind = 'l';
 constexpr char point_kind = 'p';
 constexpr char steps_kind = 's';
 
-template <class... Contents> std::string archived(char kind, const Contents &...contents) {
-  std::ostringstream stream(std::ios::binary);
-  stream.put(kind);
-  boost::archive::binary_oarchive archive(stream);
-  (archive << ... << contents);
-  return stream.str();
-}
+// The number stands behind the kind of every record but those of points, which have a layout.
+constexpr std::uint32_t format = 1;
 
 template <class... Contents> void extract(std::string_view bytes, Contents &...contents) {
-  std::istringstream stream(std::string(bytes), std::ios::binary);
-  boost::archive::binary_iarchive archive(stream);
-  (archive >> ... >> contents);
+  Cursor cursor(bytes);
+  if (const auto found = cursor.take<std::uint32_t>(); found != format)
+    throw BytesError("a record of format " + std::to_string(found) + " instead of " +
+                     std::to_string(format));
+  unpack(cursor.rest(), contents...);
 }
 
 } // namespace
 
 void RecordWriter::append(const AnalysisHeader &header) {
-  journal_.append(archived(header_kind, header));
+  journal_.append(packed(header_kind, format, header));
   journal_.synchronise(); // points in other journals are of no use without it
 }
 
 void RecordWriter::append(const std::string &analysis, const PointResult &result) {
   const std::uint32_t layout = number_of_layout(analysis, result);
-  record_.assign(1, point_kind);
-  record_.append(reinterpret_cast<const char *>(&layout), sizeof layout);
+  record_.clear();
+  Bytes{record_}(point_kind, layout);
   append_point(result, record_);
   journal_.append(record_);
 }
 
 void RecordWriter::append(const std::string &analysis, const StepBundle &bundle) {
-  journal_.append(archived(steps_kind, analysis, bundle));
+  journal_.append(packed(steps_kind, format, analysis, bundle));
 }
 
 bool RecordWriter::fits(const std::string &analysis, const PointResult &result,
@@ -81,8 +65,8 @@ std::uint32_t RecordWriter::number_of_layout(const std::string &analysis,
     ++number;
   if (number == layouts_.size()) {
     KnownLayout known{.analysis = analysis, .layout = layout_of(result)};
-    journal_.append(
-        archived(layout_kind, static_cast<std::uint32_t>(number), known.analysis, known.layout));
+    journal_.append(packed(layout_kind, format, static_cast<std::uint32_t>(number), known.analysis,
+                           known.layout));
     layouts_.push_back(std::move(known));
   }
   latest_ = number;
@@ -121,7 +105,7 @@ public:
     records_ = std::make_shared<const JournalRecords>(journal);
     layouts_.clear();
     records_->visit([this](std::string_view record) { take(record); });
-  } catch (const boost::archive::archive_exception &error) {
+  } catch (const BytesError &error) {
     fail(journal, error.what());
   } catch (const std::out_of_range &) {
     fail(journal, "a record of unknown kind");
@@ -191,11 +175,9 @@ private:
   }
 
   void take_point(std::string_view record) {
-    std::uint32_t number = 0;
-    const std::string_view bytes = record.substr(sizeof number);
-    std::memcpy(&number, record.data(), sizeof number);
-    const Layout &layout = layouts_.at(number);
-    layout.points->entries_.push_back({.bytes = bytes, .layout = layout.layout.get()});
+    Cursor cursor(record);
+    const Layout &layout = layouts_.at(cursor.take<std::uint32_t>());
+    layout.points->entries_.push_back({.bytes = cursor.rest(), .layout = layout.layout.get()});
   }
 
   void take_steps(std::string_view record) {

@@ -1,9 +1,8 @@
 // A reduced body as bytes: for a file that saves the eigen-solution of the next run, and for the
 // copy that every rank gets.
 //
-// Format: the line "vibroimpact reduced body 5", the line "checksum HEX" (FNV-1a, 64 bits, of all
-// that follows), then records. A record is the line "NAME text BYTES" or "NAME matrix ROWS
-// COLUMNS", its data (text, or little-endian doubles, column by column) and a line end.
+// Format: the line "vibroimpact reduced body 6", 16 hexadecimal digits (FNV-1a, 64 bits, of all
+// that follows), the fingerprint and the members of the body as in common/bytes.h.
 #pragma once
 
 #include "reduction/reduced_body.h"
@@ -12,11 +11,12 @@
 #include <mpi.h>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace vibroimpact::reduction {
 
 /// FNV-1a hash as 16 hexadecimal digits.
-std::string content_hash(const std::string &content);
+std::string content_hash(std::string_view content);
 
 /// `fingerprint` stands for everything the body was made from.
 std::string to_bytes(const ReducedBody &body, const std::string &fingerprint);

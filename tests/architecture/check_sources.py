@@ -30,8 +30,8 @@ GENERATED = {"version.h"}
 
 # What is known in few places only: a pattern of the include, the files that may have it, the reason.
 FENCES = [
-    (r"deal\.II/base/", r"parameters/|structure/|output/vtu_|program\.cc|run_information\.cc",
-     "deal.II's base belongs to structure/, parameters/, the VTU writer and the program's start"),
+    (r"deal\.II/base/", r"structure/|output/vtu_|program\.cc|run_information\.cc",
+     "deal.II's base belongs to structure/, the VTU writer and the program's start"),
     (r"deal\.II/(?!base/)", r"structure/|output/vtu_",
      "deal.II belongs to structure/ and the VTU writer"),
     (r"slepcversion\.h", r"modes/|run_information\.cc", "SLEPc belongs to modes/"),
@@ -202,7 +202,7 @@ def problems(tree):
 SOUND_TREE = {
     "src/common/error.h": "#include <string>\n",
     "src/common/hdf5_file.cc": "#include <hdf5.h>\n#include <hdf5_hl.h>\n",
-    "src/parameters/values.h": '#include "common/error.h"\n#include <deal.II/base/config.h>\n',
+    "src/parameters/values.h": '#include "common/error.h"\n',
     "src/structure/mesh.h": "#include <deal.II/grid/tria.h>\n#include <petscmat.h>\n",
     "src/modes/solver.cc": '#include "structure/mesh.h"\n#include <slepceps.h>\n',
     "src/reduction/body.h": '#include "structure/mesh.h"\n#include <fstream>\n',

@@ -140,10 +140,19 @@ TEST_F(RecordTest, StepsComeBackInTheirOrder) {
 }
 
 TEST_F(RecordTest, AJournalInAnotherFormatIsNamed) {
-  JournalWriter(file).append("\x16 serialization::archive");
-  EXPECT_EQ(thrown_message<std::runtime_error>([&] { points("map"); }),
-            file.string() + ": cannot read the journal, another version of the program may have "
-                            "written it (a record of unknown kind)");
+  const std::string number("\x16\0\0\0", 4); // 22
+  for (const auto &[record, reason] :
+       {std::pair("?" + number, "a record of unknown kind"),
+        std::pair("h" + number, "a record of format 22 instead of 1"),
+        std::pair(std::string("h\1\0\0\0\4", 6),
+                  "bytes are missing, or are not of what they tell")}) {
+    fs::remove(file);
+    JournalWriter(file).append(record);
+    EXPECT_EQ(thrown_message<std::runtime_error>([&] { points("map"); }),
+              file.string() +
+                  ": cannot read the journal, another version of the program may have " +
+                  "written it (" + reason + ")");
+  }
 }
 
 } // namespace record_tests

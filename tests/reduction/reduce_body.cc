@@ -1,6 +1,7 @@
 // The stored body of an earlier run, on any number of ranks.
 #include "reduction/reduce_body.h"
 
+#include "common/bytes.h"
 #include "reduction/body_file.h"
 #include "reduction/parameter_files.h"
 #include "temporary_folder.h"
@@ -114,10 +115,8 @@ TEST(ReduceBody, AnEntryOfTheCacheIsUsed) {
   body.total_mass.setConstant(42);
   const std::string file = entries(folder.path()).at(0).string();
   const std::string bytes = text_of(file);
-  const std::size_t begin = bytes.find("fingerprint text ");
-  const std::size_t text = bytes.find('\n', begin) + 1;
-  const std::size_t size = std::stoul(bytes.substr(begin + 17));
-  save_body(file, body, bytes.substr(text, size));
+  Cursor cursor(std::string_view(bytes).substr(bytes.find('\n') + 1 + content_hash("").size()));
+  save_body(file, body, cursor.take<std::string>());
   const ReducedBody again = by_cache(head_beam(), cache);
   EXPECT_EQ(again.total_mass[0], 42);
   EXPECT_EQ(again.name, "left");

@@ -23,6 +23,28 @@ double DesignValue::largest_excess() const {
   return largest;
 }
 
+std::string Objective::note(DesignValue value) const {
+  value.failure.resize(std::min(value.failure.size(), longest_failure(wanted_.size())));
+  value.unit.resize(std::min(value.unit.size(), longest_unit));
+  for (auto *units : {&value.other_units, &value.constrained_units})
+    for (std::string &unit : *units)
+      unit.resize(std::min(unit.size(), longest_unit));
+  return packed(value);
+}
+
+std::size_t Objective::note_size() const {
+  const std::vector<std::string> units(wanted_.size());
+  const std::vector<double> numbers(wanted_.size());
+  return packed(DesignValue{.failure = std::string(longest_failure(wanted_.size()), ' '),
+                            .others = numbers,
+                            .other_units = units,
+                            .cases = std::vector<double>(cases()),
+                            .constrained = numbers,
+                            .constrained_units = units,
+                            .excess = numbers})
+      .size();
+}
+
 void Objective::declare_goal(parameters::Section &section) {
   section
       .text("Objective", "",

@@ -4,6 +4,7 @@
 
 #include "analyses/design/single_outcomes.h"
 #include "analyses/grid.h"
+#include "common/bytes.h"
 
 #include <limits>
 #include <string>
@@ -29,6 +30,11 @@ struct DesignValue {
   bool failed() const { return !failure.empty(); }
   double largest_excess() const;
 };
+void members(auto &visit, As<DesignValue> auto &value) {
+  visit(value.failure, value.objective, value.unit, value.others, value.other_units, value.cases,
+        value.constrained, value.constrained_units, value.excess, value.unbalanced,
+        value.unsettled);
+}
 
 /// A quantity that is to be small or large.
 struct Goal {
@@ -68,6 +74,10 @@ public:
   /// single number, or is limited by a value of another dimension; `progress` may throw.
   DesignValue evaluate(const Outcomes &outcomes, const std::vector<parameters::Override> &overrides,
                        const std::function<void(double share)> &progress) const;
+
+  /// What an evaluation leaves for the lines after its own.
+  std::string note(DesignValue value) const;
+  std::size_t note_size() const;
 
 private:
   std::vector<parameters::Override> case_overrides(std::size_t number,

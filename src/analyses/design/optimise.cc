@@ -1,7 +1,6 @@
 #include "analyses/design/optimise.h"
 
 #include "analyses/design/best_evaluation.h"
-#include "analyses/design/design_note.h"
 #include "common/error.h"
 #include "common/scalar.h"
 
@@ -126,9 +125,7 @@ std::size_t Optimise::lines() const {
   return evolves() ? settings_.starts * (settings_.most + 1) : settings_.starts;
 }
 
-NoteSize Optimise::note_size() const {
-  return evolves() ? size_of_design_note(settings_.objective) : NoteSize{};
-}
+std::size_t Optimise::note_size() const { return evolves() ? settings_.objective.note_size() : 0; }
 
 std::vector<std::string> Optimise::changed_keys() const {
   return paths_of(settings_.keys, settings_.objective.worst_keys());

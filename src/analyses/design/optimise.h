@@ -42,7 +42,7 @@ public:
   /// start, evaluation
   std::vector<Axis> axes() const override;
   std::size_t lines() const override;
-  NoteSize note_size() const override;
+  std::size_t note_size() const override;
   void check(const System & /*system*/) const override {}
   std::string evaluated() const override { return settings_.evaluated; }
   std::vector<std::string> changed_keys() const override;

@@ -6,7 +6,6 @@
 #pragma once
 
 #include "analyses/analysis.h"
-#include "analyses/design/design_note.h"
 #include "analyses/design/population_search.h"
 #include "analyses/field_writer.h"
 
@@ -34,7 +33,7 @@ public:
   /// evaluation
   std::vector<Axis> axes() const override { return {evaluation_axis(settings_.evaluations)}; }
   std::size_t lines() const override { return settings_.evaluations + 1; }
-  NoteSize note_size() const override { return size_of_design_note(settings_.objective); }
+  std::size_t note_size() const override { return settings_.objective.note_size(); }
   void check(const System & /*system*/) const override {}
   std::string evaluated() const override { return settings_.evaluated; }
   std::vector<std::string> changed_keys() const override;

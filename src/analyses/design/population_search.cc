@@ -1,6 +1,5 @@
 #include "analyses/design/population_search.h"
 
-#include "analyses/design/design_note.h"
 #include "common/error.h"
 
 namespace vibroimpact::analyses {
@@ -28,7 +27,7 @@ void PopulationSearch::run_trial(std::size_t trial, LineContext &context) {
     evaluation.value = evaluate(present.coordinates, context);
     context.store(evaluation_point(index, evaluation, keys_, objective_));
   }
-  context.leave_note(place_.first_line + trial, design_note(evaluation.value, objective_));
+  context.leave_note(place_.first_line + trial, objective_.note(evaluation.value));
 }
 
 // Other lines wait for this one: whatever cannot be used at these values is a failure of it alone.
@@ -68,10 +67,12 @@ void PopulationSearch::take_in(std::size_t number, const LineContext &context) {
     return;
   if (!trial.earlier) {
     trial.evaluation = evaluations_.size();
-    evaluations_.push_back(
-        {.number = number + 1,
-         .coordinates = trial.coordinates,
-         .value = noted_design_value(context.note_of(place_.first_line + number), objective_)});
+    Evaluation &evaluation = evaluations_.emplace_back();
+    evaluation.number = number + 1;
+    evaluation.coordinates = trial.coordinates;
+    evaluation.value.failure = "an evaluation that was left out";
+    if (const std::string note = context.note_of(place_.first_line + number); !note.empty())
+      unpack(note, evaluation.value);
   } else {
     trial.evaluation = trials_[*trial.earlier].evaluation;
   }

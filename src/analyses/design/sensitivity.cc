@@ -1,8 +1,8 @@
 #include "analyses/design/sensitivity.h"
 
-#include "analyses/design/design_note.h"
 #include "analyses/design/stored_evaluations.h"
 #include "analyses/fields.h"
+#include "common/bytes.h"
 #include "common/error.h"
 
 #include <algorithm>
@@ -38,16 +38,6 @@ void add_indices(const FieldWriter &result, const std::string &quantity, const s
                   "share of the variance that the key brings about together with all others");
     result.number("total_error/" + path, index.total_error, "1", "its standard error");
   }
-}
-
-std::vector<std::string> lines_of(const std::string &text) {
-  std::vector<std::string> lines{""};
-  for (const char c : text)
-    if (c == '\n')
-      lines.emplace_back();
-    else
-      lines.back() += c;
-  return lines;
 }
 
 } // namespace
@@ -103,9 +93,11 @@ std::shared_ptr<const Analysis> Sensitivity::create(const Values &analysis) {
 
 std::vector<Axis> Sensitivity::axes() const { return {evaluation_axis(design_.points())}; }
 
-NoteSize Sensitivity::note_size() const {
-  return {.values = settings_.quantities.size(),
-          .bytes = bytes_of_a_failure + bytes_of_a_unit * settings_.quantities.size()};
+std::size_t Sensitivity::note_size() const {
+  const std::size_t count = settings_.quantities.size();
+  return packed(std::vector<double>(count), std::vector<std::string>(count),
+                std::string(longest_failure(count), ' '))
+      .size();
 }
 
 void Sensitivity::check_outcomes(const Outcomes &outcomes) const {
@@ -152,34 +144,35 @@ PointResult Sensitivity::evaluate(std::size_t number, LineContext &context) cons
   return point;
 }
 
-// The quantities, with their units line by line; or NaN, and why.
-LineNote Sensitivity::note(const PointResult &point) const {
-  LineNote note{.values = std::vector<double>(settings_.quantities.size(),
-                                              std::numeric_limits<double>::quiet_NaN()),
-                .text = point.reason};
-  if (point.status == Status::failed)
-    return note;
-  for (std::size_t q = 0; q < settings_.quantities.size(); ++q)
-    if (const Field *field = find(point, field_name(settings_.quantities[q]))) {
-      note.values[q] = field->values[0];
-      note.text += (q > 0 ? "\n" : "") + field->unit();
-    }
-  return note;
+// The quantities with their units, none where the evaluation failed; why it did.
+std::string Sensitivity::note(const PointResult &point) const {
+  std::vector<double> values;
+  std::vector<std::string> units;
+  if (point.status != Status::failed)
+    for (const Quantity &quantity : settings_.quantities)
+      if (const Field *field = find(point, field_name(quantity))) {
+        values.push_back(field->values[0]);
+        units.push_back(field->unit().substr(0, longest_unit));
+      }
+  return packed(values, units,
+                point.reason.substr(0, longest_failure(settings_.quantities.size())));
 }
 
 PointResult Sensitivity::result(const LineContext &context) const {
   std::vector<std::vector<double>> values(settings_.quantities.size());
-  std::vector<std::string> units;
+  std::vector<std::string> units, found_units;
   std::string failure;
   for (std::size_t line = 0; line < design_.points(); ++line) {
-    const LineNote note = context.note_of(line);
+    std::vector<double> found;
+    std::string reason;
+    if (const std::string note = context.note_of(line); !note.empty())
+      unpack(note, found, found_units, reason);
     for (std::size_t q = 0; q < values.size(); ++q)
-      values[q].push_back(note.values.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                              : note.values[q]);
-    if (!std::isnan(values[0].back()))
-      units = lines_of(note.text);
+      values[q].push_back(found.empty() ? std::numeric_limits<double>::quiet_NaN() : found[q]);
+    if (!found.empty())
+      units = found_units;
     else if (failure.empty())
-      failure = note.text;
+      failure = reason;
   }
   PointResult result{.index = {0}};
   for (std::size_t q = 0; q < values.size(); ++q) {
@@ -208,7 +201,7 @@ void Sensitivity::run_line(std::size_t line, System & /*system*/, LineContext &c
     return;
   }
   PointResult point = known != nullptr ? *known : evaluate(line, context);
-  const LineNote left = note(point);
+  const std::string left = note(point);
   if (known == nullptr)
     context.store(std::move(point));
   context.leave_note(line, left);

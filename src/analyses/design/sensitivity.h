@@ -33,7 +33,7 @@ public:
   /// evaluation
   std::vector<Axis> axes() const override;
   std::size_t lines() const override { return design_.points() + 1; }
-  NoteSize note_size() const override;
+  std::size_t note_size() const override;
   void check(const System & /*system*/) const override {}
   std::string evaluated() const override { return settings_.evaluated; }
   std::vector<std::string> changed_keys() const override { return paths_of(settings_.keys, {}); }
@@ -44,7 +44,7 @@ public:
 private:
   PointResult evaluate(std::size_t number, LineContext &context) const;
   void add_values(PointResult &point, LineContext &context) const;
-  LineNote note(const PointResult &point) const;
+  std::string note(const PointResult &point) const;
   PointResult result(const LineContext &context) const;
 
   Settings settings_;

@@ -15,6 +15,10 @@ struct WantedQuantity {
   std::string place; ///< where the file asks for it, for messages
 };
 
+/// Texts in a note are cut off: a unit, and a failure that stands instead of units.
+inline constexpr std::size_t longest_unit = 32;
+constexpr std::size_t longest_failure(std::size_t units) { return 256 + longest_unit * units; }
+
 /// InputError when the outcome is no single number, NumericalError when it is not finite.
 double single_number(const Outcome &outcome, const std::string &path);
 

@@ -59,14 +59,14 @@ public:
     testing::Points::store(std::move(result));
   }
   void skip() override { ++skipped; }
-  void leave_note(std::size_t line, const LineNote &note) override { notes_[line] = note; }
-  LineNote note_of(std::size_t line) const override { return notes_.at(line); }
+  void leave_note(std::size_t line, const std::string &note) override { notes_[line] = note; }
+  std::string note_of(std::size_t line) const override { return notes_.at(line); }
   int left = -1; ///< points that may be stored
   int skipped = 0;
 
 private:
   const Outcomes &outcomes_;
-  std::map<std::size_t, LineNote> notes_;
+  std::map<std::size_t, std::string> notes_;
 };
 
 /// A run that is cut off behind `count` points, and one that goes on: together they evaluate once
