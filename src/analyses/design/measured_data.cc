@@ -9,6 +9,7 @@
 #include <math.h> // before Boost 1.74, which calls isnan without its namespace
 
 #include <boost/math/interpolators/pchip.hpp>
+#include <boost/math/special_functions/fpclassify.hpp> // isnan
 
 #include <algorithm>
 #include <cmath>
