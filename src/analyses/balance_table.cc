@@ -1,6 +1,5 @@
 #include "analyses/balance_table.h"
 
-#include "analyses/channels.h"
 #include "analyses/fields.h"
 #include "analyses/recorders/extreme_values.h"
 #include "continuation/harmonic_series.h"
@@ -19,10 +18,10 @@ motion::ValueRange range_of(const RowVector &series) {
   return {.minimum = range.minimum, .maximum = range.maximum};
 }
 
-void add_channel(const std::string &path, const std::string &meaning, const RowVector &series,
-                 const RowVector &left, const FieldWriter &row) {
-  const ExtremeValueLabels labels(
-      {.path = path, .kind = "displacement", .unit = "m", .meaning = meaning, .curve = {}});
+void add_observed(const Observable &observed, const RowVector &series, const RowVector &left,
+                  const FieldWriter &row) {
+  const std::string &path = observed.path;
+  const ExtremeValueLabels labels(observed);
   add_range(row, labels, range_of(series));
   row.array(Label(path + "/harmonic_amplitude", "m",
                   "amplitude of each harmonic of the forcing, from the absolute mean on",
@@ -62,17 +61,12 @@ PointResult BalanceTable::values_of(const continuation::BranchPoint &point) cons
 
 void BalanceTable::add_points(const HarmonicMotion &motion, const LeftOut &left,
                               const FieldWriter &row) const {
-  const periodic::HarmonicModel &balance = system_.balance();
-  for (const Channel &channel : observed_channels(system_.system().model)) {
-    const std::string path = "point/" + channel.point + "/";
-    const std::string axis = std::string("_") + channel.axis;
-    const std::string along = std::string(" along ") + channel.axis;
-    const RowVector beyond = channel.relative.row * left.coordinates;
-    add_channel(path + "displacement" + axis, "displacement relative to the base" + along,
-                balance.observed(channel.relative, motion.coordinates), beyond, row);
-    if (channel.carried())
-      add_channel(path + "absolute_displacement" + axis, "displacement in space" + along,
-                  balance.observed(channel.absolute, motion.coordinates), beyond, row);
+  const ObservedSelection displacements{.points = {},
+                                        .kinds = {"displacement", "absolute_displacement"}};
+  for (const Observable &observed : point_observables(system_.system().model, displacements)) {
+    const model::Projection &projection = std::get<PointForm>(observed.form).projection;
+    add_observed(observed, system_.balance().observed(projection, motion.coordinates),
+                 projection.row * left.coordinates, row);
   }
 }
 

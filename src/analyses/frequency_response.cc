@@ -1,8 +1,8 @@
 #include "analyses/frequency_response.h"
 
-#include "analyses/channels.h"
 #include "analyses/fields.h"
 #include "analyses/linear_response.h"
+#include "analyses/observables.h"
 #include "analyses/single_point.h"
 #include "analyses/swept_parameter.h"
 #include "analyses/keyed_system.h"
@@ -21,37 +21,12 @@ namespace {
 
 constexpr const char *frequency_response_section = "Frequency response";
 
-// One quantity of one channel: (i w)^order times the amplitude of a displacement.
-struct Quantity {
-  std::string name;
-  std::string unit;
-  std::string meaning;
-  const model::Projection *projection;
-  int order;
-};
-
-std::vector<Quantity> quantities(const std::vector<Channel> &channels) {
-  std::vector<Quantity> list;
-  for (const Channel &channel : channels) {
-    const std::string base = "point/" + channel.point + "/";
-    const std::string axis = std::string("_") + channel.axis;
-    list.push_back({base + "displacement" + axis, "m", "displacement relative to the base",
-                    &channel.relative, 0});
-    list.push_back({base + "absolute_displacement" + axis, "m", "absolute displacement",
-                    &channel.absolute, 0});
-    list.push_back(
-        {base + "velocity" + axis, "m/s", "velocity relative to the base", &channel.relative, 1});
-    list.push_back(
-        {base + "acceleration" + axis, "m/s^2", "absolute acceleration", &channel.absolute, 2});
-  }
-  return list;
-}
-
-std::complex<double> amplitude(const LinearResponse &response, const Quantity &quantity,
+std::complex<double> amplitude(const LinearResponse &response, const Observable &quantity,
                                const ComplexAmplitudes &at) {
   const std::complex<double> rate(0, at.angular_frequency);
-  std::complex<double> value = response.observed(*quantity.projection, at);
-  for (int k = 0; k < quantity.order; ++k)
+  const auto &form = std::get<PointForm>(quantity.form);
+  std::complex<double> value = response.observed(form.projection, at);
+  for (int k = 0; k < form.order; ++k)
     value *= rate;
   return value;
 }
@@ -75,8 +50,8 @@ Peak find_peak(const std::vector<double> &frequencies, const std::vector<double>
   return -negative > listed.value ? Peak{.value = -negative, .frequency = frequency} : listed;
 }
 
-void add_peak(const FieldWriter &result, const Quantity &quantity, const Peak &peak) {
-  const std::string path = "peak/" + quantity.name;
+void add_peak(const FieldWriter &result, const Observable &quantity, const Peak &peak) {
+  const std::string path = "peak/" + quantity.path;
   result.number(path + "/amplitude", peak.value, quantity.unit,
                 "largest amplitude over frequency, " + quantity.meaning);
   result.line(path, peak.value, quantity.unit);
@@ -117,7 +92,6 @@ void FrequencyResponse::check(const System &system) const {
 
 PointResult FrequencyResponse::compute(const System &system, LineContext &context) const {
   const LinearResponse response(system.model, sweep_source(system, settings_.excitation));
-  const std::vector<Channel> channels = observed_channels(system.model);
   const auto at = [&](double frequency) { return response.at(2 * std::numbers::pi * frequency); };
   std::vector<ComplexAmplitudes> motions;
   const auto share = [&] {
@@ -130,7 +104,7 @@ PointResult FrequencyResponse::compute(const System &system, LineContext &contex
   PointResult point;
   const FieldWriter result(point);
   result.series("frequency", "frequency", settings_.frequencies, "Hz", "excitation frequency");
-  for (const Quantity &quantity : quantities(channels)) {
+  for (const Observable &quantity : point_observables(system.model, {}, true)) {
     std::vector<double> amplitudes, phases;
     for (const ComplexAmplitudes &motion : motions) {
       const std::complex<double> value = amplitude(response, quantity, motion);
@@ -140,9 +114,9 @@ PointResult FrequencyResponse::compute(const System &system, LineContext &contex
     add_peak(result, quantity, find_peak(settings_.frequencies, amplitudes, [&](double frequency) {
                return std::abs(amplitude(response, quantity, at(frequency)));
              }));
-    result.series(quantity.name + "/amplitude", "frequency", amplitudes, quantity.unit,
+    result.series(quantity.path + "/amplitude", "frequency", amplitudes, quantity.unit,
                   "amplitude, " + quantity.meaning);
-    result.series(quantity.name + "/phase", "frequency", phases, "rad",
+    result.series(quantity.path + "/phase", "frequency", phases, "rad",
                   "phase of the sine, " + quantity.meaning);
   }
   return point;

@@ -1,8 +1,8 @@
 #include "analyses/identify.h"
 
 #include "analyses/fields.h"
-#include "analyses/identify_record.h"
 #include "analyses/motion_progress.h"
+#include "analyses/sampler.h"
 #include "common/error.h"
 
 #include <numbers>
@@ -175,13 +175,17 @@ PointResult Identify::of_motion(const System &system, LineContext &context) cons
   motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   motion::ImpactLog log(system.contacts, settings_.recorded_pulses, true);
   MotionProgress progress(context, 0, settings_.duration);
-  std::vector<motion::Observer *> observing = {&log, &progress};
-  std::optional<ForceRecord> record;
-  if (settings_.sampling_frequency > 0)
-    observing.push_back(&record.emplace(contact, 1 / settings_.sampling_frequency));
-  motion::Observers observers(std::move(observing));
+  const double interval = 1 / settings_.sampling_frequency;
+  std::optional<Sampler> record;
   PointResult result;
   try {
+    std::vector<motion::Observer *> observing = {&log, &progress};
+    if (settings_.sampling_frequency > 0) {
+      const auto samples = static_cast<std::size_t>(settings_.duration / interval) + 2;
+      observing.push_back(&record.emplace(std::vector{normal_force(system.contacts, contact)}, 0,
+                                          interval, samples));
+    }
+    motion::Observers observers(std::move(observing));
     trajectory.start(0, system.initial.displacement, system.initial.velocity);
     trajectory.advance(settings_.duration, observers);
   } catch (const NumericalError &error) {
@@ -191,14 +195,14 @@ PointResult Identify::of_motion(const System &system, LineContext &context) cons
   IdentificationInput found = input(system);
   for (const motion::Impact &impact : log.impacts(contact))
     found.pulses.push_back(
-        record ? record->figures(impact)
+        record ? figures_of(record->times(), record->values(0), interval, impact)
                : PulseFigures{.impulse = impact.impulse, .peak_force = impact.peak_force});
   add_impacts(result, system.contacts, log, settings_.listed_impacts);
   add_identification(result, found);
   add_restitution_maps(result, found, settings_.map_points);
   add_pulses(result, system.contacts, log);
   if (record)
-    add_force_record(result, found.contact, record->time(), record->force());
+    add_force_record(result, found.contact, record->times(), record->values(0));
   add_accuracy(result, trajectory.accuracy(), system.integration);
   return result;
 }

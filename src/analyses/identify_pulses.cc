@@ -39,6 +39,18 @@ std::vector<MeasuredPulse> pulses_of(const MeasuredForce &force) {
   return pulses;
 }
 
+PulseFigures figures_of(const std::vector<double> &time, const std::vector<double> &force,
+                        double interval, const motion::Impact &impact) {
+  const auto first = std::lower_bound(time.begin(), time.end(), impact.start_time);
+  const auto last = std::upper_bound(first, time.end(), impact.start_time + impact.duration);
+  PulseFigures figures;
+  for (auto i = first - time.begin(); i < last - time.begin(); ++i) {
+    figures.impulse += force[static_cast<std::size_t>(i)] * interval;
+    figures.peak_force = std::max(figures.peak_force, force[static_cast<std::size_t>(i)]);
+  }
+  return figures;
+}
+
 void declare_measured_force(parameters::Section &section) {
   using namespace parameters;
   section

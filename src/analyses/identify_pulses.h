@@ -3,6 +3,7 @@
 
 #include "analyses/identify_formulas.h"
 #include "model/recorded_history.h"
+#include "motion/event/impact_log.h"
 #include "parameters/values.h"
 
 #include <vector>
@@ -26,6 +27,12 @@ struct MeasuredPulse {
 /// left out. The impulse is the trapezoidal sum from the sample before the first to that behind the
 /// last, the peak force the largest sample.
 std::vector<MeasuredPulse> pulses_of(const MeasuredForce &force);
+
+/// Of an impact whose force is sampled at 0, T, 2 T, ...: largest sample and sum of samples times T
+/// (the trapezoidal rule, as the force is zero at both ends) while it lasts. Both are zero when no
+/// sample falls into it.
+PulseFigures figures_of(const std::vector<double> &time, const std::vector<double> &force,
+                        double interval, const motion::Impact &impact);
 
 /// The keys File, Time column, ..., Threshold.
 void declare_measured_force(parameters::Section &section);

@@ -5,7 +5,6 @@
 #include "analyses/field_writer.h"
 #include "analyses/identify_fits.h"
 #include "analyses/identify_pulses.h"
-#include "analyses/identify_record.h"
 
 #include <optional>
 #include <string>

@@ -1,8 +1,9 @@
 #include "analyses/transient.h"
 
 #include "analyses/fields.h"
+#include "analyses/frame_recorder.h"
 #include "analyses/motion_progress.h"
-#include "analyses/motion_recorder.h"
+#include "analyses/sampler.h"
 #include "analyses/stress_fields.h"
 #include "analyses/window_recording.h"
 #include "common/error.h"
@@ -120,8 +121,11 @@ std::vector<double> Transient::instants(std::size_t number) const {
 PointResult Transient::compute(const System &system, LineContext &context) const {
   motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   motion::ImpactLog log(system.contacts, settings_.recorded_pulses, true);
-  MotionRecorder recorder(system,
-                          equal_instants(0, settings_.duration, settings_.sampling_interval));
+  Sampler recorder(
+      observables({.points = {},
+                   .kinds = {"displacement", "velocity", "acceleration", "gap", "normal_force"}},
+                  system),
+      equal_instants(0, settings_.duration, settings_.sampling_interval));
   FrameRecorder pictures(system, instants(settings_.frames));
   FrameRecorder stresses(system, instants(settings_.stress_instants));
   MotionProgress progress(context, 0, settings_.duration);
@@ -137,7 +141,7 @@ PointResult Transient::compute(const System &system, LineContext &context) const
     result.status = Status::failed;
     result.reason = error.what();
   }
-  recorder.add_fields(result);
+  recorder.add_fields(result, "time");
   add_impacts(result, system.contacts, log, settings_.listed_impacts);
   add_pulses(result, system.contacts, log);
   add_accuracy(result, trajectory.accuracy(), system.integration);

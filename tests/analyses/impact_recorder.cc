@@ -3,6 +3,7 @@
 #include "analyses/recorders/extreme_values.h"
 #include "analyses/recorders/impacts.h"
 #include "analyses/recorders/statistics.h"
+#include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
@@ -66,6 +67,23 @@ TEST(ImpactRecorderTest, WithoutImpactsThereAreNoFigures) {
   EXPECT_EQ(value_of(result, "contact/right/contact_fraction"), 0);
   EXPECT_TRUE(std::isnan(value_of(result, "contact/right/impulse/mean")));
   EXPECT_FALSE(testing::has_field(result, "contact/right/impacts_per_period"));
+}
+
+// The law keeps the approach speed of its latest impact, and some other number before the first.
+TEST(ImpactRecorderTest, ALawHasNoApproachSpeedWithoutAnImpact) {
+  const System system = between_stops(
+      HuntCrossley::with_dimensionless_damping({.stiffness = stop, .exponent = 1.5}, 0.3, 1e-3));
+  const std::string right = "contact/right/internal/approach_speed/";
+  const auto until = [&](double flights) {
+    return recorded<ExtremeValues>(system, Window{.start = 0, .end = flights * clearance / speed},
+                                   ObservedSelection{});
+  };
+  const PointResult before = until(0.9), after = until(1.2);
+  for (const std::string which : {"minimum", "maximum", "largest", "peak_to_peak", "amplitude"})
+    EXPECT_TRUE(std::isnan(value_of(before, right + which))) << which;
+  EXPECT_NEAR(value_of(after, right + "minimum"), speed, 1e-9);
+  EXPECT_NEAR(value_of(after, right + "maximum"), speed, 1e-9);
+  EXPECT_TRUE(std::isnan(value_of(after, "contact/left/internal/approach_speed/maximum")));
 }
 
 // The window ends in the first impact: a half sine of which a quarter and three quarters are over.

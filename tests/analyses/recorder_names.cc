@@ -1,6 +1,6 @@
 // All recorders together: no two of them give a result the same name, and none gives a result the
 // name of a group of others, which no HDF5 file could hold.
-#include "analyses/observed_signal.h"
+#include "analyses/observables.h"
 #include "analyses/recorders.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
@@ -61,10 +61,10 @@ TEST(RecorderNamesTest, SignalsOfPointsSayWhatTheyAre) {
     declare_signals(*root);
     const auto set = parameters::ParameterSet::parse(
         root, "set Quantity = " + std::string(quantity) + "\n", "test.prm", false);
-    const ObservedSignal signal = chosen_signals(set->root(), system).at(0);
-    EXPECT_EQ(signal.name, "point/block.head/" + std::string(quantity) + "_x");
+    const Observable signal = chosen_signals(set->root(), system).at(0);
+    EXPECT_EQ(signal.path, "point/block.head/" + std::string(quantity) + "_x");
     EXPECT_EQ(signal.unit, unit);
-    EXPECT_EQ(signal.description, description);
+    EXPECT_EQ(signal.description(), description);
   }
 }
 
@@ -75,13 +75,13 @@ TEST(RecorderNamesTest, ForcesOfChosenContactsAreSignals) {
     declare_signals(*root);
     const auto set = parameters::ParameterSet::parse(
         root, "set Contacts = " + std::string(chosen) + "\n", "test.prm", false);
-    const std::vector<ObservedSignal> signals = chosen_signals(set->root(), system);
+    const std::vector<Observable> signals = chosen_signals(set->root(), system);
     EXPECT_EQ(std::count_if(signals.begin(), signals.end(),
                             [](const auto &signal) { return signal.unit == "N"; }),
               count)
         << chosen;
     if (count > 0) {
-      EXPECT_EQ(signals.back().name, "contact/left/normal_force");
+      EXPECT_EQ(signals.back().path, "contact/left/normal_force");
     }
   }
 }

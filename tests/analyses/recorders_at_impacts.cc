@@ -40,11 +40,8 @@ void expect_near(const std::vector<double> &values, const std::vector<double> &e
 
 PointResult sections() {
   const System system = between_stops();
-  SectionRecorder section(system, {.channels = observed_channels(system.model),
-                                   .onsets = {0, 1},
-                                   .gap_extrema = {0},
-                                   .extrema = true,
-                                   .maximum_samples = 100});
+  SectionRecorder section(
+      system, {.onsets = {0, 1}, .gap_extrema = {0}, .extrema = true, .maximum_samples = 100});
   motion::Trajectory trajectory(system.model, system.contacts, system.integration);
   trajectory.start(0, system.initial.displacement, system.initial.velocity);
   section.begin({.start = 0, .end = 2}, trajectory);

@@ -244,8 +244,7 @@ TEST(RecordersOfCharacterTest, SectionsAndOrdersOfAForcedVibration) {
   const System system = linear.system();
   const std::complex<double> response =
       2.0 / std::complex<double>(1 - 1.3 * 1.3, 2 * 0.2 * 1.3); // of sin(omega t)
-  SectionRecorder section(
-      system, {.channels = observed_channels(system.model), .extrema = true, .maximum_samples = 7});
+  SectionRecorder section(system, {.extrema = true, .maximum_samples = 7});
   record(system, section, linear.period(), 60, 10);
   PointResult result;
   section.add_fields(result);
@@ -266,11 +265,8 @@ TEST(RecordersOfCharacterTest, SpectrumOfAForcedVibration) {
   const Forced linear{.zeta = 0.2, .amplitude = 2, .omega = 1.3};
   const System system = linear.system();
   const double size = 2 / std::abs(std::complex<double>(1 - 1.3 * 1.3, 2 * 0.2 * 1.3));
-  const Channel channel = observed_channels(system.model).at(0);
-  ObservedSignal signal{.name = "x", .unit = "m", .description = "displacement", .along = {}};
-  signal.along = [channel](const StepView &view) -> StepFunction {
-    return view.displacement(channel.relative);
-  };
+  Observable signal = observables({}, system).front();
+  signal.path = "x";
   SpectrumRecorder spectrum({signal}, {.orders = 4, .highest_order = 8});
   record(system, spectrum, linear.period(), 60, 5);
   PointResult result;
@@ -289,10 +285,7 @@ TEST(RecordersOfCharacterTest, SpectrumOfAForcedVibration) {
 TEST(RecordersOfCharacterTest, SectionAtTheOnsetOfContact) {
   const Forced impacting{.zeta = 0.1, .amplitude = 1, .omega = 1.55, .clearance = 0.3, .stop = 30};
   const System system = impacting.system();
-  SectionRecorder section(system, {.channels = observed_channels(system.model),
-                                   .onsets = {0},
-                                   .gap_extrema = {0},
-                                   .maximum_samples = 100});
+  SectionRecorder section(system, {.onsets = {0}, .gap_extrema = {0}, .maximum_samples = 100});
   record(system, section, impacting.period(), 200, 10);
   PointResult result;
   section.add_fields(result);

@@ -29,14 +29,10 @@ System forced() {
 
 double amplitude() { return 300 / std::abs(std::complex<double>(400 - omega * omega, 20 * omega)); }
 
-std::vector<ObservedSignal> displacement_of(const System &system) {
-  const Channel channel = observed_channels(system.model).at(0);
-  return {{.name = "x",
-           .unit = "m",
-           .description = "displacement",
-           .along = [channel](const motion::StepView &view) -> StepFunction {
-             return view.displacement(channel.relative);
-           }}};
+std::vector<Observable> displacement_of(const System &system) {
+  Observable displacement = observables({}, system).front();
+  displacement.path = "x";
+  return {displacement};
 }
 
 template <class Kind> PointResult recorded(Kind &&recorder, const System &system) {

@@ -1,8 +1,8 @@
 #include "analyses/bilinear/bilinear_fields.h"
 
-#include "analyses/channels.h"
 #include "analyses/character/fourier.h"
 #include "analyses/fields.h"
+#include "analyses/observables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +17,13 @@ struct Signal {
   RowVector form;
 };
 
-std::vector<Signal> displacements(const System &system, const TiedSystem &tied) {
+std::vector<Signal> signals_of(const System &system, const TiedSystem &tied) {
   std::vector<Signal> signals;
-  for (const Channel &channel : observed_channels(system.model)) {
-    const std::string base = "point/" + channel.point + "/", axis = std::string("_") + channel.axis;
-    signals.push_back({base + "displacement" + axis, "m", "displacement relative to the base",
-                       tied.form(channel.relative)});
-    if (channel.carried())
-      signals.push_back({base + "absolute_displacement" + axis, "m", "displacement in space",
-                         tied.form(channel.absolute)});
-  }
+  const ObservedSelection displacements{.points = {},
+                                        .kinds = {"displacement", "absolute_displacement"}};
+  for (const Observable &observed : point_observables(system.model, displacements))
+    signals.push_back({observed.path, observed.unit, observed.meaning,
+                       tied.form(std::get<PointForm>(observed.form).projection)});
   return signals;
 }
 
@@ -146,7 +143,7 @@ void add_orders(const FieldWriter &result, const Samples &samples, double freque
 void add_bilinear_motion(const FieldWriter &result, const System &system, const TiedSystem &tied,
                          const BilinearMotion &motion, std::size_t samples, std::size_t orders) {
   const std::string &contact = system.contacts.pairs()[0].name;
-  const std::vector<Signal> signals = displacements(system, tied);
+  const std::vector<Signal> signals = signals_of(system, tied);
   add_extremes(result, tied, motion, signals, contact, samples);
   add_character(result, motion, contact, tied.angular_frequency());
   const Samples over_period = sampled(tied, motion, samples);

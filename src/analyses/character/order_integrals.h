@@ -2,7 +2,7 @@
 // is aliased, and corners at contact changes are where they belong.
 #pragma once
 
-#include "analyses/observed_signal.h"
+#include "analyses/observables.h"
 
 #include <complex>
 #include <functional>

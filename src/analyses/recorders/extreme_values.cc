@@ -21,17 +21,19 @@ void add_bounds(const FieldWriter &result, const ExtremeValueLabels &labels,
 
 } // namespace
 
-ExtremeValueLabels::ExtremeValueLabels(const ObservedQuantity &quantity)
-    : peak_to_peak(quantity.path + "/peak_to_peak", quantity.unit,
+ExtremeValueLabels::ExtremeValueLabels(const Observable &observed)
+    : peak_to_peak(observed.path + "/peak_to_peak", observed.unit,
                    "largest minus smallest value in the recorded window"),
-      amplitude(quantity.path + "/amplitude", quantity.unit,
+      amplitude(observed.path + "/amplitude", observed.unit,
                 "half of the largest minus the smallest value in the recorded window"),
-      largest(quantity.path + "/largest", quantity.unit,
+      largest(observed.path + "/largest", observed.unit,
               "largest absolute value in the recorded window"),
-      minimum(quantity.path + "/minimum", quantity.unit,
-              "smallest value in the recorded window, " + quantity.meaning),
-      maximum(quantity.path + "/maximum", quantity.unit,
-              "largest value in the recorded window, " + quantity.meaning) {}
+      minimum(observed.path + "/minimum", observed.unit,
+              "smallest value in the recorded window, " + observed.description()),
+      maximum(observed.path + "/maximum", observed.unit,
+              observed.is_force()
+                  ? "largest normal force in the recorded window"
+                  : "largest value in the recorded window, " + observed.description()) {}
 
 void add_range(const FieldWriter &result, const ExtremeValueLabels &labels,
                const ValueRange &range) {
@@ -42,16 +44,12 @@ void add_range(const FieldWriter &result, const ExtremeValueLabels &labels,
 }
 
 ExtremeValues::ExtremeValues(const ObservedSelection &selection, const System &system)
-    : contacts_(system.contacts), quantities_(observed_quantities(selection, system)),
-      labels_(quantities_.begin(), quantities_.end()), ranges_(quantities_.size()) {
-  for (const ObservedQuantity &quantity : quantities_)
-    linear_ = linear_ && quantity.form;
-  if (!selection.has("normal_force"))
-    return;
-  for (const contact::ContactPair &pair : contacts_.pairs())
-    force_labels_.emplace_back("contact/" + pair.name + "/normal_force/maximum", "N",
-                               "largest normal force in the recorded window");
-  forces_.resize(contacts_.size());
+    : observables_(observables(selection, system)), ranges_(observables_.size()) {
+  put_forces_last(observables_);
+  for (const Observable &observed : observables_) {
+    labels_.emplace_back(observed);
+    linear_ = linear_ && observed.is_linear();
+  }
 }
 
 void ExtremeValues::declare(parameters::Section &analysis) {
@@ -69,36 +67,36 @@ RecorderFactory ExtremeValues::create(const parameters::Values &analysis) {
 }
 
 void ExtremeValues::begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) {
-  std::fill(ranges_.begin(), ranges_.end(), ValueRange{});
   // A contact that stays open has the largest force zero.
-  std::fill(forces_.begin(), forces_.end(), ValueRange{.minimum = 0, .maximum = 0});
+  for (std::size_t i = 0; i < ranges_.size(); ++i)
+    ranges_[i] = observables_[i].is_force() ? ValueRange{.minimum = 0, .maximum = 0} : ValueRange{};
 }
 
 void ExtremeValues::step(const motion::StepView &view) {
-  for (std::size_t i = 0; i < quantities_.size(); ++i)
-    ranges_[i].include(quantities_[i].curve(view));
-  for (std::size_t c = 0; c < forces_.size(); ++c)
-    if (in_contact(view, c))
-      forces_[c].include(motion::peak_force(view, c));
+  for (std::size_t i = 0; i < observables_.size(); ++i)
+    if (!is_seen(observables_[i], view.equations()))
+      continue;
+    else if (const auto *force = std::get_if<ForceForm>(&observables_[i].form))
+      ranges_[i].include(motion::peak_force(view, force->contact));
+    else
+      ranges_[i].include(curve(observables_[i], view));
 }
 
 void ExtremeValues::add_forms(const motion::Equations &equations,
                               std::vector<motion::MonitoredForm> &forms) {
-  for (std::size_t i = 0; i < quantities_.size(); ++i)
-    forms.push_back(quantities_[i].form(equations, ranges_[i]));
-  for (std::size_t c = 0; c < forces_.size(); ++c)
-    if (equations.mode(c).in_contact)
-      forms.push_back(motion::monitored_force(equations, c, forces_[c]));
+  for (std::size_t i = 0; i < observables_.size(); ++i)
+    if (is_seen(observables_[i], equations))
+      forms.push_back(monitored(observables_[i], equations, ranges_[i]));
 }
 
 void ExtremeValues::add_fields(const FieldWriter &result) const {
-  for (std::size_t i = 0; i < quantities_.size(); ++i)
-    if (quantities_[i].kind == "gap")
+  for (std::size_t i = 0; i < observables_.size(); ++i)
+    if (observables_[i].is_force())
+      result.number(labels_[i].maximum, ranges_[i].maximum);
+    else if (observables_[i].kind == "gap")
       add_bounds(result, labels_[i], ranges_[i]);
     else
       add_range(result, labels_[i], ranges_[i]);
-  for (std::size_t c = 0; c < forces_.size(); ++c)
-    result.number(force_labels_[c], forces_[c].maximum);
 }
 
 } // namespace vibroimpact::analyses

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analyses/field_writer.h"
+#include "analyses/observables.h"
 #include "analyses/recorder.h"
-#include "analyses/recorders/observed_quantities.h"
 #include "motion/segment/value_range.h"
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace vibroimpact::analyses {
 /// PATH/peak_to_peak, /amplitude (half of it), /largest (of the absolute value), /minimum, /maximum
 /// of a quantity.
 struct ExtremeValueLabels {
-  explicit ExtremeValueLabels(const ObservedQuantity &quantity);
+  explicit ExtremeValueLabels(const Observable &observed);
   Label peak_to_peak, amplitude, largest, minimum, maximum;
 };
 
@@ -33,19 +33,16 @@ public:
   /// None where something that is observed is not linear in the motion.
   motion::OutputMonitor *output_monitor() override { return linear_ ? this : nullptr; }
   /// Extreme values of every quantity observed; of gaps only minimum and maximum, of contact forces
-  /// only the maximum.
+  /// only the maximum. Internal states that belong to an impact are NaN without one.
   void add_fields(const FieldWriter &result) const override;
 
 private:
   void add_forms(const motion::Equations &equations,
                  std::vector<motion::MonitoredForm> &forms) override;
 
-  const contact::ContactSet &contacts_;
-  std::vector<ObservedQuantity> quantities_;
+  std::vector<Observable> observables_;
   std::vector<ExtremeValueLabels> labels_;
   std::vector<motion::ValueRange> ranges_;
-  std::vector<Label> force_labels_;        ///< per contact; empty when not observed
-  std::vector<motion::ValueRange> forces_; ///< the same
   bool linear_ = true;
 };
 

@@ -104,8 +104,8 @@ BaseForce base_force(const Model &model, std::size_t b, int axis) {
 
 } // namespace
 
-std::vector<ObservedQuantity> connection_forces(const Model &model) {
-  std::vector<ObservedQuantity> list;
+std::vector<Observable> connection_forces(const Model &model) {
+  std::vector<Observable> list;
   for (const Connection &connection : model.connections())
     list.push_back({"connection/" + connection.name + "/force", "force", "N",
                     "tension, > 0 pulls the ends together",
@@ -113,8 +113,8 @@ std::vector<ObservedQuantity> connection_forces(const Model &model) {
   return list;
 }
 
-std::vector<ObservedQuantity> base_forces(const Model &model) {
-  std::vector<ObservedQuantity> list;
+std::vector<Observable> base_forces(const Model &model) {
+  std::vector<Observable> list;
   for (std::size_t b = 0; b < model.bodies().size(); ++b)
     for (int axis = 0; axis < 3; ++axis) {
       const ReducedBody &body = *model.bodies()[b];

@@ -49,14 +49,14 @@ Label ratio_label(const std::string &path, const std::string &meaning) {
 
 } // namespace
 
-Forces::ObservedForce::ObservedForce(ObservedQuantity observed)
+Forces::ObservedForce::ObservedForce(Observable observed)
     : quantity(std::move(observed)), range_labels(quantity),
       average_labels(quantity.path, quantity.unit) {}
 
 Forces::Forces(const System &system) {
-  for (ObservedQuantity &quantity : connection_forces(system.model))
+  for (Observable &quantity : connection_forces(system.model))
     forces_.emplace_back(std::move(quantity));
-  for (ObservedQuantity &quantity : base_forces(system.model))
+  for (Observable &quantity : base_forces(system.model))
     forces_.emplace_back(std::move(quantity));
   add_ratios_of_points(system.model);
   add_ratios_of_forces(system.model);
@@ -89,9 +89,9 @@ void Forces::add_ratios_of_forces(const Model &model) {
   if (source == model.sources().size())
     return;
   const Projection applied = history_of(source, model);
-  for (ObservedQuantity &force : base_forces(model))
+  for (Observable &force : base_forces(model))
     ratios_.push_back({.label = ratio_label(force.path, "force on the base over the applied force"),
-                       .output = std::move(force.curve),
+                       .output = std::get<CurveForm>(force.form),
                        .input = [applied](const StepView &v) { return v.displacement(applied); }});
 }
 
@@ -112,9 +112,9 @@ void Forces::begin(const Window & /*window*/, const motion::Trajectory & /*traje
 
 void Forces::step(const StepView &view) {
   for (ObservedForce &force : forces_) {
-    const motion::Bernstein curve = force.quantity.curve(view);
-    force.range.include(curve);
-    force.average.add(curve, view.length());
+    const motion::Bernstein along_step = curve(force.quantity, view);
+    force.range.include(along_step);
+    force.average.add(along_step, view.length());
   }
   for (Ratio &ratio : ratios_) {
     ratio.output_range.include(ratio.output(view));

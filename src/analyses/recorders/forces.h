@@ -27,8 +27,8 @@ public:
 
 private:
   struct ObservedForce {
-    explicit ObservedForce(ObservedQuantity observed);
-    ObservedQuantity quantity;
+    explicit ObservedForce(Observable observed);
+    Observable quantity;
     ExtremeValueLabels range_labels;
     AverageLabels average_labels;
     motion::ValueRange range{};

@@ -1,7 +1,5 @@
 #include "analyses/recorders/history.h"
 
-#include "analyses/fields.h"
-#include "analyses/motion_recorder.h"
 #include "analyses/recorders/force_quantities.h"
 #include "common/error.h"
 #include "common/memory.h"
@@ -10,19 +8,15 @@ namespace vibroimpact::analyses {
 
 namespace {
 constexpr const char *history_section = "History";
-constexpr const char *dimension = "history_time";
 constexpr double most_samples = 1e8;
 } // namespace
 
 History::History(Settings settings, const System &system)
-    : settings_(std::move(settings)), contacts_(system.contacts),
-      quantities_(observed_quantities(settings_.selection, system)),
-      forces_observed_(settings_.selection.has("normal_force")) {
+    : settings_(std::move(settings)), observables_(observables(settings_.selection, system)) {
   if (settings_.selection.has("connection_force"))
-    for (ObservedQuantity &force : connection_forces(system.model))
-      quantities_.push_back(std::move(force));
-  values_.resize(quantities_.size());
-  forces_.resize(forces_observed_ ? contacts_.size() : 0);
+    for (Observable &force : connection_forces(system.model))
+      observables_.push_back(std::move(force));
+  put_forces_last(observables_);
 }
 
 void History::declare(parameters::Section &analysis) {
@@ -56,45 +50,15 @@ void History::begin(const Window &window, const motion::Trajectory & /*trajector
                                  : window.length() / 1000;
   if (window.length() / interval > most_samples)
     throw NumericalError("the recorded history would have more than 1e8 samples");
-  const auto series = static_cast<double>(values_.size() + forces_.size());
+  const auto series = static_cast<double>(observables_.size());
   if (const std::string lack = lack_of_memory(24 * series * window.length() / interval);
       !lack.empty())
     throw NumericalError("for the recorded history " + lack);
-  instants_ = equal_instants(window.start, window.end, interval);
-  next_ = 0;
-  for (auto *series : {&values_, &forces_})
-    for (std::vector<double> &values : *series)
-      values.clear();
-}
-
-void History::step(const motion::StepView &view) {
-  const std::size_t first = next_;
-  while (next_ < instants_.size() && instants_[next_] <= view.end())
-    ++next_;
-  if (next_ == first)
-    return;
-  const auto tau = [&](std::size_t i) { return (instants_[i] - view.start()) / view.length(); };
-  for (std::size_t k = 0; k < quantities_.size(); ++k) {
-    const motion::Bernstein curve = quantities_[k].curve(view);
-    for (std::size_t i = first; i < next_; ++i)
-      values_[k].push_back(curve(tau(i)));
-  }
-  for (std::size_t c = 0; c < forces_.size(); ++c)
-    for (std::size_t i = first; i < next_; ++i)
-      forces_[c].push_back(in_contact(view, c) ? view.force(c, tau(i)) : 0);
+  sampler_ = Sampler(observables_, equal_instants(window.start, window.end, interval));
 }
 
 void History::add_fields(const FieldWriter &result) const {
-  const FieldWriter of = result.below("history/");
-  const std::vector<double> taken(instants_.begin(),
-                                  instants_.begin() + static_cast<std::ptrdiff_t>(next_));
-  of.series(dimension, dimension, taken, "s", "time");
-  for (std::size_t k = 0; k < quantities_.size(); ++k)
-    of.series(quantities_[k].path, dimension, values_[k], quantities_[k].unit,
-              quantities_[k].meaning);
-  for (std::size_t c = 0; c < forces_.size(); ++c)
-    of.series("contact/" + contacts_.pairs()[c].name + "/normal_force", dimension, forces_[c], "N",
-              "normal force, > 0 pushes apart");
+  sampler_.add_fields(result.below("history/"), "history_time");
 }
 
 } // namespace vibroimpact::analyses

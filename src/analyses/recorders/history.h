@@ -3,7 +3,7 @@
 
 #include "analyses/field_writer.h"
 #include "analyses/recorder.h"
-#include "analyses/recorders/observed_quantities.h"
+#include "analyses/sampler.h"
 
 #include <vector>
 
@@ -23,20 +23,15 @@ public:
 
   /// NumericalError when the window is too long for the interval.
   void begin(const Window &window, const motion::Trajectory &trajectory) override;
-  void step(const motion::StepView &view) override;
+  void step(const motion::StepView &view) override { sampler_.step(view); }
   /// history/PATH along history_time for every quantity; a sample at a contact change is that
   /// before it.
   void add_fields(const FieldWriter &result) const override;
 
 private:
   Settings settings_;
-  const contact::ContactSet &contacts_;
-  std::vector<ObservedQuantity> quantities_;
-  bool forces_observed_;
-  std::vector<double> instants_;
-  std::size_t next_ = 0;
-  std::vector<std::vector<double>> values_;
-  std::vector<std::vector<double>> forces_; ///< per contact
+  std::vector<Observable> observables_;
+  Sampler sampler_;
 };
 
 } // namespace vibroimpact::analyses

@@ -1,7 +1,7 @@
 #include "analyses/recorders/impacts.h"
 
 #include "analyses/fields.h"
-#include "analyses/recorders/observed_quantities.h"
+#include "analyses/observables.h"
 #include "common/scalar.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "analyses/character/zeros.h"
 #include "analyses/fields.h"
-#include "analyses/observed_signal.h"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 
 namespace vibroimpact::analyses {
@@ -18,7 +18,9 @@ constexpr std::size_t period_section = 0;
 } // namespace
 
 SectionRecorder::SectionRecorder(const System &system, SectionSettings settings)
-    : settings_(std::move(settings)) {
+    : settings_(std::move(settings)),
+      observables_(point_observables(
+          system.model, {.points = settings_.points, .kinds = {"displacement", "velocity"}})) {
   new_section("period", "sample_period", "at the end of a forcing period");
   for (const std::size_t c : settings_.onsets) {
     const std::string &name = system.contacts.pairs()[c].name;
@@ -29,12 +31,15 @@ SectionRecorder::SectionRecorder(const System &system, SectionSettings settings)
     gap_rates_.push_back({.samples = new_section("gap_extremum/" + name, "sample_gap_" + name,
                                                  "at an extremum of the gap of " + name)});
   }
-  for (std::size_t k = 0; settings_.extrema && k < settings_.channels.size(); ++k) {
-    const std::string name =
-        settings_.channels[k].point + "/displacement_" + settings_.channels[k].axis;
-    const std::string flat = settings_.channels[k].point + "_" + settings_.channels[k].axis;
-    channel_rates_.push_back({.samples = new_section("extremum/" + name, "sample_extremum_" + flat,
-                                                     "at an extremum of " + name)});
+  for (std::size_t k = 0; settings_.extrema && k < observables_.size(); ++k) {
+    if (std::get<PointForm>(observables_[k].form).order > 0)
+      continue;
+    const std::string name = observables_[k].path.substr(std::string("point/").size());
+    const std::string flat = boost::replace_last_copy(name, "/displacement_", "_");
+    displacement_rates_.push_back(
+        {.samples = new_section("extremum/" + name, "sample_extremum_" + flat,
+                                "at an extremum of " + name),
+         .displacement = k});
   }
 }
 
@@ -59,13 +64,13 @@ void SectionRecorder::declare(parameters::Section &analysis) {
 RecorderFactory SectionRecorder::create(const parameters::Values &analysis) {
   const parameters::Values values = analysis.subsection(poincare_section_keys);
   return [values](const System &system) -> std::unique_ptr<Recorder> {
-    SectionSettings settings{.channels = chosen_channels(values, system),
+    SectionSettings settings{.points = chosen_points(values, system),
                              .onsets = chosen_contacts(values, "Contact onsets", system),
                              .gap_extrema = chosen_contacts(values, "Gap extrema", system),
                              .extrema = values.boolean("Extrema"),
                              .maximum_samples =
                                  static_cast<std::size_t>(values.integer("Maximum samples"))};
-    if (settings.channels.empty())
+    if (settings.points.empty())
       values.reject("Points", "must name at least one point");
     return std::make_unique<SectionRecorder>(system, std::move(settings));
   };
@@ -73,21 +78,18 @@ RecorderFactory SectionRecorder::create(const parameters::Values &analysis) {
 
 std::size_t SectionRecorder::new_section(const std::string &name, const std::string &dimension,
                                          const std::string &description) {
-  const std::vector<std::vector<double>> empty(settings_.channels.size());
   sections_.push_back({.name = name,
                        .dimension = dimension,
                        .description = description,
                        .time = {},
-                       .displacement = empty,
-                       .velocity = empty});
+                       .values = std::vector<std::vector<double>>(observables_.size())});
   return sections_.size() - 1;
 }
 
 void SectionRecorder::Samples::clear() {
   time.clear();
-  for (auto *series : {&displacement, &velocity})
-    for (std::vector<double> &values : *series)
-      values.clear();
+  for (std::vector<double> &series : values)
+    series.clear();
   left_out = 0;
 }
 
@@ -101,10 +103,10 @@ void SectionRecorder::add_state(Samples &samples, double time, const Vector &sta
   if (full(samples))
     return;
   samples.time.push_back(time);
-  for (std::size_t k = 0; k < settings_.channels.size(); ++k) {
-    const RowVector &row = settings_.channels[k].relative.row;
-    samples.displacement[k].push_back(row.dot(state.head(layout_.n)));
-    samples.velocity[k].push_back(row.dot(state.segment(layout_.velocity(), layout_.n)));
+  for (std::size_t k = 0; k < observables_.size(); ++k) {
+    const auto &form = std::get<PointForm>(observables_[k].form);
+    const Index first = form.order == 0 ? 0 : layout_.velocity();
+    samples.values[k].push_back(form.projection.row.dot(state.segment(first, layout_.n)));
   }
 }
 
@@ -112,11 +114,8 @@ void SectionRecorder::add_point(Samples &samples, const StepView &view, double t
   if (full(samples))
     return;
   samples.time.push_back(view.start() + tau * view.length());
-  for (std::size_t k = 0; k < settings_.channels.size(); ++k) {
-    const motion::Bernstein displacement = view.displacement(settings_.channels[k].relative);
-    samples.displacement[k].push_back(displacement(tau));
-    samples.velocity[k].push_back(displacement.derivative()(tau) / view.length());
-  }
+  for (std::size_t k = 0; k < observables_.size(); ++k)
+    samples.values[k].push_back(curve(observables_[k], view)(tau));
 }
 
 void SectionRecorder::begin(const Window &window, const motion::Trajectory &trajectory) {
@@ -125,7 +124,7 @@ void SectionRecorder::begin(const Window &window, const motion::Trajectory &traj
   layout_ = trajectory.layout();
   for (Samples &samples : sections_)
     samples.clear();
-  for (auto *rates : {&gap_rates_, &channel_rates_})
+  for (auto *rates : {&gap_rates_, &displacement_rates_})
     for (RateSection &section : *rates)
       section.last_rate = 0;
 }
@@ -143,9 +142,8 @@ void SectionRecorder::add_zeros(RateSection &section, const StepView &view,
 void SectionRecorder::step(const StepView &view) {
   for (std::size_t i = 0; i < gap_rates_.size(); ++i)
     add_zeros(gap_rates_[i], view, view.gap_rate(settings_.gap_extrema[i]));
-  for (std::size_t k = 0; k < channel_rates_.size(); ++k)
-    add_zeros(channel_rates_[k], view,
-              view.displacement(settings_.channels[k].relative).derivative());
+  for (RateSection &section : displacement_rates_)
+    add_zeros(section, view, curve(observables_[section.displacement], view).derivative());
 }
 
 void SectionRecorder::event(const motion::ContactEvent &event) {
@@ -171,12 +169,8 @@ void SectionRecorder::add_samples(const FieldWriter &result, const Samples &samp
       phase.push_back((time - start_) / period_ - std::floor((time - start_) / period_));
     add("phase", phase, "1", "part of the forcing period since the last forcing phase zero");
   }
-  for (std::size_t k = 0; k < settings_.channels.size(); ++k) {
-    const Channel &channel = settings_.channels[k];
-    const std::string point = "point/" + channel.point + "/";
-    add(point + "displacement_" + channel.axis, samples.displacement[k], "m", "displacement");
-    add(point + "velocity_" + channel.axis, samples.velocity[k], "m/s", "velocity");
-  }
+  for (std::size_t k = 0; k < observables_.size(); ++k)
+    add(observables_[k].path, samples.values[k], observables_[k].unit, observables_[k].kind);
   of.number("left_out", static_cast<double>(samples.left_out), "1",
             "samples beyond the maximum number");
 }

@@ -1,9 +1,9 @@
-// Sections of the motion: states of chosen channels at the ends of forcing periods (stroboscopic,
-// Poincare points), at the onset of contacts, and at extrema of channels and gaps.
+// Sections of the motion: states of chosen points at the ends of forcing periods (stroboscopic,
+// Poincare points), at the onset of contacts, and at extrema of displacements and gaps.
 #pragma once
 
-#include "analyses/channels.h"
 #include "analyses/field_writer.h"
+#include "analyses/observables.h"
 #include "analyses/recorder.h"
 
 #include <string>
@@ -12,10 +12,10 @@
 namespace vibroimpact::analyses {
 
 struct SectionSettings {
-  std::vector<Channel> channels{};        ///< that are sampled
+  std::vector<std::string> points{};      ///< that are sampled; none: all
   std::vector<std::size_t> onsets{};      ///< contacts whose onset is a section
   std::vector<std::size_t> gap_extrema{}; ///< contacts whose gap's extrema are
-  bool extrema = false;                   ///< whether those of each channel are
+  bool extrema = false;                   ///< whether those of each displacement are
   std::size_t maximum_samples = 0;        ///< of each section
 };
 
@@ -40,15 +40,16 @@ private:
     std::string dimension; ///< "sample_period"
     std::string description;
     std::vector<double> time;
-    std::vector<std::vector<double>> displacement, velocity; ///< [channel][sample]
+    std::vector<std::vector<double>> values; ///< [observable][sample]
     long left_out = 0;
 
     void clear();
   };
   // A surface through zeros of a rate, inside the steps or jumped over between them.
   struct RateSection {
-    std::size_t samples = 0; ///< index of its Samples
-    double last_rate = 0;    ///< at the end of the step before
+    std::size_t samples = 0;      ///< index of its Samples
+    double last_rate = 0;         ///< at the end of the step before
+    std::size_t displacement = 0; ///< index of the observable; not of gaps
   };
 
   std::size_t new_section(const std::string &name, const std::string &dimension,
@@ -60,10 +61,11 @@ private:
   void add_samples(const FieldWriter &result, const Samples &samples) const;
 
   SectionSettings settings_;
+  std::vector<Observable> observables_; ///< displacements and velocities
   double start_ = 0, period_ = 0;
   motion::StateLayout layout_;
-  std::vector<Samples> sections_; ///< period ends, onsets, extrema of gaps, of channels
-  std::vector<RateSection> gap_rates_, channel_rates_;
+  std::vector<Samples> sections_; ///< period ends, onsets, extrema of gaps, of displacements
+  std::vector<RateSection> gap_rates_, displacement_rates_;
 };
 
 } // namespace vibroimpact::analyses

@@ -43,8 +43,8 @@ RecorderFactory SpectrumRecorder::create(const parameters::Values &analysis) {
 void SpectrumRecorder::begin(const Window &window, const motion::Trajectory & /*trajectory*/) {
   period_ = window.cycles > 0 ? window.period : 0;
   count_ = static_cast<std::size_t>(std::max(window.cycles, 1L) * settings_.samples_per_cycle);
-  const double interval = (window.end - window.start) / static_cast<double>(count_);
-  samples_.emplace(signals_, window.start, interval, count_);
+  interval_ = (window.end - window.start) / static_cast<double>(count_);
+  samples_ = Sampler(signals_, window.start, interval_, count_);
   orders_.reset();
   if (period_ > 0)
     orders_.emplace(window.start, 2 * std::numbers::pi / period_,
@@ -52,17 +52,17 @@ void SpectrumRecorder::begin(const Window &window, const motion::Trajectory & /*
 }
 
 void SpectrumRecorder::step(const motion::StepView &view) {
-  samples_->step(view);
+  samples_.step(view);
   if (!orders_)
     return;
   std::vector<StepFunction> functions;
-  for (const ObservedSignal &signal : signals_)
-    functions.push_back(signal.along(view));
+  for (const Observable &signal : signals_)
+    functions.push_back(along(signal, view));
   orders_->add(view.start(), view.length(), functions);
 }
 
 double SpectrumRecorder::line_spacing() const {
-  return 1 / (static_cast<double>(count_) * samples_->interval());
+  return 1 / (static_cast<double>(count_) * interval_);
 }
 
 void SpectrumRecorder::add_orders(const FieldWriter &result) const {
@@ -71,18 +71,18 @@ void SpectrumRecorder::add_orders(const FieldWriter &result) const {
     orders.push_back(static_cast<double>(j));
   result.series("order", "order", orders, "1", "multiple of the forcing frequency");
   for (std::size_t s = 0; s < signals_.size(); ++s) {
-    const ObservedSignal &signal = signals_[s];
+    const Observable &signal = signals_[s];
     std::vector<double> amplitude, phase;
     for (long j = 1; j <= settings_.orders; ++j) {
       amplitude.push_back(orders_->amplitude(s, static_cast<std::size_t>(j)));
       phase.push_back(orders_->phase(s, static_cast<std::size_t>(j)));
     }
-    result.series("order_amplitude/" + signal.name, "order", amplitude, signal.unit,
-                  "amplitude of an order of the " + signal.description);
-    result.series("order_phase/" + signal.name, "order", phase, "rad",
+    result.series("order_amplitude/" + signal.path, "order", amplitude, signal.unit,
+                  "amplitude of an order of the " + signal.description());
+    result.series("order_phase/" + signal.path, "order", phase, "rad",
                   "phase of the cosine of an order at forcing phase zero");
-    result.number("mean/" + signal.name, orders_->mean(s), signal.unit,
-                  "mean of the " + signal.description);
+    result.number("mean/" + signal.path, orders_->mean(s), signal.unit,
+                  "mean of the " + signal.description());
   }
 }
 
@@ -103,12 +103,12 @@ void SpectrumRecorder::add_lines(const FieldWriter &result) const {
     result.series("spectrum/order", "spectrum_frequency", order, "1",
                   "frequency of a line over forcing frequency");
   for (std::size_t s = 0; s < signals_.size(); ++s) {
-    if (samples_->values(s).size() != count_)
+    if (samples_.values(s).size() != count_)
       continue; // the motion ended early
-    const std::vector<double> amplitudes = amplitude_spectrum(samples_->values(s), weights);
-    result.series("spectrum/" + signals_[s].name, "spectrum_frequency",
+    const std::vector<double> amplitudes = amplitude_spectrum(samples_.values(s), weights);
+    result.series("spectrum/" + signals_[s].path, "spectrum_frequency",
                   {amplitudes.begin(), amplitudes.begin() + lines}, signals_[s].unit,
-                  "amplitude of the " + signals_[s].description);
+                  "amplitude of the " + signals_[s].description());
   }
 }
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "analyses/character/order_integrals.h"
-#include "analyses/character/uniform_samples.h"
 #include "analyses/field_writer.h"
 #include "analyses/recorder.h"
+#include "analyses/sampler.h"
 
 #include <optional>
 #include <string>
@@ -22,7 +22,7 @@ struct SpectrumSettings {
 
 class SpectrumRecorder : public Recorder {
 public:
-  SpectrumRecorder(std::vector<ObservedSignal> signals, SpectrumSettings settings)
+  SpectrumRecorder(std::vector<Observable> signals, SpectrumSettings settings)
       : signals_(std::move(signals)), settings_(std::move(settings)) {}
 
   static void declare(parameters::Section &analysis);
@@ -37,11 +37,12 @@ private:
   void add_lines(const FieldWriter &result) const;
   double line_spacing() const;
 
-  std::vector<ObservedSignal> signals_;
+  std::vector<Observable> signals_;
   SpectrumSettings settings_;
   double period_ = 0;
   std::size_t count_ = 0;
-  std::optional<UniformSamples> samples_;
+  double interval_ = 0; ///< of the samples [s]
+  Sampler samples_;
   std::optional<OrderIntegrals> orders_; ///< only with periods
 };
 

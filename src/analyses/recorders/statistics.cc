@@ -12,9 +12,9 @@ namespace {
 constexpr const char *statistics_section = "Statistics";
 } // namespace
 
-void TimeAverage::add(const motion::Bernstein &curve, double length) {
+void TimeAverage::add(const StepFunction &function, double length) {
   for (const QuadratureNode &node : step_nodes())
-    add(curve(node.tau), node.weight * length);
+    add(function(node.tau), node.weight * length);
 }
 
 double TimeAverage::mean_square() const {
@@ -41,15 +41,10 @@ void add_average(const FieldWriter &result, const AverageLabels &labels,
 }
 
 Statistics::Statistics(const ObservedSelection &selection, const System &system)
-    : contacts_(system.contacts), quantities_(observed_quantities(selection, system)),
-      averages_(quantities_.size()) {
-  for (const ObservedQuantity &quantity : quantities_)
-    labels_.emplace_back(quantity.path, quantity.unit);
-  if (!selection.has("normal_force"))
-    return;
-  for (const contact::ContactPair &pair : contacts_.pairs())
-    labels_.emplace_back("contact/" + pair.name + "/normal_force", "N");
-  forces_.resize(contacts_.size());
+    : observables_(observables(selection, system)), averages_(observables_.size()) {
+  put_forces_last(observables_);
+  for (const Observable &observed : observables_)
+    labels_.emplace_back(observed.path, observed.unit);
 }
 
 void Statistics::declare(parameters::Section &analysis) {
@@ -68,26 +63,16 @@ RecorderFactory Statistics::create(const parameters::Values &analysis) {
 
 void Statistics::begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) {
   std::fill(averages_.begin(), averages_.end(), TimeAverage{});
-  std::fill(forces_.begin(), forces_.end(), TimeAverage{});
 }
 
 void Statistics::step(const motion::StepView &view) {
-  for (std::size_t i = 0; i < quantities_.size(); ++i)
-    averages_[i].add(quantities_[i].curve(view), view.length());
-  for (std::size_t c = 0; c < forces_.size(); ++c) {
-    const bool touching = in_contact(view, c);
-    const motion::ContactCurves curves =
-        touching ? view.contact_curves(c) : motion::ContactCurves{};
-    for (const QuadratureNode &node : step_nodes())
-      forces_[c].add(touching ? view.force(c, curves, node.tau) : 0, node.weight * view.length());
-  }
+  for (std::size_t i = 0; i < observables_.size(); ++i)
+    averages_[i].add(along(observables_[i], view), view.length());
 }
 
 void Statistics::add_fields(const FieldWriter &result) const {
-  for (std::size_t i = 0; i < quantities_.size(); ++i)
+  for (std::size_t i = 0; i < observables_.size(); ++i)
     add_average(result, labels_[i], averages_[i]);
-  for (std::size_t c = 0; c < forces_.size(); ++c)
-    add_average(result, labels_[quantities_.size() + c], forces_[c]);
 }
 
 } // namespace vibroimpact::analyses

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "analyses/field_writer.h"
+#include "analyses/observables.h"
 #include "analyses/recorder.h"
-#include "analyses/recorders/observed_quantities.h"
 
 #include <boost/accumulators/accumulators.hpp>
 #include <boost/accumulators/statistics/stats.hpp>
@@ -21,7 +21,7 @@ namespace vibroimpact::analyses {
 class TimeAverage {
 public:
   /// One step of the given length [s].
-  void add(const motion::Bernstein &curve, double length);
+  void add(const StepFunction &function, double length);
   void add(double value, double weight) { moments_(value, boost::accumulators::weight = weight); }
 
   double mean() const { return boost::accumulators::weighted_mean(moments_); }
@@ -60,11 +60,9 @@ public:
   void add_fields(const FieldWriter &result) const override;
 
 private:
-  const contact::ContactSet &contacts_;
-  std::vector<ObservedQuantity> quantities_;
-  std::vector<AverageLabels> labels_; ///< of the quantities, then of the forces
+  std::vector<Observable> observables_;
+  std::vector<AverageLabels> labels_;
   std::vector<TimeAverage> averages_;
-  std::vector<TimeAverage> forces_; ///< per contact; empty when not observed
 };
 
 } // namespace vibroimpact::analyses

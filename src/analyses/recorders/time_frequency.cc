@@ -13,8 +13,7 @@ namespace {
 constexpr const char *wavelet_section = "Wavelet";
 constexpr const char *spectrogram_section = "Spectrogram";
 
-UniformSamples sample(const std::vector<ObservedSignal> &signals, const Window &window,
-                      double interval) {
+Sampler sampler_of(const std::vector<Observable> &signals, const Window &window, double interval) {
   const double intervals = std::floor((window.end - window.start) / interval * (1 + 1e-12));
   return {signals, window.start, interval, static_cast<std::size_t>(intervals) + 1};
 }
@@ -38,9 +37,9 @@ void add_times(const FieldWriter &result, const std::string &name, double start,
 
 // Frequencies x instants.
 void add_map(const FieldWriter &result, const std::string &name, const std::string &frequencies,
-             const Matrix &values, const ObservedSignal &signal) {
-  result.array(Label(name + "/" + signal.name, signal.unit,
-                     "amplitude of the " + signal.description, {frequencies, name + "_time"}),
+             const Matrix &values, const Observable &signal) {
+  result.array(Label(name + "/" + signal.path, signal.unit,
+                     "amplitude of the " + signal.description(), {frequencies, name + "_time"}),
                values);
 }
 
@@ -126,12 +125,12 @@ RecorderFactory WaveletRecorder::create(const parameters::Values &analysis) {
 
 void WaveletRecorder::begin(const Window &window, const motion::Trajectory & /*trajectory*/) {
   start_ = window.start;
-  samples_.emplace(sample(signals_, window, settings_.interval));
+  samples_ = sampler_of(signals_, window, settings_.interval);
 }
 
 void WaveletRecorder::add_fields(const FieldWriter &result) const {
   const std::vector<double> &scales = settings_.frequencies;
-  const auto numbers = picked(samples_->values(0).size(), settings_.instants);
+  const auto numbers = picked(samples_.values(0).size(), settings_.instants);
   add_times(result, "wavelet_time", start_, settings_.interval, numbers);
   result.series("scale_frequency", "scale_frequency", scales, "Hz",
                 "centre frequency of the wavelet");
@@ -142,7 +141,7 @@ void WaveletRecorder::add_fields(const FieldWriter &result) const {
   result.series("wavelet_edge", "scale_frequency", edge, "s",
                 "closer to the ends of the record its end shows");
   for (std::size_t s = 0; s < signals_.size(); ++s) {
-    const WaveletTransform transform(settings_.wavelet, samples_->values(s), settings_.interval,
+    const WaveletTransform transform(settings_.wavelet, samples_.values(s), settings_.interval,
                                      scales.front());
     Matrix values(static_cast<Index>(scales.size()), static_cast<Index>(numbers.size()));
     for (Index j = 0; j < values.rows(); ++j) {
@@ -193,7 +192,7 @@ RecorderFactory SpectrogramRecorder::create(const parameters::Values &analysis) 
 
 void SpectrogramRecorder::begin(const Window &window, const motion::Trajectory & /*trajectory*/) {
   start_ = window.start;
-  samples_.emplace(sample(signals_, window, settings_.interval));
+  samples_ = sampler_of(signals_, window, settings_.interval);
 }
 
 void SpectrogramRecorder::add_fields(const FieldWriter &result) const {
@@ -203,14 +202,14 @@ void SpectrogramRecorder::add_fields(const FieldWriter &result) const {
   for (std::size_t j = 0; j <= length / 2; ++j)
     if (static_cast<double>(j) * spacing <= settings_.highest_frequency * (1 + 1e-12))
       lines.push_back(static_cast<double>(j) * spacing);
-  const auto numbers = picked(samples_->values(0).size(), settings_.instants);
+  const auto numbers = picked(samples_.values(0).size(), settings_.instants);
   add_times(result, "spectrogram_time", start_, settings_.interval, numbers);
   result.series("spectrogram_frequency", "spectrogram_frequency", lines, "Hz",
                 "frequency of a line");
   for (std::size_t s = 0; s < signals_.size(); ++s) {
     Matrix values(static_cast<Index>(lines.size()), static_cast<Index>(numbers.size()));
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const auto amplitudes = short_time_amplitudes(samples_->values(s), numbers[i], length);
+      const auto amplitudes = short_time_amplitudes(samples_.values(s), numbers[i], length);
       for (std::size_t j = 0; j < lines.size(); ++j)
         values(static_cast<Index>(j), static_cast<Index>(i)) = amplitudes[j];
     }

@@ -2,12 +2,11 @@
 // Fourier spectrogram, for swept-sine runs.
 #pragma once
 
-#include "analyses/character/uniform_samples.h"
 #include "analyses/character/wavelet.h"
 #include "analyses/field_writer.h"
 #include "analyses/recorder.h"
+#include "analyses/sampler.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,21 +21,21 @@ struct WaveletSettings {
 
 class WaveletRecorder : public Recorder {
 public:
-  WaveletRecorder(std::vector<ObservedSignal> signals, WaveletSettings settings)
+  WaveletRecorder(std::vector<Observable> signals, WaveletSettings settings)
       : signals_(std::move(signals)), settings_(std::move(settings)) {}
 
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
   void begin(const Window &window, const motion::Trajectory &trajectory) override;
-  void step(const motion::StepView &view) override { samples_->step(view); }
+  void step(const motion::StepView &view) override { samples_.step(view); }
   void add_fields(const FieldWriter &result) const override;
 
 private:
-  std::vector<ObservedSignal> signals_;
+  std::vector<Observable> signals_;
   WaveletSettings settings_;
   double start_ = 0;
-  std::optional<UniformSamples> samples_;
+  Sampler samples_;
 };
 
 struct SpectrogramSettings {
@@ -48,21 +47,21 @@ struct SpectrogramSettings {
 
 class SpectrogramRecorder : public Recorder {
 public:
-  SpectrogramRecorder(std::vector<ObservedSignal> signals, SpectrogramSettings settings)
+  SpectrogramRecorder(std::vector<Observable> signals, SpectrogramSettings settings)
       : signals_(std::move(signals)), settings_(settings) {}
 
   static void declare(parameters::Section &analysis);
   static RecorderFactory create(const parameters::Values &analysis);
 
   void begin(const Window &window, const motion::Trajectory &trajectory) override;
-  void step(const motion::StepView &view) override { samples_->step(view); }
+  void step(const motion::StepView &view) override { samples_.step(view); }
   void add_fields(const FieldWriter &result) const override;
 
 private:
-  std::vector<ObservedSignal> signals_;
+  std::vector<Observable> signals_;
   SpectrogramSettings settings_;
   double start_ = 0;
-  std::optional<UniformSamples> samples_;
+  Sampler samples_;
 };
 
 } // namespace vibroimpact::analyses

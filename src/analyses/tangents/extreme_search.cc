@@ -64,7 +64,7 @@ Bernstein reversed(Bernstein curve) {
 
 } // namespace
 
-ExtremeSearch::ExtremeSearch(const System &system, const std::vector<ObservedQuantity> &quantities)
+ExtremeSearch::ExtremeSearch(const System &system, const std::vector<Observable> &quantities)
     : largest(quantities.size()), smallest(quantities.size()), forces(system.contacts.size()),
       impacts(system.contacts.size()), approach_speeds(system.contacts.size()),
       log(system.contacts, 0), system_(system), quantities_(quantities),
@@ -100,8 +100,8 @@ void ExtremeSearch::step(const StepView &view) {
   intervals.back().end = view.end();
   ++intervals.back().steps;
   for (std::size_t i = 0; i < quantities_.size(); ++i) {
-    const Bernstein curve = quantities_[i].curve(view), mirror = reversed(curve);
-    note({&largest[i]}, view, curve);
+    const Bernstein along_step = curve(quantities_[i], view), mirror = reversed(along_step);
+    note({&largest[i]}, view, along_step);
     note({&smallest[i]}, view, mirror);
   }
   for (std::size_t c = 0; c < present_.size(); ++c)

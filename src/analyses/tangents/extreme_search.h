@@ -4,7 +4,7 @@
 // a jump: of these the side counts.
 #pragma once
 
-#include "analyses/recorders/observed_quantities.h"
+#include "analyses/observables.h"
 #include "motion/event/impact_log.h"
 #include "motion/trajectory.h"
 
@@ -42,7 +42,7 @@ struct SmoothInterval {
 class ExtremeSearch : public motion::Observer {
 public:
   /// Keeps references.
-  ExtremeSearch(const System &system, const std::vector<ObservedQuantity> &quantities);
+  ExtremeSearch(const System &system, const std::vector<Observable> &quantities);
 
   void step(const motion::StepView &view) override;
   void event(const motion::ContactEvent &event) override;
@@ -68,7 +68,7 @@ private:
   void take_interval(const motion::StepView &view);
 
   const System &system_;
-  const std::vector<ObservedQuantity> &quantities_;
+  const std::vector<Observable> &quantities_;
   std::vector<ImpactExtremes> present_; ///< of the impact that lasts, per contact
   std::vector<char> complete_;          ///< its beginning was seen
   double next_break_ = 0;               ///< of the sources, in the present interval [s]

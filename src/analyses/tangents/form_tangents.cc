@@ -27,6 +27,13 @@ Vector impulses_of(const model::Model &model, const contact::ContactSet &contact
   return least_norm_solution(response, jump);
 }
 
+/// All but the forces of contacts.
+std::vector<Observable> polynomials_of(const System &system) {
+  std::vector<Observable> list = observables({}, system);
+  std::erase_if(list, [](const Observable &one) { return one.is_force(); });
+  return list;
+}
+
 } // namespace
 
 FormTangents::FormTangents(const System &system,
@@ -36,14 +43,14 @@ FormTangents::FormTangents(const System &system,
   for (const motion::KeyNeighbour &neighbour : neighbours)
     offsets.push_back(neighbour.offset);
   const Vector weights = motion::derivative_weights(offsets);
-  quantities_.push_back(observed_quantities({}, system));
+  quantities_.push_back(polynomials_of(system));
   for (const motion::KeyNeighbour &neighbour : neighbours) {
     near_.push_back(std::make_unique<Near>(System{.model = neighbour.model,
                                                   .contacts = neighbour.contacts,
                                                   .integration = system.integration,
                                                   .initial = system.initial},
                                            weights[static_cast<Index>(near_.size())]));
-    quantities_.push_back(observed_quantities({}, near_.back()->system));
+    quantities_.push_back(polynomials_of(near_.back()->system));
   }
 }
 
@@ -72,7 +79,7 @@ Tangent FormTangents::quantity(std::size_t place, const TangentPoint &at) {
   motion::ValueRange unused;
   return linear(
       [&](std::size_t system, const Equations &equations) {
-        return quantities_[system][place].form(equations, unused);
+        return monitored(quantities_[system][place], equations, unused);
       },
       at);
 }

@@ -12,7 +12,7 @@
 // so that its slope where contact begins is that of the law, on whichever side a neighbour lies.
 #pragma once
 
-#include "analyses/recorders/observed_quantities.h"
+#include "analyses/observables.h"
 #include "analyses/tangents/tangent_point.h"
 
 #include <functional>
@@ -37,8 +37,8 @@ public:
   /// Keeps copies of the neighbours and a reference to the system.
   FormTangents(const System &system, const std::vector<motion::KeyNeighbour> &neighbours);
 
-  /// The quantities that recorders observe; without `form` where they are not linear.
-  const std::vector<ObservedQuantity> &quantities() const { return quantities_.front(); }
+  /// The quantities that recorders observe; without the forces of contacts.
+  const std::vector<Observable> &quantities() const { return quantities_.front(); }
   Tangent quantity(std::size_t place, const TangentPoint &at);
   Tangent gap(std::size_t contact, const TangentPoint &at);
   Tangent gap_rate(std::size_t contact, const TangentPoint &at);
@@ -66,7 +66,7 @@ private:
 
   const System &system_;
   std::vector<std::unique_ptr<Near>> near_;
-  std::vector<std::vector<ObservedQuantity>> quantities_; ///< of the system and its neighbours
+  std::vector<std::vector<Observable>> quantities_; ///< of the system and its neighbours
 };
 
 } // namespace vibroimpact::analyses

@@ -155,14 +155,14 @@ private:
     std::size_t quantity = 0, largest = 0, smallest = 0;
   };
   const ExtremeSearch &search_;
-  const std::vector<ObservedQuantity> &quantities_;
+  const std::vector<Observable> &quantities_;
   std::vector<Places> places_;
 };
 
 Quantities::Quantities(const ExtremeSearch &search, FormTangents &forms, Requests &requests)
     : search_(search), quantities_(forms.quantities()) {
   for (std::size_t i = 0; i < quantities_.size(); ++i) {
-    if (!quantities_[i].form)
+    if (!quantities_[i].is_linear())
       continue;
     const ValueOf of = [&forms, i](const TangentPoint &at) { return forms.quantity(i, at); };
     places_.push_back({.quantity = i,

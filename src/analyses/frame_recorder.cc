@@ -1,10 +1,8 @@
-#include "analyses/motion_recorder.h"
+#include "analyses/frame_recorder.h"
 
-#include "analyses/fields.h"
-#include "analyses/system.h"
+#include "analyses/sampler.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace vibroimpact::analyses {
 
@@ -13,85 +11,9 @@ using motion::StepView;
 
 namespace {
 
-// Instants of the list that lie in the step; its start belongs to it only at the very beginning.
-std::size_t end_of_step(const std::vector<double> &instants, std::size_t next, double end) {
-  while (next < instants.size() && instants[next] <= end)
-    ++next;
-  return next;
-}
-
 double position(const StepView &view, double instant) {
   return (instant - view.start()) / view.length();
 }
-
-} // namespace
-
-std::vector<double> equal_instants(double first, double last, double interval) {
-  const auto count = static_cast<std::size_t>(std::floor((last - first) / interval * (1 + 1e-12)));
-  std::vector<double> instants;
-  for (std::size_t i = 0; i <= count; ++i)
-    instants.push_back(std::min(first + static_cast<double>(i) * interval, last));
-  return instants;
-}
-
-MotionRecorder::MotionRecorder(const System &system, std::vector<double> instants)
-    : contacts_(system.contacts), channels_(observed_channels(system.model)),
-      instants_(std::move(instants)), series_(channels_.size()),
-      contact_series_(system.contacts.size()) {}
-
-void MotionRecorder::sample(const StepView &view, std::size_t first, std::size_t last) {
-  for (std::size_t k = 0; k < channels_.size(); ++k) {
-    const Bernstein displacement = view.displacement(channels_[k].relative);
-    const Bernstein rate = displacement.derivative();
-    const Bernstein acceleration = view.acceleration(channels_[k].absolute);
-    for (std::size_t i = first; i < last; ++i) {
-      const double tau = position(view, instants_[i]);
-      series_[k].displacement.push_back(displacement(tau));
-      series_[k].velocity.push_back(rate(tau) / view.length());
-      series_[k].acceleration.push_back(acceleration(tau));
-    }
-  }
-  for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const motion::ContactCurves curves = view.contact_curves(c);
-    for (std::size_t i = first; i < last; ++i) {
-      const double tau = position(view, instants_[i]);
-      contact_series_[c].gap.push_back(curves.gap(tau));
-      contact_series_[c].force.push_back(view.force(c, curves, tau));
-    }
-  }
-}
-
-void MotionRecorder::step(const StepView &view) {
-  const std::size_t last = end_of_step(instants_, next_, view.end());
-  if (last > next_)
-    sample(view, next_, last);
-  next_ = last;
-}
-
-void MotionRecorder::add_fields(const FieldWriter &result) const {
-  const std::vector<double> recorded(instants_.begin(),
-                                     instants_.begin() + static_cast<std::ptrdiff_t>(next_));
-  result.series("time", "time", recorded, "s", "time");
-  for (std::size_t k = 0; k < channels_.size(); ++k) {
-    const std::string base = "point/" + channels_[k].point + "/";
-    const std::string axis(1, channels_[k].axis);
-    const Series &series = series_[k];
-    result.series(base + "displacement_" + axis, "time", series.displacement, "m",
-                  "displacement relative to the base along " + axis);
-    result.series(base + "velocity_" + axis, "time", series.velocity, "m/s",
-                  "velocity relative to the base along " + axis);
-    result.series(base + "acceleration_" + axis, "time", series.acceleration, "m/s^2",
-                  "absolute acceleration along " + axis);
-  }
-  for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const std::string base = "contact/" + contacts_.pairs()[c].name + "/";
-    result.series(base + "gap", "time", contact_series_[c].gap, "m", "gap, > 0 open");
-    result.series(base + "normal_force", "time", contact_series_[c].force, "N",
-                  "normal force, > 0 pushes apart");
-  }
-}
-
-namespace {
 
 /// The sides of a contact on meshes; the force pushes the first against the normal.
 std::vector<TouchedNode> touched_nodes(const contact::ContactPair &pair,
