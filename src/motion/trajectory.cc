@@ -20,7 +20,8 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
       collisions_(equations_, settings_, scales_), steppers_(equations_, settings),
       ts_(MotionTs::create(settings, equations_.layout().size())) {
   if (steppers_.exact())
-    path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(), settings);
+    path_ =
+        std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(), settings, progress_);
 }
 
 Trajectory::~Trajectory() = default;
@@ -65,7 +66,7 @@ void Trajectory::start(const MotionState &from) {
   last_event_time_ = -std::numeric_limits<double>::infinity();
   changed_.clear();
   tried_.clear();
-  progress_.begin(from.time);
+  progress_.begin(equations_.contacts().size());
   zero_at_start_.clear();
   if (path_) { // a step, if one is needed at all, finds out the rest
     steppers_.place(from.time, state);
@@ -331,7 +332,6 @@ void Trajectory::integrate(double end, Observer &observer) {
 void Trajectory::move(double end, Observer &observer) {
   while (steppers_.present().time() < end) {
     leave_if_stopped();
-    progress_.note(time(), horizon());
     if (progress_.stalled())
       throw NumericalError(stall_reason("the motion hardly advances"));
     if (at_source_break()) {

@@ -154,7 +154,6 @@ private:
   StepView view() const;
   double time_tolerance() const;
   double location_tolerance() const;
-  double horizon() const;
   void note_change(std::size_t contact, bool at_once);
   StepReason reason_for_steps() const;
   std::string stall_reason(const std::string &what) const;

@@ -115,6 +115,7 @@ std::vector<Trajectory::KnownZero> Trajectory::known_zeros(const Crossing &first
 }
 
 void Trajectory::pass_guard(const Crossing &first, bool stuck, Observer &observer) {
+  progress_.note(first.contact, time(), steppers_.present().fastest(), time_tolerance());
   const std::vector<KnownZero> zeros = known_zeros(first, stuck);
   Vector state = steppers_.present().state();
   const bool apart = !equations_.mode(first.contact).in_contact;

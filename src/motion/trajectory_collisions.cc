@@ -36,6 +36,7 @@ void Trajectory::collide(std::size_t first, Observer &observer) {
                     .layout = &layout(),
                     .collision = record});
     record = nullptr;
+    progress_.note(change.contact, time(), 0, time_tolerance());
     chatters_ += change.chatter_duration > 0 ? 1 : 0;
     if (change.gap_rate_after != change.gap_rate)
       tried_.clear();

@@ -6,12 +6,6 @@
 
 namespace vibroimpact::motion {
 
-double Trajectory::horizon() const {
-  const double highest = equations_.model().highest_frequency();
-  const double uncertain = 100 * time_tolerance();
-  return highest > 0 ? std::min(uncertain, 1e-3 / highest) : uncertain;
-}
-
 void Trajectory::note_change(std::size_t contact, bool at_once) {
   if (!at_once)
     changed_.clear();

@@ -35,8 +35,9 @@ const contact::AffineForm &indicator(const Equations &equations, const PhaseGuar
 
 } // namespace
 
-ExactPath::ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings)
-    : equations_(equations), exact_phases_(phases), kernel_(kernel()),
+ExactPath::ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings,
+                     StallBound &progress)
+    : equations_(equations), exact_phases_(phases), progress_(progress), kernel_(kernel()),
       event_tolerance_(settings.event_tolerance), tolerance_(settings.relative_tolerance),
       longest_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()),
@@ -49,13 +50,6 @@ void ExactPath::begin() {
   walk_.pieces = 0;
   last_event_ = -std::numeric_limits<double>::infinity();
   exact_phases_.forget();
-}
-
-std::size_t ExactPath::WholeContactPart::bytes() const {
-  std::size_t sum = contact->bytes() + (work ? work->bytes() : 0);
-  for (const auto *part : {&monitored, &monitored_before})
-    sum += *part ? (*part)->outputs->bytes() : 0;
-  return sum;
 }
 
 std::size_t ExactPath::Transition::bytes() const {
@@ -351,7 +345,7 @@ void ExactPath::renew_inputs(const ExactPhase &phase, double time, double *ampli
 bool ExactPath::change_phase(double limit, long &most_events) {
   const double time = origin_ + walk_.time + walk_.to_guard;
   const auto passed = static_cast<std::size_t>(walk_.guard);
-  if (time - last_event_ <= time_tolerance(time))
+  if (time - last_event_ <= time_tolerance(time) || progress_.slow())
     return false;
   Transition *next = transition(passed);
   if (!next) {
@@ -371,6 +365,8 @@ bool ExactPath::change_phase(double limit, long &most_events) {
     running_ = false;
     return false;
   }
+  progress_.note(known_->guards()[passed].contact, time, known_->view().fastest,
+                 time_tolerance(time));
   if (observer_)
     report_change(time);
   ++tally_.events;

@@ -16,6 +16,7 @@
 #include "motion/exact/exact_outputs.h"
 #include "motion/exact/exact_phases.h"
 #include "motion/observer.h"
+#include "motion/stall.h"
 
 #include <functional>
 #include <map>
@@ -48,7 +49,8 @@ public:
   };
 
   /// Keeps references.
-  ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings);
+  ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings,
+            StallBound &progress);
 
   /// Another motion begins, which must not depend on those before; the excitation may be another.
   void begin();
@@ -164,6 +166,7 @@ private:
 
   Equations &equations_;
   ExactPhases &exact_phases_;
+  StallBound &progress_;
   const Kernel &kernel_;
   double event_tolerance_, tolerance_, longest_step_;
   ContactSteps contact_steps_;

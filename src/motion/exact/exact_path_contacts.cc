@@ -13,6 +13,13 @@ constexpr double shortest = 16;
 
 } // namespace
 
+std::size_t ExactPath::WholeContactPart::bytes() const {
+  std::size_t sum = contact->bytes() + (work ? work->bytes() : 0);
+  for (const auto *part : {&monitored, &monitored_before})
+    sum += *part ? (*part)->outputs->bytes() : 0;
+  return sum;
+}
+
 // What a contact that begins at a guard of the present phase is solved by; nullptr: it is left to
 // others.
 ExactPath::WholeContactPart *ExactPath::contact_beyond(std::size_t guard) {
@@ -160,6 +167,7 @@ std::optional<StepReason> ExactPath::pass_contact(double time, std::size_t passe
   }
   const double end = time + contact->duration();
   note_residual();
+  progress_.note(contact->contact(), end, 0, time_tolerance(end));
   if (observer_)
     report_contact(*part, time);
   ++tally_.pieces;
