@@ -1,34 +1,49 @@
-// Bounds the work of a motion that hardly advances.
+// Bounds the work of a motion that hardly advances: how often in a row a contact may leave a mode
+// at once.
 //
-// Steps, flights and contact changes are counted until the motion is beyond a horizon: a hundred
-// times the uncertainty of an event's instant, or a thousandth of the shortest time scale where
-// that is less. No motion needs thousands of them there.
+// In a linear phase whose largest exponent is |e| a guard is a straight line but for (t |e|)^2: one
+// that has risen from zero falls back to it within t << 1 / |e| only if it left zero with hardly
+// any slope. A contact may do so where it grazes, and then stays in its next mode: a force that
+// ends has been there for some part of 1 / |e|. One that goes to and fro, each time in less than a
+// thousandth of 1 / |e|, has guards that are zero but for rounding, and time advances by what
+// rounding happens to leave. Where no |e| is known a stay counts that is shorter than a hundred
+// times the uncertainty of an instant, and so before an impact: infinitely many of these in a
+// finite time are completed at once (Collisions). Contacts that change in turn do not count: of
+// many each stays long.
 #pragma once
+
+#include <limits>
+#include <vector>
 
 namespace vibroimpact::motion {
 
 class StallBound {
 public:
-  void begin(double time) {
-    mark_ = time;
-    count_ = 0;
+  void begin(std::size_t n_contacts) {
+    contacts_.assign(n_contacts, {});
+    quick_ = 0;
   }
-  /// Something was done; the motion is at `time` now. Both in s.
-  void note(double time, double horizon) {
-    if (time > mark_ + horizon)
-      begin(time);
-    else
-      ++count_;
+  /// A contact changes its mode at `time` [s], in a phase with the largest exponent |e| [1/s], 0:
+  /// not known; `uncertainty`: of the instant [s].
+  void note(std::size_t contact, double time, double fastest, double uncertainty) {
+    Stays &stays = contacts_[contact];
+    const bool quick = time - stays.end < (fastest > 0 ? 1e-3 / fastest : 100 * uncertainty);
+    quick_ = stays.quick = quick ? stays.quick + 1 : 0;
+    stays.end = time;
   }
 
   /// The way in which the motion proceeds does not lead on.
-  bool slow() const { return count_ > 1000; }
+  bool slow() const { return quick_ > 1000; }
   /// Nor does any other.
-  bool stalled() const { return count_ > 10000; }
+  bool stalled() const { return quick_ > 10000; }
 
 private:
-  double mark_ = 0;
-  long count_ = 0;
+  struct Stays {
+    double end = -std::numeric_limits<double>::infinity(); ///< of the last [s]
+    long quick = 0;                                        ///< in a row
+  };
+  std::vector<Stays> contacts_;
+  long quick_ = 0; ///< of the contact that changed last
 };
 
 } // namespace vibroimpact::motion

@@ -20,7 +20,8 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
       collisions_(equations_, settings_, scales_), steppers_(equations_, settings),
       ts_(MotionTs::create(settings, equations_.layout().size())) {
   if (steppers_.exact())
-    path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(), settings);
+    path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(), settings,
+                                        progress_, counts_);
 }
 
 Trajectory::~Trajectory() = default;
@@ -55,17 +56,12 @@ void Trajectory::start(const MotionState &from) {
   choose_initial_modes(from.time, state);
   scales_.begin(from.time, state);
   collisions_.settle(from.time, settings_.event_tolerance, state);
-  steps_ = events_ = chatters_ = events_at_once_ = undecided_ = whole_contacts_ = 0;
-  step_reasons_ = {};
   if (path_)
     path_->begin();
   steppers_.forget(); // so that a case does not depend on what was integrated before it
-  rejected_before_ = steppers_.rejected_steps();
-  event_residual_ = 0;
-  last_event_time_ = -std::numeric_limits<double>::infinity();
-  changed_.clear();
-  tried_.clear();
-  progress_.begin(from.time);
+  counts_ = {.rejected_steps = -steppers_.rejected_steps()};
+  last_ = {};
+  progress_.begin(equations_.contacts().size());
   zero_at_start_.clear();
   if (path_) { // a step, if one is needed at all, finds out the rest
     steppers_.place(from.time, state);
@@ -188,20 +184,20 @@ bool Trajectory::find_fall(const GuardCurves &curves, Crossing &crossing) {
   const double length = steppers_.present().time() - steppers_.present().previous_time();
   double end = length;
   bool found = false;
-  touches_.clear();
+  std::vector<double> touches; // instants after the start of the step
   for (const PresentGuard &at : guards_) {
     const FirstDownCrossing fall =
         first_down_crossing(curves, at.place, end, guard_start(at.contact, at.guard));
     if (fall.touch)
-      touches_.push_back(*fall.touch);
+      touches.push_back(*fall.touch);
     if (fall.time && (!found || *fall.time < end)) {
       crossing = {.tau = *fall.time / length, .contact = at.contact, .guard = at.guard};
       found = true;
       end = *fall.time;
     }
   }
-  undecided_ += std::count_if(touches_.begin(), touches_.end(),
-                              [&](double instant) { return !found || instant < end; });
+  counts_.undecided_events += std::count_if(
+      touches.begin(), touches.end(), [&](double instant) { return !found || instant < end; });
   return found;
 }
 
@@ -228,7 +224,7 @@ void Trajectory::end_at_fall(Crossing &crossing) {
   }
   if (instant != steppers_.present().time())
     steppers_.present().shorten(instant);
-  event_residual_ = std::max(event_residual_, event_uncertainty(view(), crossing));
+  counts_.event_residual = std::max(counts_.event_residual, event_uncertainty(view(), crossing));
 }
 
 // Shortens the step to its first change of a contact.
@@ -269,7 +265,7 @@ bool Trajectory::locate(Crossing &crossing) {
     const double same = i < maximum_corrections / 2 ? own : std::max(tolerance, candidate.hidden);
     const bool at_end = !inside || (1 - earlier.tau) * shorter.length() <= same;
     if (at_end && uncertainty <= tolerance) {
-      event_residual_ = std::max(event_residual_, uncertainty);
+      counts_.event_residual = std::max(counts_.event_residual, uncertainty);
       crossing = candidate;
       return true;
     }
@@ -306,9 +302,9 @@ StepReason Trajectory::reason_for_steps() const {
 
 void Trajectory::advance(double end, Observer &observer) {
   const bool wanted = observer.wants_integrals();
-  if (wanted && !integrals_)
+  if (wanted && !balance_.integrals)
     begin_balance();
-  integrals_ = wanted;
+  balance_.integrals = wanted;
   integrate(end, observer);
 }
 
@@ -331,14 +327,13 @@ void Trajectory::integrate(double end, Observer &observer) {
 void Trajectory::move(double end, Observer &observer) {
   while (steppers_.present().time() < end) {
     leave_if_stopped();
-    progress_.note(time(), horizon());
     if (progress_.stalled())
       throw NumericalError(stall_reason("the motion hardly advances"));
     if (at_source_break()) {
       pass_source_break();
       continue;
     }
-    if (settings_.maximum_steps > 0 && steps_ >= settings_.maximum_steps)
+    if (settings_.maximum_steps > 0 && counts_.steps >= settings_.maximum_steps)
       throw NumericalError("more than " + std::to_string(settings_.maximum_steps) +
                            " steps (Maximum steps)");
     const double limit = std::min(end, equations_.source_break());
@@ -346,12 +341,12 @@ void Trajectory::move(double end, Observer &observer) {
       continue;
     if (steps_outdated_)
       take_over();
-    ++steps_;
+    ++counts_.steps;
     steppers_.step(limit);
     Crossing crossing;
     const bool changes = changes_in_step(crossing);
-    steppers_.present().accept(integrals_);
-    exact_ = exact_ && steppers_.present().exact();
+    steppers_.present().accept(balance_.integrals);
+    balance_.exact = balance_.exact && steppers_.present().exact();
     if (steppers_.present().time() > steppers_.present().previous_time())
       observer.step(view());
     scales_.note(time(), state());

@@ -7,7 +7,7 @@
 // does where an excitation is not smooth: no step reaches across such a break.
 #pragma once
 
-#include "motion/collocation/step_reason.h"
+#include "motion/accuracy.h"
 #include "motion/event/collision.h"
 #include "motion/event/contact_scales.h"
 #include "motion/event/zero_guard.h"
@@ -17,38 +17,13 @@
 #include "motion/steps/motion_ts.h"
 #include "motion/steps/steppers.h"
 
+#include <limits>
 #include <memory>
-#include <numeric>
 #include <vector>
 
 namespace vibroimpact::motion {
 
 class ExactPath;
-
-/// How well a motion was integrated since start(), the energy since the last stretch without
-/// integrals.
-struct Accuracy {
-  long steps = 0;
-  long rejected_steps = 0;
-  long events = 0;
-  double energy_residual = 0; ///< |unaccounted energy| / (initial + |input|); NaN: not kept
-  /// What a sound motion stays below: 1e-10 where every step was exact, else a thousand times the
-  /// relative tolerance when that is more.
-  double energy_threshold = 0;
-  double event_residual = 0; ///< largest uncertainty of an event's instant [s]
-  /// Touches so shallow that rounding decides whether they were contacts; not counted as events.
-  long undecided_events = 0;
-  long chatters = 0;          ///< infinite sequences of impacts that were completed at once
-  long whole_contacts = 0;    ///< nonlinear ones that were solved as a whole
-  StepReasons step_reasons{}; ///< nonlinear ones that were integrated in steps
-
-  long stepped_contacts() const {
-    return std::accumulate(step_reasons.begin(), step_reasons.end(), 0L);
-  }
-
-  /// False when the energy balance does not close.
-  bool balanced() const { return !(energy_residual > energy_threshold); }
-};
 
 /// Where a motion stands, to start another one from.
 struct MotionState {
@@ -85,7 +60,7 @@ public:
   const StateLayout &layout() const { return equations_.layout(); }
   Accuracy accuracy() const;
   /// Contact changes since start().
-  long events() const { return events_; }
+  long events() const { return counts_.events; }
 
 private:
   struct Crossing {
@@ -108,6 +83,23 @@ private:
   struct KnownZero {
     contact::AffineForm form;
     double size = 0; ///< of the error
+  };
+
+  /// Of energies, since it began.
+  struct Balance {
+    bool integrals = true; ///< of work and impulses are kept
+    bool exact = true;     ///< every step
+    double initial_energy = 0;
+    Vector initial_state; ///< with its work integrals
+  };
+
+  /// Of the last event.
+  struct LastInstant {
+    double time = -std::numeric_limits<double>::infinity();
+    long events = 0;                    ///< without progress in time
+    std::vector<std::size_t> changed{}; ///< contacts
+    /// Modes of all contacts, since the last impulse.
+    std::vector<std::vector<int>> tried{};
   };
 
   const contact::Guard &guard_of(std::size_t contact, std::size_t guard) const {
@@ -154,7 +146,6 @@ private:
   StepView view() const;
   double time_tolerance() const;
   double location_tolerance() const;
-  double horizon() const;
   void note_change(std::size_t contact, bool at_once);
   StepReason reason_for_steps() const;
   std::string stall_reason(const std::string &what) const;
@@ -168,29 +159,14 @@ private:
   std::unique_ptr<MotionTs> ts_;    ///< none: nobody looks at it by PETSc's means
   std::unique_ptr<ExactPath> path_; ///< none where the method is another
   bool steps_outdated_ = false;     ///< the steppers must begin anew to take a step
-  bool integrals_ = true;           ///< of work and impulses are kept
-  bool exact_ = true;               ///< every step since the balance began
-  double initial_energy_ = 0;
-  Vector initial_state_; ///< with the work integrals as it was when the balance began
-  long steps_ = 0;
-  long rejected_before_ = 0;
-  long events_ = 0;
-  long chatters_ = 0;
-  long whole_contacts_ = 0;
-  StepReasons step_reasons_{};
-  long events_at_once_ = 0; ///< events without progress in time
-  double last_event_time_ = 0;
+  Balance balance_;
+  Accuracy counts_; ///< without the energies
+  LastInstant last_;
   StallBound progress_;
-  std::vector<std::size_t> changed_; ///< contacts, at the instant of the last event
-  /// Modes of all contacts at that instant, since the last impulse.
-  std::vector<std::vector<int>> tried_;
-  long undecided_ = 0;
-  double event_residual_ = 0;
   std::vector<PresentGuard> guards_; ///< of the phase, in the order in which they count
   /// Guards that were zero at the start of the phase and have not grown beyond that yet.
   std::vector<ZeroGuard> zero_at_start_;
-  std::vector<double> touches_; ///< instants after the start of the step
-  Vector before_;               ///< the state before the last change of a mode
+  Vector before_; ///< the state before the last change of a mode
 };
 
 } // namespace vibroimpact::motion

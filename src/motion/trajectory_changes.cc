@@ -71,7 +71,8 @@ void Trajectory::change_mode(double instant, std::size_t contact, std::size_t gu
                      .before = &before_,
                      .guard = &passed,
                      .layout = &layout()};
-  const double stored = integrals_ ? equations_.contact_energy(contact, event.from, local) : 0;
+  const double stored =
+      balance_.integrals ? equations_.contact_energy(contact, event.from, local) : 0;
   double *const internal = state.data() + layout().internal() + pair.internal_offset;
   for (std::size_t i = 0; i < passed.reset.size(); ++i)
     internal[i] = passed.reset[i](local);
@@ -80,11 +81,11 @@ void Trajectory::change_mode(double instant, std::size_t contact, std::size_t gu
   equations_.set_mode(contact, passed.target);
   event.onset = apart && equations_.mode(contact).in_contact;
   // What the new mode stores no more is lost at this instant.
-  if (integrals_)
+  if (balance_.integrals)
     state[layout().contact_work(static_cast<Index>(contact))] +=
         stored - equations_.contact_energy(contact, event.to, local);
   observer.event(event);
-  ++events_;
+  ++counts_.events;
 }
 
 // What is zero at this instant, with the values that rounding and the location have left.
@@ -115,13 +116,14 @@ std::vector<Trajectory::KnownZero> Trajectory::known_zeros(const Crossing &first
 }
 
 void Trajectory::pass_guard(const Crossing &first, bool stuck, Observer &observer) {
+  progress_.note(first.contact, time(), steppers_.present().fastest(), time_tolerance());
   const std::vector<KnownZero> zeros = known_zeros(first, stuck);
   Vector state = steppers_.present().state();
   const bool apart = !equations_.mode(first.contact).in_contact;
   change_mode(time(), first.contact, first.guard, state, observer);
   const contact::Mode &mode = equations_.mode(first.contact);
   if (apart && mode.in_contact && !mode.affine && !mode.holds_gap)
-    ++step_reasons_[static_cast<std::size_t>(first.reason)];
+    ++counts_.step_reasons[static_cast<std::size_t>(first.reason)];
   begin_phase(time(), state);
   std::erase_if(zero_at_start_,
                 [&](const ZeroGuard &zero) { return zero.contact == first.contact; });
@@ -134,26 +136,26 @@ void Trajectory::pass_guard(const Crossing &first, bool stuck, Observer &observe
 // Several contacts may change at the same instant; each guard that is zero there starts the new
 // phase from an exact zero, so that rounding cannot fire it again.
 void Trajectory::change_modes(const Crossing &first, Observer &observer) {
-  const bool stuck = time() - last_event_time_ <= time_tolerance();
-  events_at_once_ = stuck ? events_at_once_ + 1 : 0;
+  const bool stuck = time() - last_.time <= time_tolerance();
+  last_.events = stuck ? last_.events + 1 : 0;
   note_change(first.contact, stuck);
   scales_.note(time(), state(), true);
-  if (events_at_once_ > maximum_events_at_once)
+  if (last_.events > maximum_events_at_once)
     throw NumericalError(stall_reason("contact changes follow each other without progress"));
-  if (settings_.maximum_events > 0 && events_ >= settings_.maximum_events)
+  if (settings_.maximum_events > 0 && counts_.events >= settings_.maximum_events)
     throw NumericalError("more than " + std::to_string(settings_.maximum_events) +
                          " contact changes (Maximum events)");
-  last_event_time_ = time();
+  last_.time = time();
   if (!stuck)
-    tried_ = {equations_.modes()};
+    last_.tried = {equations_.modes()};
   if (guard_of(first.contact, first.guard).action == contact::GuardAction::impact)
     collide(first.contact, observer);
   else
     pass_guard(first, stuck, observer);
-  if (std::find(tried_.begin(), tried_.end(), equations_.modes()) != tried_.end())
+  if (std::find(last_.tried.begin(), last_.tried.end(), equations_.modes()) != last_.tried.end())
     keep_modes();
   else
-    tried_.push_back(equations_.modes());
+    last_.tried.push_back(equations_.modes());
 }
 
 // The guards of the contacts that have changed at this instant, as far as they are zero within the
@@ -161,7 +163,7 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
 void Trajectory::keep_modes() {
   const Vector &x = steppers_.present().state();
   bool kept = false;
-  for (const std::size_t c : changed_) {
+  for (const std::size_t c : last_.changed) {
     const LocalState local = equations_.local_state(c, time(), ConstVectorView(x.data(), x.size()));
     for (std::size_t g = 0; g < equations_.mode(c).guards.size(); ++g) {
       const AffineForm &form = guard_of(c, g).indicator;
@@ -177,7 +179,7 @@ void Trajectory::keep_modes() {
       kept = true;
     }
   }
-  undecided_ += kept ? 1 : 0;
+  counts_.undecided_events += kept ? 1 : 0;
 }
 
 // Of the guards that were zero at the start of an earlier phase: a jump of velocities or of forces

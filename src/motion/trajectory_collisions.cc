@@ -18,7 +18,7 @@ void Trajectory::collide(std::size_t first, Observer &observer) {
       equations_.mode(first).guards.begin(), equations_.mode(first).guards.end(),
       [](const contact::Guard &guard) { return guard.action == contact::GuardAction::impact; });
   const Collisions::Outcome outcome = collisions_.resolve(
-      time(), time_tolerance(), first, events_at_once_ >= maximum_impacts_at_once, state);
+      time(), time_tolerance(), first, last_.events >= maximum_impacts_at_once, state);
   const Collision *record = &outcome.record;
   for (const Collisions::Change &change : outcome.changes) {
     observer.event({.time = time(),
@@ -36,11 +36,12 @@ void Trajectory::collide(std::size_t first, Observer &observer) {
                     .layout = &layout(),
                     .collision = record});
     record = nullptr;
-    chatters_ += change.chatter_duration > 0 ? 1 : 0;
+    progress_.note(change.contact, time(), 0, time_tolerance());
+    counts_.chatters += change.chatter_duration > 0 ? 1 : 0;
     if (change.gap_rate_after != change.gap_rate)
-      tried_.clear();
+      last_.tried.clear();
   }
-  ++events_;
+  ++counts_.events;
   begin_phase(time(), state);
   renew_zero_guards(state);
   for (std::size_t k = 0; k < outcome.touching.size(); ++k) {

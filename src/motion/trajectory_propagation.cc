@@ -12,28 +12,22 @@ bool Trajectory::propagate(double limit, Observer &observer) {
   if (!path_ || keeps_modes())
     return false;
   double instant = time();
-  const long events_before = events_;
+  const Accuracy before = counts_;
   const PathObserver path_observer{
       .monitor = observer.output_monitor(),
       .steps = observer.step_observer(),
       .everyone = &observer,
-      .integrals = integrals_,
+      .integrals = balance_.integrals,
       .change = [&](double when, std::size_t contact, std::size_t guard, Vector &changed) {
         change_mode(when, contact, guard, changed, observer);
       }};
   const bool observed = path_observer.monitor || path_observer.steps;
-  const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - events_
+  const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - before.events
                                                         : std::numeric_limits<long>::max();
   const bool moved = path_->advance(instant, state(), limit, most_events, zero_at_start_,
                                     observed ? &path_observer : nullptr);
-  const ExactPath::Tally tally = path_->take_tally();
-  steps_ += tally.pieces + tally.steps_shown;
-  events_ = events_before + tally.events;
-  event_residual_ = std::max(event_residual_, tally.event_residual);
-  undecided_ += tally.undecided;
-  whole_contacts_ += tally.whole_contacts;
-  exact_ = exact_ && tally.whole_contacts == 0;
-  if (tally.events > 0)
+  balance_.exact = balance_.exact && counts_.whole_contacts == before.whole_contacts;
+  if (counts_.events > before.events)
     note_path_events();
   if (!moved)
     return false;
@@ -53,12 +47,9 @@ bool Trajectory::propagate(double limit, Observer &observer) {
 
 // What is known of an earlier instant says nothing of this one.
 void Trajectory::note_path_events() {
-  if (path_->last_event() - last_event_time_ > time_tolerance()) {
-    events_at_once_ = 0;
-    changed_.clear();
-    tried_.clear();
-  }
-  last_event_time_ = path_->last_event();
+  if (path_->last_event() - last_.time > time_tolerance())
+    last_ = {};
+  last_.time = path_->last_event();
 }
 
 // A step begins where the closed form has led.

@@ -6,17 +6,11 @@
 
 namespace vibroimpact::motion {
 
-double Trajectory::horizon() const {
-  const double highest = equations_.model().highest_frequency();
-  const double uncertain = 100 * time_tolerance();
-  return highest > 0 ? std::min(uncertain, 1e-3 / highest) : uncertain;
-}
-
 void Trajectory::note_change(std::size_t contact, bool at_once) {
   if (!at_once)
-    changed_.clear();
-  if (std::find(changed_.begin(), changed_.end(), contact) == changed_.end())
-    changed_.push_back(contact);
+    last_.changed.clear();
+  if (std::find(last_.changed.begin(), last_.changed.end(), contact) == last_.changed.end())
+    last_.changed.push_back(contact);
 }
 
 // The contacts that changed last, what they are doing, and what can be tried.
@@ -26,7 +20,7 @@ std::string Trajectory::stall_reason(const std::string &what) const {
   text << what << " at t = " << time() << " s";
   const char *separator = ": contact ";
   bool rigid = false;
-  for (const std::size_t c : changed_) {
+  for (const std::size_t c : last_.changed) {
     const contact::ContactPair &pair = equations_.contacts().pairs()[c];
     const contact::LocalState local =
         equations_.local_state(c, time(), ConstVectorView(state().data(), state().size()));

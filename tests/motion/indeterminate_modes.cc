@@ -1,6 +1,7 @@
 // Contacts that change at one instant, and impacts too small to be resolved, against closed
 // forms: which of their modes holds is a matter of rounding there, and the motion must not depend
 // on it.
+#include "common/error.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/linear_penalty.h"
 #include "support/rigid_contacts.h"
@@ -9,6 +10,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace vibroimpact::motion {
 namespace indeterminate_modes_tests {
@@ -242,6 +244,56 @@ TEST(IndeterminateModesTest, BodiesThatPartInTheFifthOrder) {
     EXPECT_NEAR(trajectory.state()[0], displacement(fast, end), 1e-11) << method;
     EXPECT_NEAR(trajectory.state()[1], displacement(slow, end), 1e-11) << method;
   }
+}
+
+// Two modes without any force, each left when its clock has run down.
+class Flickering : public contact::ContactLaw {
+public:
+  explicit Flickering(double stay)
+      : ContactLaw({mode("one", 1, stay), mode("other", 0, stay)}, {1.0}), stay_(stay) {}
+  std::string name() const override { return "flickering"; }
+  int initial_mode(const contact::LocalState & /*state*/) const override { return 0; }
+  void evaluate(int /*mode*/, const contact::LocalState & /*state*/,
+                contact::LawResponse &response) const override {
+    response = {.force_by_internal = {0},
+                .internal_rate = {-1 / stay_},
+                .internal_rate_by_gap = {0},
+                .internal_rate_by_gap_rate = {0},
+                .internal_rate_by_internal = {0}};
+  }
+
+private:
+  static contact::Mode mode(const std::string &name, int target, double stay) {
+    return {.name = name,
+            .in_contact = target == 0,
+            .guards = {{.indicator = {.internal = {1}}, .target = target, .reset = {{1.0}}}},
+            .affine = contact::AffineLaw{.force = {}, .internal_rate = {{-1 / stay}}}};
+  }
+  double stay_;
+};
+
+// Of a mass at 1 krad/s: stays of 1 ns would take a thousand million changes for a second, and end
+// the motion; those of 2 us are legitimate.
+TEST(IndeterminateModesEndTest, StaysFarBelowTheShortestTimeConstantEndTheMotion) {
+  const auto run = [](double stay, double end) {
+    Model model({single_mass("block", 1, 1e6, 0)});
+    const auto law = std::make_shared<Flickering>(stay);
+    const ContactSet contacts({contact_along_x(model, "block.head", "", 1, law)});
+    Settings settings;
+    settings.maximum_events = 100'000;
+    Trajectory trajectory(model, contacts, settings);
+    trajectory.start(0, Vector::Constant(1, 0.1), Vector::Zero(1));
+    trajectory.advance(end);
+    return trajectory.accuracy().events;
+  };
+  try {
+    run(1e-9, 1);
+    ADD_FAILURE() << "the motion has an end";
+  } catch (const NumericalError &error) {
+    EXPECT_NE(std::string(error.what()).find("hardly advances"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("flickering"), std::string::npos) << error.what();
+  }
+  EXPECT_NEAR(static_cast<double>(run(2e-6, 0.05)), 25'000, 1);
 }
 
 } // namespace indeterminate_modes_tests

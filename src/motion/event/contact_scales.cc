@@ -8,6 +8,8 @@ namespace vibroimpact::motion {
 
 namespace {
 constexpr double rounding_factor = 64 * std::numeric_limits<double>::epsilon();
+// Of the integration. No bound but found by trial: it must lie above the error that integration
+// leaves of what is held, and below any gap that matters (tests/motion/scaled_models.cc).
 constexpr double share = 1e-11;
 } // namespace
 

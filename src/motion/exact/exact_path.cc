@@ -35,9 +35,11 @@ const contact::AffineForm &indicator(const Equations &equations, const PhaseGuar
 
 } // namespace
 
-ExactPath::ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings)
-    : equations_(equations), exact_phases_(phases), kernel_(kernel()),
-      event_tolerance_(settings.event_tolerance), tolerance_(settings.relative_tolerance),
+ExactPath::ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings,
+                     StallBound &progress, Accuracy &counts)
+    : equations_(equations), exact_phases_(phases), progress_(progress), counts_(counts),
+      kernel_(kernel()), event_tolerance_(settings.event_tolerance),
+      tolerance_(settings.relative_tolerance),
       longest_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()),
       contact_steps_(equations, settings.relative_tolerance),
@@ -49,13 +51,6 @@ void ExactPath::begin() {
   walk_.pieces = 0;
   last_event_ = -std::numeric_limits<double>::infinity();
   exact_phases_.forget();
-}
-
-std::size_t ExactPath::WholeContactPart::bytes() const {
-  std::size_t sum = contact->bytes() + (work ? work->bytes() : 0);
-  for (const auto *part : {&monitored, &monitored_before})
-    sum += *part ? (*part)->outputs->bytes() : 0;
-  return sum;
 }
 
 std::size_t ExactPath::Transition::bytes() const {
@@ -184,21 +179,20 @@ bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
   walk_.turned = turned_.data();
   walk_.magnitudes = magnitudes_.data();
   walk_.reach = reach_.data();
-  const PhaseView &view = known.view();
-  noise_.assign(static_cast<std::size_t>(view.n_guards), 0);
-  order_.assign(static_cast<std::size_t>(view.n_guards), 0);
-  kernel_.guard_noise(view, rounding_.data(), noise_.data());
-  const std::vector<PhaseGuard> &guards = known.guards();
-  for (std::size_t g = 0; g < guards.size(); ++g) {
-    const bool was_zero = std::any_of(zero.begin(), zero.end(), [&](const ZeroGuard &passed) {
-      return passed.contact == guards[g].contact && passed.guard == guards[g].guard;
+  const auto was_zero = [&](std::size_t g) {
+    return std::any_of(zero.begin(), zero.end(), [&](const ZeroGuard &passed) {
+      return passed.contact == known.guards()[g].contact && passed.guard == known.guards()[g].guard;
     });
-    double f[4];
-    kernel_.derivatives(view, static_cast<int>(g), walk_.amplitudes, f);
-    if (was_zero ? !(f[1] > 0) : !(f[0] > hidden(view, g, walk_.amplitudes)))
+  };
+  const auto known_to = [&](std::size_t g, const double * /*f*/) {
+    return was_zero(g) ? std::numeric_limits<double>::infinity()
+                       : hidden(known.view(), g, amplitudes_.data());
+  };
+  if (!begin_guards(known, {}, amplitudes_, rounding_, std::ref(known_to)))
+    return false;
+  for (std::size_t g = 0; g < order_.size(); ++g)
+    if (order_[g] > 0 && !was_zero(g))
       return false;
-    order_[g] = was_zero ? 1 : 0;
-  }
   changes_ = 0;
   origin_ = time;
   start_walk(known);
@@ -287,7 +281,7 @@ void ExactPath::show_steps(double time, const double *amplitudes) {
     work.add(step_start_.data(), step_end_.data(), to - from, end_point_.state);
     segment.fill(to, step_end_.data(), end_point_);
     observer_->steps->step(StepView(equations_, start_point_, end_point_));
-    ++tally_.steps_shown;
+    ++counts_.steps;
     std::swap(start_point_, end_point_);
     step_start_.swap(step_end_);
   }
@@ -307,27 +301,22 @@ void ExactPath::report_change(double time) {
   observer_->change(time, passed.contact, passed.guard, state_);
 }
 
-// The new phase's guards of the contact that changed may be zero, and must rise then; what those of
-// other contacts do, the kernel sees.
-bool ExactPath::begin_guards(const Transition &transition, std::size_t passed) {
-  const KnownPhase &target = *transition.target;
-  const PhaseView &view = target.view();
-  const double tolerance = time_tolerance(origin_);
-  const double residual = std::abs(walk_.value / walk_.slope);
-  const std::vector<PhaseGuard> &guards = target.guards();
-  const std::size_t contact = known_->guards()[passed].contact;
+// Guards of the contact that changed, or of all, may be zero in the phase to come and must rise
+// then; what those of other contacts do, the kernel sees. False: one falls at once.
+bool ExactPath::begin_guards(const KnownPhase &phase, std::optional<std::size_t> contact,
+                             const Amplitudes &amplitudes, const AlignedArray &rounding,
+                             const KnownTo &known_to) {
+  const std::vector<PhaseGuard> &guards = phase.guards();
   noise_.resize(guards.size());
   order_.assign(guards.size(), 0);
-  kernel_.guard_noise(view, next_rounding_.data(), noise_.data());
+  kernel_.guard_noise(phase.view(), rounding.data(), noise_.data());
   for (std::size_t g = 0; g < guards.size(); ++g) {
-    if (guards[g].contact != contact)
+    if (contact && guards[g].contact != *contact)
       continue;
     double f[4];
-    kernel_.derivatives(view, static_cast<int>(g), next_.data(), f);
-    const double noise =
-        std::max({hidden(view, g, next_.data()), 2 * std::max(tolerance, residual) * std::abs(f[1]),
-                  transition.proportion[g] * std::abs(walk_.value)});
-    if (f[0] < -noise || (f[0] <= noise && f[1] <= 0))
+    kernel_.derivatives(phase.view(), static_cast<int>(g), amplitudes.data(), f);
+    const double noise = known_to(g, f);
+    if (f[0] < -noise || (f[0] <= noise && !(f[1] > 0)))
       return false;
     order_[g] = f[0] <= noise ? 1 : 0;
   }
@@ -351,7 +340,7 @@ void ExactPath::renew_inputs(const ExactPhase &phase, double time, double *ampli
 bool ExactPath::change_phase(double limit, long &most_events) {
   const double time = origin_ + walk_.time + walk_.to_guard;
   const auto passed = static_cast<std::size_t>(walk_.guard);
-  if (time - last_event_ <= time_tolerance(time))
+  if (time - last_event_ <= time_tolerance(time) || progress_.slow())
     return false;
   Transition *next = transition(passed);
   if (!next) {
@@ -366,14 +355,24 @@ bool ExactPath::change_phase(double limit, long &most_events) {
   kernel_.change(next->change->view(), walk_.turned, next_.data(), next_rounding_.data());
   renew_inputs(next->target->phase(), time, next_.data());
   note_residual();
-  if (!begin_guards(*next, passed)) {
+  const double uncertain =
+      2 * std::max(time_tolerance(origin_), std::abs(walk_.value / walk_.slope));
+  const auto known_to = [&](std::size_t g, const double *f) {
+    return std::max({hidden(next->target->view(), g, next_.data()), uncertain * std::abs(f[1]),
+                     next->proportion[g] * std::abs(walk_.value)});
+  };
+  if (!begin_guards(*next->target, known_->guards()[passed].contact, next_, next_rounding_,
+                    std::ref(known_to))) {
     kernel_.guard_noise(known_->view(), rounding_.data(), noise_.data());
     running_ = false;
     return false;
   }
+  progress_.note(known_->guards()[passed].contact, time, known_->view().fastest,
+                 time_tolerance(time));
   if (observer_)
     report_change(time);
-  ++tally_.events;
+  else
+    ++counts_.events;
   last_event_ = origin_ = time;
   std::swap(rounding_, next_rounding_);
   double *const before = walk_.amplitudes;
@@ -397,10 +396,10 @@ void ExactPath::note_pending(StepReason reason) {
 // Zero where the guard is below the rounding of its own evaluation: no instant is closer.
 void ExactPath::note_residual() {
   const double residual = std::abs(walk_.value / walk_.slope);
-  if (residual > tally_.event_residual &&
+  if (residual > counts_.event_residual &&
       std::abs(walk_.value) >
           hidden(known_->view(), static_cast<std::size_t>(walk_.guard), walk_.turned))
-    tally_.event_residual = residual;
+    counts_.event_residual = residual;
 }
 
 // Where nobody observes, the equations need the modes of the last phase only.
@@ -428,8 +427,8 @@ bool ExactPath::advance(double &time, const Vector &state, double limit, long mo
     const long undecided = walk_.undecided;
     const double until = std::min(limit, part_limit_);
     end = kernel_.advance(known_->view(), walk_, until - origin_);
-    tally_.pieces += walk_.pieces - before;
-    tally_.undecided += walk_.undecided - undecided;
+    counts_.steps += walk_.pieces - before;
+    counts_.undecided_events += walk_.undecided - undecided;
     leave_if_stopped();
     if (end == WalkEnd::limit && until < limit)
       part_the_phase(until);
@@ -442,7 +441,5 @@ bool ExactPath::advance(double &time, const Vector &state, double limit, long mo
   stand(time, pending_ ? walk_.turned : walk_.amplitudes);
   return time > from;
 }
-
-ExactPath::Tally ExactPath::take_tally() { return std::exchange(tally_, {}); }
 
 } // namespace vibroimpact::motion

@@ -9,6 +9,7 @@
 // (collocation/), from which it goes on in the phase before.
 #pragma once
 
+#include "motion/accuracy.h"
 #include "motion/collocation/contact_outputs.h"
 #include "motion/collocation/contact_steps.h"
 #include "motion/event/zero_guard.h"
@@ -16,6 +17,7 @@
 #include "motion/exact/exact_outputs.h"
 #include "motion/exact/exact_phases.h"
 #include "motion/observer.h"
+#include "motion/stall.h"
 
 #include <functional>
 #include <map>
@@ -38,17 +40,9 @@ struct PathObserver {
 
 class ExactPath {
 public:
-  struct Tally {
-    long pieces = 0;
-    long steps_shown = 0;
-    long events = 0;
-    long whole_contacts = 0;   ///< solved as a whole
-    long undecided = 0;        ///< touches that rounding hides
-    double event_residual = 0; ///< largest uncertainty of an event's instant [s]
-  };
-
   /// Keeps references.
-  ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings);
+  ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings,
+            StallBound &progress, Accuracy &counts);
 
   /// Another motion begins, which must not depend on those before; the excitation may be another.
   void begin();
@@ -75,8 +69,6 @@ public:
   const std::optional<PendingChange> &pending() const { return pending_; }
   /// False: nothing can be proven from where the motion stands, and a step must find out.
   bool clear() const { return running_ || pending_; }
-  /// Since the last call.
-  Tally take_tally();
   double last_event() const { return last_event_; }
 
 private:
@@ -150,12 +142,15 @@ private:
   std::optional<StepReason> pass_contact(double time, std::size_t passed, double limit);
   Transition *phase_behind(std::size_t passed, const PhaseContact &contact);
   bool enter_behind(Transition *behind, const PhaseContact &contact);
-  bool parts(const PhaseContact &contact, KnownPhase &behind, const double *amplitudes);
   void report_contact(WholeContactPart &part, double time);
   void monitor_contact(WholeContactPart &part, double time);
   ContactOutputs &outputs_of(WholeContactPart &part);
   void renew_inputs(const ExactPhase &phase, double time, double *amplitudes);
-  bool begin_guards(const Transition &transition, std::size_t passed);
+  /// Of a guard in the phase to come, by its derivatives there: what its value is known to.
+  using KnownTo = std::function<double(std::size_t guard, const double *derivatives)>;
+  bool begin_guards(const KnownPhase &phase, std::optional<std::size_t> contact,
+                    const Amplitudes &amplitudes, const AlignedArray &rounding,
+                    const KnownTo &known_to);
   double hidden(const PhaseView &view, std::size_t guard, const double *amplitudes) const;
   double time_tolerance(double time) const;
   void note_pending(StepReason reason);
@@ -164,6 +159,8 @@ private:
 
   Equations &equations_;
   ExactPhases &exact_phases_;
+  StallBound &progress_;
+  Accuracy &counts_;
   const Kernel &kernel_;
   double event_tolerance_, tolerance_, longest_step_;
   ContactSteps contact_steps_;
@@ -179,7 +176,6 @@ private:
   double last_event_;
   bool running_ = false;
   std::optional<PendingChange> pending_;
-  Tally tally_;
   const PathObserver *observer_ = nullptr; ///< of the present call
   Vector state_;
   Amplitudes start_;             ///< when the walk began

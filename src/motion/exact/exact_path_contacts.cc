@@ -13,6 +13,13 @@ constexpr double shortest = 16;
 
 } // namespace
 
+std::size_t ExactPath::WholeContactPart::bytes() const {
+  std::size_t sum = contact->bytes() + (work ? work->bytes() : 0);
+  for (const auto *part : {&monitored, &monitored_before})
+    sum += *part ? (*part)->outputs->bytes() : 0;
+  return sum;
+}
+
 // What a contact that begins at a guard of the present phase is solved by; nullptr: it is left to
 // others.
 ExactPath::WholeContactPart *ExactPath::contact_beyond(std::size_t guard) {
@@ -49,43 +56,28 @@ ExactPath::Transition *ExactPath::phase_behind(std::size_t passed, const PhaseCo
   return behind.get();
 }
 
-// To the amplitudes behind the contact. False: it does not end there.
+// To the amplitudes behind the contact. False: it does not end there. One of its guards is zero
+// within the error of the instant, and rises; the others are positive.
 bool ExactPath::enter_behind(Transition *behind, const PhaseContact &contact) {
   next_rounding_.assign(next_rounding_.size(), 0);
   contact.add_rounding(next_rounding_.data());
-  if (!behind) {
+  if (behind)
+    kernel_.change(behind->change->view(), contact.after().data(), next_.data(),
+                   next_rounding_.data());
+  else
     std::copy(contact.after().begin(), contact.after().end(), next_.begin());
-    return parts(contact, *known_, next_.data());
-  }
-  kernel_.change(behind->change->view(), contact.after().data(), next_.data(),
-                 next_rounding_.data());
-  return parts(contact, *behind->target, next_.data());
-}
-
-// One of its guards is zero within the error of the instant, and rises; the others are positive.
-bool ExactPath::parts(const PhaseContact &contact, KnownPhase &behind, const double *amplitudes) {
-  const PhaseView &view = behind.view();
-  const std::vector<PhaseGuard> &guards = behind.guards();
-  noise_.resize(guards.size());
-  kernel_.guard_noise(view, next_rounding_.data(), noise_.data());
-  order_.assign(guards.size(), 0);
+  const KnownPhase &phase = behind ? *behind->target : *known_;
   const double instant = std::max(time_tolerance(origin_), tolerance_ * contact.duration());
   bool rises = false;
-  for (std::size_t g = 0; g < guards.size(); ++g) {
-    if (guards[g].contact != contact.contact())
-      continue;
-    double f[4];
-    kernel_.derivatives(view, static_cast<int>(g), amplitudes, f);
-    const double noise = hidden(view, g, amplitudes) + 2 * instant * std::abs(f[1]);
-    if (f[0] < -noise || (f[0] <= noise && !(f[1] > 0)))
-      return false;
-    if (f[0] > noise)
-      continue;
-    rises = true;
-    tally_.event_residual = std::max(tally_.event_residual, std::abs(f[0]) / f[1]);
-    order_[g] = 1;
-  }
-  return rises;
+  const auto known_to = [&](std::size_t g, const double *f) {
+    const double noise = hidden(phase.view(), g, next_.data()) + 2 * instant * std::abs(f[1]);
+    if (std::abs(f[0]) <= noise && f[1] > 0) {
+      rises = true;
+      counts_.event_residual = std::max(counts_.event_residual, std::abs(f[0]) / f[1]);
+    }
+    return noise;
+  };
+  return begin_guards(phase, contact.contact(), next_, next_rounding_, std::ref(known_to)) && rises;
 }
 
 // The forms are those of the monitor in the modes of the contact.
@@ -129,7 +121,7 @@ void ExactPath::report_contact(WholeContactPart &part, double time) {
       observer_->steps || (observer_->monitor && !(observer_->monitor->takes_contacts() &&
                                                    ContactOutputs::possible(contact)));
   if (in_steps)
-    tally_.steps_shown +=
+    counts_.steps +=
         contact_steps_.show(contact, time, observer_->integrals ? part.work.get() : nullptr, state_,
                             *observer_->everyone);
   else
@@ -160,11 +152,13 @@ std::optional<StepReason> ExactPath::pass_contact(double time, std::size_t passe
   }
   const double end = time + contact->duration();
   note_residual();
+  progress_.note(contact->contact(), end, 0, time_tolerance(end));
   if (observer_)
     report_contact(*part, time);
-  ++tally_.pieces;
-  tally_.events += 2;
-  ++tally_.whole_contacts;
+  else
+    counts_.events += 2;
+  ++counts_.steps;
+  ++counts_.whole_contacts;
   last_event_ = origin_ = end;
   std::swap(rounding_, next_rounding_);
   KnownPhase &next = behind ? *behind->target : *known_;

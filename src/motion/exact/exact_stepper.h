@@ -27,6 +27,7 @@ public:
   void accept(bool keep_work) override;
   const GuardCurves *guard_curves() override;
   bool exact() const override { return true; }
+  double fastest() const override { return phase_ ? phase_->phase().view().fastest : 0; }
 
   /// The motion was moved on by somebody else.
   void place(double time, const Vector &x);

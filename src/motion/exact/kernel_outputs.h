@@ -24,6 +24,9 @@
 namespace vibroimpact::motion {
 namespace {
 
+// The largest values of t^3 (1 - t)^3 / 720 and of its first two derivatives on [0, 1], at t = 1/2,
+// t (1 - t) = 1/5 and t = 1/2. Of a two-point Hermite interpolant these bound the errors of the
+// derivatives too (Birkhoff and Priver 1967).
 constexpr double value_error = 1.0 / 46080;
 constexpr double slope_error = 2.23606797749979 / 30000;
 constexpr double curvature_error = 1.0 / 1920;

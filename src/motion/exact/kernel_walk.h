@@ -403,8 +403,10 @@ private:
     double zone = error_there;
     for (int i = 0; i < w_.order[g]; ++i)
       zone *= zero.tau;
-    // Where rounding is most of E no shorter piece proves more: the sign changes once, within |f|
-    // <= E.
+    // On either side of t the guard moves by f'^2 / (2 M) before its slope can vanish, M bounding
+    // |f''|. Where that is more than 2 E, beyond which the sign is that of the polynomial, the
+    // guard changes its sign once: f'^2 > 4 M E, and twice that leaves room for rounding. Where
+    // rounding is most of E no shorter piece proves more: the sign changes once, within |f| <= E.
     if (!(f[1] < 0) ||
         (!zero.proven && !(f[1] * f[1] > 8 * second * zone) && !by_rounding(l, zero)))
       return Step::unclear;

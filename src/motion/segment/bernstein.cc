@@ -192,6 +192,8 @@ int Bernstein::sign_after_start() const {
   return 0;
 }
 
+// As many zeros in (0, 1) as that, or fewer by an even number: with x = tau / (1 - tau) the
+// polynomial is (1 - tau)^n times sum C(n, i) b_i x^i, for which Descartes' rule of signs says so.
 int Bernstein::sign_changes() const {
   int changes = 0;
   double last = 0;

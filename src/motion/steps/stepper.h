@@ -39,6 +39,9 @@ public:
   /// True when steps have no error but rounding.
   virtual bool exact() const { return false; }
 
+  /// Largest |exponent| of a linear phase [1/s]; 0: not known.
+  virtual double fastest() const { return 0; }
+
   double time() const { return end_.time; }
   double previous_time() const { return start_.time; }
   const Vector &state() const { return end_.state; }
