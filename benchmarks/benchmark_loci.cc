@@ -4,7 +4,7 @@
 //   benchmark_loci [repetitions]
 //
 // Exit code 1 when the two curves disagree; how fast anything is decides nothing.
-#include "analyses/keyed_map.h"
+#include "analyses/keys/keyed_map.h"
 #include "common/error.h"
 #include "continuation/locus.h"
 #include "fold_by_hand.h"

@@ -3,7 +3,7 @@
 //   benchmark_periodic [repetitions]
 //
 // Exit code 1 when motions, multipliers or cells disagree; how fast anything is decides nothing.
-#include "analyses/basin_search.h"
+#include "analyses/basins/basin_search.h"
 #include "beam_case.h"
 #include "common/error.h"
 #include "isolator_case.h"

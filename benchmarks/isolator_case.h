@@ -2,7 +2,7 @@
 // equations of both sides of a comparison.
 #pragma once
 
-#include "analyses/system.h"
+#include "analyses/run/system.h"
 #include "equations_by_hand.h"
 
 namespace vibroimpact::benchmarks {

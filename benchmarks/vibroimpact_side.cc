@@ -1,7 +1,7 @@
 #include "vibroimpact_side.h"
 
 #include "analyses/recorders/extreme_values.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 
 #include <memory>
 #include <utility>

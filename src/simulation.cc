@@ -1,8 +1,8 @@
 #include "simulation.h"
 
-#include "analyses/case_table.h"
-#include "analyses/constants.h"
 #include "analyses/design/measured_data.h"
+#include "analyses/run/case_table.h"
+#include "analyses/run/constants.h"
 #include "common/error.h"
 #include "common/log.h"
 #include "common/petsc_stage.h"

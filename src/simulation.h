@@ -1,7 +1,7 @@
 // Owns the stages of a run in the order data flows; alone sees every folder.
 #pragma once
 
-#include "analyses/cost.h"
+#include "analyses/run/cost.h"
 #include "contact/truncation.h"
 #include "derived/derived_quantities.h"
 #include "derived/repeated_analysis.h"

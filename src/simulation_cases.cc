@@ -1,5 +1,5 @@
 // The cases of analyses: what they run on, and how the analyses that they evaluate are repeated.
-#include "analyses/constants.h"
+#include "analyses/run/constants.h"
 #include "simulation.h"
 
 namespace vibroimpact {

@@ -1,6 +1,6 @@
 // What a file asks for that no run could do, or that would end in years: refused before anything
 // runs.
-#include "analyses/constants.h"
+#include "analyses/run/constants.h"
 #include "common/error.h"
 #include "reduction/body_file.h"
 #include "simulation.h"

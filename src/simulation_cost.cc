@@ -1,5 +1,5 @@
 // What a file would cost, without running it.
-#include "analyses/constants.h"
+#include "analyses/run/constants.h"
 #include "common/log.h"
 #include "common/memory.h"
 #include "common/work_limit.h"

@@ -5,7 +5,7 @@
 // may carry a state on. A new analysis is one file pair and one line in analyses.cc.
 #pragma once
 
-#include "analyses/system.h"
+#include "analyses/run/system.h"
 #include "common/result_sink.h"
 #include "common/signals.h"
 #include "common/step_record.h"

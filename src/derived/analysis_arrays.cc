@@ -1,6 +1,6 @@
 #include "derived/analysis_arrays.h"
 
-#include "analyses/stacked_points.h"
+#include "analyses/results/stacked_points.h"
 
 #include <algorithm>
 #include <limits>

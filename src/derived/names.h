@@ -1,7 +1,7 @@
 // The names by which a parameter file may call the axes of an analysis.
 #pragma once
 
-#include "analyses/grid.h"
+#include "analyses/run/grid.h"
 #include "common/result_sink.h"
 
 #include <string>

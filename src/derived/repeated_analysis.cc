@@ -1,7 +1,7 @@
 #include "derived/repeated_analysis.h"
 
-#include "analyses/fields.h"
-#include "analyses/grid_line.h"
+#include "analyses/results/fields.h"
+#include "analyses/run/grid_line.h"
 #include "common/error.h"
 #include "common/signals.h"
 #include "common/work_limit.h"

@@ -3,7 +3,7 @@
 // these.
 #pragma once
 
-#include "analyses/runner.h"
+#include "analyses/run/runner.h"
 
 #include <functional>
 #include <string>

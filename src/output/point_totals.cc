@@ -1,7 +1,7 @@
 #include "output/point_totals.h"
 
-#include "analyses/fields.h"
-#include "analyses/orbit_fields.h"
+#include "analyses/curves/orbit_fields.h"
+#include "analyses/results/fields.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 // grazes only, as long as both motions begin at the same section phase.
 #pragma once
 
-#include "motion/observer.h"
+#include "motion/interval/observer.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // A model under forcing that repeats itself after one period T, and its motions.
 #pragma once
 
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "motion/variation/key_tangent.h"
 
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/contact_set.h"
-#include "motion/observer.h"
+#include "motion/interval/observer.h"
 
 #include <map>
 #include <optional>

@@ -1,6 +1,6 @@
 // Harmonic balance as an analysis: folds of the isolator over the frequency and over another key,
 // the linear part in closed form, and motions that a guess finds.
-#include "analyses/balance_branch.h"
+#include "analyses/curves/balance_branch.h"
 
 #include "support/isolator.h"
 

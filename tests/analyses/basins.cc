@@ -1,5 +1,5 @@
 // What the lines of a basin have in common is made once.
-#include "analyses/basins.h"
+#include "analyses/basins/basins.h"
 
 #include "contact/laws/bilinear_stop.h"
 #include "support/points.h"

@@ -1,8 +1,8 @@
 // Estimates of cost of analyses made by hand, whose points take a known processor time. Both sides
 // read the same clock, so that a busy machine changes nothing.
-#include "analyses/cost.h"
+#include "analyses/run/cost.h"
 
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
 #include "common/work_limit.h"
 #include "support/recorded_windows.h"
 

@@ -1,5 +1,5 @@
 // The share of curves that is done, from where their key is.
-#include "analyses/curve_progress.h"
+#include "analyses/curves/curve_progress.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Transforms and order amplitudes against signals whose Fourier series are known.
-#include "analyses/character/fourier.h"
+#include "analyses/signals/fourier.h"
 
-#include "analyses/character/order_integrals.h"
+#include "analyses/signals/order_integrals.h"
 
 #include <gtest/gtest.h>
 

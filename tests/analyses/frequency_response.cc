@@ -1,5 +1,5 @@
 // The mass on a spring and two coupled masses, in closed form.
-#include "analyses/frequency_response.h"
+#include "analyses/sweeps/frequency_response.h"
 
 #include "common/error.h"
 #include "support/lumped_models.h"

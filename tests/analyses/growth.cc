@@ -1,5 +1,5 @@
 // Mean growth of a deviation and its error, for logarithms whose means are plain.
-#include "analyses/character/growth.h"
+#include "analyses/signals/growth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Impacts of two free spheres, whose restitution and approach speed are known beforehand.
-#include "analyses/identify.h"
+#include "analyses/identification/identify.h"
 
 #include "common/error.h"
 #include "contact/laws/hertz.h"

@@ -1,5 +1,5 @@
 // Responses given as formulas: which of them jump, and where.
-#include "analyses/jump_search.h"
+#include "analyses/sweeps/jump_search.h"
 
 #include <gtest/gtest.h>
 

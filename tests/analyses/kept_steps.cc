@@ -1,5 +1,5 @@
 // Steps towards a point on their way to the sink and back.
-#include "analyses/kept_steps.h"
+#include "analyses/run/kept_steps.h"
 
 #include "common/signals.h"
 

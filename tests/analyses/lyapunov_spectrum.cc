@@ -1,6 +1,6 @@
 // All Lyapunov exponents of motions with known answers, and their sum against the divergence.
 #include "analyses/recorders/lyapunov.h"
-#include "analyses/window_recording.h"
+#include "analyses/recorders/window_recording.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/laws/newton_restitution.h"

@@ -1,8 +1,8 @@
 // Branches of periodic motions as an analysis: the S-curve of the isolator with its folds, against
 // an independent shooting solver, and a linear vibration in closed form.
-#include "analyses/orbit_branch.h"
+#include "analyses/curves/orbit_branch.h"
 
-#include "analyses/keyed_map.h"
+#include "analyses/keys/keyed_map.h"
 #include "common/error.h"
 #include "support/isolator.h"
 

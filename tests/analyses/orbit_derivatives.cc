@@ -1,8 +1,8 @@
 // Derivatives of periodic motions by keys: against closed forms, against differences of motions
 // that are found anew, and against the variational equations up to the instant of an extreme value.
-#include "analyses/orbit_derivatives.h"
-#include "analyses/key_neighbours.h"
-#include "analyses/periodic_orbit.h"
+#include "analyses/derivatives/orbit_derivatives.h"
+#include "analyses/curves/periodic_orbit.h"
+#include "analyses/keys/key_neighbours.h"
 
 #include "common/error.h"
 #include "contact/laws/bilinear_stop.h"

@@ -1,8 +1,8 @@
 // Loci of special points in two keys as an analysis: the cusp of the isolator's folds, and its
 // first touches in closed form.
-#include "analyses/orbit_locus.h"
+#include "analyses/curves/orbit_locus.h"
 
-#include "analyses/locus_follower.h"
+#include "analyses/curves/locus_follower.h"
 #include "support/isolator.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // Derivatives of what is recorded of periodic motions, against differences of periodic motions that
 // are found anew in tight tolerance: for every law, for impacts and rest without overlap, for a
 // stop that a moving base carries, and where neighbouring motions have other contact changes.
-#include "analyses/key_neighbours.h"
-#include "analyses/orbit_derivatives.h"
-#include "analyses/periodic_orbit.h"
-#include "analyses/tangents/measure_tangents.h"
+#include "analyses/curves/periodic_orbit.h"
+#include "analyses/derivatives/measure_tangents.h"
+#include "analyses/derivatives/orbit_derivatives.h"
+#include "analyses/keys/key_neighbours.h"
 
 #include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hertz.h"

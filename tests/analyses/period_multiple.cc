@@ -1,5 +1,5 @@
 // After how many periods a sequence of states repeats that has come near to a periodic one.
-#include "analyses/steadiness.h"
+#include "analyses/sweeps/steadiness.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Periodic orbits as an analysis: stable and unstable motions of the isolator, recorded over one
 // period, against an independent shooting solver and closed forms.
-#include "analyses/periodic_orbit.h"
+#include "analyses/curves/periodic_orbit.h"
 
-#include "analyses/fields.h"
-#include "analyses/orbit_fields.h"
+#include "analyses/curves/orbit_fields.h"
+#include "analyses/results/fields.h"
 
 #include "common/error.h"
 #include "contact/laws/bilinear_stop.h"

@@ -1,7 +1,7 @@
 // All recorders together: no two of them give a result the same name, and none gives a result the
 // name of a group of others, which no HDF5 file could hold.
-#include "analyses/observables.h"
-#include "analyses/recorders.h"
+#include "analyses/recorders/observables.h"
+#include "analyses/recorders/recorders.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "support/recorded_windows.h"

@@ -1,5 +1,5 @@
 // One set of recorders serves all points of a sweep: what it saw of one must not show in the next.
-#include "analyses/recorders.h"
+#include "analyses/recorders/recorders.h"
 #include "contact/laws/linear_penalty.h"
 #include "support/recorded_windows.h"
 

@@ -1,6 +1,6 @@
 // What recorders tell of a linear oscillator in its steady motion, in closed form: extreme values,
 // averages, works, forces, and which of them are stored.
-#include "analyses/recorders.h"
+#include "analyses/recorders/recorders.h"
 
 #include "analyses/recorders/energy.h"
 #include "analyses/recorders/extreme_values.h"

@@ -1,10 +1,10 @@
 // Lyapunov exponent, regime, sections and spectra of motions with known answers.
-#include "analyses/character/zeros.h"
 #include "analyses/recorders/lyapunov.h"
 #include "analyses/recorders/regime.h"
 #include "analyses/recorders/section.h"
 #include "analyses/recorders/spectrum.h"
-#include "analyses/window_recording.h"
+#include "analyses/recorders/window_recording.h"
+#include "analyses/signals/zeros.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
 #include "support/lumped_models.h"

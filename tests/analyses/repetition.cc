@@ -1,7 +1,7 @@
 // Regimes of sequences made by hand.
-#include "analyses/character/repetition.h"
+#include "analyses/signals/repetition.h"
 
-#include "analyses/character/growth.h"
+#include "analyses/signals/growth.h"
 
 #include <gtest/gtest.h>
 

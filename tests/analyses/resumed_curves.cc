@@ -1,8 +1,8 @@
 // Branches, loci and harmonic balances that go on from the steps of a run that was killed: the same
 // numbers, and only the rest computed.
-#include "analyses/balance_branch.h"
-#include "analyses/orbit_branch.h"
-#include "analyses/orbit_locus.h"
+#include "analyses/curves/balance_branch.h"
+#include "analyses/curves/orbit_branch.h"
+#include "analyses/curves/orbit_locus.h"
 #include "support/isolator.h"
 #include "support/steps_in_memory.h"
 

@@ -1,5 +1,5 @@
 // When settling ends, on motions that never repeat and motions that do.
-#include "analyses/settling.h"
+#include "analyses/sweeps/settling.h"
 #include "support/recorded_windows.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Settling by Newton's method: where it leads, and where it must not.
-#include "analyses/settling.h"
+#include "analyses/sweeps/settling.h"
 
-#include "analyses/steadiness.h"
+#include "analyses/sweeps/steadiness.h"
 #include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/linear_penalty.h"

@@ -1,6 +1,6 @@
 // Results as they are written: names below paths and in the summary; points as arrays, whose ragged
 // inner dimensions and missing fields become NaN.
-#include "analyses/stacked_points.h"
+#include "analyses/results/stacked_points.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // When a motion counts as steady, on sequences of states whose distance to their limit is known.
-#include "analyses/steadiness.h"
+#include "analyses/sweeps/steadiness.h"
 
 #include "contact/laws/hunt_crossley.h"
 #include "support/rigid_contacts.h"

@@ -1,5 +1,5 @@
 // One motion that settles and is recorded: by cycles, by time, and what it needs for that.
-#include "analyses/steady_state.h"
+#include "analyses/sweeps/steady_state.h"
 
 #include "common/error.h"
 #include "support/recorded_windows.h"

@@ -1,7 +1,7 @@
 // The isolator with a damped elastic stop, y'' + h(y') + g(y) = f sin(lambda t): outside |y| = 1
 // the stop adds stiffness mu and damping. Folds of its response from shooting with saltation
 // (independent of this program): lambda = 1.231279272 and 1.362748253 for f = 0.52, mu = 2.
-#include "analyses/stepped_sweep.h"
+#include "analyses/sweeps/stepped_sweep.h"
 
 #include "common/error.h"
 #include "contact/laws/bilinear_stop.h"

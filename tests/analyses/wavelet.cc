@@ -1,5 +1,5 @@
 // The wavelet transform on sines and on a swept sine.
-#include "analyses/character/wavelet.h"
+#include "analyses/signals/wavelet.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // A mass on a stop that may pull is a damped oscillator for half a damped period.
 #include "contact/laws/bilinear_stop.h"
 #include "motion/event/impact_log.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/law_checks.h"
 #include "support/lumped_models.h"
 

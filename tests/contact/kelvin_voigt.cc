@@ -1,7 +1,7 @@
 // A mass on a Kelvin-Voigt stop has a closed form for speed, duration of the force, and loss.
 #include "contact/laws/kelvin_voigt.h"
 #include "motion/event/impact_log.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/law_checks.h"
 #include "support/lumped_models.h"
 

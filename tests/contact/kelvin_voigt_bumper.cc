@@ -1,8 +1,8 @@
 // A stop with a compression of its own: pushed in, let go, hit again before it has recovered.
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "motion/event/impact_log.h"
+#include "motion/path/trajectory.h"
 #include "motion/system/equilibrium.h"
-#include "motion/trajectory.h"
 #include "support/law_checks.h"
 #include "support/rigid_contacts.h"
 

@@ -1,7 +1,7 @@
 // Viscoelastic spheres: small losses against a quadrature, scaling with speed, no tension.
 #include "contact/laws/kuwabara_kono.h"
 #include "motion/event/impact_log.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/law_checks.h"
 #include "support/lumped_models.h"
 

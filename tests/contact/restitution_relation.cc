@@ -3,7 +3,7 @@
 #include "contact/restitution_relation.h"
 #include "contact/laws/hunt_crossley.h"
 #include "motion/event/impact_log.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>

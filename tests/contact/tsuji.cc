@@ -1,7 +1,7 @@
 // Restitution of the Tsuji law: the same at every speed, and the one its damping promises.
 #include "contact/laws/tsuji.h"
 #include "motion/event/impact_log.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/law_checks.h"
 #include "support/lumped_models.h"
 

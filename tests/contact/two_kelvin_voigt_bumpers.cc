@@ -4,7 +4,7 @@
 // amplitude are 1.
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "motion/event/impact_log.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>

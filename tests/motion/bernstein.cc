@@ -1,5 +1,5 @@
 // Dense output polynomials: interpolation, safe isolation of falls through zero, extrema.
-#include "motion/segment/bernstein.h"
+#include "motion/interval/bernstein.h"
 
 #include <gtest/gtest.h>
 

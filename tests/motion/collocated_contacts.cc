@@ -5,9 +5,9 @@
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/tsuji.h"
-#include "motion/collocation/contact_steps.h"
+#include "motion/episode/contact_steps.h"
 #include "motion/event/impact_log.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kuwabara_kono.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>

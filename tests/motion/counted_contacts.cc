@@ -1,7 +1,7 @@
 // How many nonlinear contacts were solved as a whole, and why the others were not.
 #include "contact/laws/hertz.h"
 #include "contact/laws/kelvin_voigt.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/rigid_contacts.h"
 
 #include <gtest/gtest.h>

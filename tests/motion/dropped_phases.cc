@@ -5,8 +5,8 @@
 #include "contact/laws/linear_penalty.h"
 #include "model/recorded_history.h"
 #include "motion/event/impact_log.h"
-#include "motion/exact/exact_phases.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
+#include "motion/phase/exact_phases.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "model/piecewise_function.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>

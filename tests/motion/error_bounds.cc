@@ -1,9 +1,9 @@
 // Bounds and estimates of errors against the errors they stand for.
 #include "contact/laws/linear_penalty.h"
-#include "motion/exact/exact_stepper.h"
+#include "motion/path/exact_stepper.h"
+#include "motion/path/trajectory.h"
 #include "motion/steps/error_measure.h"
 #include "motion/steps/high_order_stepper.h"
-#include "motion/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>

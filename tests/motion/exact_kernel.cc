@@ -1,6 +1,6 @@
 // Sums of decaying, growing and oscillating exponentials: the first zero is found, none is passed.
 #include "exponential_sums.h"
-#include "motion/exact/interpolation.h"
+#include "motion/kernel/interpolation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Extreme values of sums of exponentials: as dense samples show them, and in closed form.
-#include "motion/exact/exact_outputs.h"
+#include "motion/path/exact_outputs.h"
 #include "common/signals.h"
 #include "exponential_sums.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>

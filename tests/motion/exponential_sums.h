@@ -1,7 +1,7 @@
 // Sums of exponentials as phases of a motion, for tests.
 #pragma once
 
-#include "motion/exact/exact_phase.h"
+#include "motion/phase/exact_phase.h"
 
 #include <memory>
 #include <vector>

@@ -1,5 +1,5 @@
 // Integrals of powers at both ends times polynomials, against Beta functions.
-#include "motion/collocation/force_operators.h"
+#include "motion/episode/force_operators.h"
 
 #include <boost/math/special_functions/beta.hpp>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // First falls of known functions: pairs of zeros however close, touches, triple zeros, starts at
 // zero.
-#include "motion/segment/guard_curves.h"
+#include "motion/interval/guard_curves.h"
 
 #include <gtest/gtest.h>
 

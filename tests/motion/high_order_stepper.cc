@@ -6,8 +6,8 @@
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/tsuji.h"
 #include "motion/event/impact_log.h"
+#include "motion/path/trajectory.h"
 #include "motion/steps/time_transformation.h"
-#include "motion/trajectory.h"
 #include "support/rigid_contacts.h"
 
 #include <gtest/gtest.h>

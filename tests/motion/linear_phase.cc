@@ -3,8 +3,8 @@
 #include "contact/laws/bilinear_stop.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "model/piecewise_function.h"
-#include "motion/exact/exact_phases.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
+#include "motion/phase/exact_phases.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>

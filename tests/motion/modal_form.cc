@@ -1,6 +1,6 @@
 // Coordinates in which a matrix is block-diagonal: that they are, for bodies that move freely in
 // more than one way and are held by dampers and springs to each other.
-#include "motion/exact/modal_form.h"
+#include "motion/phase/modal_form.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "motion/steps/motion_ts.h"
 #include "common/error.h"
 #include "contact/laws/linear_penalty.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "motion/variation/observable_columns.h"
 
 #include "contact/laws/hunt_crossley.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "motion/variation/joint_integration.h"
 #include "support/lumped_models.h"
 

@@ -1,5 +1,5 @@
 // Polynomials of degree two are recognised, whatever the sizes of their terms; others are not.
-#include "motion/energy/quadratic_form.h"
+#include "motion/phase/quadratic_form.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // A phase of exact propagation under another excitation than before: what is renewed must be what a
 // phase has that never knew another one, to the last bit.
-#include "motion/exact/exact_change.h"
-#include "motion/exact/exact_outputs.h"
-#include "motion/exact/exact_phase.h"
+#include "motion/path/exact_outputs.h"
+#include "motion/phase/exact_change.h"
+#include "motion/phase/exact_phase.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Unbalanced rotors: conservation laws, the unbalance response, the motor, and the derivatives.
 #include "model/piecewise_function.h"
 #include "motion/event/impact_log.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/rotor_models.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Linear phases that eigenvectors cannot describe: they are dense blocks, and give the closed form.
 // The closed forms are those of support/true_motion.h, with terms t exp(e t).
-#include "motion/exact/exact_phases.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
+#include "motion/phase/exact_phases.h"
 #include "support/lumped_models.h"
 #include "support/true_motion.h"
 

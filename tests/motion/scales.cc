@@ -5,7 +5,7 @@
 #include "contact/laws/kuwabara_kono.h"
 #include "contact/restitution_relation.h"
 #include "motion/event/impact_log.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/rigid_contacts.h"
 
 #include <gtest/gtest.h>

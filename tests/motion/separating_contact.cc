@@ -5,7 +5,7 @@
 #include "contact/laws/linear_penalty.h"
 #include "contact/restitution_relation.h"
 #include "motion/event/impact_log.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "model/pulse.h"
 #include "model/recorded_history.h"
 #include "model/sine_sweep.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>

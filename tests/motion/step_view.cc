@@ -1,8 +1,8 @@
 // Curves of a step that is so short that differences of its ends are rounding, and of forces that
 // begin and end steeply.
 #include "contact/laws/tsuji.h"
-#include "motion/observer.h"
-#include "motion/trajectory.h"
+#include "motion/interval/observer.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>

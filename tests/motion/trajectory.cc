@@ -1,6 +1,6 @@
 // Motions with known answers: impacts of single masses, free bodies, and the limits of stiff
 // contact.
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "common/error.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"

@@ -8,7 +8,7 @@
 #include "contact/laws/linear_penalty.h"
 #include "contact/laws/tsuji.h"
 #include "model/piecewise_function.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 #include "support/motion_derivative.h"
 

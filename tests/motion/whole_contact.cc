@@ -1,5 +1,5 @@
 // Contacts solved in one step, against closed forms.
-#include "motion/collocation/whole_contact.h"
+#include "motion/episode/whole_contact.h"
 
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kuwabara_kono.h"

@@ -1,8 +1,8 @@
 // A random model as a system, at the values of its keys in the file and at others.
 #pragma once
 
-#include "analyses/swept_parameter.h"
-#include "analyses/system.h"
+#include "analyses/keys/swept_parameter.h"
+#include "analyses/run/system.h"
 #include "reduction/reduced_body.h"
 
 #include <memory>

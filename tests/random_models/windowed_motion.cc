@@ -1,6 +1,6 @@
 #include "random_models/windowed_motion.h"
 
-#include "analyses/steadiness.h"
+#include "analyses/sweeps/steadiness.h"
 #include "common/error.h"
 
 #include <algorithm>

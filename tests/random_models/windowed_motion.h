@@ -1,9 +1,9 @@
 // A part of a random motion, and motions beside it with the same events.
 #pragma once
 
-#include "analyses/system.h"
-#include "motion/observer.h"
-#include "motion/trajectory.h"
+#include "analyses/run/system.h"
+#include "motion/interval/observer.h"
+#include "motion/path/trajectory.h"
 
 #include <optional>
 #include <set>

@@ -1,8 +1,8 @@
 // Motions that are hard to advance: contacts that change at one instant, or without speed, or while
 // nothing but the base moves. Each by every way to advance it.
-#include "analyses/system.h"
+#include "analyses/run/system.h"
 #include "common/error.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "reduction/reduce_body.h"
 #include "support/simulation_files.h"
 #include "text_of.h"

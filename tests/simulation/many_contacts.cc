@@ -1,6 +1,6 @@
 // Contacts found by a pairing on meshes: the same as single ones, and right when there are many.
-#include "analyses/system.h"
-#include "motion/trajectory.h"
+#include "analyses/run/system.h"
+#include "motion/path/trajectory.h"
 #include "reduction/reduce_body.h"
 #include "support/simulation_files.h"
 

@@ -2,7 +2,7 @@
 // each by the closed form.
 #pragma once
 
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 #include "support/random_flights.h"
 #include "support/true_contact.h"

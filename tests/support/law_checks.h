@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/contact_law.h"
-#include "motion/observer.h"
+#include "motion/interval/observer.h"
 
 #include <gtest/gtest.h>
 

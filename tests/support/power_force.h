@@ -1,7 +1,7 @@
 // A nonlinear contact force in closed form.
 #pragma once
 
-#include "motion/collocation/contact_force.h"
+#include "motion/episode/contact_force.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Records a window of a motion and finds the figures by name, for tests.
 #pragma once
 
-#include "analyses/window_recording.h"
+#include "analyses/recorders/window_recording.h"
 #include "support/lumped_models.h"
 
 #include <limits>

@@ -1,7 +1,7 @@
 // Recorders on motions made by hand: settle for some periods, then watch some.
 #pragma once
 
-#include "analyses/recorder.h"
+#include "analyses/recorders/recorder.h"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "motion/event/impact_log.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/reference_motion.h"
 
 namespace vibroimpact::testing {

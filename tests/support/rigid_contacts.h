@@ -4,7 +4,7 @@
 #include "contact/laws/newton_restitution.h"
 #include "model/piecewise_function.h"
 #include "motion/event/impact_log.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <initializer_list>

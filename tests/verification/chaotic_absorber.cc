@@ -9,7 +9,7 @@
 // independent event-located computation.
 #include "analyses/recorders/lyapunov.h"
 #include "analyses/recorders/regime.h"
-#include "analyses/steadiness.h"
+#include "analyses/sweeps/steadiness.h"
 #include "contact/laws/hertz.h"
 #include "support/lumped_models.h"
 #include "support/recording.h"

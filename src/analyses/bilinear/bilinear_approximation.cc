@@ -1,9 +1,9 @@
 #include "analyses/bilinear/bilinear_approximation.h"
 
 #include "analyses/bilinear/bilinear_fields.h"
-#include "analyses/fields.h"
-#include "analyses/swept_parameter.h"
-#include "analyses/keyed_system.h"
+#include "analyses/keys/keyed_system.h"
+#include "analyses/keys/swept_parameter.h"
+#include "analyses/results/fields.h"
 #include "common/error.h"
 #include "parameters/text.h"
 

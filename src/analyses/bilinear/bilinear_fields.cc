@@ -1,8 +1,8 @@
 #include "analyses/bilinear/bilinear_fields.h"
 
-#include "analyses/character/fourier.h"
-#include "analyses/fields.h"
-#include "analyses/observables.h"
+#include "analyses/recorders/observables.h"
+#include "analyses/results/fields.h"
+#include "analyses/signals/fourier.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "analyses/bilinear/bilinear_motion.h"
-#include "analyses/field_writer.h"
-#include "analyses/system.h"
+#include "analyses/results/field_writer.h"
+#include "analyses/run/system.h"
 
 namespace vibroimpact::analyses {
 

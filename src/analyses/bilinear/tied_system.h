@@ -13,7 +13,7 @@
 //   q'+ = q'- - M^-1 w^T g'- / (w M^-1 w^T)
 #pragma once
 
-#include "analyses/system.h"
+#include "analyses/run/system.h"
 #include "common/linear_algebra.h"
 
 namespace vibroimpact::analyses {

@@ -1,6 +1,6 @@
 #include "analyses/design/best_evaluation.h"
 
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
 #include "parameters/text.h"
 
 #include <algorithm>

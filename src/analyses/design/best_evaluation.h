@@ -3,7 +3,7 @@
 
 #include "analyses/design/evaluations.h"
 #include "analyses/design/nlopt_search.h"
-#include "analyses/field_writer.h"
+#include "analyses/results/field_writer.h"
 
 namespace vibroimpact::analyses {
 

@@ -1,7 +1,7 @@
 #include "analyses/design/design_keys.h"
 
 #include "analyses/analysis.h"
-#include "analyses/grid.h"
+#include "analyses/run/grid.h"
 #include "common/error.h"
 #include "common/scalar.h"
 #include "parameters/text.h"

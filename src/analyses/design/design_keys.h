@@ -1,7 +1,7 @@
 // Keys that a search changes between bounds, and the coordinates in which it does so.
 #pragma once
 
-#include "analyses/swept_parameter.h"
+#include "analyses/keys/swept_parameter.h"
 #include "common/linear_algebra.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 #include "analyses/design/estimate.h"
 
 #include "analyses/design/fit_statistics.h"
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
 #include "common/error.h"
 #include "common/scalar.h"
 

@@ -9,7 +9,7 @@
 #include "analyses/analysis.h"
 #include "analyses/design/fit_evaluations.h"
 #include "analyses/design/least_squares.h"
-#include "analyses/field_writer.h"
+#include "analyses/results/field_writer.h"
 
 #include <optional>
 #include <utility>

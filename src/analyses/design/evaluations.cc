@@ -1,6 +1,6 @@
 #include "analyses/design/evaluations.h"
 
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
 
 namespace vibroimpact::analyses {
 

@@ -1,7 +1,7 @@
 #include "analyses/design/fit_evaluations.h"
 
 #include "analyses/design/single_outcomes.h"
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
 #include "common/error.h"
 
 #include <algorithm>

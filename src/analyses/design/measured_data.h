@@ -1,7 +1,7 @@
 // Measured data, and by how much a quantity of an analysis differs from them.
 #pragma once
 
-#include "analyses/outcomes.h"
+#include "analyses/run/outcomes.h"
 #include "common/linear_algebra.h"
 
 #include <string>

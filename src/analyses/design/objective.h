@@ -3,7 +3,7 @@
 #pragma once
 
 #include "analyses/design/single_outcomes.h"
-#include "analyses/grid.h"
+#include "analyses/run/grid.h"
 #include "common/bytes.h"
 
 #include <limits>

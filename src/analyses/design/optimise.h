@@ -38,7 +38,9 @@ public:
   static std::shared_ptr<const Analysis> create(const parameters::Values &analysis);
 
   std::string type() const override { return "optimise"; }
-  BestOf best_of() const override { return {"objective", settings_.objective.goals().front().maximise}; }
+  BestOf best_of() const override {
+    return {"objective", settings_.objective.goals().front().maximise};
+  }
   /// start, evaluation
   std::vector<Axis> axes() const override;
   std::size_t lines() const override;

@@ -1,7 +1,7 @@
 #include "analyses/design/pareto_front.h"
 
 #include "analyses/design/best_evaluation.h"
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 
 #include "analyses/analysis.h"
 #include "analyses/design/population_search.h"
-#include "analyses/field_writer.h"
+#include "analyses/results/field_writer.h"
 
 #include <memory>
 

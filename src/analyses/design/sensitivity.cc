@@ -1,7 +1,7 @@
 #include "analyses/design/sensitivity.h"
 
 #include "analyses/design/stored_evaluations.h"
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
 #include "common/bytes.h"
 #include "common/error.h"
 

@@ -7,7 +7,7 @@
 #include "analyses/design/design_keys.h"
 #include "analyses/design/single_outcomes.h"
 #include "analyses/design/sobol_indices.h"
-#include "analyses/field_writer.h"
+#include "analyses/results/field_writer.h"
 
 namespace vibroimpact::analyses {
 

@@ -1,7 +1,7 @@
 // Quantities of another analysis that must be single numbers.
 #pragma once
 
-#include "analyses/outcomes.h"
+#include "analyses/run/outcomes.h"
 
 #include <functional>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "analyses/design/stored_evaluations.h"
 
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
 
 #include <cmath>
 #include <limits>

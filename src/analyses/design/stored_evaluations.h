@@ -4,7 +4,7 @@
 
 #include "analyses/analysis.h"
 #include "analyses/design/design_keys.h"
-#include "analyses/field_writer.h"
+#include "analyses/results/field_writer.h"
 
 #include <deque>
 #include <map>

@@ -1,7 +1,7 @@
 #include "analyses/recorders/energy.h"
 
-#include "analyses/fields.h"
 #include "analyses/recorders/step_quadrature.h"
+#include "analyses/results/fields.h"
 
 #include <algorithm>
 #include <numeric>

@@ -6,8 +6,8 @@
 // of B v s' + M s'^2/2, which repeats.
 #pragma once
 
-#include "analyses/field_writer.h"
-#include "analyses/recorder.h"
+#include "analyses/recorders/recorder.h"
+#include "analyses/results/field_writer.h"
 
 #include <vector>
 

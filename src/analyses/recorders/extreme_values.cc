@@ -1,6 +1,6 @@
 #include "analyses/recorders/extreme_values.h"
 
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
 #include "common/scalar.h"
 #include "motion/event/impact_log.h"
 

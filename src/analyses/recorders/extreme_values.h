@@ -1,10 +1,10 @@
 // Extreme values of a motion over a window, from the dense output.
 #pragma once
 
-#include "analyses/field_writer.h"
-#include "analyses/observables.h"
-#include "analyses/recorder.h"
-#include "motion/segment/value_range.h"
+#include "analyses/recorders/observables.h"
+#include "analyses/recorders/recorder.h"
+#include "analyses/results/field_writer.h"
+#include "motion/interval/value_range.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // Forces that a model passes on: in its connections, and from each body to what it stands on.
 #pragma once
 
-#include "analyses/observables.h"
+#include "analyses/recorders/observables.h"
 
 namespace vibroimpact::analyses {
 

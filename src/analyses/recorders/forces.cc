@@ -1,8 +1,8 @@
 #include "analyses/recorders/forces.h"
 
-#include "analyses/channels.h"
-#include "analyses/fields.h"
+#include "analyses/recorders/channels.h"
 #include "analyses/recorders/force_quantities.h"
+#include "analyses/results/fields.h"
 
 #include <limits>
 

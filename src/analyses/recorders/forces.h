@@ -5,9 +5,9 @@
 // on the base to the applied force where a single force varies in time.
 #pragma once
 
-#include "analyses/field_writer.h"
 #include "analyses/recorders/extreme_values.h"
 #include "analyses/recorders/statistics.h"
+#include "analyses/results/field_writer.h"
 
 namespace vibroimpact::analyses {
 

@@ -1,9 +1,9 @@
 // Time histories of what a recorder can watch, sampled in the window.
 #pragma once
 
-#include "analyses/field_writer.h"
-#include "analyses/recorder.h"
-#include "analyses/sampler.h"
+#include "analyses/recorders/recorder.h"
+#include "analyses/recorders/sampler.h"
+#include "analyses/results/field_writer.h"
 
 #include <vector>
 

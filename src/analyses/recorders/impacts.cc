@@ -1,7 +1,7 @@
 #include "analyses/recorders/impacts.h"
 
-#include "analyses/fields.h"
-#include "analyses/observables.h"
+#include "analyses/recorders/observables.h"
+#include "analyses/results/fields.h"
 #include "common/scalar.h"
 
 #include <algorithm>

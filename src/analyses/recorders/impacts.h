@@ -5,8 +5,8 @@
 // are of impacts that also end in the window, for a part of an impact would falsify the mean.
 #pragma once
 
-#include "analyses/field_writer.h"
-#include "analyses/recorder.h"
+#include "analyses/recorders/recorder.h"
+#include "analyses/results/field_writer.h"
 #include "motion/event/impact_log.h"
 
 #include <vector>

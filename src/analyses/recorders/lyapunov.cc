@@ -1,7 +1,7 @@
 #include "analyses/recorders/lyapunov.h"
 
-#include "analyses/fields.h"
-#include "analyses/steadiness.h"
+#include "analyses/results/fields.h"
+#include "analyses/sweeps/steadiness.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,9 @@
 // |det D_e|) / T with the saltation matrices D_e of its events.
 #pragma once
 
-#include "analyses/character/growth.h"
-#include "analyses/field_writer.h"
-#include "analyses/recorder.h"
+#include "analyses/recorders/recorder.h"
+#include "analyses/results/field_writer.h"
+#include "analyses/signals/growth.h"
 #include "motion/variation/variation.h"
 
 #include <memory>

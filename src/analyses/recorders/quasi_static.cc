@@ -1,6 +1,6 @@
 #include "analyses/recorders/quasi_static.h"
 
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
 #include "motion/system/equilibrium.h"
 
 #include <boost/math/tools/minima.hpp>

@@ -6,9 +6,9 @@
 // under the constant loads plus f and minus f give the two values of every point.
 #pragma once
 
-#include "analyses/channels.h"
-#include "analyses/field_writer.h"
-#include "analyses/recorder.h"
+#include "analyses/recorders/channels.h"
+#include "analyses/recorders/recorder.h"
+#include "analyses/results/field_writer.h"
 
 #include <vector>
 

@@ -8,10 +8,10 @@
 // standard error.
 #pragma once
 
-#include "analyses/character/repetition.h"
-#include "analyses/field_writer.h"
-#include "analyses/recorder.h"
 #include "analyses/recorders/lyapunov.h"
+#include "analyses/recorders/recorder.h"
+#include "analyses/results/field_writer.h"
+#include "analyses/signals/repetition.h"
 
 #include <map>
 #include <optional>

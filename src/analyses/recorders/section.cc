@@ -1,7 +1,7 @@
 #include "analyses/recorders/section.h"
 
-#include "analyses/character/zeros.h"
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
+#include "analyses/signals/zeros.h"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>

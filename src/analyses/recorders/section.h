@@ -2,9 +2,9 @@
 // Poincare points), at the onset of contacts, and at extrema of displacements and gaps.
 #pragma once
 
-#include "analyses/field_writer.h"
-#include "analyses/observables.h"
-#include "analyses/recorder.h"
+#include "analyses/recorders/observables.h"
+#include "analyses/recorders/recorder.h"
+#include "analyses/results/field_writer.h"
 
 #include <string>
 #include <vector>

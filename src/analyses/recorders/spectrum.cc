@@ -1,7 +1,7 @@
 #include "analyses/recorders/spectrum.h"
 
-#include "analyses/character/fourier.h"
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
+#include "analyses/signals/fourier.h"
 
 #include <algorithm>
 #include <numbers>

@@ -2,10 +2,10 @@
 // amplitudes of the orders of the forcing frequency from exact Fourier integrals.
 #pragma once
 
-#include "analyses/character/order_integrals.h"
-#include "analyses/field_writer.h"
-#include "analyses/recorder.h"
-#include "analyses/sampler.h"
+#include "analyses/recorders/recorder.h"
+#include "analyses/recorders/sampler.h"
+#include "analyses/results/field_writer.h"
+#include "analyses/signals/order_integrals.h"
 
 #include <optional>
 #include <string>

@@ -4,9 +4,9 @@
 // of ten points per step for contact forces, which may be powers.
 #pragma once
 
-#include "analyses/field_writer.h"
-#include "analyses/observables.h"
-#include "analyses/recorder.h"
+#include "analyses/recorders/observables.h"
+#include "analyses/recorders/recorder.h"
+#include "analyses/results/field_writer.h"
 
 #include <boost/accumulators/accumulators.hpp>
 #include <boost/accumulators/statistics/stats.hpp>

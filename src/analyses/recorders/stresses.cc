@@ -1,6 +1,6 @@
 #include "analyses/recorders/stresses.h"
 
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
 #include "common/error.h"
 
 #include <boost/math/tools/minima.hpp>

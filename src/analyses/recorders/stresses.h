@@ -6,8 +6,8 @@
 // counts.
 #pragma once
 
-#include "analyses/field_writer.h"
-#include "analyses/recorder.h"
+#include "analyses/recorders/recorder.h"
+#include "analyses/results/field_writer.h"
 
 #include <array>
 #include <string>

@@ -1,6 +1,6 @@
 #include "analyses/recorders/time_frequency.h"
 
-#include "analyses/fields.h"
+#include "analyses/results/fields.h"
 
 #include <algorithm>
 #include <cmath>

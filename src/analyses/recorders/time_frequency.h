@@ -2,10 +2,10 @@
 // Fourier spectrogram, for swept-sine runs.
 #pragma once
 
-#include "analyses/character/wavelet.h"
-#include "analyses/field_writer.h"
-#include "analyses/recorder.h"
-#include "analyses/sampler.h"
+#include "analyses/recorders/recorder.h"
+#include "analyses/recorders/sampler.h"
+#include "analyses/results/field_writer.h"
+#include "analyses/signals/wavelet.h"
 
 #include <string>
 #include <vector>

@@ -23,7 +23,7 @@
 #pragma once
 
 #include "motion/event/contact_scales.h"
-#include "motion/observer.h"
+#include "motion/interval/observer.h"
 #include "motion/settings.h"
 
 #include <vector>

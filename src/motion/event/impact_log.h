@@ -1,7 +1,7 @@
 // Event log: every impact of every contact with the figures an engineer asks for.
 #pragma once
 
-#include "motion/observer.h"
+#include "motion/interval/observer.h"
 
 #include <vector>
 

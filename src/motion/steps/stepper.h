@@ -1,8 +1,8 @@
 // What takes the steps of a motion within one smooth phase.
 #pragma once
 
-#include "motion/segment/end_point.h"
-#include "motion/segment/guard_curves.h"
+#include "motion/interval/end_point.h"
+#include "motion/interval/guard_curves.h"
 
 namespace vibroimpact::motion {
 

@@ -1,7 +1,7 @@
 // The method of a motion: which stepper integrates which phase.
 #pragma once
 
-#include "motion/exact/exact_stepper.h"
+#include "motion/path/exact_stepper.h"
 #include "motion/steps/stepper.h"
 #include "motion/steps/stiffness_monitor.h"
 

@@ -7,7 +7,7 @@
 
 #include "contact/contact_set.h"
 #include "model/model.h"
-#include "motion/segment/end_point.h"
+#include "motion/interval/end_point.h"
 #include "motion/system/active_constraints.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "motion/variation/contact_deviations.h"
 
-#include "motion/collocation/phase_contact.h"
+#include "motion/episode/phase_contact.h"
 #include "motion/variation/contact_map.h"
 
 #include <cmath>

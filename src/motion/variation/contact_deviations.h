@@ -3,7 +3,7 @@
 // through it, and its equations are differentiated (contact_map.h).
 #pragma once
 
-#include "motion/exact/exact_phases.h"
+#include "motion/phase/exact_phases.h"
 #include "motion/variation/joint_integration.h"
 
 #include <optional>

@@ -18,7 +18,7 @@
 #pragma once
 
 #include "common/decompositions.h"
-#include "motion/collocation/whole_contact.h"
+#include "motion/episode/whole_contact.h"
 
 namespace vibroimpact::motion {
 

@@ -14,7 +14,7 @@
 //   exp([D_i E_ij; 0 D_j] h) = [. F_ij; 0 .]
 #pragma once
 
-#include "motion/exact/exact_groups.h"
+#include "motion/phase/exact_groups.h"
 
 #include <vector>
 

@@ -7,7 +7,7 @@
 // would make worse.
 #pragma once
 
-#include "motion/observer.h"
+#include "motion/interval/observer.h"
 #include "motion/variation/key_tangent.h"
 #include "motion/variation/linear_flow.h"
 

@@ -2,7 +2,7 @@
 
 #include "common/decompositions.h"
 #include "common/error.h"
-#include "motion/observer.h"
+#include "motion/interval/observer.h"
 #include "motion/variation/key_stencil.h"
 
 #include <algorithm>

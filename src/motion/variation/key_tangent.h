@@ -12,7 +12,7 @@
 // and internal states; what the key does to the gap enters by the chain rule.
 #pragma once
 
-#include "motion/observer.h"
+#include "motion/interval/observer.h"
 #include "motion/system/linear_system.h"
 #include "motion/variation/model_tangent.h"
 #include "motion/variation/source_tangent.h"

@@ -10,7 +10,7 @@
 // (forced_response.h).
 #pragma once
 
-#include "motion/exact/exact_phases.h"
+#include "motion/phase/exact_phases.h"
 #include "motion/variation/forced_response.h"
 #include "motion/variation/key_tangent.h"
 

@@ -2,7 +2,7 @@
 // and sensitivities are made of.
 #pragma once
 
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "motion/variation/variation.h"
 
 #include <optional>

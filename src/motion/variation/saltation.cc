@@ -1,7 +1,7 @@
 #include "motion/variation/saltation.h"
 
 #include "common/error.h"
-#include "motion/segment/guard_forms.h"
+#include "motion/interval/guard_forms.h"
 
 #include <cmath>
 #include <stdexcept>

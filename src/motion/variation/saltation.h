@@ -13,7 +13,7 @@
 // instant t_b no state changes, d+ = d- + (f- - f+) dt_b/dp.
 #pragma once
 
-#include "motion/observer.h"
+#include "motion/interval/observer.h"
 #include "motion/variation/key_tangent.h"
 #include "motion/variation/low_rank_map.h"
 

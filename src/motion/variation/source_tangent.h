@@ -12,7 +12,7 @@
 #pragma once
 
 #include "model/model.h"
-#include "motion/exact/excitation.h"
+#include "motion/phase/excitation.h"
 
 #include <array>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "common/decompositions.h"
 #include "common/error.h"
-#include "motion/trajectory.h"
+#include "motion/path/trajectory.h"
 #include "motion/variation/contact_deviations.h"
 
 #include <algorithm>

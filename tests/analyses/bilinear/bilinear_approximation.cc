@@ -3,7 +3,7 @@
 #include "analyses/bilinear/bilinear_approximation.h"
 
 #include "analyses/bilinear/bilinear_motion.h"
-#include "analyses/frequency_response.h"
+#include "analyses/sweeps/frequency_response.h"
 #include "support/lumped_models.h"
 #include "support/points.h"
 #include "support/rigid_contacts.h"

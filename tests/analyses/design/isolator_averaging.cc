@@ -1,5 +1,5 @@
 // The averaged response against published folds, its equation, and the expansion of it.
-#include "analyses/design/isolator_averaging.h"
+#include "analyses/isolators/isolator_averaging.h"
 
 #include <gtest/gtest.h>
 

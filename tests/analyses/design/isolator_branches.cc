@@ -1,6 +1,6 @@
 // The numbers of an isolator in any units, and what is taken from a branch that is known
 // beforehand.
-#include "analyses/design/isolator_branches.h"
+#include "analyses/isolators/isolator_branches.h"
 #include "common/error.h"
 #include "simulation.h"
 

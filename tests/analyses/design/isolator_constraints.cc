@@ -1,6 +1,6 @@
 // Conditions on a stop against published values, and each limit against what it stands for.
-#include "analyses/design/isolator_constraints.h"
-#include "analyses/design/isolator_averaging.h"
+#include "analyses/isolators/isolator_constraints.h"
+#include "analyses/isolators/isolator_averaging.h"
 #include "common/error.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The plane of the unfolding parameters against published values, and against the roots of its
 // bifurcation equation.
-#include "analyses/design/isolator_unfolding.h"
+#include "analyses/isolators/isolator_unfolding.h"
 
 #include <gtest/gtest.h>
 #include <random>

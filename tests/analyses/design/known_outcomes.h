@@ -2,7 +2,7 @@
 // store.
 #pragma once
 
-#include "analyses/outcomes.h"
+#include "analyses/run/outcomes.h"
 #include "common/error.h"
 #include "common/signals.h"
 #include "simulation.h"

@@ -1,5 +1,5 @@
 // Pulses of measured force records, and the intervals of laws fitted to them.
-#include "analyses/identify.h"
+#include "analyses/identification/identify.h"
 #include "support/simulation_files.h"
 #include "temporary_folder.h"
 

@@ -1,0 +1,70 @@
+#include "analyses/curves/branch_rows.h"
+
+#include "analyses/results/coded.h"
+
+#include <utility>
+
+namespace vibroimpact::analyses {
+
+using continuation::BranchPoint;
+using continuation::End;
+using continuation::Special;
+
+namespace {
+
+constexpr Coded<Special> special_kinds[] = {
+    {Special::fold, 1, "fold"},
+    {Special::branch_point, 2, "branch point"},
+    {Special::flip, 3, "period doubling"},
+    {Special::flip, 4, "loss of symmetry"},
+    {Special::neimark_sacker, 5, "Neimark-Sacker"},
+    {Special::graze, 6, "graze"},
+    {Special::grazing_fold, 7, "grazing fold"},
+    {Special::pattern_change, 8, "change of the contact changes"}};
+
+constexpr Coded<End> branch_ends[] = {
+    {End::lower_bound, 0, "lower end of the key"},
+    {End::upper_bound, 1, "upper end of the key"},
+    {End::closed, 2, "the branch closes on itself"},
+    {End::shorter_return, 3, "it falls onto motions of a smaller multiple"},
+    {End::least_step, 4, "least step"},
+    {End::most_points, 5, "most points"},
+    {End::graze, 6, "a graze it returns to again and again"},
+    {End::far, 7, "the motion grows beyond all measure"}};
+
+} // namespace
+
+// Behind each kind of flip stands that of symmetric motions.
+int kind_number(Special kind, bool symmetric) {
+  return code_of(special_kinds, kind) + (symmetric && kind == Special::flip ? 1 : 0);
+}
+
+BranchRows::BranchRows(const SweptParameter &parameter)
+    : CurveTable("branch",
+                 "number of the branch: 0 is that of the start, the others begin at special points",
+                 {{parameter.axis_name(), parameter.unit, parameter.axis().description}}) {}
+
+void BranchRows::add_point(const BranchPoint &point, PointResult values) {
+  add(Part::point, point.point.keys, point.arclength, std::move(values));
+}
+
+void BranchRows::add_special(const BranchPoint &point, int kind, PointResult values) {
+  FieldWriter(values).number("kind", kind, "1", meaning_of(special_kinds));
+  add(Part::special, point.point.keys, point.arclength, std::move(values));
+}
+
+void BranchRows::end(const continuation::Branch &branch) {
+  if (branch.points.empty())
+    return;
+  PointResult values;
+  FieldWriter(values).number("reason", code_of(branch_ends, branch.end), "1",
+                             meaning_of(branch_ends));
+  const BranchPoint &last = branch.points.back();
+  add(Part::end, last.point.keys, last.arclength, std::move(values));
+}
+
+void BranchRows::add_fields(const FieldWriter &result, const std::string &residual) const {
+  CurveTable::add_fields(result, {"kind", keys()[0].name(), residual});
+}
+
+} // namespace vibroimpact::analyses

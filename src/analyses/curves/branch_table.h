@@ -1,0 +1,42 @@
+// What is kept of the branches of an analysis: their points, special points and ends, as arrays.
+#pragma once
+
+#include "analyses/curves/branch_follower.h"
+#include "analyses/curves/branch_rows.h"
+#include "analyses/curves/orbit_rows.h"
+#include "analyses/results/field_writer.h"
+
+namespace vibroimpact::analyses {
+
+class BranchTable : public BranchSink {
+public:
+  /// Keeps references. Motions are recorded over one of their periods.
+  BranchTable(const SweptParameter &parameter, KeyedMap &maps,
+              const std::vector<RecorderFactory> &recorders);
+
+  void begin(long number, long halves, double sign) override;
+  void add(const continuation::BranchPoint &point) override;
+  void add(const continuation::SpecialPoint &special) override;
+  void drop(long number) override { rows_.drop(number); }
+  void note_missing(double key, const std::string &why) override;
+  void end(const continuation::Branch &branch) override;
+
+  /// Arrays, and why something failed as the reason of the result.
+  void add_fields(PointResult &result) const;
+
+  /// A branch ends at its start, by its least step.
+  bool stuck() const { return stuck_; }
+
+private:
+  PointResult orbit_of(const continuation::BranchPoint &point);
+  void note_enclosed(const continuation::SpecialPoint &special);
+
+  const SweptParameter &parameter_;
+  OrbitRows orbits_;
+  BranchRows rows_;
+  long halves_ = 2;
+  double sign_ = 1;
+  bool stuck_ = false;
+};
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,143 @@
+#include "analyses/curves/orbit_start.h"
+
+#include "analyses/run/stored_state.h"
+#include "analyses/sweeps/steadiness.h"
+#include "common/decompositions.h"
+#include "common/recorded_step.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace vibroimpact::analyses {
+
+using periodic::Symmetry;
+
+namespace {
+
+constexpr const char *settling_keys[] = {"Minimum settling cycles", "Settling cycles",
+                                         "Steadiness tolerance",    "Settling method",
+                                         "Longest period",          "Cycles without approach"};
+
+struct FoundOrbit {
+  double phase = 0; ///< of the section [periods]
+  long halves = 0;
+  Vector state;
+};
+void members(auto &visit, As<FoundOrbit> auto &found) {
+  visit(found.phase, found.halves, found.state);
+}
+
+} // namespace
+
+void declare_orbit_start(parameters::Section &section) {
+  using namespace parameters;
+  declare_settling(section);
+  section.quantities(
+      "State", "", dimension::none, range::any, "x_0",
+      "State from which Newton's method starts, in SI: as the array `state` of a sweep, "
+      "a response or another periodic orbit holds it, at the forcing phase of time "
+      "zero. Empty: the motion settles from the initial conditions, or with Settling "
+      "cycles = 0 they are the start themselves.",
+      0, 100000);
+  declare_stored_state(section);
+  section.integer(
+      "Period multiple", "0", Range{.lower = 0, .upper = 1000}, "p",
+      "Forcing periods after which the motion repeats itself, or a multiple of them; 0: "
+      "those of the settled motion, 1 where it is not steady yet or a state is given.");
+}
+
+OrbitStart read_orbit_start(const parameters::Values &section) {
+  OrbitStart start{.settling = read_settling(section),
+                   .state = section.quantities("State"),
+                   .multiple = section.integer("Period multiple"),
+                   .section = section};
+  if (section.has("State run") && section.has("State"))
+    section.reject("State run", "must not be set when State is set");
+  if (start.state.empty())
+    start.state = read_stored_state(section);
+  for (const char *key : settling_keys)
+    if (!start.state.empty() && section.given(key))
+      section.reject(key, "must not be set when State or State run is set");
+  return start;
+}
+
+namespace {
+
+// A direction without stiffness: M^(-1/2) K M^(-1/2), with the squares of the natural frequencies
+// as eigenvalues, is singular up to rounding.
+bool moves_as_a_rigid_body(const model::Model &model) {
+  constexpr double rounding = 1e-10;
+  if (model.size() == 0)
+    return false;
+  const auto unit = model.mass().cwiseSqrt().cwiseInverse().asDiagonal();
+  const Vector squares = symmetric_eigen(unit * model.stiffness().dense() * unit).values.cwiseAbs();
+  return squares.minCoeff() <= rounding * squares.maxCoeff();
+}
+
+} // namespace
+
+std::string rigid_body_cause(const System &system) {
+  if (!moves_as_a_rigid_body(system.model))
+    return "";
+  return "; the model moves as a rigid body (a natural frequency is 0 Hz): unless a contact holds "
+         "it, its periodic motions have a multiplier of 1 and are not isolated, so that none can "
+         "be found or followed";
+}
+
+NumericalError no_orbit(const System &system, const NumericalError &why) {
+  return NumericalError(why.what() + rigid_body_cause(system));
+}
+
+motion::VariationAccuracy orbit_accuracy(const System &system,
+                                         const periodic::ForcedSystem &forced) {
+  return {.scale = deviation_scale(forced.equations(), 2 * std::numbers::pi / forced.period()),
+          .tolerance = std::min(1e-10, system.integration.relative_tolerance)};
+}
+
+OrbitSearch::OrbitSearch(const System &system, std::size_t source, const OrbitStart &start)
+    : system_(system), start_(start),
+      forced_(system.model, system.contacts, system.integration, source) {
+  const auto size = static_cast<std::size_t>(forced_.layout().physical_size());
+  if (!start.state.empty() && start.state.size() != size)
+    start.section.value().reject(
+        start.section->has("State") ? "State" : "State run",
+        "must have " + std::to_string(size) +
+            " numbers: coordinates, their rates, internal states of contacts; or none");
+}
+
+OrbitSearch::FirstState
+OrbitSearch::first_state(const std::function<void(long periods)> &after_period) {
+  if (!start_.state.empty())
+    return {.state = ConstVectorView(start_.state.data(), static_cast<Index>(start_.state.size()))};
+  motion::Trajectory &trajectory = forced_.trajectory();
+  trajectory.start(0, system_.initial.displacement, system_.initial.velocity);
+  const SettledMotion settled =
+      Settler(trajectory)(forced_.period(), scale_, start_.settling, after_period);
+  if (start_.settling.maximum > 0)
+    settled_multiple_ = settled.multiple;
+  return {.state = settled.state.physical,
+          .multiple = std::max(1L, settled.multiple),
+          .cycles = settled.cycles};
+}
+
+periodic::Orbit OrbitSearch::run(const std::function<void(long periods)> &after_period,
+                                 StepRecord *steps) {
+  motion::VariationAccuracy accuracy = orbit_accuracy(system_, forced_);
+  scale_ = accuracy.scale;
+  const FirstState first =
+      recorded(steps, "settled motion", [&] { return first_state(after_period); });
+  cycles_ = first.cycles;
+  const double size = first.state.cwiseProduct(scale_).cwiseAbs().maxCoeff();
+  map_.emplace(forced_, std::move(accuracy), Symmetry::find(forced_, scale_, size > 0 ? size : 1));
+  const long multiple = start_.multiple > 0 ? start_.multiple : first.multiple;
+  if (steps == nullptr)
+    return find_orbit(*map_, multiple, first.state);
+  const FoundOrbit found = recorded(steps, "orbit", [&] {
+    const periodic::Orbit orbit = find_orbit(*map_, multiple, first.state);
+    return FoundOrbit{orbit.section.phase, orbit.section.halves, orbit.point.state};
+  });
+  return {.section = {.phase = found.phase, .halves = found.halves},
+          .point = {.state = found.state, .image = {}}};
+}
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,185 @@
+#include "analyses/derivatives/orbit_derivatives.h"
+
+#include "analyses/derivatives/measure_tangents.h"
+#include "analyses/keys/key_neighbours.h"
+#include "analyses/recorders/window_recording.h"
+#include "analyses/results/fields.h"
+#include "common/decompositions.h"
+#include "common/error.h"
+#include "motion/variation/key_stencil.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vibroimpact::analyses {
+
+using motion::KeyNeighbour;
+
+namespace {
+
+constexpr double nearly_singular = 1e-10; // of 1 - P_x, relative to 1
+
+std::vector<KeyNeighbour> neighbours_of(const OrbitKey &key, const RecordedOrbit &motion,
+                                        const SystemSource &build) {
+  if (!key.parameter.is_frequency())
+    return key_neighbours(key.parameter, key.parameter.values[0], build);
+  auto list = frequency_neighbours(motion.system, motion.map.system().source());
+  for (KeyNeighbour &neighbour : list)
+    neighbour.offset /= 2 * std::numbers::pi; // per hertz
+  return list;
+}
+
+/// The whole motion, which a key that takes the symmetry away leaves periodic.
+periodic::Section whole(const periodic::Orbit &orbit) {
+  return {.phase = orbit.section.phase, .halves = 2 * orbit.multiple()};
+}
+
+/// At the section, keeping the phase of the forcing.
+Vector state_by_key(const RecordedOrbit &motion) {
+  const periodic::Flow flow = motion.map.image(whole(motion.orbit), motion.orbit.point.state);
+  const Vector scale = motion.map.scale();
+  const Matrix rest = Matrix::Identity(scale.size(), scale.size()) -
+                      scale.asDiagonal() * flow.by_state * scale.cwiseInverse().asDiagonal();
+  const auto by_key =
+      solve_well_conditioned(rest, scale.cwiseProduct(flow.by_keys.col(0)), nearly_singular);
+  if (!by_key)
+    throw NumericalError("the motion stands at a fold or at the end of its stability, where it has "
+                         "no derivative by a key");
+  return scale.cwiseInverse().cwiseProduct(*by_key);
+}
+
+/// At the forcing phase of time zero.
+Vector at_zero_phase(const RecordedOrbit &motion, const Vector &by_key) {
+  if (motion.orbit.section.phase == 0)
+    return by_key;
+  const periodic::Flow flow =
+      motion.map.flow(motion.orbit.section.phase, static_cast<double>(motion.orbit.multiple()),
+                      motion.orbit.point.state);
+  return flow.by_state * by_key + flow.by_keys.col(0);
+}
+
+struct Recorded {
+  PointResult point{};
+  long events = 0;
+};
+
+Recorded record(const System &system, const Vector &state, const RecordedOrbit &motion) {
+  periodic::ForcedSystem forced(system.model, system.contacts, system.integration,
+                                motion.map.system().source());
+  const double start = motion.orbit.section.phase * forced.period();
+  WindowRecording recording(motion.recorders, system);
+  forced.trajectory().start({.time = start, .physical = state});
+  recording.run(periods_window(start, forced.period(), motion.orbit.multiple()),
+                forced.trajectory());
+  Recorded recorded{.events = forced.trajectory().accuracy().events};
+  recording.add_fields(recorded.point);
+  return recorded;
+}
+
+std::vector<Recorded> record_neighbours(std::vector<KeyNeighbour> neighbours, const Vector &by_key,
+                                        const RecordedOrbit &motion) {
+  std::vector<Recorded> all;
+  for (KeyNeighbour &near : neighbours) {
+    const System system{.model = std::move(near.model),
+                        .contacts = std::move(near.contacts),
+                        .integration = motion.system.integration,
+                        .initial = motion.system.initial};
+    all.push_back(record(system, motion.orbit.point.state + near.offset * by_key, motion));
+  }
+  return all;
+}
+
+std::string unit_by_key(const std::string &unit, const std::string &key_unit) {
+  return key_unit == "1" ? unit : unit + "/(" + key_unit + ")";
+}
+
+double difference(const Field &field, const std::vector<Recorded> &near, const Vector &weight) {
+  double derivative = 0;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const double there = field_of(near[i].point, field.name()).values[0];
+    derivative += weight[static_cast<Index>(i)] * (there - field.values[0]);
+  }
+  return derivative;
+}
+
+void add_recorded(const FieldWriter &result, const OrbitKey &key, const Recorded &present,
+                  const std::map<std::string, double> &tangents, const std::vector<Recorded> &near,
+                  const Vector &weight) {
+  for (const Field &field : present.point.fields) {
+    if (!field.shape.empty() || field.unit() == "1" || !std::isfinite(field.values[0]))
+      continue;
+    const auto known = tangents.find(field.name());
+    result.number(
+        field.name(), known != tangents.end() ? known->second : difference(field, near, weight),
+        unit_by_key(field.unit(), key.parameter.unit), "derivative: " + field.description());
+  }
+}
+
+} // namespace
+
+void declare_orbit_keys(parameters::Section &section) {
+  section
+      .named_subsection("Derivative", "A key by which the motion and what is recorded of it are "
+                                      "differentiated.")
+      .text("Path", "",
+            "The key, as for --set: Contact/stop/Clearance, or Variables/lambda; empty means the "
+            "frequency of the excitation.");
+}
+
+std::vector<OrbitKey> read_orbit_keys(const parameters::Values &section) {
+  std::vector<OrbitKey> keys;
+  for (const std::string &name : section.instances("Derivative")) {
+    const parameters::Values one = section.instance("Derivative", name);
+    keys.push_back({.name = name, .parameter = {}});
+    const std::string path = one.text("Path");
+    if (path.empty())
+      continue;
+    const std::string target = one.key_path("Path");
+    if (target.starts_with("Analysis ") || target.starts_with("Derived "))
+      one.reject("Path", "must be a key outside the analyses");
+    const auto number = section.parameters().number_at(path);
+    if (!number)
+      one.reject("Path", "must be a key with one number as its value");
+    keys.back().parameter = {.path = path,
+                             .unit = number->unit,
+                             .values = {number->value},
+                             .origin = one.place("Path") + ":"};
+  }
+  return keys;
+}
+
+void add_derivatives(const FieldWriter &result, const OrbitKey &key, const RecordedOrbit &motion,
+                     const SystemSource &build) {
+  std::vector<KeyNeighbour> neighbours = neighbours_of(key, motion, build);
+  periodic::ForcedKey forced = forced_key(key.name, motion.map.system(), neighbours);
+  motion.map.set_keys({&forced});
+  const Vector by_key = state_by_key(motion);
+  const FieldWriter of = result.below("derivative/" + key.name + "/"), listed = of.listed();
+  of.array({"state",
+            "SI",
+            "derivative of the state at the forcing phase of time zero, by the key in " +
+                key.parameter.unit,
+            {state_dimension}},
+           at_zero_phase(motion, by_key));
+  motion.map.set_keys({});
+  const std::map<std::string, double> tangents =
+      measure_tangents(motion, forced, neighbours, by_key);
+  std::vector<double> offsets;
+  for (const KeyNeighbour &neighbour : neighbours)
+    offsets.push_back(neighbour.offset);
+  const Vector weight = motion::derivative_weights(offsets);
+  const Recorded present = record(motion.system, motion.orbit.point.state, motion);
+  const std::vector<Recorded> near = record_neighbours(std::move(neighbours), by_key, motion);
+  const bool smooth = std::all_of(
+      near.begin(), near.end(), [&](const Recorded &one) { return one.events == present.events; });
+  listed.number("smooth", smooth ? 1 : 0, "1",
+                "0 where motions with the key some thousandths off have another number of contact "
+                "changes, so that derivatives of what other recorders give may be of no use");
+  if (!key.parameter.is_frequency())
+    listed.number("value", key.parameter.values[0], key.parameter.unit,
+                  "value of the key " + key.parameter.path);
+  add_recorded(listed, key, present, tangents, near, weight);
+}
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,88 @@
+#include "analyses/derivatives/tangent_motion.h"
+
+namespace vibroimpact::analyses {
+
+namespace {
+
+/// Beside the variation: it asks for the derivative before and after each event.
+class Along : public motion::Observer {
+public:
+  Along(const motion::Trajectory &trajectory, motion::Variation &variation,
+        const motion::KeyTangent &key, FormTangents &forms, TangentVisitor &visitor)
+      : trajectory_(trajectory), variation_(variation), key_(key), forms_(forms), visitor_(visitor),
+        before_(trajectory.equations()), after_(trajectory.equations()) {}
+
+  void step(const motion::StepView &view) override { variation_.step(view); }
+  motion::OutputMonitor *output_monitor() override { return variation_.output_monitor(); }
+  bool wants_integrals() const override { return false; }
+  void event(const motion::ContactEvent &event) override;
+  Vector change() { return variation_.columns().col(0) + variation_.key_columns().col(0); }
+
+private:
+  void take_modes(const motion::ContactEvent &event);
+  double delay(const motion::ContactEvent &event, const TangentPoint &before);
+
+  const motion::Trajectory &trajectory_;
+  motion::Variation &variation_;
+  const motion::KeyTangent &key_;
+  FormTangents &forms_;
+  TangentVisitor &visitor_;
+  motion::Equations before_, after_; ///< in the modes on both sides of an event
+  double collision_ = 0;             ///< instant of the last one [s]
+  double collision_delay_ = 0;
+};
+
+// Of several events of one collision the first one says all modes.
+void Along::take_modes(const motion::ContactEvent &event) {
+  before_.set_source_break(trajectory_.equations().source_break());
+  after_.set_source_break(trajectory_.equations().source_break());
+  for (std::size_t c = 0; c < after_.modes().size(); ++c)
+    before_.set_mode(c, event.collision ? event.collision->modes_before[c] : after_.modes()[c]);
+  if (event.collision)
+    for (std::size_t c = 0; c < after_.modes().size(); ++c)
+      after_.set_mode(c, event.collision->modes_after[c]);
+  else
+    after_.set_mode(event.contact, event.to);
+}
+
+double Along::delay(const motion::ContactEvent &event, const TangentPoint &before) {
+  const bool impact = event.guard->action == contact::GuardAction::impact;
+  if (impact && !event.collision && event.time == collision_)
+    return collision_delay_;
+  const double delay = forms_.delay(event, before);
+  if (impact) {
+    collision_ = event.time;
+    collision_delay_ = delay;
+  }
+  return delay;
+}
+
+void Along::event(const motion::ContactEvent &event) {
+  take_modes(event);
+  const TangentPoint before(before_, key_, event.time, *event.before, change());
+  const double delay = this->delay(event, before);
+  variation_.event(event);
+  const TangentPoint after(after_, key_, event.time, *event.state, change());
+  visitor_.event({.event = event, .before = before, .after = after, .delay = delay});
+}
+
+} // namespace
+
+void follow_tangent(motion::Trajectory &trajectory, const TangentStart &start,
+                    const std::vector<double> &stops, double end, motion::KeyTangent &key,
+                    const motion::VariationAccuracy &accuracy, FormTangents &forms,
+                    TangentVisitor &visitor) {
+  trajectory.start(start.state);
+  motion::Variation variation(trajectory, accuracy.scale, accuracy.tolerance, {&key});
+  variation.set_columns(start.change);
+  Along along(trajectory, variation, key, forms, visitor);
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    if (stops[i] > trajectory.time())
+      trajectory.advance(stops[i], along);
+    visitor.stop(
+        i, {trajectory.equations(), key, trajectory.time(), trajectory.state(), along.change()});
+  }
+  trajectory.advance(end, along);
+}
+
+} // namespace vibroimpact::analyses

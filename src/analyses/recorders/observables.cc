@@ -1,0 +1,284 @@
+#include "analyses/recorders/observables.h"
+
+#include "analyses/recorders/channels.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace vibroimpact::analyses {
+
+using motion::Bernstein;
+using motion::Equations;
+using motion::MonitoredForm;
+using motion::StepView;
+using motion::ValueRange;
+
+namespace {
+
+template <class... Cases> struct Overloaded : Cases... { using Cases::operator()...; };
+
+bool contains(const std::vector<std::string> &list, const std::string &name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+void add_channel(const Channel &channel, bool fixed, std::vector<Observable> &list) {
+  const auto add = [&](const char *kind, const char *unit, const char *meaning,
+                       const model::Projection &projection, int order) {
+    list.push_back({"point/" + channel.point + "/" + kind + "_" + channel.axis, kind, unit, meaning,
+                    PointForm{projection, order}, std::string(" along ") + channel.axis});
+  };
+  add("displacement", "m", "displacement relative to the base", channel.relative, 0);
+  if (fixed || channel.carried())
+    add("absolute_displacement", "m", "displacement in space", channel.absolute, 0);
+  add("velocity", "m/s", "velocity relative to the base", channel.relative, 1);
+  add("acceleration", "m/s^2", "absolute acceleration", channel.absolute, 2);
+}
+
+void add_contact(const contact::ContactSet &contacts, std::size_t c,
+                 std::vector<Observable> &list) {
+  const contact::ContactPair &pair = contacts.pairs()[c];
+  const std::string base = "contact/" + pair.name + "/";
+  list.push_back({base + "gap", "gap", "m", "gap", GapForm{c}, ", > 0 open"});
+  list.push_back(normal_force(contacts, c));
+  Index place = pair.internal_offset;
+  for (const contact::InternalState &state : pair.law->internal_states()) {
+    StateForm form{place, 0};
+    if (state.name == "approach_speed")
+      form.impact_of = c;
+    list.push_back({base + "internal/" + state.name, "stop", state.unit, state.description, form});
+    if (state.name == "stop_deformation")
+      list.push_back({base + "stop_position", "stop", "m",
+                      "distance of the stop's end from the undeformed other side",
+                      StateForm{place, pair.clearance}});
+    ++place;
+  }
+}
+
+void add_rotor(const model::Rotor &rotor, std::vector<Observable> &list) {
+  const auto add = [&](const char *name, const char *unit, const char *meaning, CurveForm form) {
+    list.push_back({"rotor/" + rotor.name + "/" + name, "rotor", unit, meaning, std::move(form)});
+  };
+  add("speed", "rad/s", "angular velocity", [angle = rotor.angle](const StepView &view) {
+    Bernstein rate = view.coordinate(angle).derivative();
+    rate *= 1 / view.length();
+    return rate;
+  });
+  if (!rotor.motor)
+    return;
+  add("torque", "N m", "torque of the motor",
+      [drive = rotor.motor->drive](const StepView &view) { return view.drive(drive); });
+  add("current", "A", "current of the motor", [motor = *rotor.motor](const StepView &view) {
+    Bernstein current = view.drive(motor.drive);
+    current *= 1 / motor.torque_constant;
+    return current;
+  });
+}
+
+void leave_selected(const ObservedSelection &selection, std::vector<Observable> &list) {
+  std::erase_if(list, [&](const Observable &one) { return !selection.has(one.kind); });
+}
+
+} // namespace
+
+bool ObservedSelection::has(const std::string &kind) const {
+  return kinds.empty() || contains(kinds, kind);
+}
+
+std::vector<Observable> point_observables(const model::Model &model,
+                                          const ObservedSelection &selection, bool fixed) {
+  std::vector<Observable> list;
+  for (const Channel &channel : observed_channels(model))
+    if (selection.points.empty() || contains(selection.points, channel.point))
+      add_channel(channel, fixed, list);
+  leave_selected(selection, list);
+  return list;
+}
+
+std::vector<Observable> observables(const ObservedSelection &selection, const System &system) {
+  std::vector<Observable> list = point_observables(system.model, selection);
+  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+    add_contact(system.contacts, c, list);
+  for (const model::Rotor &rotor : system.model.rotors().list())
+    add_rotor(rotor, list);
+  leave_selected(selection, list);
+  return list;
+}
+
+Observable normal_force(const contact::ContactSet &contacts, std::size_t contact) {
+  return {"contact/" + contacts.pairs()[contact].name + "/normal_force",
+          "normal_force",
+          "N",
+          "normal force",
+          ForceForm{contact},
+          ", > 0 pushes apart"};
+}
+
+void put_forces_last(std::vector<Observable> &list) {
+  std::stable_partition(list.begin(), list.end(),
+                        [](const Observable &one) { return !one.is_force(); });
+}
+
+bool in_contact(const StepView &view, std::size_t contact) {
+  return view.equations().mode(contact).in_contact;
+}
+
+bool is_seen(const Observable &observable, const Equations &equations) {
+  if (const auto *force = std::get_if<ForceForm>(&observable.form))
+    return equations.mode(force->contact).in_contact;
+  const auto *state = std::get_if<StateForm>(&observable.form);
+  return state == nullptr || !state->impact_of || equations.mode(*state->impact_of).in_contact;
+}
+
+Bernstein curve(const Observable &observable, const StepView &view) {
+  return std::visit(Overloaded{[&](const PointForm &form) {
+                                 return form.order == 0   ? view.displacement(form.projection)
+                                        : form.order == 1 ? view.velocity(form.projection)
+                                                          : view.acceleration(form.projection);
+                               },
+                               [&](const GapForm &form) { return view.gap(form.contact); },
+                               [&](const StateForm &form) {
+                                 Bernstein state = view.internal(form.place);
+                                 state += form.constant;
+                                 return state;
+                               },
+                               [&](const CurveForm &form) { return form(view); },
+                               [&](const ForceForm & /*form*/) -> Bernstein {
+                                 throw std::logic_error("a contact force is no polynomial");
+                               }},
+                    observable.form);
+}
+
+StepFunction along(const Observable &observable, const StepView &view) {
+  if (!is_seen(observable, view.equations()) && observable.is_force())
+    return [](double) { return 0.0; };
+  if (const auto *force = std::get_if<ForceForm>(&observable.form))
+    return [view, c = force->contact, curves = view.contact_curves(force->contact)](double tau) {
+      return view.force(c, curves, tau);
+    };
+  return curve(observable, view);
+}
+
+MonitoredForm monitored(const Observable &observable, const Equations &equations,
+                        ValueRange &range) {
+  return std::visit(
+      Overloaded{[&](const PointForm &form) {
+                   const auto make = form.order == 0   ? motion::monitored_displacement
+                                     : form.order == 1 ? motion::monitored_velocity
+                                                       : motion::monitored_acceleration;
+                   return make(equations, form.projection, range);
+                 },
+                 [&](const GapForm &form) {
+                   return motion::monitored_contact(equations, form.contact, {.gap = 1}, range);
+                 },
+                 [&](const StateForm &form) {
+                   return motion::monitored_state(
+                       equations, equations.layout().internal() + form.place, form.constant, range);
+                 },
+                 [&](const ForceForm &form) {
+                   return motion::monitored_force(equations, form.contact, range);
+                 },
+                 [&](const CurveForm & /*form*/) -> MonitoredForm {
+                   throw std::logic_error(observable.path + " is not linear in the motion");
+                 }},
+      observable.form);
+}
+
+namespace {
+
+const std::vector<std::string> quantity_kinds = {
+    "displacement", "absolute_displacement", "velocity", "acceleration",
+    "gap",          "normal_force",          "stop",     "rotor"};
+
+// An empty list means all.
+std::vector<std::string> without_all(std::vector<std::string> names) {
+  if (names == std::vector<std::string>{"all"})
+    names.clear();
+  return names;
+}
+
+// all, none, or some of the known names, without repetition and in the order of the known ones.
+std::vector<std::string> chosen(const parameters::Values &values, const std::string &key,
+                                const std::vector<std::string> &known) {
+  const std::vector<std::string> names = values.names(key);
+  if (names.empty() || (names.size() == 1 && names[0] == "none"))
+    return {};
+  if (names.size() == 1 && names[0] == "all")
+    return known;
+  for (const std::string &name : names)
+    values.require_known(key, name, known);
+  return names;
+}
+
+} // namespace
+
+void declare_selection_of_quantities(parameters::Section &section) {
+  std::string list;
+  for (const std::string &kind : quantity_kinds)
+    list += ", " + kind;
+  section.names("Points", "all", "Points that are observed: all, or their names as BODY.POINT.")
+      .names("Quantities", "all",
+             "What is observed: all, or some of" + list.substr(1) +
+                 ". stop: internal states of contact laws, such as the deformation of a stop; "
+                 "rotor: speed, torque and current; connection_force: in histories only.");
+}
+
+ObservedSelection read_selection_of_quantities(const parameters::Values &section) {
+  ObservedSelection selection{.points = without_all(section.names("Points")),
+                              .kinds = without_all(section.names("Quantities"))};
+  for (const std::string &kind : selection.kinds)
+    section.require_known("Quantities", kind, quantity_kinds);
+  return selection;
+}
+
+void check_points(const ObservedSelection &selection, const System &system,
+                  const parameters::Values &section) {
+  for (const std::string &point : selection.points)
+    section.require_known("Points", point, system.model.point_names());
+}
+
+void declare_points(parameters::Section &section) {
+  section.names("Points", "all", "Points that are observed: all, none, or their names BODY.POINT.");
+}
+
+void declare_signals(parameters::Section &section) {
+  declare_points(section);
+  section
+      .choice("Quantity", "displacement", {"displacement", "velocity", "acceleration"},
+              "What is observed at the points: displacement or velocity relative to the base, or "
+              "absolute acceleration.")
+      .names("Contacts", "none",
+             "Contacts whose normal force is observed: all, none, or their names.");
+}
+
+std::vector<std::string> chosen_points(const parameters::Values &values, const System &system) {
+  return chosen(values, "Points", system.model.point_names());
+}
+
+std::vector<std::size_t> chosen_contacts(const parameters::Values &values, const std::string &key,
+                                         const System &system) {
+  std::vector<std::string> known;
+  for (const contact::ContactPair &pair : system.contacts.pairs())
+    known.push_back(pair.name);
+  const std::vector<std::string> names = chosen(values, key, known);
+  std::vector<std::size_t> contacts;
+  for (std::size_t c = 0; c < known.size(); ++c)
+    if (contains(names, known[c]))
+      contacts.push_back(c);
+  return contacts;
+}
+
+std::vector<Observable> chosen_signals(const parameters::Values &values, const System &system) {
+  std::vector<Observable> signals;
+  if (const std::vector<std::string> points = chosen_points(values, system); !points.empty())
+    signals =
+        point_observables(system.model, {.points = points, .kinds = {values.choice("Quantity")}});
+  for (const std::size_t c : chosen_contacts(values, "Contacts", system)) {
+    signals.push_back(normal_force(system.contacts, c));
+    signals.back().supplement.clear();
+  }
+  if (signals.empty())
+    values.reject("Points", "must name at least one point, or Contacts at least one contact");
+  return signals;
+}
+
+} // namespace vibroimpact::analyses

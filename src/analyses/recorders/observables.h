@@ -1,0 +1,108 @@
+// The quantities that are observed of motions: their names, what they are of a motion, and the
+// choice of them in the parameter file.
+//
+// Displacements and velocities are relative to the base the body stands on, where that moves also
+// in space; accelerations are absolute. At a contact change both one-sided values are seen, that
+// before it at the end of a step and that after it at the start of the next.
+#pragma once
+
+#include "analyses/run/system.h"
+#include "motion/interval/observer.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace vibroimpact::analyses {
+
+/// A displacement, or its first or second derivative by time.
+struct PointForm {
+  model::Projection projection;
+  int order = 0;
+};
+struct GapForm {
+  std::size_t contact = 0;
+};
+/// An internal state of a law plus a constant.
+struct StateForm {
+  Index place = 0;
+  double constant = 0;
+  std::optional<std::size_t> impact_of{}; ///< of this contact: it says nothing before the first one
+};
+/// The normal force of a contact, which is no polynomial along a step.
+struct ForceForm {
+  std::size_t contact = 0;
+};
+/// What is not linear in the motion.
+using CurveForm = std::function<motion::Bernstein(const motion::StepView &view)>;
+using OutputForm = std::variant<PointForm, GapForm, StateForm, ForceForm, CurveForm>;
+
+struct Observable {
+  std::string path; ///< of its fields: "point/frame.head/displacement_x"
+  std::string kind; ///< as in the key Quantities: "displacement"
+  std::string unit;
+  std::string meaning; ///< "displacement relative to the base"
+  OutputForm form;
+  std::string supplement{}; ///< " along x"
+
+  std::string description() const { return meaning + supplement; }
+  bool is_force() const { return std::holds_alternative<ForceForm>(form); }
+  /// Is it known in closed form where the motion is?
+  bool is_linear() const { return !std::holds_alternative<CurveForm>(form); }
+};
+
+/// False: it says nothing in the present modes, as what belongs to an impact between impacts.
+bool is_seen(const Observable &observable, const motion::Equations &equations);
+/// Along a step; not of forces.
+motion::Bernstein curve(const Observable &observable, const motion::StepView &view);
+/// A quantity along one step; tau = 0 ... 1.
+using StepFunction = std::function<double(double tau)>;
+StepFunction along(const Observable &observable, const motion::StepView &view);
+/// In the present modes; of what is linear in the motion, and of the force of a contact that lasts.
+motion::MonitoredForm monitored(const Observable &observable, const motion::Equations &equations,
+                                motion::ValueRange &range);
+
+/// What is observed, by name; empty lists mean everything.
+struct ObservedSelection {
+  std::vector<std::string> points; ///< "body.point"
+  std::vector<std::string> kinds;
+
+  bool has(const std::string &kind) const;
+};
+
+/// Of points, of contacts one after the other, of rotors.
+std::vector<Observable> observables(const ObservedSelection &selection, const System &system);
+/// Of points alone; `fixed`: displacements in space also where no base moves the point.
+std::vector<Observable> point_observables(const model::Model &model,
+                                          const ObservedSelection &selection, bool fixed = false);
+Observable normal_force(const contact::ContactSet &contacts, std::size_t contact);
+/// Moves the normal forces behind all others.
+void put_forces_last(std::vector<Observable> &list);
+
+/// Is a contact in a mode that counts as contact?
+bool in_contact(const motion::StepView &view, std::size_t contact);
+
+/// Declares the keys Points and Quantities.
+void declare_selection_of_quantities(parameters::Section &section);
+/// InputError for kinds that do not exist.
+ObservedSelection read_selection_of_quantities(const parameters::Values &section);
+/// Refuses names of points that the model does not have. InputError.
+void check_points(const ObservedSelection &selection, const System &system,
+                  const parameters::Values &section);
+
+/// Declares the keys Points, Quantity and Contacts.
+void declare_signals(parameters::Section &section);
+/// What these keys choose. InputError for unknown names and when nothing is chosen.
+std::vector<Observable> chosen_signals(const parameters::Values &values, const System &system);
+
+/// Declares the key Points alone.
+void declare_points(parameters::Section &section);
+/// The points that the key chooses. InputError for unknown names.
+std::vector<std::string> chosen_points(const parameters::Values &values, const System &system);
+/// The contacts that `key` chooses: all, none, or names. InputError for unknown names.
+std::vector<std::size_t> chosen_contacts(const parameters::Values &values, const std::string &key,
+                                         const System &system);
+
+} // namespace vibroimpact::analyses

@@ -1,0 +1,66 @@
+#include "analyses/recorders/window_recording.h"
+
+namespace vibroimpact::analyses {
+
+using motion::Observer;
+using motion::Trajectory;
+
+WindowRecording::WindowRecording(const std::vector<RecorderFactory> &factories,
+                                 const System &system) {
+  for (const RecorderFactory &factory : factories)
+    recorders_.push_back(factory(system));
+  together_ = std::make_unique<motion::Observers>(observers());
+}
+
+std::vector<Observer *> WindowRecording::observers() const {
+  std::vector<Observer *> list;
+  for (const auto &recorder : recorders_)
+    list.push_back(recorder.get());
+  return list;
+}
+
+void WindowRecording::run(const Window &window, Trajectory &trajectory,
+                          const std::function<void(long period)> &after_period) {
+  watch(window, trajectory, *together_, after_period);
+}
+
+void WindowRecording::run(const Window &window, Trajectory &trajectory, Observer &also) {
+  std::vector<Observer *> watching = observers();
+  watching.insert(watching.begin(), &also);
+  motion::Observers all(watching);
+  watch(window, trajectory, all, {});
+}
+
+void WindowRecording::watch(const Window &window, Trajectory &trajectory, Observer &all,
+                            const std::function<void(long period)> &after_period) {
+  for (const auto &recorder : recorders_)
+    recorder->begin(window, trajectory);
+  for (long cycle = 1; cycle <= window.cycles; ++cycle) {
+    trajectory.advance(cycle == window.cycles
+                           ? window.end
+                           : window.start + static_cast<double>(cycle) * window.period,
+                       all);
+    for (const auto &recorder : recorders_)
+      recorder->period_end(cycle, trajectory);
+    if (after_period)
+      after_period(cycle);
+  }
+  if (window.cycles == 0)
+    trajectory.advance(window.end, all);
+  for (const auto &recorder : recorders_)
+    recorder->end(trajectory);
+}
+
+void WindowRecording::add_fields(const FieldWriter &result) const {
+  for (const auto &recorder : recorders_)
+    recorder->add_fields(result);
+}
+
+Window periods_window(double start, double period, long cycles) {
+  return {.start = start,
+          .end = start + static_cast<double>(cycles) * period,
+          .period = period,
+          .cycles = cycles};
+}
+
+} // namespace vibroimpact::analyses

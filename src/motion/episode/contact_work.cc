@@ -1,0 +1,95 @@
+#include "motion/episode/contact_work.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibroimpact::motion {
+
+ContactWork::ContactWork(const PowerForms &powers, const PhaseContact &contact,
+                         const Equations &equations, double tolerance)
+    : powers_(powers), contact_(contact), equations_(equations), tolerance_(tolerance) {
+  const StateLayout &layout = equations.layout();
+  const auto own = static_cast<Index>(contact.contact());
+  for (std::size_t k = 0; k < powers.size(); ++k)
+    if (powers.entry(k) != layout.impulse(own) && powers.entry(k) != layout.contact_work(own))
+      products_.push_back(static_cast<Index>(k));
+}
+
+void ContactWork::renew() {
+  if (version_ == contact_.version())
+    return;
+  version_ = contact_.version();
+  const auto count = static_cast<Index>(products_.size());
+  Matrix factors(2 * count, contact_.flow().size());
+  constants_.resize(2 * count);
+  for (Index i = 0; i < 2 * count; ++i) {
+    const Index of = 2 * products_[static_cast<std::size_t>(i / 2)] + i % 2;
+    factors.row(i) = contact_.in_amplitudes(powers_.rows().row(of)).transpose();
+    constants_[i] = powers_.constants()[of];
+  }
+  factors_ = factors.sparseView(1, 0);
+}
+
+// A rule of 10 points at the tolerance 1e-8, and more where the system turns within the contact.
+int ContactWork::points() const {
+  constexpr double of_ten = 1e-8;
+  const double theta = contact_.flow().fastest() * contact_.duration();
+  const int by_tolerance =
+      static_cast<int>(std::lround(10 * std::pow(of_ten / tolerance_, 1. / 7)));
+  return std::max(std::clamp(by_tolerance, 8, 20), 7 + static_cast<int>(std::ceil(theta)));
+}
+
+void ContactWork::add_powers(Vector &state) {
+  const WholeContact &solved = contact_.solution();
+  QuadraturePoints &quadrature = solved.tools().quadrature(points());
+  const std::vector<double> moments = solved.moments(quadrature.at_nodes);
+  amplitudes_.resize(contact_.before().size());
+  for (int i = 0; i < quadrature.at_nodes.n_targets(); ++i) {
+    const double t = static_cast<double>(quadrature.rule.nodes[i]) * contact_.duration();
+    kernel().turn(contact_.linear().phase().view(), contact_.before().data(), t,
+                  amplitudes_.data());
+    contact_.flow().add(contact_.duration(), moments.data() + i * solved.terms(), solved.terms(),
+                        amplitudes_.data());
+    values_ = constants_;
+    values_.noalias() += factors_ * ConstVectorView(amplitudes_.data(), factors_.cols());
+    const double weight = static_cast<double>(quadrature.rule.weights[i]) * contact_.duration();
+    for (std::size_t k = 0; k < products_.size(); ++k) {
+      const auto at = static_cast<Index>(2 * k);
+      state[powers_.entry(static_cast<std::size_t>(products_[k]))] +=
+          weight * values_[at] * values_[at + 1];
+    }
+  }
+}
+
+// - integral of f times the rate of the base, by the force's own integrals.
+double ContactWork::work_of_bases(double time) const {
+  const contact::ContactPair &pair = equations_.contacts().pairs()[contact_.contact()];
+  const WholeContact &solved = contact_.solution();
+  const auto end = solved.tools().at_nodes.term(0).row(solved.nodes());
+  double work = 0;
+  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k) {
+    if (pair.gap.base_coefficients[k] == 0)
+      continue;
+    const model::TimeFunction &source = *equations_.model().sources()[k].function;
+    for (int j = 0; j < solved.nodes(); ++j) {
+      const double t = time + contact_.duration() * solved.tools().family.nodes()[j];
+      work -= contact_.duration() * end[j] * solved.forces()[j] * pair.gap.base_coefficients[k] *
+              source.rate(equations_.source_time(t));
+    }
+  }
+  return work;
+}
+
+void ContactWork::add(double time, Vector &state) {
+  renew();
+  const StateLayout &layout = equations_.layout();
+  const auto own = static_cast<Index>(contact_.contact());
+  const double before = state[layout.input_work()];
+  add_powers(state);
+  state[layout.input_work()] += work_of_bases(time);
+  state[layout.absolute_input_work()] += std::abs(state[layout.input_work()] - before);
+  state[layout.impulse(own)] += contact_.solution().impulse();
+  state[layout.contact_work(own)] += contact_.solution().dissipated();
+}
+
+} // namespace vibroimpact::motion

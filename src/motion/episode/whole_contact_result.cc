@@ -1,0 +1,125 @@
+// What is asked of a contact that was solved: whether it is one, its error, what its force does.
+#include "motion/episode/whole_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibroimpact::motion {
+
+// A force that pushes has not ended before. One that pulls as long as there is penetration neither.
+bool WholeContact::ends_first() const {
+  return tools_->family.is_positive(forces_.data(), !condition_.at_release()) ||
+         (condition_.at_release() && overlaps());
+}
+
+// Between points so close that the cubic polynomials of the penetration show where it is: they lie
+// within the hull of their Bernstein coefficients.
+bool WholeContact::overlaps() const {
+  constexpr int points = 17;
+  ShownPoints &shown = tools_->shown(points);
+  shown.between.require(terms_);
+  const ConstVectorView forces(forces_.data(), n_);
+  const double theta = output_.flow().fastest() * duration_;
+  Vector u = Vector::Zero(shown.between.n_targets() + 2);
+  Vector slope = Vector::Zero(u.size()); // du/dx
+  slope[0] = speed_ * duration_;
+  slope[u.size() - 1] = rates_[static_cast<std::size_t>(n_)] * duration_;
+  for (int k = 1; k < terms_; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    u.segment(1, u.size() - 2) += duration_ * powers_[at] * (shown.between.term(k) * forces);
+    slope.segment(1, u.size() - 2) +=
+        duration_ * powers_[at] * (shown.between.term(k - 1) * forces);
+    const double free = coefficients_[at] * std::pow(theta, k);
+    for (Index i = 1; i + 1 < u.size(); ++i) {
+      const double before = std::pow(static_cast<double>(shown.rule.nodes[i]), k - 1);
+      u[i] += free * before * static_cast<double>(shown.rule.nodes[i]);
+      slope[i] += free * k * before;
+    }
+  }
+  for (Index i = 0; i + 1 < u.size(); ++i) {
+    const auto third = static_cast<double>(shown.rule.nodes[i + 1] - shown.rule.nodes[i]) / 3;
+    if (!(u[i] + third * slope[i] > 0 && u[i + 1] - third * slope[i + 1] > 0) ||
+        (i > 0 && !(u[i] > 0)))
+      return false;
+  }
+  return true;
+}
+
+// Of systems that are far from normal the terms need not fall as those of their exponents.
+bool WholeContact::series_ends() const {
+  const double theta = output_.flow().fastest() * duration_;
+  const double largest = *std::max_element(penetrations_.begin(), penetrations_.begin() + n_);
+  const double allowed = tolerance_of_newton_;
+  for (int k = terms_ - 2; k < terms_; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    if (std::abs(coefficients_[at]) * std::pow(theta, k) > allowed * largest ||
+        std::abs(powers_[at] / powers_[1]) / std::tgamma(k + 1.0) > allowed)
+      return false;
+  }
+  return true;
+}
+
+// Damping with a root of the penetration, and a force that is cut off where there is little of it
+// left, have slopes that are no smooth functions of time, even beside the weight: what Gauss nodes
+// gain for smooth ones is lost.
+bool WholeContact::is_rough() const {
+  const ForceShape &shape = tools_->family.shape();
+  return shape.begin_root > 1 || shape.end_root > 1 || (!condition_.at_release());
+}
+
+void WholeContact::find_error() {
+  // Damping at a first touch is no stiffness.
+  constexpr double shallow = 0.1;
+  const double deepest = *std::max_element(penetrations_.begin(), penetrations_.begin() + n_);
+  double stiffness = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n_); ++i)
+    stiffness = std::max(stiffness,
+                         std::abs(law_.force[i]) / std::max(penetrations_[i], shallow * deepest));
+  const double fastest = output_.flow().fastest();
+  const double turn = 0.5 * duration_ * tools_->family.stretch().steepest() *
+                      std::sqrt(fastest * fastest + 2 * stiffness / mass_);
+  double smooth = 1;
+  for (int k = 1; k <= n_; ++k)
+    smooth *= turn / (2 * k - 1);
+  constexpr double of_rough_force = 0.1;
+  const double tail = tools_->family.tail(forces_.data());
+  const double kept = std::max(std::min(1.0, smooth), is_rough() ? of_rough_force : 0);
+  error_ = tail * std::max(0.1 * tail, kept) / tolerance_;
+  error_between_ = tail / (n_ * n_) / tolerance_;
+}
+
+double WholeContact::impulse() const {
+  return duration_ * tools_->at_nodes.term(0).row(n_).dot(ConstVectorView(forces_.data(), n_));
+}
+
+// By the rule whose nodes these are: its weights are positive.
+double WholeContact::pulling_impulse() const {
+  const ConstVectorView forces(forces_.data(), n_);
+  return -duration_ * tools_->at_nodes.term(0).row(n_).dot(forces.cwiseMin(0));
+}
+
+double WholeContact::dissipated() const {
+  return duration_ *
+         tools_->at_nodes.term(0).row(n_).dot(ConstVectorView(law_.dissipated.data(), n_));
+}
+
+std::vector<double> WholeContact::moments(ForceOperators &operators) const {
+  operators.require(terms_);
+  const auto count = static_cast<std::size_t>(terms_);
+  std::vector<double> list(count * static_cast<std::size_t>(operators.n_targets()));
+  const ConstVectorView forces(forces_.data(), n_);
+  Eigen::Map<Matrix> of(list.data(), terms_, operators.n_targets());
+  for (int k = 0; k < terms_; ++k)
+    of.row(k).noalias() = (operators.term(k) * forces).transpose();
+  return list;
+}
+
+std::vector<double> WholeContact::end_moments() const {
+  std::vector<double> list(static_cast<std::size_t>(terms_));
+  const ConstVectorView forces(forces_.data(), n_);
+  for (int k = 0; k < terms_; ++k)
+    list[static_cast<std::size_t>(k)] = tools_->at_nodes.term(k).row(n_).dot(forces);
+  return list;
+}
+
+} // namespace vibroimpact::motion

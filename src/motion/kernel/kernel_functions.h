@@ -1,0 +1,37 @@
+// The functions of a kernel, for one kind of machine; included by the kernel_*.cc only.
+#pragma once
+
+#include "motion/kernel/kernel_outputs.h"
+#include "motion/kernel/kernel_walk.h"
+
+namespace vibroimpact::motion {
+namespace {
+
+inline WalkEnd advance(const PhaseView &phase, Walk &walk, double limit) {
+  return Walker(phase, walk).advance(limit);
+}
+
+inline void exponential_of(const double *x, double *result) { store(result, exponential(load(x))); }
+
+inline void sine_cosine_of(const double *x, double *sines, double *cosines) {
+  const SineCosine8 of = sine_cosine(load(x));
+  store(sines, of.sine);
+  store(cosines, of.cosine);
+}
+
+constexpr Kernel kernel_called(const char *name) {
+  return {.name = name,
+          .advance = advance,
+          .turn = turn,
+          .include_part = include_part,
+          .derivatives = derivatives,
+          .guard_size = guard_size,
+          .guard_noise = guard_noise,
+          .change = change,
+          .integrate = integrate,
+          .exponential = exponential_of,
+          .sine_cosine = sine_cosine_of};
+}
+
+} // namespace
+} // namespace vibroimpact::motion

@@ -1,0 +1,185 @@
+#include "motion/path/exact_stepper.h"
+
+#include "common/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace vibroimpact::motion {
+
+// The guards of the phase during a step. The sixth derivative of a group is bounded by the size of
+// its amplitude and the growth since then; of a dense block by |c B^6| exp(|B| (b - a)) |x(a)|
+// between a and b: from the start of the step on, the bound of a fast block would soon grow beyond
+// any use.
+class ExactStepper::Guards : public GuardCurves {
+public:
+  void start(const LinearPhase &known, ExactPhase &phase, const Amplitudes &amplitudes) {
+    forms_ = &known.forms().guard_forms();
+    phase_ = &phase;
+    amplitudes_ = &amplitudes;
+    turned_.resize(amplitudes.size());
+  }
+
+  Index size() const override { return forms_->constants.size(); }
+
+  Jet at(Index guard, double time) const override {
+    double f[4];
+    kernel().derivatives(phase_->view(), static_cast<int>(guard), amplitudes_at(time), f);
+    return {.value = f[0], .rate = f[1], .acceleration = f[2]};
+  }
+
+  double sixth_derivative(Index guard, double from, double to) const override {
+    double bound = 0;
+    for (const PhaseGroup &group : phase_->groups())
+      bound += group.kind == BlockKind::dense ? of_dense(guard, group, from, to)
+                                              : of_group(guard, group, from, to);
+    return bound;
+  }
+
+  double rounding(Index guard) const override {
+    const PhaseView &view = phase_->view();
+    const auto n = static_cast<std::size_t>(view.n_padded);
+    const auto g = static_cast<std::size_t>(guard);
+    double sum = view.constant_sizes[g];
+    for (std::size_t j = 0; j < n; ++j)
+      sum += view.sizes[g * n + j] * std::hypot((*amplitudes_)[j], (*amplitudes_)[n + j]);
+    return guard_rounding * sum;
+  }
+
+private:
+  // The amplitudes some time after the start of the step.
+  const double *amplitudes_at(double time) const {
+    if (time == 0)
+      return amplitudes_->data();
+    kernel().turn(phase_->view(), amplitudes_->data(), time, turned_.data());
+    return turned_.data();
+  }
+
+  RowVector seen(Index guard, const PhaseGroup &group) const {
+    RowVector row(static_cast<Index>(group.coordinates.size()));
+    for (std::size_t c = 0; c < group.coordinates.size(); ++c)
+      row[static_cast<Index>(c)] =
+          forms_->rows.row(guard).dot(phase_->columns().col(group.coordinates[c]));
+    return row;
+  }
+
+  double of_group(Index guard, const PhaseGroup &group, double from, double to) const {
+    const auto j = static_cast<std::size_t>(group.first);
+    const double size = std::hypot((*amplitudes_)[j], (*amplitudes_)[j + amplitudes_->size() / 2]);
+    const double rate = group.exponent.real();
+    return seen(guard, group).norm() * size * std::pow(std::abs(group.exponent), 6) *
+           std::exp(rate * (rate > 0 ? to : from));
+  }
+
+  double of_dense(Index guard, const PhaseGroup &group, double from, double to) const {
+    const double *amplitudes = amplitudes_at(from);
+    RowVector row = seen(guard, group);
+    for (int order = 0; order < 6; ++order)
+      row = row * group.generator;
+    Vector x(row.size());
+    for (Index c = 0; c < x.size(); ++c)
+      x[c] = std::abs(amplitudes[static_cast<std::size_t>(group.first + c)]);
+    const double growth = group.generator.cwiseAbs().rowwise().sum().maxCoeff();
+    constexpr double beyond_any_use = 200;
+    return row.cwiseAbs().sum() * x.maxCoeff() *
+           std::exp(std::min(growth * (to - from), beyond_any_use));
+  }
+
+  const GuardForms *forms_ = nullptr;
+  const ExactPhase *phase_ = nullptr;
+  const Amplitudes *amplitudes_ = nullptr;
+  mutable Amplitudes turned_;
+};
+
+ExactStepper::ExactStepper(const Equations &equations, const Settings &settings)
+    : equations_(equations), phases_(equations, settings), guards_(std::make_unique<Guards>()) {}
+
+ExactStepper::~ExactStepper() = default;
+
+bool ExactStepper::handles(double time) { return phases_.linear() && phases_.take_sources(time); }
+
+void ExactStepper::restart(double time, const Vector &x) {
+  place(time, x);
+  start_.time = time;
+  start_.state = x;
+  phase_.reset();
+}
+
+// What is zero at the start comes out as zero from the state and the equations, not from a sum of
+// amplitudes.
+void ExactStepper::begin() {
+  phase_ = phases_.present()->shared_from_this();
+  phases_.enter(*phase_);
+  const Index size = equations_.layout().physical_size();
+  const Vector y = end_.state.head(size);
+  Vector inputs(phases_.excitation().size());
+  phases_.excitation().coordinates(end_.time, inputs.data());
+  phase_->phase().amplitudes(y, inputs.data(), from_);
+  to_.resize(from_.size());
+  phase_->segment(equations_).fill(end_.time, from_.data(), end_);
+  Matrix rows(size + 3 * static_cast<Index>(end_.sources.size()), 4);
+  rows.col(0).head(size) = y;
+  for (std::size_t k = 0; k < end_.sources.size(); ++k)
+    for (Index order = 0; order < 3; ++order)
+      for (Index of = 0; of < 3; ++of)
+        rows(size + 3 * static_cast<Index>(k) + of, order) =
+            end_.sources[k][static_cast<std::size_t>(order + of)];
+  phase_->system().differentiate(rows);
+  phase_->segment(equations_).begin(from_.data(), true);
+  end_.state.head(size) = y;
+  end_.rates.head(size) = rows.col(1).head(size);
+  end_.higher = rows.block(0, 2, size, 2);
+}
+
+void ExactStepper::take(double end) {
+  kernel().turn(phase_->phase().view(), from_.data(), end - start_.time, to_.data());
+  end_.state = start_.state;
+  phase_->segment(equations_).fill(end, to_.data(), end_);
+  if (!end_.state.allFinite())
+    throw NumericalError("the state is no longer finite at t = " + std::to_string(end) + " s");
+  pending_ = true;
+}
+
+void ExactStepper::step(double limit) {
+  if (!phase_)
+    begin();
+  std::swap(start_, end_);
+  const double wanted = phase_->segment(equations_).step(from_.data());
+  const double rest = limit - start_.time;
+  if (!(start_.time + wanted > start_.time))
+    throw NumericalError(
+        "the motion is too large for any step, at t = " + std::to_string(start_.time) + " s");
+  // Two halves rather than a step and a sliver.
+  if (rest <= wanted * (1 + 1e-9))
+    take(limit);
+  else
+    take(start_.time + (rest < 2 * wanted ? 0.5 * rest : wanted));
+}
+
+const GuardCurves *ExactStepper::guard_curves() {
+  guards_->start(*phase_, phase_->phase(), from_);
+  return guards_.get();
+}
+
+void ExactStepper::undo() {
+  end_ = start_;
+  pending_ = false;
+}
+
+void ExactStepper::accept(bool keep_work) {
+  if (!pending_)
+    return;
+  pending_ = false;
+  if (keep_work)
+    phase_->work(equations_).add(from_.data(), to_.data(), end_.time - start_.time, end_.state);
+  from_.swap(to_);
+}
+
+void ExactStepper::place(double time, const Vector &x) {
+  end_.time = time;
+  end_.state = x;
+  pending_ = false;
+}
+
+} // namespace vibroimpact::motion

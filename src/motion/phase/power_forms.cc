@@ -1,0 +1,134 @@
+// The powers of a linear phase.
+#include "motion/interval/phase_forms.h"
+#include "motion/phase/quadratic_form.h"
+
+#include <optional>
+#include <stdexcept>
+
+namespace vibroimpact::motion {
+
+namespace {
+
+// Local state of a contact as a vector: gap, its rate, internal states, the force that holds it.
+contact::LocalState local_state(const Vector &x, std::size_t n_internal) {
+  return {.gap = x[0],
+          .gap_rate = x[1],
+          .internal = {x.data() + 2, n_internal},
+          .normal_force = x[2 + static_cast<Index>(n_internal)]};
+}
+
+std::vector<LinearRow> local_rows(const Equations &equations, std::size_t contact,
+                                  std::size_t n_internal) {
+  std::vector<LinearRow> rows = {linear_row(equations, contact, {.gap = 1}),
+                                 linear_row(equations, contact, {.gap_rate = 1})};
+  for (std::size_t i = 0; i < n_internal; ++i) {
+    contact::AffineForm form{.internal = std::vector<double>(n_internal, 0.0)};
+    form.internal[i] = 1;
+    rows.push_back(linear_row(equations, contact, form));
+  }
+  rows.push_back(linear_row(equations, contact, {.normal_force = 1}));
+  return rows;
+}
+
+LinearRow constant_row(const Equations &equations, double constant) {
+  const auto n_sources = static_cast<Index>(equations.model().sources().size());
+  return {.row = RowVector::Zero(equations.layout().physical_size() + 3 * n_sources),
+          .constant = constant};
+}
+
+LinearRow unit_row(const Equations &equations, Index entry) {
+  LinearRow form = constant_row(equations, 0);
+  form.row[entry] = 1;
+  return form;
+}
+
+} // namespace
+
+PowerForms::PowerForms(const Equations &equations)
+    : rows_(0, constant_row(equations, 0).row.size()), constants_(0) {
+  add_loads(equations);
+  add_damping(equations);
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+    if (!equations.inactive(c))
+      add_contact(equations, c);
+}
+
+void PowerForms::add(Index entry, const LinearRow &a, const LinearRow &b) {
+  if ((a.row.isZero(0) && a.constant == 0) || (b.row.isZero(0) && b.constant == 0))
+    return;
+  entries_.push_back(entry);
+  const Index first = rows_.rows();
+  rows_.conservativeResize(first + 2, Eigen::NoChange);
+  constants_.conservativeResize(first + 2);
+  rows_.row(first) = a.row;
+  rows_.row(first + 1) = b.row;
+  constants_[first] = a.constant;
+  constants_[first + 1] = b.constant;
+}
+
+void PowerForms::add_loads(const Equations &equations) {
+  const StateLayout &layout = equations.layout();
+  for (std::size_t k = 0; k < equations.model().sources().size(); ++k) {
+    const model::Source &source = equations.model().sources()[k];
+    Index row = layout.physical_size() + 3 * static_cast<Index>(k);
+    for (const Vector *load : {&source.load, &source.rate_load, &source.inertial_load}) {
+      LinearRow speed = constant_row(equations, 0);
+      speed.row.segment(layout.velocity(), layout.n) = load->transpose();
+      add(layout.input_work(), speed, unit_row(equations, row++));
+    }
+  }
+}
+
+void PowerForms::add_damping(const Equations &equations) {
+  const StateLayout &layout = equations.layout();
+  const model::LinearForm &damping = equations.model().damping();
+  for (Index j = 0; j < layout.n; ++j) {
+    LinearRow force = constant_row(equations, 0);
+    force.row[layout.velocity() + j] = damping.diagonal[j];
+    if (damping.coupling.size() > 0)
+      force.row.segment(layout.velocity(), layout.n) += damping.coupling.row(j);
+    add(layout.damping_work(), unit_row(equations, layout.velocity() + j), force);
+  }
+}
+
+void PowerForms::add_contact(const Equations &equations, std::size_t contact) {
+  add_dissipation(equations, contact);
+  const StateLayout &layout = equations.layout();
+  const contact::ContactPair &pair = equations.contacts().pairs()[contact];
+  const LinearRow force = linear_row(equations, contact, equations.mode(contact).affine->force);
+  add(layout.impulse(static_cast<Index>(contact)), force, constant_row(equations, 1));
+  LinearRow carried = constant_row(equations, 0);
+  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k)
+    carried.row[layout.physical_size() + 3 * static_cast<Index>(k) + 1] =
+        -pair.gap.base_coefficients[k];
+  add(layout.input_work(), force, carried);
+}
+
+void PowerForms::add_dissipation(const Equations &equations, std::size_t contact) {
+  const contact::ContactPair &pair = equations.contacts().pairs()[contact];
+  const int mode = equations.modes()[contact];
+  const auto n_internal = static_cast<std::size_t>(pair.n_internal());
+  std::vector<LinearRow> rows = local_rows(equations, contact, n_internal);
+  contact::LawResponse response;
+  const std::optional<Matrix> dissipated = quadratic_form(
+      [&](const Vector &x) {
+        pair.law->evaluate(mode, local_state(x, n_internal), response);
+        return response.dissipated_power;
+      },
+      static_cast<Index>(rows.size()));
+  if (!dissipated)
+    throw std::logic_error("the law '" + pair.law->name() +
+                           "' is linear, but the power it dissipates is no quadratic form");
+  rows.push_back(constant_row(equations, 1));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    LinearRow force = constant_row(equations, 0);
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+      const double factor = (*dissipated)(static_cast<Index>(i), static_cast<Index>(j));
+      force.row += factor * rows[j].row;
+      force.constant += factor * rows[j].constant;
+    }
+    add(equations.layout().contact_work(static_cast<Index>(contact)), rows[i], force);
+  }
+}
+
+} // namespace vibroimpact::motion
