@@ -37,11 +37,11 @@ public:
   }
   /// The point was found finished: only the progress counts on.
   virtual void skip() = 0;
-  /// Leaves what lines after this one may ask for: at most Analysis::note_size() bytes.
-  virtual void leave_note(std::size_t /*line*/, const std::string & /*note*/) {}
+  /// Leaves what lines after this one may ask for: at most Analysis::message_size() bytes.
+  virtual void leave_message(std::size_t /*line*/, const std::string & /*note*/) {}
   /// That of a line before this one, for which it waits; an empty one where no notes are kept.
   /// Throws Interrupted when the run is to stop.
-  virtual std::string note_of(std::size_t /*line*/) const { return {}; }
+  virtual std::string message_of(std::size_t /*line*/) const { return {}; }
   /// The system of this line with other values of some keys. InputError.
   virtual System build(const std::vector<parameters::Override> & /*overrides*/) const {
     throw std::logic_error("no other systems can be built here");
@@ -87,7 +87,7 @@ public:
   /// part of it, for some seconds at most, on one rank.
   virtual void try_outcomes(const Outcomes & /*outcomes*/) const {}
   /// Room for the note of a line [bytes]; 0: none leaves one.
-  virtual std::size_t note_size() const { return 0; }
+  virtual std::size_t message_size() const { return 0; }
   /// InputError when systems with other values of keys do not fit, which `build` makes, before
   /// anything runs.
   virtual void check_built(const SystemSource & /*build*/) const {}

@@ -113,7 +113,7 @@ struct ForceEdge {
 
 /// The force of a mode in contact: from a touch on, and to the guards of the mode at which it ends
 /// without a jump.
-struct ForceCourse {
+struct ForcePulse {
   struct End {
     std::size_t guard = 0; ///< of the mode
     ForceEdge edge{};
@@ -155,7 +155,7 @@ public:
 
   /// Of modes whose force is no affine form and that are entered at a touch; nothing for all
   /// others, and where internal states change within the mode.
-  virtual std::optional<ForceCourse> force_course(int /*mode*/) const { return std::nullopt; }
+  virtual std::optional<ForcePulse> force_pulse(int /*mode*/) const { return std::nullopt; }
 
 protected:
   ContactLaw(std::vector<Mode> modes, std::vector<double> initial_internal);

@@ -1,8 +1,8 @@
 #include "continuation/branch.h"
 
 #include "common/signals.h"
+#include "continuation/branch_continuation.h"
 #include "continuation/newton.h"
-#include "continuation/walk.h"
 
 namespace vibroimpact::continuation {
 
@@ -49,7 +49,7 @@ BranchPoint solve(Problem &problem, const Point &guess, const Settings &settings
 
 Branch follow(Problem &problem, const Start &start, const Settings &settings,
               const Listener &listener, StepRecord *record) {
-  return Walk(problem, start, settings, listener, record).run();
+  return BranchContinuation(problem, start, settings, listener, record).run();
 }
 
 Start branch_from(Problem &doubled, const SpecialPoint &flip, const Settings &settings) {

@@ -9,7 +9,7 @@
 //     g_min behind.
 #pragma once
 
-#include "continuation/locus_walk.h"
+#include "continuation/locus_continuation.h"
 
 namespace vibroimpact::continuation {
 

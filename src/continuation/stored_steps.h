@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/recorded_step.h"
+#include "continuation/branch_continuation.h"
 #include "continuation/locus_end.h"
-#include "continuation/walk.h"
 
 namespace vibroimpact::continuation {
 

@@ -47,9 +47,9 @@ struct Shaken {
 };
 
 // Counts the contacts that were solved as a whole: their steps end at the points of ForceTools.
-class WholeContacts : public Observer {
+class ContactEpisodes : public Observer {
 public:
-  WholeContacts(const ContactLaw &law, double tolerance) : law_(law), tolerance_(tolerance) {}
+  ContactEpisodes(const ContactLaw &law, double tolerance) : law_(law), tolerance_(tolerance) {}
   void step(const StepView &view) override {
     if (inside_)
       ends_.push_back(view.end());
@@ -60,9 +60,9 @@ public:
       ends_ = {event.time};
     } else if (inside_) {
       inside_ = false;
-      const ForceCourse course = *law_.force_course(event.from);
+      const ForcePulse course = *law_.force_pulse(event.from);
       const bool whole =
-          std::any_of(course.ends.begin(), course.ends.end(), [&](const ForceCourse::End &end) {
+          std::any_of(course.ends.begin(), course.ends.end(), [&](const ForcePulse::End &end) {
             return ends_at_points({.begin = course.begin.power,
                                    .end = end.edge.power,
                                    .nodes = 8,
@@ -96,7 +96,7 @@ struct Result {
   Vector state; ///< with the work integrals
   std::vector<Impact> impacts;
   Accuracy accuracy;
-  int whole_contacts = 0, other_contacts = 0;
+  int contact_episodes = 0, other_contacts = 0;
 };
 
 // From a kick, so that the stop is met at several speeds before the motion repeats itself.
@@ -106,7 +106,7 @@ Result integrate(const Shaken &shaken, const std::string &method, double toleran
                         {.method = method, .relative_tolerance = tolerance});
   ImpactLog log(shaken.contacts, 0);
   trajectory.start(0, Vector::Zero(1), Vector::Constant(1, 0.5));
-  WholeContacts contacts(*shaken.contacts.pairs()[0].law, tolerance);
+  ContactEpisodes contacts(*shaken.contacts.pairs()[0].law, tolerance);
   Observers observers({&log, &contacts});
   trajectory.advance(end, observers);
   return {trajectory.state(), log.impacts(0), trajectory.accuracy(), contacts.count,
@@ -127,9 +127,9 @@ TEST(CollocatedContacts, AgreeWithRungeKuttaSteps) {
     const Shaken shaken(law);
     const Result whole = integrate(shaken, "exact", 1e-9);
     const Result steps = integrate(shaken, "rk", 1e-13);
-    EXPECT_GT(whole.whole_contacts, 5) << law->name();
+    EXPECT_GT(whole.contact_episodes, 5) << law->name();
     EXPECT_EQ(whole.other_contacts, 0) << law->name();
-    EXPECT_EQ(steps.whole_contacts, 0) << law->name();
+    EXPECT_EQ(steps.contact_episodes, 0) << law->name();
     ASSERT_EQ(whole.impacts.size(), steps.impacts.size()) << law->name();
     EXPECT_LT((whole.state.head(2) - steps.state.head(2)).norm(), 1e-7) << law->name();
     for (std::size_t i = 0; i < whole.impacts.size(); ++i) {
@@ -207,8 +207,8 @@ TEST(CollocatedContacts, LeaveToOthersWhatTheyCannotDo) {
   for (Trajectory *trajectory : {&parts, &all})
     trajectory->start(0, Vector::Zero(1), Vector::Constant(1, 0.5));
   const double tolerance = Settings{}.relative_tolerance;
-  WholeContacts of_parts(*law, tolerance);
-  WholeContacts of_all(*law, tolerance);
+  ContactEpisodes of_parts(*law, tolerance);
+  ContactEpisodes of_all(*law, tolerance);
   for (int i = 1; i <= 4000; ++i)
     parts.advance(0.01 * i, of_parts);
   all.advance(40, of_all);

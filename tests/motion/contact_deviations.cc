@@ -75,11 +75,11 @@ protected:
 TEST_P(ContactDeviations, AgreeWithIntegrationBesideTheMotion) {
   const SmoothPart part = first_contact();
   Equations equations = in_contact();
-  ASSERT_EQ(whole_contact(equations), 0u);
+  ASSERT_EQ(contact_episode(equations), 0u);
   ExactPhases phases(equations, Settings());
   Passed closed{.columns = Matrix::Identity(4, 4)}, integrated = closed;
   const std::optional<double> divergence =
-      pass_whole_contact(part, 0, equations, phases, 1e-11, closed.columns);
+      pass_contact_episode(part, 0, equations, phases, 1e-11, closed.columns);
   ASSERT_TRUE(divergence);
   EXPECT_EQ(equations.modes()[0], 1);
   const VariationAccuracy accuracy{.scale = Vector{{300, 300, 1, 1}}, .tolerance = 1e-12};
@@ -101,10 +101,10 @@ TEST_P(ContactDeviations, NeedTouchAndRelease) {
   ExactPhases phases(equations, Settings());
   Matrix columns = Matrix::Identity(4, 4);
   part.to_event = false;
-  EXPECT_FALSE(pass_whole_contact(part, 0, equations, phases, 1e-11, columns));
+  EXPECT_FALSE(pass_contact_episode(part, 0, equations, phases, 1e-11, columns));
   part.to_event = true;
   part.end = 0.5 * (part.start + part.end);
-  EXPECT_FALSE(pass_whole_contact(part, 0, equations, phases, 1e-11, columns));
+  EXPECT_FALSE(pass_contact_episode(part, 0, equations, phases, 1e-11, columns));
   EXPECT_TRUE(columns.isIdentity(0));
 }
 

@@ -22,7 +22,7 @@ struct TwoOscillators {
       : first(block(400, damping)), second(block(2500, 2 * damping)),
         flow({{.places = {0, 1}, .generator = first}, {.places = {2, 3}, .generator = second}},
              Vector{{0, -1, 0, -2}}),
-        output(flow, Vector{{1, 0, 1, 0}}, 0, WholeContact::most_terms) {
+        output(flow, Vector{{1, 0, 1, 0}}, 0, ContactEpisode::most_terms) {
     generator.setZero(4, 4);
     generator.topLeftCorner(2, 2) = first;
     generator.bottomRightCorner(2, 2) = second;
@@ -56,7 +56,7 @@ protected:
       x = system.free(step) * x;
       begin += step;
     }
-    WholeContact contact = make(system);
+    ContactEpisode contact = make(system);
     EXPECT_EQ(contact.solve(x.data(), 1), Refusal::none);
     const double duration = contact.duration();
     Vector end = system.free(duration) * x;
@@ -66,12 +66,12 @@ protected:
     nodes_ = contact.nodes();
     return system.free(length - begin - duration) * end;
   }
-  WholeContact make(const TwoOscillators &system) const {
+  ContactEpisode make(const TwoOscillators &system) const {
     const contact::ContactLaw &law = *GetParam().law;
-    const contact::ForceCourse course = *law.force_course(1);
-    const contact::ForceCourse::End &end = course.ends.front();
+    const contact::ForcePulse course = *law.force_pulse(1);
+    const contact::ForcePulse::End &end = course.ends.front();
     const contact::AffineForm &form = law.modes()[1].guards[end.guard].indicator;
-    WholeContact made(system.output, force_, course.begin, end.edge, GetParam().tolerance);
+    ContactEpisode made(system.output, force_, course.begin, end.edge, GetParam().tolerance);
     made.set_end({form.constant, -form.gap, -form.gap_rate});
     return made;
   }
@@ -83,7 +83,7 @@ protected:
 
 TEST_P(ContactMaps, AgreeWithDifferences) {
   const TwoOscillators system(0.5);
-  WholeContact contact = make(system);
+  ContactEpisode contact = make(system);
   ASSERT_EQ(contact.solve(start_.data(), 1), Refusal::none);
   const double duration = contact.duration();
   const Matrix map =
@@ -106,7 +106,7 @@ TEST_P(ContactMaps, AgreeWithDifferences) {
 TEST_P(ContactMaps, ChangeVolumesByTheDamping) {
   for (const double damping : {0.0, 0.5}) {
     const TwoOscillators system(damping);
-    WholeContact contact = make(system);
+    ContactEpisode contact = make(system);
     ASSERT_EQ(contact.solve(start_.data(), 1), Refusal::none);
     const double duration = contact.duration();
     const ContactMap passed(contact, system.output, start_.data());

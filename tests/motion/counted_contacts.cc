@@ -89,7 +89,7 @@ struct Shaken {
     for (int i = 1; trajectory.time() < end; ++i)
       trajectory.advance(std::min(end, i * stretch), onsets);
     const Accuracy accuracy = trajectory.accuracy();
-    EXPECT_EQ(accuracy.whole_contacts + accuracy.stepped_contacts(), onsets.count);
+    EXPECT_EQ(accuracy.contact_episodes + accuracy.stepped_contacts(), onsets.count);
     EXPECT_GT(onsets.count, 0);
     return accuracy;
   }
@@ -112,19 +112,19 @@ void expect_only(const Accuracy &accuracy, StepReason reason) {
 
 TEST(CountedContacts, AreWholeWhereNothingForbidsIt) {
   const Accuracy accuracy = Shaken().run();
-  EXPECT_GT(accuracy.whole_contacts, 5);
+  EXPECT_GT(accuracy.contact_episodes, 5);
   EXPECT_EQ(accuracy.stepped_contacts(), 0);
 }
 
 TEST(CountedContacts, AreInStepsByOtherMethods) {
   const Accuracy accuracy = Shaken().run({.method = "rk"});
-  EXPECT_EQ(accuracy.whole_contacts, 0);
+  EXPECT_EQ(accuracy.contact_episodes, 0);
   expect_only(accuracy, StepReason::method);
 }
 
 TEST(CountedContacts, AreInStepsBesideCubicSprings) {
   const Accuracy accuracy = Shaken(0, 0, 0.1).run();
-  EXPECT_EQ(accuracy.whole_contacts, 0);
+  EXPECT_EQ(accuracy.contact_episodes, 0);
   expect_only(accuracy, StepReason::system);
 }
 
@@ -152,19 +152,19 @@ TEST(CountedContacts, AreInStepsWhereTheyBeginTheMotion) {
   const double touch = 0.25 - 0.3 * std::sin(Shaken::phase); // the base has moved
   const Accuracy accuracy = Shaken().run({}, 40, 40, touch);
   EXPECT_EQ(number(accuracy, StepReason::undecided), 1);
-  EXPECT_GT(accuracy.whole_contacts, 5);
+  EXPECT_GT(accuracy.contact_episodes, 5);
 }
 
 TEST(CountedContacts, AreInStepsAcrossInterruptions) {
   expect_only(Shaken().run({}, 0.01), StepReason::interrupted);
   const Accuracy accuracy = Shaken().run({.maximum_step = 1e-3});
-  EXPECT_EQ(accuracy.whole_contacts, 0);
+  EXPECT_EQ(accuracy.contact_episodes, 0);
   expect_only(accuracy, StepReason::interrupted);
 }
 
 TEST(CountedContacts, AreInStepsWhereAModeIsFast) {
   const Accuracy accuracy = Shaken(0.4, 2e7).run();
-  EXPECT_EQ(accuracy.whole_contacts, 0);
+  EXPECT_EQ(accuracy.contact_episodes, 0);
   EXPECT_GT(number(accuracy, StepReason::fast), 0);
   EXPECT_EQ(number(accuracy, StepReason::fast) + number(accuracy, StepReason::pause),
             accuracy.stepped_contacts());

@@ -91,12 +91,12 @@ TEST(DroppedPhasesTest, LeaveMotionsAsTheyAre) {
   for (const bool in_steps : {false, true}) {
     const Moved kept = moved(row, Settings().prepared_bytes, in_steps);
     ASSERT_GT(kept.accuracy.events, 60);
-    ASSERT_GT(kept.accuracy.whole_contacts, 5);
+    ASSERT_GT(kept.accuracy.contact_episodes, 5);
     for (const std::size_t bound : {0, 100'000}) {
       const Moved dropped = moved(row, bound, in_steps);
       EXPECT_EQ(dropped.accuracy.steps, kept.accuracy.steps);
       EXPECT_EQ(dropped.accuracy.events, kept.accuracy.events);
-      EXPECT_EQ(dropped.accuracy.whole_contacts, kept.accuracy.whole_contacts);
+      EXPECT_EQ(dropped.accuracy.contact_episodes, kept.accuracy.contact_episodes);
       EXPECT_EQ(dropped.state, kept.state);
       ASSERT_EQ(dropped.impacts.size(), kept.impacts.size());
       for (std::size_t i = 0; i < kept.impacts.size(); ++i)

@@ -49,7 +49,7 @@ TEST_P(ExactKernelTest, ExponentialsAndAngles) {
 
 TEST_P(ExactKernelTest, WithoutGuardsInReachTheLimitIsReached) {
   SumsPhase phase({{.constant = 10, .coefficients = {3}, .exponents = {{-1, 2}}}});
-  EXPECT_EQ(phase.advance(kernel(), 1.5), WalkEnd::limit);
+  EXPECT_EQ(phase.advance(kernel(), 1.5), MarchEnd::limit);
   EXPECT_EQ(phase.walk.time, 1.5);
   double f[4];
   kernel().derivatives(phase.phase->view(), 0, phase.walk.amplitudes, f);
@@ -62,8 +62,8 @@ TEST_P(ExactKernelTest, WithoutGuardsInReachTheLimitIsReached) {
 // exp(-t) - 0.1 is zero at t = ln 10.
 TEST_P(ExactKernelTest, AZeroIsFoundToRounding) {
   SumsPhase phase({{.constant = -0.1, .coefficients = {1}, .exponents = {-1}}});
-  const WalkEnd end = phase.advance(kernel(), 10);
-  EXPECT_EQ(end, WalkEnd::guard);
+  const MarchEnd end = phase.advance(kernel(), 10);
+  EXPECT_EQ(end, MarchEnd::guard);
   EXPECT_NEAR(phase.reached(end), std::log(10.0), 4e-15);
   EXPECT_NEAR(phase.walk.value, 0, 1e-16);
   EXPECT_NEAR(phase.walk.slope, -0.1, 1e-15);
@@ -73,18 +73,18 @@ TEST_P(ExactKernelTest, AZeroIsFoundToRounding) {
 TEST_P(ExactKernelTest, AZeroBehindTheLimitIsNone) {
   SumsPhase phase({{.constant = -0.1, .coefficients = {1}, .exponents = {-1}}});
   const double zero = std::log(10.0);
-  EXPECT_EQ(phase.advance(kernel(), zero - 1e-9), WalkEnd::limit);
-  EXPECT_EQ(phase.advance(kernel(), zero + 1e-9), WalkEnd::guard);
-  EXPECT_NEAR(phase.reached(WalkEnd::guard), zero, 4e-15);
+  EXPECT_EQ(phase.advance(kernel(), zero - 1e-9), MarchEnd::limit);
+  EXPECT_EQ(phase.advance(kernel(), zero + 1e-9), MarchEnd::guard);
+  EXPECT_NEAR(phase.reached(MarchEnd::guard), zero, 4e-15);
 }
 
 // Where a limit falls on a zero, that is found by the next call, at once.
 TEST_P(ExactKernelTest, ALimitOnAZero) {
   SumsPhase phase({{.constant = -0.1, .coefficients = {1}, .exponents = {-1}}});
   const double zero = std::log(10.0);
-  const WalkEnd first = phase.advance(kernel(), zero);
-  const WalkEnd second = first == WalkEnd::guard ? first : phase.advance(kernel(), 10);
-  EXPECT_EQ(second, WalkEnd::guard);
+  const MarchEnd first = phase.advance(kernel(), zero);
+  const MarchEnd second = first == MarchEnd::guard ? first : phase.advance(kernel(), 10);
+  EXPECT_EQ(second, MarchEnd::guard);
   EXPECT_NEAR(phase.reached(second), zero, 1e-13);
   EXPECT_LT(phase.walk.pieces, 60);
 }
@@ -100,11 +100,11 @@ TEST_P(ExactKernelTest, GrazingIsDecidedOnBothSides) {
                          .exponents = {Complex(0, 1)}}});
     };
     SumsPhase above = grazing(1 + depth);
-    EXPECT_EQ(above.advance(kernel(), 3), WalkEnd::limit) << k;
+    EXPECT_EQ(above.advance(kernel(), 3), MarchEnd::limit) << k;
     EXPECT_LT(above.walk.pieces, 20) << k;
     SumsPhase below = grazing(1 - depth);
-    const WalkEnd end = below.advance(kernel(), 3);
-    EXPECT_EQ(end, WalkEnd::guard) << k;
+    const MarchEnd end = below.advance(kernel(), 3);
+    EXPECT_EQ(end, MarchEnd::guard) << k;
     EXPECT_NEAR(below.reached(end), 1.3 - std::acos(1 - depth), 1e-15 / std::sqrt(2 * depth)) << k;
   }
 }
@@ -118,7 +118,7 @@ TEST_P(ExactKernelTest, GrazingWithinRoundingIsCounted) {
     SumsPhase phase({{.constant = 1 + share * hidden,
                       .coefficients = {-std::polar(1.0, -start)},
                       .exponents = {Complex(0, 1)}}});
-    EXPECT_EQ(phase.advance(kernel(), start + 1), WalkEnd::limit) << share;
+    EXPECT_EQ(phase.advance(kernel(), start + 1), MarchEnd::limit) << share;
     EXPECT_EQ(phase.walk.undecided, 1) << share;
     EXPECT_LE(phase.walk.pieces, 60) << share;
   }
@@ -128,14 +128,14 @@ TEST_P(ExactKernelTest, GrazingWithinRoundingIsCounted) {
 TEST_P(ExactKernelTest, ARiseFromADeclaredZeroIsNoFall) {
   SumsPhase sine({{.constant = 0, .coefficients = {Complex(0, -1)}, .exponents = {{0, 1}}}});
   sine.order[0] = 1;
-  WalkEnd end = sine.advance(kernel(), 10);
-  EXPECT_EQ(end, WalkEnd::guard);
+  MarchEnd end = sine.advance(kernel(), 10);
+  EXPECT_EQ(end, MarchEnd::guard);
   EXPECT_NEAR(sine.reached(end), M_PI, 4e-15);
   SumsPhase square(
       {{.constant = 1, .coefficients = {-1, 0}, .exponents = {Complex(0, 1), Complex(-0.1, 0)}}});
   square.order[0] = 2;
   end = square.advance(kernel(), 6);
-  EXPECT_EQ(end, WalkEnd::limit);
+  EXPECT_EQ(end, MarchEnd::limit);
   EXPECT_LT(square.walk.pieces, 20);
 }
 
@@ -144,8 +144,8 @@ TEST_P(ExactKernelTest, ARiseFromADeclaredZeroIsNoFall) {
 TEST_P(ExactKernelTest, SimultaneousFalls) {
   const Sum falling{.constant = -0.1, .coefficients = {1}, .exponents = {-1}};
   SumsPhase phase({falling, falling});
-  const WalkEnd end = phase.advance(kernel(), 10);
-  EXPECT_EQ(end, WalkEnd::guard);
+  const MarchEnd end = phase.advance(kernel(), 10);
+  EXPECT_EQ(end, MarchEnd::guard);
   EXPECT_NEAR(phase.reached(end), std::log(10.0), 1e-14);
   EXPECT_LT(phase.walk.pieces, 100);
 }
@@ -167,15 +167,15 @@ TEST_P(ExactKernelTest, RandomSums) {
     for (Sum &sum : sums)
       sum.constant = std::max(0.0, 0.1 - sum(0)) + unit(random) + 1;
     SumsPhase phase(sums, 4);
-    const WalkEnd end = phase.advance(kernel(), 4);
-    ASSERT_NE(end, WalkEnd::unclear);
-    falls += end == WalkEnd::guard;
+    const MarchEnd end = phase.advance(kernel(), 4);
+    ASSERT_NE(end, MarchEnd::unclear);
+    falls += end == MarchEnd::guard;
     const double reached = phase.reached(end);
     ASSERT_LE(reached, 4);
     for (int k = 0; k < 64; ++k)
       for (const Sum &sum : sums)
         ASSERT_GT(sum(reached * k / 64), 0) << i;
-    if (end == WalkEnd::guard) {
+    if (end == MarchEnd::guard) {
       const auto guard = static_cast<std::size_t>(phase.walk.guard);
       EXPECT_NEAR(sums[guard](reached), 0, 1e-13) << i;
       EXPECT_GT(sums[1 - guard](reached), -1e-13) << i;
@@ -236,7 +236,7 @@ TEST(ExactKernelMachinesTest, SameBits) {
       sum.constant = 3;
     SumsPhase one(sums);
     SumsPhase other(sums);
-    const WalkEnd end = one.advance(kernel_avx2, 30);
+    const MarchEnd end = one.advance(kernel_avx2, 30);
     ASSERT_EQ(end, other.advance(kernel_avx512, 30));
     EXPECT_EQ(one.reached(end), other.reached(end));
     EXPECT_EQ(one.walk.pieces, other.walk.pieces);

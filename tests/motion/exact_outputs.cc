@@ -60,7 +60,7 @@ struct Output {
     ExactOutputs outputs(forms, *phase.phase);
     EXPECT_EQ(outputs.size(), outputs_of_all);
     const Amplitudes start = phase.amplitudes();
-    EXPECT_EQ(phase.advance(kernel(), h), WalkEnd::limit);
+    EXPECT_EQ(phase.advance(kernel(), h), MarchEnd::limit);
     outputs.include(start.data(), phase.walk.amplitudes, h);
     pieces = outputs.pieces();
   }

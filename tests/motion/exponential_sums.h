@@ -28,20 +28,20 @@ public:
       : SumsPhase(sums, matrix_of(sums[0].exponents), longest) {}
 
   /// Runs to `limit` or the first zero.
-  WalkEnd advance(const Kernel &kernel, double limit) {
-    WalkEnd end = WalkEnd::paused;
-    while (end == WalkEnd::paused)
+  MarchEnd advance(const Kernel &kernel, double limit) {
+    MarchEnd end = MarchEnd::paused;
+    while (end == MarchEnd::paused)
       end = kernel.advance(phase->view(), walk, limit);
     return end;
   }
   /// At the start.
   const Amplitudes &amplitudes() const { return origin_; }
-  double reached(WalkEnd end) const {
-    return walk.time + (end == WalkEnd::guard ? walk.to_guard : 0.0);
+  double reached(MarchEnd end) const {
+    return walk.time + (end == MarchEnd::guard ? walk.to_guard : 0.0);
   }
 
   std::unique_ptr<ExactPhase> phase;
-  Walk walk;
+  MarchState walk;
   std::vector<unsigned char> order;
 
 private:

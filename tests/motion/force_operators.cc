@@ -14,7 +14,7 @@ namespace force_operators_tests {
 Vector at_nodes(const ForceFamily &family, int degree) {
   Vector values(family.size());
   for (int j = 0; j < family.size(); ++j) {
-    const TimeStretch::Point at =
+    const EpisodeTime::Point at =
         family.stretch().at(family.rule().nodes[j], family.rule().rest[j]);
     values[j] = static_cast<double>(std::pow(at.x, family.shape().begin + degree) *
                                     std::pow(at.rest, family.shape().end));
@@ -101,9 +101,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ForceOperatorsTime, IsAPolynomialWithRootsAtItsEnds) {
   for (const auto &[p, q] : {std::pair(1, 1), std::pair(2, 1), std::pair(4, 4), std::pair(1, 3)}) {
-    const TimeStretch stretch(p, q);
+    const EpisodeTime stretch(p, q);
     for (const long double xi : {1e-6L, 0.2L, 0.5L, 0.9L}) {
-      const TimeStretch::Point at = stretch.at(xi, 1 - xi);
+      const EpisodeTime::Point at = stretch.at(xi, 1 - xi);
       const auto expected = static_cast<double>(boost::math::ibeta(p, q, xi));
       EXPECT_NEAR(static_cast<double>(at.x) / expected, 1, 1e-14);
       EXPECT_NEAR(static_cast<double>(at.x + at.rest), 1, 1e-15);

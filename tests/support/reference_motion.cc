@@ -67,7 +67,7 @@ public:
     largest_.assign(2 * n_, 0);
     longest_ = longest_step();
     step_ = 1e-3L * longest_;
-    note_sizes();
+    message_sizes();
   }
 
   ReferenceResult run(Real end) {
@@ -248,12 +248,12 @@ private:
     time_ = !event && length == left ? end : time_ + length;
     state_ = x;
     ++result_.steps;
-    note_sizes();
+    message_sizes();
     if (event)
       pass(event->guard);
   }
 
-  void note_sizes() {
+  void message_sizes() {
     for (std::size_t i = 0; i < 2 * n_; ++i)
       largest_[i] = std::max(largest_[i], std::abs(state_[i]));
   }

@@ -54,7 +54,7 @@ class Table:
 
 def read(file: Path) -> Table:
     comments, rows = split(file)
-    notes = dict(note for note in map(note_of, comments) if note)
+    notes = dict(note for note in map(message_of, comments) if note)
     if "rows of" in notes:
         rows = rows_of(file, notes)
     if not rows:
@@ -97,7 +97,7 @@ def split(file: Path):
                       for row in csv.reader(others, skipinitialspace=True)]
 
 
-def note_of(comment: str):
+def message_of(comment: str):
     key, colon, value = comment.lstrip("# ").partition(":")
     return (key.strip().lower(), value.strip()) if colon else None
 

@@ -32,7 +32,7 @@ std::string Objective::note(DesignValue value) const {
   return packed(value);
 }
 
-std::size_t Objective::note_size() const {
+std::size_t Objective::message_size() const {
   const std::vector<std::string> units(wanted_.size());
   const std::vector<double> numbers(wanted_.size());
   return packed(DesignValue{.failure = std::string(longest_failure(wanted_.size()), ' '),

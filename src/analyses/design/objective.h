@@ -77,7 +77,7 @@ public:
 
   /// What an evaluation leaves for the lines after its own.
   std::string note(DesignValue value) const;
-  std::size_t note_size() const;
+  std::size_t message_size() const;
 
 private:
   std::vector<parameters::Override> case_overrides(std::size_t number,

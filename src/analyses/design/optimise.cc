@@ -125,7 +125,9 @@ std::size_t Optimise::lines() const {
   return evolves() ? settings_.starts * (settings_.most + 1) : settings_.starts;
 }
 
-std::size_t Optimise::note_size() const { return evolves() ? settings_.objective.note_size() : 0; }
+std::size_t Optimise::message_size() const {
+  return evolves() ? settings_.objective.message_size() : 0;
+}
 
 std::vector<std::string> Optimise::changed_keys() const {
   return paths_of(settings_.keys, settings_.objective.worst_keys());

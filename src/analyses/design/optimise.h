@@ -44,7 +44,7 @@ public:
   /// start, evaluation
   std::vector<Axis> axes() const override;
   std::size_t lines() const override;
-  std::size_t note_size() const override;
+  std::size_t message_size() const override;
   void check(const System & /*system*/) const override {}
   std::string evaluated() const override { return settings_.evaluated; }
   std::vector<std::string> changed_keys() const override;

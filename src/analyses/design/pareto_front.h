@@ -33,7 +33,7 @@ public:
   /// evaluation
   std::vector<Axis> axes() const override { return {evaluation_axis(settings_.evaluations)}; }
   std::size_t lines() const override { return settings_.evaluations + 1; }
-  std::size_t note_size() const override { return settings_.objective.note_size(); }
+  std::size_t message_size() const override { return settings_.objective.message_size(); }
   void check(const System & /*system*/) const override {}
   std::string evaluated() const override { return settings_.evaluated; }
   std::vector<std::string> changed_keys() const override;

@@ -27,7 +27,7 @@ void PopulationSearch::run_trial(std::size_t trial, LineContext &context) {
     evaluation.value = evaluate(present.coordinates, context);
     context.store(evaluation_point(index, evaluation, keys_, objective_));
   }
-  context.leave_note(place_.first_line + trial, objective_.note(evaluation.value));
+  context.leave_message(place_.first_line + trial, objective_.note(evaluation.value));
 }
 
 // Other lines wait for this one: whatever cannot be used at these values is a failure of it alone.
@@ -71,7 +71,7 @@ void PopulationSearch::take_in(std::size_t number, const LineContext &context) {
     evaluation.number = number + 1;
     evaluation.coordinates = trial.coordinates;
     evaluation.value.failure = "an evaluation that was left out";
-    if (const std::string note = context.note_of(place_.first_line + number); !note.empty())
+    if (const std::string note = context.message_of(place_.first_line + number); !note.empty())
       unpack(note, evaluation.value);
   } else {
     trial.evaluation = trials_[*trial.earlier].evaluation;

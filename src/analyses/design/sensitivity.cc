@@ -93,7 +93,7 @@ std::shared_ptr<const Analysis> Sensitivity::create(const Values &analysis) {
 
 std::vector<Axis> Sensitivity::axes() const { return {evaluation_axis(design_.points())}; }
 
-std::size_t Sensitivity::note_size() const {
+std::size_t Sensitivity::message_size() const {
   const std::size_t count = settings_.quantities.size();
   return packed(std::vector<double>(count), std::vector<std::string>(count),
                 std::string(longest_failure(count), ' '))
@@ -165,7 +165,7 @@ PointResult Sensitivity::result(const LineContext &context) const {
   for (std::size_t line = 0; line < design_.points(); ++line) {
     std::vector<double> found;
     std::string reason;
-    if (const std::string note = context.note_of(line); !note.empty())
+    if (const std::string note = context.message_of(line); !note.empty())
       unpack(note, found, found_units, reason);
     for (std::size_t q = 0; q < values.size(); ++q)
       values[q].push_back(found.empty() ? std::numeric_limits<double>::quiet_NaN() : found[q]);
@@ -204,7 +204,7 @@ void Sensitivity::run_line(std::size_t line, System & /*system*/, LineContext &c
   const std::string left = note(point);
   if (known == nullptr)
     context.store(std::move(point));
-  context.leave_note(line, left);
+  context.leave_message(line, left);
 }
 
 } // namespace vibroimpact::analyses

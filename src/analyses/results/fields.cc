@@ -33,8 +33,8 @@ struct AccuracyLabels {
                          "touches within the rounding of the gap, taken for none"};
   Label chatters{"chatters", "1",
                  "infinite sequences of rigid impacts that were completed at once"};
-  Label whole_contacts{"whole_contacts", "1",
-                       "contacts with a nonlinear law that were solved as a whole"};
+  Label contact_episodes{"contact_episodes", "1",
+                         "contacts with a nonlinear law that were solved as a whole"};
   Label stepped_contacts{"stepped_contacts", "1",
                          "contacts with a nonlinear law that were integrated in steps"};
   std::array<Label, motion::n_step_reasons> reasons{
@@ -118,7 +118,7 @@ void add_accuracy(const FieldWriter &result, const motion::Accuracy &accuracy,
   listed.number(labels.events, static_cast<double>(accuracy.events));
   listed.number(labels.undecided_events, static_cast<double>(accuracy.undecided_events));
   listed.number(labels.chatters, static_cast<double>(accuracy.chatters));
-  listed.number(labels.whole_contacts, static_cast<double>(accuracy.whole_contacts));
+  listed.number(labels.contact_episodes, static_cast<double>(accuracy.contact_episodes));
   listed.number(labels.stepped_contacts, static_cast<double>(accuracy.stepped_contacts()));
   for (std::size_t i = 0; i < motion::n_step_reasons; ++i) {
     const auto count = static_cast<double>(accuracy.step_reasons[i]);

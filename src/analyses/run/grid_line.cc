@@ -1,8 +1,8 @@
 #include "analyses/run/grid_line.h"
 
 #include "analyses/results/fields.h"
-#include "analyses/run/kept_steps.h"
-#include "analyses/run/shared_notes.h"
+#include "analyses/run/shared_messages.h"
+#include "analyses/run/stored_steps.h"
 #include "common/error.h"
 #include "common/signals.h"
 
@@ -43,17 +43,17 @@ void GridLine::note_progress(double share) {
   leave_if_stopped();
 }
 
-void GridLine::leave_note(std::size_t line, const std::string &note) {
+void GridLine::leave_message(std::size_t line, const std::string &note) {
   if (notes_ != nullptr)
     notes_->leave(first_ + line, note);
 }
 
-std::string GridLine::note_of(std::size_t line) const {
+std::string GridLine::message_of(std::size_t line) const {
   return notes_ != nullptr ? notes_->of(first_ + line) : std::string();
 }
 
 std::unique_ptr<StepRecord> GridLine::steps(const std::vector<std::size_t> &index) {
-  return std::make_unique<KeptSteps>(sink_, full(index), summary_);
+  return std::make_unique<StoredSteps>(sink_, full(index), summary_);
 }
 
 const Outcomes &GridLine::outcomes() const {

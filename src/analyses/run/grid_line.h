@@ -6,7 +6,7 @@
 
 namespace vibroimpact::analyses {
 
-class SharedNotes;
+class SharedMessages;
 
 /// Who is to know how far a line is.
 class LineProgress {
@@ -22,7 +22,7 @@ class GridLine : public LineContext {
 public:
   /// Keeps references.
   GridLine(ResultSink &sink, const std::vector<Axis> &axes, LineProgress &progress,
-           RunSummary &summary, SharedNotes *notes = nullptr)
+           RunSummary &summary, SharedMessages *notes = nullptr)
       : sink_(sink), shared_axes_(axes), progress_(progress), summary_(summary), notes_(notes) {}
 
   /// From now on lines of the case at this position of the grid, the first of which is number
@@ -34,8 +34,8 @@ public:
   void note_progress(double share) override;
   std::unique_ptr<StepRecord> steps(const std::vector<std::size_t> &index) override;
   void skip() override { progress_.count(); }
-  void leave_note(std::size_t line, const std::string &note) override;
-  std::string note_of(std::size_t line) const override;
+  void leave_message(std::size_t line, const std::string &note) override;
+  std::string message_of(std::size_t line) const override;
   System build(const std::vector<parameters::Override> &overrides) const override {
     return source_(overrides);
   }
@@ -53,7 +53,7 @@ private:
   const std::vector<Axis> &shared_axes_;
   LineProgress &progress_;
   RunSummary &summary_;
-  SharedNotes *notes_;
+  SharedMessages *notes_;
   std::size_t first_ = 0;
   std::vector<std::size_t> position_;
   std::vector<Axis> own_axes_;

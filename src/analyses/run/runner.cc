@@ -1,7 +1,7 @@
 #include "analyses/run/runner.h"
 
 #include "analyses/run/grid_line.h"
-#include "analyses/run/shared_notes.h"
+#include "analyses/run/shared_messages.h"
 #include "common/error.h"
 #include "common/log.h"
 #include "common/progress.h"
@@ -148,13 +148,13 @@ RunSummary run_analysis(const std::string &name, const std::vector<GridKey> &key
 
   RunSummary summary;
   const std::size_t lines = first.analysis->lines();
-  const std::size_t notes_size = first.analysis->note_size();
+  const std::size_t notes_size = first.analysis->message_size();
   {
     SharedCounters counters(communicator);
     Progress progress(points_of(header.axes), name, rank == 0);
     PointCounter counter(counters, progress);
     const auto total = static_cast<long>(grid_size(keys) * lines);
-    SharedNotes notes(notes_size > 0 ? grid_size(keys) * lines : 0, notes_size, communicator);
+    SharedMessages notes(notes_size > 0 ? grid_size(keys) * lines : 0, notes_size, communicator);
     GridLine context(sink, inner_axes, counter, summary, &notes);
     KeptAnalysis kept;
     try {

@@ -109,11 +109,11 @@ void Hertz::evaluate(int mode, const LocalState &state, LawResponse &response) c
   response.dissipated_power = 0;
 }
 
-std::optional<ForceCourse> Hertz::force_course(int mode) const {
+std::optional<ForcePulse> Hertz::force_pulse(int mode) const {
   if (mode != 1)
     return std::nullopt;
   const ForceEdge touch{.power = constants_.exponent};
-  return ForceCourse{.begin = touch, .ends = {{.guard = 0, .edge = touch}}};
+  return ForcePulse{.begin = touch, .ends = {{.guard = 0, .edge = touch}}};
 }
 
 } // namespace vibroimpact::contact

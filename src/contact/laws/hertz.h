@@ -57,7 +57,7 @@ public:
     return PowerLaw{.stiffness = constants_.stiffness, .exponent = constants_.exponent};
   }
 
-  std::optional<ForceCourse> force_course(int mode) const override;
+  std::optional<ForcePulse> force_pulse(int mode) const override;
 
 private:
   HertzConstants constants_;

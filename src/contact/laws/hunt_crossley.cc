@@ -114,11 +114,11 @@ std::optional<PowerLaw> HuntCrossley::power_law() const {
 }
 
 // Cut off, 1 + d u' falls to zero while there is still penetration.
-std::optional<ForceCourse> HuntCrossley::force_course(int mode) const {
+std::optional<ForcePulse> HuntCrossley::force_pulse(int mode) const {
   if (!acts(mode))
     return std::nullopt;
   const ForceEdge touch{.power = constants_.exponent};
-  return ForceCourse{.begin = touch, .ends = {{.guard = 0, .edge = touch}, {.guard = 1}}};
+  return ForcePulse{.begin = touch, .ends = {{.guard = 0, .edge = touch}, {.guard = 1}}};
 }
 
 void HuntCrossley::declare(parameters::Section &contact_section) {

@@ -40,7 +40,7 @@ public:
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
   std::vector<InternalState> internal_states() const override;
   std::optional<PowerLaw> power_law() const override;
-  std::optional<ForceCourse> force_course(int mode) const override;
+  std::optional<ForcePulse> force_pulse(int mode) const override;
 
 private:
   HuntCrossley(std::vector<Mode> modes, std::vector<double> initial_internal,

@@ -48,13 +48,13 @@ void KuwabaraKono::evaluate(int mode, const LocalState &state, LawResponse &resp
 }
 
 // u^(1/2) u' at the touch; the force is cut off while there is still penetration, but for A = 0.
-std::optional<ForceCourse> KuwabaraKono::force_course(int mode) const {
+std::optional<ForcePulse> KuwabaraKono::force_pulse(int mode) const {
   if (mode != 1)
     return std::nullopt;
   const ForceEdge elastic{.power = 1.5};
   if (dissipation_time_ == 0)
-    return ForceCourse{.begin = elastic, .ends = {{.guard = 0, .edge = elastic}}};
-  return ForceCourse{.begin = {.power = 0.5, .root = 2}, .ends = {{.guard = 1}}};
+    return ForcePulse{.begin = elastic, .ends = {{.guard = 0, .edge = elastic}}};
+  return ForcePulse{.begin = {.power = 0.5, .root = 2}, .ends = {{.guard = 1}}};
 }
 
 } // namespace vibroimpact::contact

@@ -91,12 +91,12 @@ void Tsuji::evaluate(int mode, const LocalState &state, LawResponse &response) c
 }
 
 // u^(1/4) u' at both ends.
-std::optional<ForceCourse> Tsuji::force_course(int mode) const {
+std::optional<ForcePulse> Tsuji::force_pulse(int mode) const {
   if (mode != 1)
     return std::nullopt;
   const ForceEdge edge =
       damping_ > 0 ? ForceEdge{.power = 0.25, .root = 4} : ForceEdge{.power = 1.5};
-  return ForceCourse{.begin = edge, .ends = {{.guard = 0, .edge = edge}}};
+  return ForcePulse{.begin = edge, .ends = {{.guard = 0, .edge = edge}}};
 }
 
 } // namespace vibroimpact::contact

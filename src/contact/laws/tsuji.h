@@ -43,7 +43,7 @@ public:
   std::optional<ElasticForce> elastic_force() const override {
     return ElasticForce{.stiffness = stiffness_, .exponent = 1.5};
   }
-  std::optional<ForceCourse> force_course(int mode) const override;
+  std::optional<ForcePulse> force_pulse(int mode) const override;
 
 private:
   double stiffness_;

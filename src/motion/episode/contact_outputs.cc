@@ -12,7 +12,7 @@ namespace vibroimpact::motion {
 
 namespace {
 
-using Coefficients = std::array<double, WholeContact::most_terms>;
+using Coefficients = std::array<double, ContactEpisode::most_terms>;
 
 // Of sum c_k s^k, differentiated `order` times, or integrated once where that is -1.
 double polynomial(const double *coefficients, int terms, int order, double s) {
@@ -33,12 +33,12 @@ double polynomial(const double *coefficients, int terms, int order, double s) {
 
 } // namespace
 
-ContactOutputs::ContactOutputs(const MonitoredForms &forms, const PhaseContact &contact,
+ContactOutputs::ContactOutputs(const MonitoredForms &forms, const PhaseEpisode &contact,
                                double tolerance)
     : forms_(forms), contact_(contact), inner_points_(ContactSteps::inner_points(tolerance)) {}
 
 // It goes like t^(n - 1) beside a force that goes like t^n; one that is cut off ends in the midst.
-bool ContactOutputs::possible(const PhaseContact &contact) {
+bool ContactOutputs::possible(const PhaseEpisode &contact) {
   const ForceShape &shape = contact.solution().tools().family.shape();
   return shape.begin >= 1 && (shape.end >= 1 || shape.end == 0);
 }
@@ -115,7 +115,7 @@ void ContactOutputs::require_integrals() {
   if (known_)
     return;
   known_ = true;
-  const WholeContact &solved = contact_.solution();
+  const ContactEpisode &solved = contact_.solution();
   ShownPoints &shown = solved.tools().shown(inner_points_);
   const double theta = contact_.flow().fastest() * contact_.duration();
   const Index count = shown.rule.nodes.size();

@@ -2,7 +2,7 @@
 // a whole.
 //
 // In the time s = (t - t0) max|exponent| a form of the motion is a polynomial and integrals of the
-// force (whole_contact.h), r = sum d_k s^k + sum g_k J_k / max|exponent|, with dJ_k/ds = J_(k-1),
+// force (contact_episode.h), r = sum d_k s^k + sum g_k J_k / max|exponent|, with dJ_k/ds = J_(k-1),
 // J_0 = int f ds, J_(-1) = f, J_(-2) = df/ds. Its derivatives and its integral are such sums too.
 // Of a force that nowhere pulls 0 <= J_k(s) <= J_k at the end bounds the form, and most contacts
 // end here: the bound lies within what was seen before. Otherwise R, the form or its integral, and
@@ -15,7 +15,7 @@
 // cubic for the rest.
 #pragma once
 
-#include "motion/episode/phase_contact.h"
+#include "motion/episode/phase_episode.h"
 #include "motion/interval/output_monitor.h"
 
 #include <vector>
@@ -26,10 +26,10 @@ class ContactOutputs {
 public:
   /// Whether the rate of the force is finite at both ends of the contact that was passed last, as
   /// the values between two instants need it.
-  static bool possible(const PhaseContact &contact);
+  static bool possible(const PhaseEpisode &contact);
 
   /// Keeps references to both. `tolerance`: relative, of the polynomials.
-  ContactOutputs(const MonitoredForms &forms, const PhaseContact &contact, double tolerance);
+  ContactOutputs(const MonitoredForms &forms, const PhaseEpisode &contact, double tolerance);
 
   std::size_t bytes() const;
   /// The ranges grow by the contact that was passed last.
@@ -61,7 +61,7 @@ private:
   double length(Index instant) const { return times_[instant + 1] - times_[instant]; }
 
   const MonitoredForms &forms_;
-  const PhaseContact &contact_;
+  const PhaseEpisode &contact_;
   const int inner_points_;
   long version_ = -1;
   std::optional<Output> penetration_;
@@ -70,7 +70,7 @@ private:
   Vector times_;       ///< s of the instants
   /// J_(k - 2) in column k: instants x (terms + 2)
   Matrix integrals_;
-  std::array<double, WholeContact::most_terms> free_penetration_{};
+  std::array<double, ContactEpisode::most_terms> free_penetration_{};
   Vector values_;
 };
 

@@ -25,7 +25,7 @@ int ContactSteps::inner_points(double tolerance) {
 
 // State, rates, and the third derivative of the coordinates. With x' = S x + b f and rows y = C x:
 // q''' = C S^2 x + C S b f + C b f' in the rows of the velocities.
-void ContactSteps::fill(const PhaseContact &contact, double time, const double *amplitudes,
+void ContactSteps::fill(const PhaseEpisode &contact, double time, const double *amplitudes,
                         EndPoint &point) {
   const ExactPhase &phase = contact.linear().phase();
   const StateLayout &layout = equations_.layout();
@@ -56,8 +56,8 @@ void ContactSteps::fill(const PhaseContact &contact, double time, const double *
       force_rate * pair.gap.row.transpose().cwiseQuotient(equations_.model().mass());
 }
 
-void ContactSteps::find_points(const PhaseContact &contact, double time, const Vector &state) {
-  const WholeContact &solved = contact.solution();
+void ContactSteps::find_points(const PhaseEpisode &contact, double time, const Vector &state) {
+  const ContactEpisode &solved = contact.solution();
   ShownPoints &shown = solved.tools().shown(inner_points_);
   const auto count = static_cast<std::size_t>(shown.rule.nodes.size());
   const std::vector<double> moments = solved.moments(shown.between);
@@ -126,7 +126,7 @@ void ContactSteps::set_integrals(double time, const Vector &state, ContactWork *
   points_.back().state.tail(count) = whole.tail(count);
 }
 
-int ContactSteps::show(const PhaseContact &contact, double time, ContactWork *work, Vector &state,
+int ContactSteps::show(const PhaseEpisode &contact, double time, ContactWork *work, Vector &state,
                        Observer &observer) {
   find_points(contact, time, state);
   smooth_positions();

@@ -23,12 +23,12 @@ public:
   /// Shows the contact that was passed last and began at `time`; `state` is that with its work
   /// integrals then, and at the end of the contact afterwards. `work`: none where nobody wants
   /// these integrals. Returns how many steps.
-  int show(const PhaseContact &contact, double time, ContactWork *work, Vector &state,
+  int show(const PhaseEpisode &contact, double time, ContactWork *work, Vector &state,
            Observer &observer);
 
 private:
-  void fill(const PhaseContact &contact, double time, const double *amplitudes, EndPoint &point);
-  void find_points(const PhaseContact &contact, double time, const Vector &state);
+  void fill(const PhaseEpisode &contact, double time, const double *amplitudes, EndPoint &point);
+  void find_points(const PhaseEpisode &contact, double time, const Vector &state);
   void smooth_position(const EndPoint &neighbour, EndPoint &point) const;
   void smooth_positions();
   void set_integrals(double time, const Vector &state, ContactWork *work);

@@ -5,7 +5,7 @@
 
 namespace vibroimpact::motion {
 
-ContactWork::ContactWork(const PowerForms &powers, const PhaseContact &contact,
+ContactWork::ContactWork(const PowerForms &powers, const PhaseEpisode &contact,
                          const Equations &equations, double tolerance)
     : powers_(powers), contact_(contact), equations_(equations), tolerance_(tolerance) {
   const StateLayout &layout = equations.layout();
@@ -40,7 +40,7 @@ int ContactWork::points() const {
 }
 
 void ContactWork::add_powers(Vector &state) {
-  const WholeContact &solved = contact_.solution();
+  const ContactEpisode &solved = contact_.solution();
   QuadraturePoints &quadrature = solved.tools().quadrature(points());
   const std::vector<double> moments = solved.moments(quadrature.at_nodes);
   amplitudes_.resize(contact_.before().size());
@@ -64,7 +64,7 @@ void ContactWork::add_powers(Vector &state) {
 // - integral of f times the rate of the base, by the force's own integrals.
 double ContactWork::work_of_bases(double time) const {
   const contact::ContactPair &pair = equations_.contacts().pairs()[contact_.contact()];
-  const WholeContact &solved = contact_.solution();
+  const ContactEpisode &solved = contact_.solution();
   const auto end = solved.tools().at_nodes.term(0).row(solved.nodes());
   double work = 0;
   for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k) {

@@ -6,7 +6,7 @@
 // Hertz contact's share, 1e-6 of it with 10.
 #pragma once
 
-#include "motion/episode/phase_contact.h"
+#include "motion/episode/phase_episode.h"
 
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace vibroimpact::motion {
 class ContactWork {
 public:
   /// `powers`: of the phase of the contact. Keeps references. `tolerance`: relative, of the motion.
-  ContactWork(const PowerForms &powers, const PhaseContact &contact, const Equations &equations,
+  ContactWork(const PowerForms &powers, const PhaseEpisode &contact, const Equations &equations,
               double tolerance);
 
   std::size_t bytes() const { return static_cast<std::size_t>(factors_.nonZeros()) * 12; }
@@ -31,12 +31,12 @@ private:
   double work_of_bases(double time) const;
 
   const PowerForms &powers_;
-  const PhaseContact &contact_;
+  const PhaseEpisode &contact_;
   const Equations &equations_;
   const double tolerance_;
   long version_ = -1;
   std::vector<Index> products_; ///< of the powers, without those of the contact itself
-  PhaseContact::Rows factors_;  ///< amplitudes to both factors of each
+  PhaseEpisode::Rows factors_;  ///< amplitudes to both factors of each
   Vector constants_, values_;
   Amplitudes amplitudes_;
 };

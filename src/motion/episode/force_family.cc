@@ -36,7 +36,7 @@ ForceFamily::ForceFamily(const ForceShape &shape)
     : shape_(shape), stretch_(shape.begin_root, shape.end_root), rule_(polynomials().rule()),
       nodes_(shape.nodes), weights_(shape.nodes), denominators_(shape.nodes) {
   for (int j = 0; j < shape.nodes; ++j) {
-    const TimeStretch::Point at = stretch_.at(rule_.nodes[j], rule_.rest[j]);
+    const EpisodeTime::Point at = stretch_.at(rule_.nodes[j], rule_.rest[j]);
     nodes_[j] = static_cast<double>(at.x);
     weights_[j] = std::pow(at.x, static_cast<long double>(shape.begin)) *
                   std::pow(at.rest, static_cast<long double>(shape.end));
@@ -50,7 +50,7 @@ ForceFamily::ForceFamily(const ForceShape &shape)
 }
 
 long double ForceFamily::smooth_weight(long double xi, long double rest) const {
-  const TimeStretch::Point at = stretch_.at(xi, rest);
+  const EpisodeTime::Point at = stretch_.at(xi, rest);
   return std::pow(at.begin, static_cast<long double>(shape_.begin)) *
          std::pow(at.end, static_cast<long double>(shape_.end)) * at.slope_factor;
 }
@@ -80,7 +80,7 @@ LongArray ForceFamily::quotients(long double xi) const {
 }
 
 LongArray ForceFamily::functions(long double xi, long double rest) const {
-  const TimeStretch::Point at = stretch_.at(xi, rest);
+  const EpisodeTime::Point at = stretch_.at(xi, rest);
   return quotients(xi) * (std::pow(at.x, static_cast<long double>(shape_.begin)) *
                           std::pow(at.rest, static_cast<long double>(shape_.end)));
 }

@@ -1,7 +1,7 @@
 // Forces between two instants as a power at each end times a polynomial.
 //
 // With x in [0, 1] the part of the step that is over, w = x^alpha (1 - x)^beta, a parameter xi of x
-// (time_stretch.h) and nodes xi_j of the Gauss rule of w dx/dxi,
+// (episode_time.h) and nodes xi_j of the Gauss rule of w dx/dxi,
 //
 //   f(x) = sum over j of f_j phi_j(x),   phi_j = (w / w_j) l_j(xi),
 //
@@ -12,8 +12,8 @@
 #pragma once
 
 #include "common/linear_algebra.h"
+#include "motion/episode/episode_time.h"
 #include "motion/episode/gauss_jacobi.h"
-#include "motion/episode/time_stretch.h"
 
 namespace vibroimpact::motion {
 
@@ -37,7 +37,7 @@ public:
   const Vector &nodes() const { return nodes_; } ///< x_j
   /// In xi, with the weight w dx/dxi.
   const GaussRule &rule() const { return rule_; }
-  const TimeStretch &stretch() const { return stretch_; }
+  const EpisodeTime &stretch() const { return stretch_; }
   /// l_j / w_j, and phi_j; xi in [0, 1], rest = 1 - xi.
   LongArray quotients(long double xi) const;
   LongArray functions(long double xi, long double rest) const;
@@ -60,7 +60,7 @@ private:
   void set_bernstein();
 
   ForceShape shape_;
-  TimeStretch stretch_;
+  EpisodeTime stretch_;
   GaussRule rule_;
   Vector nodes_;
   LongArray weights_;      ///< w_j

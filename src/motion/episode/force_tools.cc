@@ -58,7 +58,7 @@ GaussRule shown_rule(const ForceShape &shape, int lobatto_points) {
 }
 
 /// Of the points of a rule in x but `skipped` at each end.
-std::vector<long double> targets_of(const GaussRule &rule, const TimeStretch &stretch,
+std::vector<long double> targets_of(const GaussRule &rule, const EpisodeTime &stretch,
                                     Eigen::Index skipped) {
   std::vector<long double> targets;
   for (Eigen::Index i = skipped; i + skipped < rule.nodes.size(); ++i)

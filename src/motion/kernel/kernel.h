@@ -102,7 +102,7 @@ struct OutputsView {
   long pieces = 0;                               ///< of parts, examined so far
 };
 
-struct Walk {
+struct MarchState {
   double *amplitudes = nullptr;   ///< real, then imaginary parts
   const double *origin = nullptr; ///< the same when `time` was 0
   double *turned = nullptr;       ///< the same a little later; scratch, and those at a crossing
@@ -121,7 +121,7 @@ struct Walk {
   double value = 0, slope = 0;
 };
 
-enum class WalkEnd {
+enum class MarchEnd {
   limit,  ///< nothing happened
   paused, ///< many pieces later; to be called again
   guard,  ///< a guard is zero `to_guard` from here; `turned` are the amplitudes there
@@ -159,7 +159,7 @@ struct WorkView {
 struct Kernel {
   const char *name;
   /// Goes on to `limit` [s after the start of the walk] or to the first crossing.
-  WalkEnd (*advance)(const PhaseView &phase, Walk &walk, double limit);
+  MarchEnd (*advance)(const PhaseView &phase, MarchState &walk, double limit);
   /// The amplitudes `time` later.
   void (*turn)(const PhaseView &phase, const double *amplitudes, double time, double *turned);
   /// The extremes grow by the motion between two instants, `length` apart [s].

@@ -1,14 +1,14 @@
 // The functions of a kernel, for one kind of machine; included by the kernel_*.cc only.
 #pragma once
 
+#include "motion/kernel/kernel_march.h"
 #include "motion/kernel/kernel_outputs.h"
-#include "motion/kernel/kernel_walk.h"
 
 namespace vibroimpact::motion {
 namespace {
 
-inline WalkEnd advance(const PhaseView &phase, Walk &walk, double limit) {
-  return Walker(phase, walk).advance(limit);
+inline MarchEnd advance(const PhaseView &phase, MarchState &walk, double limit) {
+  return March(phase, walk).advance(limit);
 }
 
 inline void exponential_of(const double *x, double *result) { store(result, exponential(load(x))); }

@@ -21,7 +21,7 @@ struct Accuracy {
   /// Touches so shallow that rounding decides whether they were contacts; not counted as events.
   long undecided_events = 0;
   long chatters = 0;          ///< infinite sequences of impacts that were completed at once
-  long whole_contacts = 0;    ///< nonlinear ones that were solved as a whole
+  long contact_episodes = 0;  ///< nonlinear ones that were solved as a whole
   StepReasons step_reasons{}; ///< nonlinear ones that were integrated in steps
 
   long stepped_contacts() const {

@@ -48,7 +48,7 @@ ExactPath::ExactPath(Equations &equations, ExactPhases &phases, const Settings &
 void ExactPath::begin() {
   known_ = nullptr;
   running_ = false;
-  walk_.pieces = 0;
+  march_.pieces = 0;
   last_event_ = -std::numeric_limits<double>::infinity();
   exact_phases_.forget();
 }
@@ -143,14 +143,14 @@ double ExactPath::hidden(const PhaseView &view, std::size_t guard, const double 
          noise_[guard];
 }
 
-// From walk_.amplitudes on, in the phase known_.
+// From march_.amplitudes on, in the phase known_.
 void ExactPath::start_walk(KnownPhase &known) {
-  std::copy_n(walk_.amplitudes, known.phase().n_amplitudes(), start_.begin());
-  walk_.origin = start_.data();
-  walk_.noise = noise_.data();
-  walk_.order = order_.data();
-  walk_.time = 0;
-  walk_.pieces_of_phase = 0;
+  std::copy_n(march_.amplitudes, known.phase().n_amplitudes(), start_.begin());
+  march_.origin = start_.data();
+  march_.noise = noise_.data();
+  march_.order = order_.data();
+  march_.time = 0;
+  march_.pieces_of_phase = 0;
   known_ = &known;
   exact_phases_.enter(known.linear);
 }
@@ -175,10 +175,10 @@ bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
   rounding_.assign(largest,
                    0); // it changes places with that of the next phase, which may be larger
   std::copy(first_.begin(), first_.end(), amplitudes_.begin());
-  walk_.amplitudes = amplitudes_.data();
-  walk_.turned = turned_.data();
-  walk_.magnitudes = magnitudes_.data();
-  walk_.reach = reach_.data();
+  march_.amplitudes = amplitudes_.data();
+  march_.turned = turned_.data();
+  march_.magnitudes = magnitudes_.data();
+  march_.reach = reach_.data();
   const auto was_zero = [&](std::size_t g) {
     return std::any_of(zero.begin(), zero.end(), [&](const ZeroGuard &passed) {
       return passed.contact == known.guards()[g].contact && passed.guard == known.guards()[g].guard;
@@ -230,8 +230,8 @@ void ExactPath::begin_part(double time) {
   if (observer_->integrals)
     part_limit_ = time + known_->linear.work(equations_).longest();
   part_ = start_.data();
-  if (walk_.time > 0) {
-    std::copy_n(walk_.amplitudes, known_->phase().n_amplitudes(), part_copy_.begin());
+  if (march_.time > 0) {
+    std::copy_n(march_.amplitudes, known_->phase().n_amplitudes(), part_copy_.begin());
     part_ = part_copy_.data();
   }
   part_start_ = time;
@@ -290,14 +290,14 @@ void ExactPath::show_steps(double time, const double *amplitudes) {
 
 // Another part of the same phase.
 void ExactPath::part_the_phase(double time) {
-  end_part(time, walk_.amplitudes);
+  end_part(time, march_.amplitudes);
   begin_part(time);
 }
 
 // Reports a contact change, which takes the equations to the modes after it.
 void ExactPath::report_change(double time) {
-  const PhaseGuard &passed = known_->guards()[static_cast<std::size_t>(walk_.guard)];
-  end_part(time, walk_.turned);
+  const PhaseGuard &passed = known_->guards()[static_cast<std::size_t>(march_.guard)];
+  end_part(time, march_.turned);
   observer_->change(time, passed.contact, passed.guard, state_);
 }
 
@@ -338,8 +338,8 @@ void ExactPath::renew_inputs(const ExactPhase &phase, double time, double *ampli
 
 // False: the change is left to others; the motion stands before it.
 bool ExactPath::change_phase(double limit, long &most_events) {
-  const double time = origin_ + walk_.time + walk_.to_guard;
-  const auto passed = static_cast<std::size_t>(walk_.guard);
+  const double time = origin_ + march_.time + march_.to_guard;
+  const auto passed = static_cast<std::size_t>(march_.guard);
   if (time - last_event_ <= time_tolerance(time) || progress_.slow())
     return false;
   Transition *next = transition(passed);
@@ -352,14 +352,14 @@ bool ExactPath::change_phase(double limit, long &most_events) {
       --most_events;
     return !left;
   }
-  kernel_.change(next->change->view(), walk_.turned, next_.data(), next_rounding_.data());
+  kernel_.change(next->change->view(), march_.turned, next_.data(), next_rounding_.data());
   renew_inputs(next->target->phase(), time, next_.data());
   note_residual();
   const double uncertain =
-      2 * std::max(time_tolerance(origin_), std::abs(walk_.value / walk_.slope));
+      2 * std::max(time_tolerance(origin_), std::abs(march_.value / march_.slope));
   const auto known_to = [&](std::size_t g, const double *f) {
     return std::max({hidden(next->target->view(), g, next_.data()), uncertain * std::abs(f[1]),
-                     next->proportion[g] * std::abs(walk_.value)});
+                     next->proportion[g] * std::abs(march_.value)});
   };
   if (!begin_guards(*next->target, known_->guards()[passed].contact, next_, next_rounding_,
                     std::ref(known_to))) {
@@ -375,8 +375,8 @@ bool ExactPath::change_phase(double limit, long &most_events) {
     ++counts_.events;
   last_event_ = origin_ = time;
   std::swap(rounding_, next_rounding_);
-  double *const before = walk_.amplitudes;
-  walk_.amplitudes = next_.data();
+  double *const before = march_.amplitudes;
+  march_.amplitudes = next_.data();
   (before == amplitudes_.data() ? amplitudes_ : turned_).swap(next_);
   start_walk(*next->target);
   begin_part(time);
@@ -384,21 +384,21 @@ bool ExactPath::change_phase(double limit, long &most_events) {
 }
 
 void ExactPath::note_pending(StepReason reason) {
-  const PhaseGuard &guard = known_->guards()[static_cast<std::size_t>(walk_.guard)];
+  const PhaseGuard &guard = known_->guards()[static_cast<std::size_t>(march_.guard)];
   pending_ = {.contact = guard.contact,
               .guard = guard.guard,
-              .residual = std::abs(walk_.value),
-              .rate = walk_.slope,
+              .residual = std::abs(march_.value),
+              .rate = march_.slope,
               .reason = reason};
   note_residual();
 }
 
 // Zero where the guard is below the rounding of its own evaluation: no instant is closer.
 void ExactPath::note_residual() {
-  const double residual = std::abs(walk_.value / walk_.slope);
+  const double residual = std::abs(march_.value / march_.slope);
   if (residual > counts_.event_residual &&
-      std::abs(walk_.value) >
-          hidden(known_->view(), static_cast<std::size_t>(walk_.guard), walk_.turned))
+      std::abs(march_.value) >
+          hidden(known_->view(), static_cast<std::size_t>(march_.guard), march_.turned))
     counts_.event_residual = residual;
 }
 
@@ -420,25 +420,25 @@ bool ExactPath::advance(double &time, const Vector &state, double limit, long mo
     return false;
   begin_part(time);
   const double from = time;
-  WalkEnd end = WalkEnd::paused;
+  MarchEnd end = MarchEnd::paused;
   bool moving = true;
   while (moving) {
-    const long before = walk_.pieces;
-    const long undecided = walk_.undecided;
+    const long before = march_.pieces;
+    const long undecided = march_.undecided;
     const double until = std::min(limit, part_limit_);
-    end = kernel_.advance(known_->view(), walk_, until - origin_);
-    counts_.steps += walk_.pieces - before;
-    counts_.undecided_events += walk_.undecided - undecided;
+    end = kernel_.advance(known_->view(), march_, until - origin_);
+    counts_.steps += march_.pieces - before;
+    counts_.undecided_events += march_.undecided - undecided;
     leave_if_stopped();
-    if (end == WalkEnd::limit && until < limit)
+    if (end == MarchEnd::limit && until < limit)
       part_the_phase(until);
     else
-      moving = end == WalkEnd::paused ||
-               (end == WalkEnd::guard && most_events-- > 0 && change_phase(limit, most_events));
+      moving = end == MarchEnd::paused ||
+               (end == MarchEnd::guard && most_events-- > 0 && change_phase(limit, most_events));
   }
-  running_ = end == WalkEnd::limit;
-  time = running_ ? limit : origin_ + walk_.time + (pending_ ? walk_.to_guard : 0);
-  stand(time, pending_ ? walk_.turned : walk_.amplitudes);
+  running_ = end == MarchEnd::limit;
+  time = running_ ? limit : origin_ + march_.time + (pending_ ? march_.to_guard : 0);
+  stand(time, pending_ ? march_.turned : march_.amplitudes);
   return time > from;
 }
 

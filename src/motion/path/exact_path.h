@@ -79,8 +79,8 @@ private:
     MonitoredForms forms;
     std::unique_ptr<ContactOutputs> outputs{};
   };
-  struct WholeContactPart {
-    std::unique_ptr<PhaseContact> contact;
+  struct ContactEpisodePart {
+    std::unique_ptr<PhaseEpisode> contact;
     std::unique_ptr<ContactWork> work{}; ///< none until the integrals are asked for
     /// By the present observer and by the one before.
     std::unique_ptr<MonitoredContact> monitored{}, monitored_before{};
@@ -95,7 +95,7 @@ private:
     std::unique_ptr<ExactChange> change{};
     long excitation = -1; ///< that the change is for
     bool contact_known = false;
-    std::unique_ptr<WholeContactPart>
+    std::unique_ptr<ContactEpisodePart>
         contact{}; ///< of a target that is not linear; none: left to others
     /// The linear phase behind a contact, by the mode that it ends in.
     std::map<int, std::unique_ptr<Transition>> behind{};
@@ -138,13 +138,13 @@ private:
   void report_change(double time);
   void start_walk(KnownPhase &known);
   bool change_phase(double limit, long &most_events);
-  WholeContactPart *contact_beyond(std::size_t guard);
+  ContactEpisodePart *contact_beyond(std::size_t guard);
   std::optional<StepReason> pass_contact(double time, std::size_t passed, double limit);
-  Transition *phase_behind(std::size_t passed, const PhaseContact &contact);
-  bool enter_behind(Transition *behind, const PhaseContact &contact);
-  void report_contact(WholeContactPart &part, double time);
-  void monitor_contact(WholeContactPart &part, double time);
-  ContactOutputs &outputs_of(WholeContactPart &part);
+  Transition *phase_behind(std::size_t passed, const PhaseEpisode &contact);
+  bool enter_behind(Transition *behind, const PhaseEpisode &contact);
+  void report_contact(ContactEpisodePart &part, double time);
+  void monitor_contact(ContactEpisodePart &part, double time);
+  ContactOutputs &outputs_of(ContactEpisodePart &part);
   void renew_inputs(const ExactPhase &phase, double time, double *amplitudes);
   /// Of a guard in the phase to come, by its derivatives there: what its value is known to.
   using KnownTo = std::function<double(std::size_t guard, const double *derivatives)>;
@@ -166,7 +166,7 @@ private:
   ContactSteps contact_steps_;
   std::vector<double> inputs_;
   KnownPhase *known_ = nullptr;
-  Walk walk_;
+  MarchState march_;
   Amplitudes first_, amplitudes_, turned_, next_;
   AlignedArray magnitudes_, reach_, rounding_, next_rounding_, noise_;
   std::vector<unsigned char> order_;

@@ -13,7 +13,7 @@ constexpr double shortest = 16;
 
 } // namespace
 
-std::size_t ExactPath::WholeContactPart::bytes() const {
+std::size_t ExactPath::ContactEpisodePart::bytes() const {
   std::size_t sum = contact->bytes() + (work ? work->bytes() : 0);
   for (const auto *part : {&monitored, &monitored_before})
     sum += *part ? (*part)->outputs->bytes() : 0;
@@ -22,7 +22,7 @@ std::size_t ExactPath::WholeContactPart::bytes() const {
 
 // What a contact that begins at a guard of the present phase is solved by; nullptr: it is left to
 // others.
-ExactPath::WholeContactPart *ExactPath::contact_beyond(std::size_t guard) {
+ExactPath::ContactEpisodePart *ExactPath::contact_beyond(std::size_t guard) {
   Transition &known = *known_->transitions[guard];
   if (!known.contact_known) {
     known.contact_known = true;
@@ -30,16 +30,16 @@ ExactPath::WholeContactPart *ExactPath::contact_beyond(std::size_t guard) {
     std::shared_ptr<TaughtContact> &taught = known_->linear.taught(guard);
     if (!taught)
       taught = std::make_shared<TaughtContact>();
-    if (auto contact = PhaseContact::create(equations_, known_->linear, guard, tolerance_, taught))
+    if (auto contact = PhaseEpisode::create(equations_, known_->linear, guard, tolerance_, taught))
       known.contact =
-          std::make_unique<WholeContactPart>(WholeContactPart{.contact = std::move(contact)});
+          std::make_unique<ContactEpisodePart>(ContactEpisodePart{.contact = std::move(contact)});
   }
   return known.contact.get();
 }
 
 // Where the law cuts its force off while the sides still overlap, the phase behind the contact is
 // another one than that before. nullptr: the same.
-ExactPath::Transition *ExactPath::phase_behind(std::size_t passed, const PhaseContact &contact) {
+ExactPath::Transition *ExactPath::phase_behind(std::size_t passed, const PhaseEpisode &contact) {
   std::vector<int> modes = known_->linear.forms().contact_modes();
   if (contact.mode_after() == modes[contact.contact()])
     return nullptr;
@@ -58,7 +58,7 @@ ExactPath::Transition *ExactPath::phase_behind(std::size_t passed, const PhaseCo
 
 // To the amplitudes behind the contact. False: it does not end there. One of its guards is zero
 // within the error of the instant, and rises; the others are positive.
-bool ExactPath::enter_behind(Transition *behind, const PhaseContact &contact) {
+bool ExactPath::enter_behind(Transition *behind, const PhaseEpisode &contact) {
   next_rounding_.assign(next_rounding_.size(), 0);
   contact.add_rounding(next_rounding_.data());
   if (behind)
@@ -81,7 +81,7 @@ bool ExactPath::enter_behind(Transition *behind, const PhaseContact &contact) {
 }
 
 // The forms are those of the monitor in the modes of the contact.
-ContactOutputs &ExactPath::outputs_of(WholeContactPart &part) {
+ContactOutputs &ExactPath::outputs_of(ContactEpisodePart &part) {
   const long monitor = observer_->monitor->identity();
   if (!part.monitored || part.monitored->monitor != monitor)
     std::swap(part.monitored, part.monitored_before);
@@ -97,8 +97,8 @@ ContactOutputs &ExactPath::outputs_of(WholeContactPart &part) {
 }
 
 // As one part of the motion.
-void ExactPath::monitor_contact(WholeContactPart &part, double time) {
-  const PhaseContact &contact = *part.contact;
+void ExactPath::monitor_contact(ContactEpisodePart &part, double time) {
+  const PhaseEpisode &contact = *part.contact;
   if (observer_->monitor)
     observer_->monitor->part_begins(equations_, time, state_);
   if (observer_->integrals)
@@ -111,8 +111,8 @@ void ExactPath::monitor_contact(WholeContactPart &part, double time) {
   observer_->monitor->part_done(equations_, time, time + contact.duration(), state_);
 }
 
-void ExactPath::report_contact(WholeContactPart &part, double time) {
-  const PhaseContact &contact = *part.contact;
+void ExactPath::report_contact(ContactEpisodePart &part, double time) {
+  const PhaseEpisode &contact = *part.contact;
   if (observer_->integrals && !part.work)
     part.work = std::make_unique<ContactWork>(known_->linear.powers(equations_), contact,
                                               equations_, tolerance_);
@@ -132,13 +132,13 @@ void ExactPath::report_contact(WholeContactPart &part, double time) {
 // From the touch to the end of the force, in the present phase, and into that behind. A reason: it
 // is left to others; nothing has changed.
 std::optional<StepReason> ExactPath::pass_contact(double time, std::size_t passed, double limit) {
-  WholeContactPart *const part = contact_beyond(passed);
+  ContactEpisodePart *const part = contact_beyond(passed);
   if (!part)
     return StepReason::law;
-  PhaseContact *const contact = part->contact.get();
+  PhaseEpisode *const contact = part->contact.get();
   Transition *behind = nullptr;
   std::optional<StepReason> left =
-      contact->pass(walk_.turned, std::min(limit - time, longest_step_));
+      contact->pass(march_.turned, std::min(limit - time, longest_step_));
   if (!left) {
     behind = phase_behind(passed, *contact);
     if (contact->duration() <= shortest * time_tolerance(time) || !enter_behind(behind, *contact))
@@ -158,12 +158,12 @@ std::optional<StepReason> ExactPath::pass_contact(double time, std::size_t passe
   else
     counts_.events += 2;
   ++counts_.steps;
-  ++counts_.whole_contacts;
+  ++counts_.contact_episodes;
   last_event_ = origin_ = end;
   std::swap(rounding_, next_rounding_);
   KnownPhase &next = behind ? *behind->target : *known_;
-  std::copy_n(next_.begin(), next.phase().n_amplitudes(), walk_.amplitudes);
-  renew_inputs(next.phase(), end, walk_.amplitudes);
+  std::copy_n(next_.begin(), next.phase().n_amplitudes(), march_.amplitudes);
+  renew_inputs(next.phase(), end, march_.amplitudes);
   start_walk(next);
   begin_part(end);
   return {};

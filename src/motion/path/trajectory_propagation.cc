@@ -26,7 +26,7 @@ bool Trajectory::propagate(double limit, Observer &observer) {
                                                         : std::numeric_limits<long>::max();
   const bool moved = path_->advance(instant, state(), limit, most_events, zero_at_start_,
                                     observed ? &path_observer : nullptr);
-  balance_.exact = balance_.exact && counts_.whole_contacts == before.whole_contacts;
+  balance_.exact = balance_.exact && counts_.contact_episodes == before.contact_episodes;
   if (counts_.events > before.events)
     note_path_events();
   if (!moved)

@@ -1,7 +1,7 @@
 #include "motion/phase/exact_phases.h"
 
 #include "common/memory.h"
-#include "motion/episode/phase_contact.h"
+#include "motion/episode/phase_episode.h"
 
 #include <algorithm>
 #include <cmath>

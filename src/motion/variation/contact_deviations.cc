@@ -1,6 +1,6 @@
 #include "motion/variation/contact_deviations.h"
 
-#include "motion/episode/phase_contact.h"
+#include "motion/episode/phase_episode.h"
 #include "motion/variation/contact_map.h"
 
 #include <cmath>
@@ -31,14 +31,14 @@ std::optional<int> mode_before(const Equations &equations, std::size_t contact) 
 }
 
 // Solved from the state at the start of the part; nullptr: not as a whole.
-std::unique_ptr<PhaseContact> solve(const SmoothPart &part, std::size_t contact, int target,
+std::unique_ptr<PhaseEpisode> solve(const SmoothPart &part, std::size_t contact, int target,
                                     const Equations &open, ExactPhases &phases, double tolerance) {
   LinearPhase *const linear = phases.take_sources(part.start) ? phases.present() : nullptr;
   const std::optional<std::size_t> guard =
       linear ? onset_guard(*linear, contact, target) : std::nullopt;
   if (!guard)
     return nullptr;
-  std::unique_ptr<PhaseContact> solved = PhaseContact::create(open, *linear, *guard, tolerance);
+  std::unique_ptr<PhaseEpisode> solved = PhaseEpisode::create(open, *linear, *guard, tolerance);
   if (!solved)
     return nullptr;
   const ExactPhase &phase = linear->phase();
@@ -52,7 +52,7 @@ std::unique_ptr<PhaseContact> solve(const SmoothPart &part, std::size_t contact,
 }
 
 // What the force adds, in physical states.
-Matrix forced_columns(const PhaseContact &contact, const ContactMap &map, const Matrix &columns) {
+Matrix forced_columns(const PhaseEpisode &contact, const ContactMap &map, const Matrix &columns) {
   const ExactPhase &phase = contact.linear().phase();
   const Matrix modal = phase.modal().inverse() * columns;
   Matrix amplitudes = Matrix::Zero(static_cast<Index>(phase.n_amplitudes()), columns.cols());
@@ -67,14 +67,14 @@ Matrix forced_columns(const PhaseContact &contact, const ContactMap &map, const 
 
 } // namespace
 
-std::optional<std::size_t> whole_contact(const Equations &equations) {
+std::optional<std::size_t> contact_episode(const Equations &equations) {
   std::optional<std::size_t> only;
   for (std::size_t c = 0; c < equations.contacts().size(); ++c) {
     const contact::Mode &mode = equations.mode(c);
     if (mode.affine && !mode.holds_gap)
       continue;
     const contact::ContactPair &pair = equations.contacts().pairs()[c];
-    if (only || mode.holds_gap || !pair.law->force_course(equations.modes()[c]) ||
+    if (only || mode.holds_gap || !pair.law->force_pulse(equations.modes()[c]) ||
         pair.n_internal() > 0)
       return std::nullopt;
     only = c;
@@ -82,15 +82,15 @@ std::optional<std::size_t> whole_contact(const Equations &equations) {
   return only;
 }
 
-std::optional<double> pass_whole_contact(const SmoothPart &part, std::size_t contact,
-                                         Equations &equations, ExactPhases &phases,
-                                         double tolerance, Matrix &columns) {
+std::optional<double> pass_contact_episode(const SmoothPart &part, std::size_t contact,
+                                           Equations &equations, ExactPhases &phases,
+                                           double tolerance, Matrix &columns) {
   const int target = equations.modes()[contact];
   const std::optional<int> before = mode_before(equations, contact);
   if (!part.from_event || !part.to_event || !before)
     return std::nullopt;
   equations.set_mode(contact, *before);
-  const std::unique_ptr<PhaseContact> solved =
+  const std::unique_ptr<PhaseEpisode> solved =
       solve(part, contact, target, equations, phases, tolerance);
   equations.set_mode(contact, target);
   if (!solved)

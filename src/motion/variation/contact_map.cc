@@ -21,7 +21,7 @@ Polynomial evaluate(const Vector &coefficients, double s) {
 
 } // namespace
 
-ContactMap::ContactMap(const WholeContact &solved, const ForcedOutput &penetration,
+ContactMap::ContactMap(const ContactEpisode &solved, const ForcedOutput &penetration,
                        const double *x0)
     : solved_(solved), penetration_(penetration), n_(solved.nodes()) {
   const double theta = penetration.flow().fastest() * solved.duration();

@@ -1,4 +1,4 @@
-// Small deviations through a contact that was solved as a whole (collocation/whole_contact.h), in
+// Small deviations through a contact that was solved as a whole (collocation/contact_episode.h), in
 // closed form.
 //
 // Newton's equations of the contact are differentiated at fixed nodes. With I_k f the repeated
@@ -18,7 +18,7 @@
 #pragma once
 
 #include "common/decompositions.h"
-#include "motion/episode/whole_contact.h"
+#include "motion/episode/contact_episode.h"
 
 namespace vibroimpact::motion {
 
@@ -26,7 +26,7 @@ class ContactMap {
 public:
   /// Of the contact that `solved` has solved last, from x0 on. Keeps references; made anew for each
   /// contact.
-  ContactMap(const WholeContact &solved, const ForcedOutput &penetration, const double *x0);
+  ContactMap(const ContactEpisode &solved, const ForcedOutput &penetration, const double *x0);
 
   /// What the force adds to deviations of x, size x any number of columns at the touch: the
   /// deviations at the release are exp(S T) columns plus this.
@@ -45,7 +45,7 @@ private:
   double end_scale() const;
   void factorise();
 
-  const WholeContact &solved_;
+  const ContactEpisode &solved_;
   const ForcedOutput &penetration_;
   Index n_;                  ///< nodes
   Vector positions_;         ///< theta X of the nodes and the end

@@ -189,7 +189,8 @@ void Variation::step(const StepView &view) {
 // they become so short that the gap within one is nothing but its rounding. Deviations are taken
 // through several at once; the last one waits, since an event may be at its end.
 void Variation::join(const StepView &view) {
-  const bool whole = waiting_ && waiting_->from_event && keys_.empty() && whole_contact(equations_);
+  const bool whole =
+      waiting_ && waiting_->from_event && keys_.empty() && contact_episode(equations_);
   if (joined_ >= (whole ? most_joined_in_contact : most_joined) ||
       turn_of_waiting() > (whole ? longest_turn_in_contact : longest_turn))
     catch_up();
@@ -216,9 +217,9 @@ void Variation::catch_up() {
   SmoothPart part = std::move(*waiting_);
   waiting_.reset();
   joined_ = 0;
-  const auto contact = keys_.empty() ? whole_contact(equations_) : std::nullopt;
-  const auto divergence = contact ? pass_whole_contact(part, *contact, equations_, phases_,
-                                                       accuracy_.tolerance, columns_)
+  const auto contact = keys_.empty() ? contact_episode(equations_) : std::nullopt;
+  const auto divergence = contact ? pass_contact_episode(part, *contact, equations_, phases_,
+                                                         accuracy_.tolerance, columns_)
                                   : std::nullopt;
   if (divergence) {
     determinant_.logarithm += *divergence;

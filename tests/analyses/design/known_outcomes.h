@@ -59,8 +59,8 @@ public:
     testing::Points::store(std::move(result));
   }
   void skip() override { ++skipped; }
-  void leave_note(std::size_t line, const std::string &note) override { notes_[line] = note; }
-  std::string note_of(std::size_t line) const override { return notes_.at(line); }
+  void leave_message(std::size_t line, const std::string &note) override { notes_[line] = note; }
+  std::string message_of(std::size_t line) const override { return notes_.at(line); }
   int left = -1; ///< points that may be stored
   int skipped = 0;
 

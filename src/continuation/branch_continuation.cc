@@ -1,4 +1,4 @@
-#include "continuation/walk.h"
+#include "continuation/branch_continuation.h"
 
 #include "common/signals.h"
 #include "continuation/stored_steps.h"
@@ -29,8 +29,9 @@ std::string text(double number) {
 
 } // namespace
 
-Walk::Walk(Problem &problem, const Start &start, const Settings &settings, const Listener &listener,
-           StepRecord *record)
+BranchContinuation::BranchContinuation(Problem &problem, const Start &start,
+                                       const Settings &settings, const Listener &listener,
+                                       StepRecord *record)
     : problem_{problem, start.point}, settings_{settings}, listener_{listener}, record_{record},
       step_{std::min(settings.first_step, settings.longest_step)} {
   if (problem_.unknowns() != problem_.states() + 1)
@@ -46,7 +47,7 @@ Walk::Walk(Problem &problem, const Start &start, const Settings &settings, const
   add(branch_point(problem_, here_), {});
 }
 
-Branch Walk::run() {
+Branch BranchContinuation::run() {
   if (const auto bound = bound_passed(here_.u))
     end(bound->end, "the start lies outside the bounds of the key");
   while (!ended_) {
@@ -60,7 +61,7 @@ Branch Walk::run() {
   return std::move(branch_);
 }
 
-void Walk::step() {
+void BranchContinuation::step() {
   Node next;
   std::vector<SpecialPoint> special;
   try {
@@ -77,7 +78,7 @@ void Walk::step() {
   accept(std::move(next), std::move(special));
 }
 
-void Walk::shorten(const std::string &why) {
+void BranchContinuation::shorten(const std::string &why) {
   if (step_ < settings_.graze_step && cross())
     return;
   step_ /= 2;
@@ -85,7 +86,7 @@ void Walk::shorten(const std::string &why) {
     end(End::least_step, "steps fall below " + text(settings_.least_step) + ": " + why);
 }
 
-bool Walk::cross() {
+bool BranchContinuation::cross() {
   constexpr double same = 1e-7;
   constexpr int most_returns = 3;
   std::optional<Behind> behind = recorded(record_, "graze", [&] { return behind_graze(); });
@@ -108,7 +109,7 @@ bool Walk::cross() {
   return true;
 }
 
-std::optional<Walk::Behind> Walk::behind_graze() const {
+std::optional<BranchContinuation::Behind> BranchContinuation::behind_graze() const {
   const auto crossing = cross_graze(problem_, here_, settings_);
   if (!crossing)
     return std::nullopt;
@@ -127,7 +128,7 @@ std::optional<Walk::Behind> Walk::behind_graze() const {
 }
 
 // Beyond a bound there may be no solutions at all: a step that fails there ends at the bound.
-Node Walk::next_node() {
+Node BranchContinuation::next_node() {
   Node next;
   Vector beyond = here_.u + step_ * here_.tangent;
   closes_ = false;
@@ -148,7 +149,7 @@ Node Walk::next_node() {
   return next;
 }
 
-Node Walk::attempt(const Vector &ahead) const {
+Node BranchContinuation::attempt(const Vector &ahead) const {
   Corrected corrected = correct(problem_, ahead, here_.chart, here_.tangent,
                                 settings_.largest_correction * step_, settings_);
   Node next = make_node(problem_, corrected.u, here_.chart, std::move(corrected.at), here_.tangent);
@@ -158,7 +159,7 @@ Node Walk::attempt(const Vector &ahead) const {
   return next;
 }
 
-Node Walk::at_bound(const Vector &beyond, const Bound &bound) const {
+Node BranchContinuation::at_bound(const Vector &beyond, const Bound &bound) const {
   const Index key = problem_.states();
   const double share = (bound.value - here_.u(key)) / (beyond(key) - here_.u(key));
   Vector guess = here_.u + share * (beyond - here_.u);
@@ -168,7 +169,7 @@ Node Walk::at_bound(const Vector &beyond, const Bound &bound) const {
   return make_node(problem_, corrected.u, here_.chart, std::move(corrected.at), here_.tangent);
 }
 
-std::vector<SpecialPoint> Walk::examine(Node &next) {
+std::vector<SpecialPoint> BranchContinuation::examine(Node &next) {
   const Piece piece(problem_, settings_, here_, next);
   check_pairs(piece);
   auto [special, arclength] = recorded(record_, "special points", [&] {
@@ -179,7 +180,7 @@ std::vector<SpecialPoint> Walk::examine(Node &next) {
   return std::move(special);
 }
 
-std::vector<SpecialPoint> Walk::special_up_to(Node &next, const Piece &piece) const {
+std::vector<SpecialPoint> BranchContinuation::special_up_to(Node &next, const Piece &piece) const {
   if (next.at.pattern == here_.at.pattern)
     return special_points(problem_, piece, settings_);
   return special_points_and_changes(problem_, here_, next, settings_);
@@ -187,7 +188,7 @@ std::vector<SpecialPoint> Walk::special_up_to(Node &next, const Piece &piece) co
 
 // Of the key the slopes are known, so that a cubic shows its turns; of other tests the parabola
 // through the last three points does.
-void Walk::check_pairs(const Piece &piece) {
+void BranchContinuation::check_pairs(const Piece &piece) {
   const Node &next = piece.end();
   if (halvings_ >= settings_.halvings ||
       !(piece.key_turns_twice() || pair_suspected(next, &Tests::flip) ||
@@ -197,7 +198,7 @@ void Walk::check_pairs(const Piece &piece) {
   throw NumericalError("two special points may lie within a step");
 }
 
-bool Walk::pair_suspected(const Node &next, double Tests::*test) const {
+bool BranchContinuation::pair_suspected(const Node &next, double Tests::*test) const {
   if (!before_ || next.at.pattern != here_.at.pattern)
     return false;
   const double a = before_->tests.*test, b = here_.tests.*test, c = next.tests.*test;
@@ -210,7 +211,7 @@ bool Walk::pair_suspected(const Node &next, double Tests::*test) const {
   return b * c > 0 && least > 0 && least < ahead && b * (b + slope * least / 2) < 0;
 }
 
-void Walk::accept(Node next, std::vector<SpecialPoint> special) {
+void BranchContinuation::accept(Node next, std::vector<SpecialPoint> special) {
   if (ends_at_shorter(special, next))
     return;
   before_ = std::nullopt;
@@ -235,7 +236,7 @@ void Walk::accept(Node next, std::vector<SpecialPoint> special) {
 
 // A branch of a power of the map ends where it crosses solutions of a lower multiple, at a flip of
 // theirs: its other half is the same solutions begun elsewhere.
-bool Walk::ends_at_shorter(std::vector<SpecialPoint> special, const Node &next) {
+bool BranchContinuation::ends_at_shorter(std::vector<SpecialPoint> special, const Node &next) {
   constexpr double at_crossing = 1e-6; // which is located to rounding
   for (auto point = special.begin(); point != special.end(); ++point) {
     if (point->kind != Special::branch_point)
@@ -258,20 +259,20 @@ bool Walk::ends_at_shorter(std::vector<SpecialPoint> special, const Node &next) 
   return true;
 }
 
-void Walk::end(End end, const std::string &reason) {
+void BranchContinuation::end(End end, const std::string &reason) {
   ended_ = true;
   branch_.end = end;
   branch_.reason = reason;
 }
 
-void Walk::choose_step(const Node &next) {
+void BranchContinuation::choose_step(const Node &next) {
   const double turn = angle(here_, next);
   const double factor = turn > 0 ? std::clamp(settings_.wanted_angle / turn, 0.5, 2.0) : 2.0;
   step_ *= factor * (next.iterations > settings_.many_iterations ? 0.7 : 1.0);
   step_ = std::min(step_, settings_.longest_step);
 }
 
-void Walk::add(BranchPoint point, std::vector<SpecialPoint> special) {
+void BranchContinuation::add(BranchPoint point, std::vector<SpecialPoint> special) {
   for (SpecialPoint &found : special) {
     found.after = branch_.points.size() - 1;
     if (listener_.special)
@@ -283,7 +284,7 @@ void Walk::add(BranchPoint point, std::vector<SpecialPoint> special) {
   branch_.points.push_back(std::move(point));
 }
 
-std::optional<Walk::Bound> Walk::bound_passed(const Vector &u) const {
+std::optional<BranchContinuation::Bound> BranchContinuation::bound_passed(const Vector &u) const {
   const Index key = problem_.states();
   const double scale = problem_.scales()(key);
   if (u(key) < settings_.first_key.lower / scale)
@@ -294,7 +295,7 @@ std::optional<Walk::Bound> Walk::bound_passed(const Vector &u) const {
 }
 
 // On a closed curve the key comes back, so that its slope changes sign somewhere.
-bool Walk::passes_start(const Node &next) const {
+bool BranchContinuation::passes_start(const Node &next) const {
   constexpr double agreement = 0.8; // cosine of the largest angle between the tangents
   if (!turned_back_ || next.chart != first_.chart)
     return false;
@@ -304,7 +305,7 @@ bool Walk::passes_start(const Node &next) const {
 }
 
 // Close to the start the walk must be in its chart to see it.
-void Walk::take_chart_of_start() {
+void BranchContinuation::take_chart_of_start() {
   const Index key = problem_.states();
   if (!turned_back_ || here_.chart == first_.chart ||
       std::abs(here_.u(key) - first_.u(key)) > 2 * step_)
@@ -315,7 +316,7 @@ void Walk::take_chart_of_start() {
     here_ = moved;
 }
 
-bool Walk::move_for_pattern(const Node &next) {
+bool BranchContinuation::move_for_pattern(const Node &next) {
   if (moved_ || next.at.pattern == here_.at.pattern ||
       next.at.chart_margin >= settings_.margin_at_changes)
     return false;
@@ -323,7 +324,7 @@ bool Walk::move_for_pattern(const Node &next) {
   return move_chart(settings_.margin_at_changes);
 }
 
-bool Walk::move_chart(double least_margin) {
+bool BranchContinuation::move_chart(double least_margin) {
   if (here_.at.chart_margin >= least_margin)
     return false;
   const double chart = recorded(record_, "best chart", [&] {
@@ -336,7 +337,7 @@ bool Walk::move_chart(double least_margin) {
   return true;
 }
 
-std::pair<double, int> Walk::nearest_return(const Vector &u, double chart) const {
+std::pair<double, int> BranchContinuation::nearest_return(const Vector &u, double chart) const {
   return recorded(record_, "shorter returns", [&] { return problem_.nearest_return(u, chart); });
 }
 

@@ -13,17 +13,17 @@
 
 namespace vibroimpact::analyses {
 
-class KeptSteps : public StepRecord {
+class StoredSteps : public StepRecord {
 public:
   using Clock = std::chrono::steady_clock;
 
   /// Keeps references; counts steps in the summary.
-  KeptSteps(ResultSink &sink, std::vector<std::size_t> index, RunSummary &summary,
-            std::function<Clock::time_point()> now = &Clock::now);
+  StoredSteps(ResultSink &sink, std::vector<std::size_t> index, RunSummary &summary,
+              std::function<Clock::time_point()> now = &Clock::now);
   /// Hands over what is left where an exception leaves the computation.
-  ~KeptSteps() override;
-  KeptSteps(const KeptSteps &) = delete;
-  KeptSteps &operator=(const KeptSteps &) = delete;
+  ~StoredSteps() override;
+  StoredSteps(const StoredSteps &) = delete;
+  StoredSteps &operator=(const StoredSteps &) = delete;
 
   std::optional<std::string_view> next() override;
   void keep(std::string_view bytes) override;

@@ -18,11 +18,11 @@ struct LocusNode {
   double arclength = 0;
 };
 
-class LocusWalk {
+class LocusContinuation {
 public:
   /// Keeps a reference to the record, if there is one (locus.h).
-  LocusWalk(Problem &problem, const LocusStart &start, const Settings &settings,
-            const std::function<void(const LocusPoint &)> &listener, StepRecord *record);
+  LocusContinuation(Problem &problem, const LocusStart &start, const Settings &settings,
+                    const std::function<void(const LocusPoint &)> &listener, StepRecord *record);
   Locus run();
 
 private:

@@ -1,5 +1,5 @@
 // What is asked of a contact that was solved: whether it is one, its error, what its force does.
-#include "motion/episode/whole_contact.h"
+#include "motion/episode/contact_episode.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,14 @@
 namespace vibroimpact::motion {
 
 // A force that pushes has not ended before. One that pulls as long as there is penetration neither.
-bool WholeContact::ends_first() const {
+bool ContactEpisode::ends_first() const {
   return tools_->family.is_positive(forces_.data(), !condition_.at_release()) ||
          (condition_.at_release() && overlaps());
 }
 
 // Between points so close that the cubic polynomials of the penetration show where it is: they lie
 // within the hull of their Bernstein coefficients.
-bool WholeContact::overlaps() const {
+bool ContactEpisode::overlaps() const {
   constexpr int points = 17;
   ShownPoints &shown = tools_->shown(points);
   shown.between.require(terms_);
@@ -46,7 +46,7 @@ bool WholeContact::overlaps() const {
 }
 
 // Of systems that are far from normal the terms need not fall as those of their exponents.
-bool WholeContact::series_ends() const {
+bool ContactEpisode::series_ends() const {
   const double theta = output_.flow().fastest() * duration_;
   const double largest = *std::max_element(penetrations_.begin(), penetrations_.begin() + n_);
   const double allowed = tolerance_of_newton_;
@@ -62,12 +62,12 @@ bool WholeContact::series_ends() const {
 // Damping with a root of the penetration, and a force that is cut off where there is little of it
 // left, have slopes that are no smooth functions of time, even beside the weight: what Gauss nodes
 // gain for smooth ones is lost.
-bool WholeContact::is_rough() const {
+bool ContactEpisode::is_rough() const {
   const ForceShape &shape = tools_->family.shape();
   return shape.begin_root > 1 || shape.end_root > 1 || (!condition_.at_release());
 }
 
-void WholeContact::find_error() {
+void ContactEpisode::find_error() {
   // Damping at a first touch is no stiffness.
   constexpr double shallow = 0.1;
   const double deepest = *std::max_element(penetrations_.begin(), penetrations_.begin() + n_);
@@ -88,22 +88,22 @@ void WholeContact::find_error() {
   error_between_ = tail / (n_ * n_) / tolerance_;
 }
 
-double WholeContact::impulse() const {
+double ContactEpisode::impulse() const {
   return duration_ * tools_->at_nodes.term(0).row(n_).dot(ConstVectorView(forces_.data(), n_));
 }
 
 // By the rule whose nodes these are: its weights are positive.
-double WholeContact::pulling_impulse() const {
+double ContactEpisode::pulling_impulse() const {
   const ConstVectorView forces(forces_.data(), n_);
   return -duration_ * tools_->at_nodes.term(0).row(n_).dot(forces.cwiseMin(0));
 }
 
-double WholeContact::dissipated() const {
+double ContactEpisode::dissipated() const {
   return duration_ *
          tools_->at_nodes.term(0).row(n_).dot(ConstVectorView(law_.dissipated.data(), n_));
 }
 
-std::vector<double> WholeContact::moments(ForceOperators &operators) const {
+std::vector<double> ContactEpisode::moments(ForceOperators &operators) const {
   operators.require(terms_);
   const auto count = static_cast<std::size_t>(terms_);
   std::vector<double> list(count * static_cast<std::size_t>(operators.n_targets()));
@@ -114,7 +114,7 @@ std::vector<double> WholeContact::moments(ForceOperators &operators) const {
   return list;
 }
 
-std::vector<double> WholeContact::end_moments() const {
+std::vector<double> ContactEpisode::end_moments() const {
   std::vector<double> list(static_cast<std::size_t>(terms_));
   const ConstVectorView forces(forces_.data(), n_);
   for (int k = 0; k < terms_; ++k)

@@ -1,4 +1,4 @@
-// A whole contact, from the touch to the end of its force, in one step.
+// A contact episode, from the touch to the end of its force, in one step.
 //
 // Two sides of a linear system x' = S x + b f meet at t0, where the penetration u(x) is zero and
 // rises, and the force ends at t0 + T, where an affine form c of u and u' falls to zero: u where
@@ -24,10 +24,10 @@
 //
 // s bounds the Legendre coefficient of order m of the kernel of the integral. The two factors 0.1
 // are no bounds but found by trial: with them durations and release speeds of power laws, of
-// Hunt-Crossley's and of Tsuji's law keep ten tolerances and less (tests/motion/whole_contact.cc).
-// Gauss collocation and its order: Hairer, Norsett and Wanner 1993, section II.7. Between the nodes
-// the force is a off, and the penetration, two integrals of what oscillates like the next
-// polynomial, a / m^2.
+// Hunt-Crossley's and of Tsuji's law keep ten tolerances and less
+// (tests/motion/contact_episode.cc). Gauss collocation and its order: Hairer, Norsett and Wanner
+// 1993, section II.7. Between the nodes the force is a off, and the penetration, two integrals of
+// what oscillates like the next polynomial, a / m^2.
 #pragma once
 
 #include "motion/episode/contact_force.h"
@@ -68,7 +68,7 @@ struct EndCondition {
 /// elastic force [s].
 double free_contact_duration(const contact::ElasticForce &elastic, double mass, double speed);
 
-class WholeContact {
+class ContactEpisode {
 public:
   /// Coefficients of Taylor series that are made use of at most.
   static constexpr int most_terms = 44;
@@ -85,9 +85,9 @@ public:
 
   /// Keeps references. `penetration` has most_terms coefficients; `begin`, `end`: how the force
   /// begins and ends; `tolerance`: relative, of the impulse.
-  WholeContact(const ForcedOutput &penetration, const ContactForce &force,
-               const contact::ForceEdge &begin, const contact::ForceEdge &end, double tolerance,
-               std::shared_ptr<Taught> taught = std::make_shared<Taught>());
+  ContactEpisode(const ForcedOutput &penetration, const ContactForce &force,
+                 const contact::ForceEdge &begin, const contact::ForceEdge &end, double tolerance,
+                 std::shared_ptr<Taught> taught = std::make_shared<Taught>());
 
   /// Of the contacts to come; before, that is u = 0.
   void set_end(const EndCondition &condition) { condition_ = condition; }

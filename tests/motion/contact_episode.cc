@@ -1,5 +1,5 @@
 // Contacts solved in one step, against closed forms.
-#include "motion/episode/whole_contact.h"
+#include "motion/episode/contact_episode.h"
 
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kuwabara_kono.h"
@@ -14,7 +14,7 @@
 #include <numbers>
 
 namespace vibroimpact::motion {
-namespace whole_contact_tests {
+namespace contact_episode_tests {
 
 // A mass on a spring and a damper, x = (u, u'): m u'' + c u' + s u = -f. The mass of 1 kg.
 struct Oscillator {
@@ -22,7 +22,7 @@ struct Oscillator {
       : flow({{.places = {0, 1},
                .generator = (Matrix(2, 2) << 0, 1, -stiffness, -damping).finished()}},
              Vector::Unit(2, 1) * -1),
-        output(flow, Vector::Unit(2, 0), 0, WholeContact::most_terms) {}
+        output(flow, Vector::Unit(2, 0), 0, ContactEpisode::most_terms) {}
   ForcedFlow flow;
   ForcedOutput output;
 };
@@ -33,11 +33,11 @@ double free_duration(double k, double n, double speed) {
   return 2 * largest / speed * std::beta(1 / (n + 1), 0.5) / (n + 1);
 }
 
-TEST(WholeContact, LastsAsLongAsThatOfFreeSpheres) {
+TEST(ContactEpisode, LastsAsLongAsThatOfFreeSpheres) {
   const Oscillator free(0, 0);
   for (const double n : {1.0, 1.5, 2.2}) {
     const PowerForce force(1e9, n, 0);
-    WholeContact contact(free.output, force, {n}, {n}, 1e-9);
+    ContactEpisode contact(free.output, force, {n}, {n}, 1e-9);
     for (const double speed : {1.0, 0.3, 7.0}) {
       const Vector x = Vector::Unit(2, 1) * speed;
       ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none) << "n = " << n;
@@ -51,13 +51,13 @@ TEST(WholeContact, LastsAsLongAsThatOfFreeSpheres) {
 
 // The duration of free spheres under F = k u^(3/2) to the power that the first singular term beside
 // the weight leaves: x^(n + 1) in f / w, whose coefficients fall like nodes^-(2 (n + 1) + ...).
-TEST(WholeContact, GainsDigitsWithNodes) {
+TEST(ContactEpisode, GainsDigitsWithNodes) {
   const Oscillator free(0, 0);
   const PowerForce force(1e9, 1.5, 0);
   const Vector x = Vector::Unit(2, 1);
   double before = 1;
   for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
-    WholeContact contact(free.output, force, {1.5}, {1.5}, tolerance);
+    ContactEpisode contact(free.output, force, {1.5}, {1.5}, tolerance);
     for (int i = 0; i < 20; ++i) // takes fewer nodes where the tolerance allows it
       ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none);
     const double error = std::abs(contact.duration() / free_duration(1e9, 1.5, 1) - 1);
@@ -68,7 +68,7 @@ TEST(WholeContact, GainsDigitsWithNodes) {
 }
 
 // V - ln(1 + V) = -W - ln(1 - W) with V = d v before and W = d v after the contact, whatever n is.
-TEST(WholeContact, RestoresAsHuntCrossleySays) {
+TEST(ContactEpisode, RestoresAsHuntCrossleySays) {
   const Oscillator free(0, 0);
   for (const double n : {1.5, 2.2})
     for (const double restitution : {0.5, 0.7, 0.9}) {
@@ -84,7 +84,7 @@ TEST(WholeContact, RestoresAsHuntCrossleySays) {
       }
       const double speed = 0.4;
       const PowerForce force(1e8, n, low / speed);
-      WholeContact contact(free.output, force, {n}, {n}, 1e-8);
+      ContactEpisode contact(free.output, force, {n}, {n}, 1e-8);
       const Vector x = Vector::Unit(2, 1) * speed;
       ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none) << "e = " << restitution;
       EXPECT_NEAR(contact.release_speed(), restitution * speed, 1e-8 * speed);
@@ -95,13 +95,13 @@ TEST(WholeContact, RestoresAsHuntCrossleySays) {
 
 // A linear law is part of an oscillator: u = v / w exp(-c t / 2) sin(w t) between touch and
 // release.
-TEST(WholeContact, IsHalfATurnOfALinearOscillator) {
+TEST(ContactEpisode, IsHalfATurnOfALinearOscillator) {
   const double spring = 4e4;
   const double stop = 1e6;
   const double damping = 150;
   const Oscillator oscillator(spring, damping);
   const PowerForce force(stop, 1, 0);
-  WholeContact contact(oscillator.output, force, {1}, {1}, 1e-12);
+  ContactEpisode contact(oscillator.output, force, {1}, {1}, 1e-12);
   const double speed = 0.7;
   const Vector x = Vector::Unit(2, 1) * speed;
   ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none);
@@ -118,12 +118,12 @@ TEST(WholeContact, IsHalfATurnOfALinearOscillator) {
 }
 
 // The state at the end and between, in the coordinates of the system: free motion and force.
-TEST(WholeContact, MovesTheWholeSystem) {
+TEST(ContactEpisode, MovesTheWholeSystem) {
   const double spring = 4e4;
   const double stop = 1e6;
   const Oscillator oscillator(spring, 0);
   const PowerForce force(stop, 1, 0);
-  WholeContact contact(oscillator.output, force, {1}, {1}, 1e-9);
+  ContactEpisode contact(oscillator.output, force, {1}, {1}, 1e-9);
   const Vector x = Vector::Unit(2, 1) * 0.7;
   ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none);
   const double w = std::sqrt(spring + stop);
@@ -142,11 +142,11 @@ TEST(WholeContact, MovesTheWholeSystem) {
 }
 
 // What was kept from the contact before changes the way to the solution only.
-TEST(WholeContact, DependsLittleOnTheOneBefore) {
+TEST(ContactEpisode, DependsLittleOnTheOneBefore) {
   const Oscillator oscillator(3e4, 20);
   const PowerForce force(1e8, 1.5, 0);
-  WholeContact fresh(oscillator.output, force, {1.5}, {1.5}, 1e-9);
-  WholeContact used(oscillator.output, force, {1.5}, {1.5}, 1e-9);
+  ContactEpisode fresh(oscillator.output, force, {1.5}, {1.5}, 1e-9);
+  ContactEpisode used(oscillator.output, force, {1.5}, {1.5}, 1e-9);
   const Vector before = Vector::Unit(2, 1) * 0.2;
   const Vector x = Vector::Unit(2, 1) * 0.5;
   ASSERT_EQ(used.solve(before.data(), 1), Refusal::none);
@@ -161,10 +161,10 @@ TEST(WholeContact, DependsLittleOnTheOneBefore) {
 }
 
 // Between free bodies all contacts of a law look alike: two sweeps confirm what was kept.
-TEST(WholeContact, KeepsItsShape) {
+TEST(ContactEpisode, KeepsItsShape) {
   const Oscillator free(0, 0);
   const PowerForce force(1e9, 1.5, 0);
-  WholeContact contact(free.output, force, {1.5}, {1.5}, 1e-9);
+  ContactEpisode contact(free.output, force, {1.5}, {1.5}, 1e-9);
   const Vector x = Vector::Unit(2, 1);
   const Vector faster = 5 * x;
   ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none);
@@ -175,14 +175,14 @@ TEST(WholeContact, KeepsItsShape) {
 
 // The restitution of two free bodies is exp(-pi z / sqrt(1 - z^2)), z = alpha / sqrt(5), at every
 // speed. The force pulls at the end.
-TEST(WholeContact, RestoresAsTsujiSays) {
+TEST(ContactEpisode, RestoresAsTsujiSays) {
   const Oscillator free(0, 0);
   for (const double alpha : {0.05, 0.3, 0.8}) {
     const double stiffness = 1e9;
     const contact::Tsuji law(stiffness, alpha * std::sqrt(stiffness));
     const LawForce force(law, 1);
-    const contact::ForceCourse course = *law.force_course(1);
-    WholeContact contact(free.output, force, course.begin, course.ends[0].edge, 1e-9);
+    const contact::ForcePulse course = *law.force_pulse(1);
+    ContactEpisode contact(free.output, force, course.begin, course.ends[0].edge, 1e-9);
     const double z = alpha / std::sqrt(5.0);
     const double restitution = std::exp(-std::numbers::pi * z / std::sqrt(1 - z * z));
     for (const double speed : {1.0, 0.01}) {
@@ -238,7 +238,7 @@ std::array<double, 3> cut_off(const contact::ContactLaw &law, double spring, dou
 
 // Where the sides still overlap: by the law of Kuwabara and Kono always, by that of Hunt and
 // Crossley where something else pulls them apart.
-TEST(WholeContact, EndsWhereTheForceIsCutOff) {
+TEST(ContactEpisode, EndsWhereTheForceIsCutOff) {
   const contact::KuwabaraKono kuwabara_kono(1e6, 1e-3);
   const auto hunt_crossley = contact::HuntCrossley::with_dissipation({.stiffness = 1e6}, 1.5);
   struct Case {
@@ -248,13 +248,13 @@ TEST(WholeContact, EndsWhereTheForceIsCutOff) {
   for (const Case &tried :
        {Case{kuwabara_kono, 100, 0, 1e-10}, Case{*hunt_crossley, 1e4, 0.02, 1e-8}}) {
     const LawForce force(tried.law, 1);
-    const contact::ForceCourse course = *tried.law.force_course(1);
-    const contact::ForceCourse::End &end = course.ends.back();
+    const contact::ForcePulse course = *tried.law.force_pulse(1);
+    const contact::ForcePulse::End &end = course.ends.back();
     const contact::AffineForm &push = tried.law.modes()[1].guards[end.guard].indicator;
     const Oscillator oscillator(tried.spring, 0);
     const ForcedOutput output(oscillator.flow, Vector::Unit(2, 0), -tried.offset,
-                              WholeContact::most_terms);
-    WholeContact contact(output, force, course.begin, end.edge, tried.tolerance);
+                              ContactEpisode::most_terms);
+    ContactEpisode contact(output, force, course.begin, end.edge, tried.tolerance);
     contact.set_end({push.constant, -push.gap, -push.gap_rate});
     const double speed = 0.7;
     const Vector x{{tried.offset, speed}};
@@ -269,19 +269,19 @@ TEST(WholeContact, EndsWhereTheForceIsCutOff) {
 }
 
 // Pressed on by a load that the force cannot throw off within the time given.
-TEST(WholeContact, SaysWhatItCannotDo) {
+TEST(ContactEpisode, SaysWhatItCannotDo) {
   const Oscillator oscillator(3e4, 0);
   const PowerForce force(1e8, 1.5, 0);
-  WholeContact contact(oscillator.output, force, {1.5}, {1.5}, 1e-9);
+  ContactEpisode contact(oscillator.output, force, {1.5}, {1.5}, 1e-9);
   const Vector away = Vector::Unit(2, 1) * -0.1;
   EXPECT_EQ(contact.solve(away.data(), 1), Refusal::no_approach);
   const Vector x = Vector::Unit(2, 1) * 0.1;
   ASSERT_EQ(contact.solve(x.data(), 1), Refusal::none);
   EXPECT_EQ(contact.solve(x.data(), 0.9 * contact.duration()), Refusal::too_long);
   const Oscillator stiff(1e12, 0);
-  WholeContact slow(stiff.output, PowerForce(1e3, 1.5, 0), {1.5}, {1.5}, 1e-9);
+  ContactEpisode slow(stiff.output, PowerForce(1e3, 1.5, 0), {1.5}, {1.5}, 1e-9);
   EXPECT_NE(slow.solve(x.data(), 1), Refusal::none);
 }
 
-} // namespace whole_contact_tests
+} // namespace contact_episode_tests
 } // namespace vibroimpact::motion

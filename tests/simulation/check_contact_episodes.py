@@ -2,7 +2,7 @@
 """Nonlinear contacts of whole runs, counted by how they were solved: the same numbers on any number of
 ranks and after a kill, all contacts of a motion, and the reason for those in steps.
 
-usage: check_whole_contacts.py PROGRAM MPIEXEC
+usage: check_contact_episodes.py PROGRAM MPIEXEC
 """
 import numpy as np
 
@@ -65,7 +65,7 @@ end
 REASONS = ("method", "system", "undecided", "law", "interrupted", "fast", "shape", "neighbour", "shallow", "pause")
 
 
-class WholeContacts(ProgramRuns):
+class ContactEpisodes(ProgramRuns):
     def setUp(self):
         super().setUp()
         self.file.write_text(FILE)
@@ -84,7 +84,7 @@ class WholeContacts(ProgramRuns):
     def test_same_numbers_on_all_ranks_and_after_a_kill(self):
         self.expect_same_bytes()
         with h5py.File(self.folder / "cut" / "results.h5") as file:
-            self.assertGreater(np.sum(file["analysis/map/whole_contacts"]), 1000)
+            self.assertGreater(np.sum(file["analysis/map/contact_episodes"]), 1000)
 
     def test_numbers_are_those_of_the_impacts(self):
         for name, more in (("exact", ()), ("rk", ("Integration/Method=rk",)),

@@ -1,4 +1,4 @@
-#include "motion/episode/phase_contact.h"
+#include "motion/episode/phase_episode.h"
 
 #include "common/memory.h"
 
@@ -46,7 +46,7 @@ StepReason reason_of(Refusal refusal) {
 
 } // namespace
 
-std::unique_ptr<PhaseContact> PhaseContact::create(const Equations &equations, LinearPhase &linear,
+std::unique_ptr<PhaseEpisode> PhaseEpisode::create(const Equations &equations, LinearPhase &linear,
                                                    std::size_t guard, double tolerance,
                                                    std::shared_ptr<TaughtContact> taught) {
   const PhaseGuard &onset = linear.forms().guards()[guard];
@@ -54,37 +54,37 @@ std::unique_ptr<PhaseContact> PhaseContact::create(const Equations &equations, L
   const int open = linear.forms().contact_modes()[onset.contact];
   const contact::Guard &passed = law.modes()[static_cast<std::size_t>(open)].guards[onset.guard];
   const Mode &mode = law.modes()[static_cast<std::size_t>(onset.target)];
-  if (!law.force_course(onset.target) || !law.elastic_force() || mode.affine || mode.holds_gap ||
+  if (!law.force_pulse(onset.target) || !law.elastic_force() || mode.affine || mode.holds_gap ||
       !equations.holding().empty() || !is_gap(passed.indicator, 1) ||
       passed.action != contact::GuardAction::change_mode)
     return nullptr;
-  std::unique_ptr<PhaseContact> made(
-      new PhaseContact(equations, linear, onset, tolerance, std::move(taught)));
+  std::unique_ptr<PhaseEpisode> made(
+      new PhaseEpisode(equations, linear, onset, tolerance, std::move(taught)));
   return made->endings_.empty() ? nullptr : std::move(made);
 }
 
-PhaseContact::PhaseContact(const Equations &equations, LinearPhase &linear, const PhaseGuard &onset,
+PhaseEpisode::PhaseEpisode(const Equations &equations, LinearPhase &linear, const PhaseGuard &onset,
                            double tolerance, std::shared_ptr<TaughtContact> taught)
     : equations_(equations), linear_(linear), onset_(onset), tolerance_(tolerance),
       force_(law(), onset.target), taught_(std::move(taught)) {
-  const contact::ForceCourse course = *law().force_course(onset.target);
-  for (const contact::ForceCourse::End &end : course.ends)
+  const contact::ForcePulse course = *law().force_pulse(onset.target);
+  for (const contact::ForcePulse::End &end : course.ends)
     if (ends_without_force(law(), mode().guards[end.guard]))
       endings_.push_back({.guard = end.guard, .edge = end.edge});
 }
 
-const ContactLaw &PhaseContact::law() const {
+const ContactLaw &PhaseEpisode::law() const {
   return *equations_.contacts().pairs()[onset_.contact].law;
 }
 
 void TaughtContact::forget() {
   left_out = 0;
   ending = 0;
-  for (const std::shared_ptr<WholeContact::Taught> &shape : shapes)
+  for (const std::shared_ptr<ContactEpisode::Taught> &shape : shapes)
     *shape = {};
 }
 
-std::size_t PhaseContact::bytes() const {
+std::size_t PhaseEpisode::bytes() const {
   constexpr std::size_t of_sparse_entry = sizeof(double) + sizeof(int);
   const auto entries = static_cast<std::size_t>(state_rows_.nonZeros() + bent_rows_.nonZeros());
   return (penetration_ ? bytes_of(penetration_->rows()) : 0) + entries * of_sparse_entry +
@@ -92,11 +92,11 @@ std::size_t PhaseContact::bytes() const {
 }
 
 // A form of the rows of the phase, or one of its columns, by places.
-Vector PhaseContact::in_amplitudes(const RowVector &row) const {
+Vector PhaseEpisode::in_amplitudes(const RowVector &row) const {
   return by_places(row * linear_.phase().columns());
 }
 
-Vector PhaseContact::by_places(const RowVector &seen) const {
+Vector PhaseEpisode::by_places(const RowVector &seen) const {
   const ExactPhase &phase = linear_.phase();
   Vector list = Vector::Zero(static_cast<Index>(phase.n_amplitudes()));
   for (Index k = 0; k < seen.size(); ++k)
@@ -104,7 +104,7 @@ Vector PhaseContact::by_places(const RowVector &seen) const {
   return list;
 }
 
-std::vector<FlowBlock> PhaseContact::blocks() const {
+std::vector<FlowBlock> PhaseEpisode::blocks() const {
   const ExactPhase &phase = linear_.phase();
   std::vector<FlowBlock> list;
   for (const PhaseGroup &group : phase.groups()) {
@@ -123,7 +123,7 @@ std::vector<FlowBlock> PhaseContact::blocks() const {
 }
 
 // Under another excitation the inputs are others, and what the gap sees of them.
-void PhaseContact::renew() {
+void PhaseEpisode::renew() {
   ExactPhase &phase = linear_.phase();
   if (contact_ && generation_ == phase.generation())
     return;
@@ -147,19 +147,19 @@ void PhaseContact::renew() {
     ending.contact.reset();
   flow_ = std::make_unique<ForcedFlow>(blocks(), load);
   penetration_ = std::make_unique<ForcedOutput>(*flow_, -in_amplitudes(gap.row), -gap.constant,
-                                                WholeContact::most_terms);
+                                                ContactEpisode::most_terms);
   set_rows();
-  const contact::ForceEdge begin = law().force_course(onset_.target)->begin;
+  const contact::ForceEdge begin = law().force_pulse(onset_.target)->begin;
   while (taught_->shapes.size() < endings_.size())
-    taught_->shapes.push_back(std::make_shared<WholeContact::Taught>());
+    taught_->shapes.push_back(std::make_shared<ContactEpisode::Taught>());
   for (std::size_t i = 0; i < endings_.size(); ++i)
-    endings_[i].contact = std::make_unique<WholeContact>(
+    endings_[i].contact = std::make_unique<ContactEpisode>(
         *penetration_, force_, begin, endings_[i].edge, tolerance_, taught_->shapes[i]);
   contact_ = endings_.front().contact.get();
 }
 
 // Modes of one body move few coordinates of others: most entries are zero.
-void PhaseContact::set_rows() {
+void PhaseEpisode::set_rows() {
   const ExactPhase &phase = linear_.phase();
   const Matrix &columns = phase.columns();
   const Index size = phase.n_modes();
@@ -181,7 +181,7 @@ void PhaseContact::set_rows() {
   bent_rows_ = bent.sparseView(1, 0);
 }
 
-std::optional<StepReason> PhaseContact::pass(const double *amplitudes, double longest) {
+std::optional<StepReason> PhaseEpisode::pass(const double *amplitudes, double longest) {
   if (taught_->left_out > 0) {
     --taught_->left_out;
     return StepReason::pause;
@@ -202,7 +202,7 @@ std::optional<StepReason> PhaseContact::pass(const double *amplitudes, double lo
 }
 
 // By the guard that ended the contact before, or else by another one.
-Refusal PhaseContact::solve(double longest) {
+Refusal PhaseEpisode::solve(double longest) {
   Refusal refusal = Refusal::none;
   for (std::size_t i = 0; i < endings_.size(); ++i) {
     contact_ = endings_[taught_->ending].contact.get();
@@ -217,14 +217,14 @@ Refusal PhaseContact::solve(double longest) {
   return refusal;
 }
 
-EndCondition PhaseContact::condition(std::size_t guard) const {
+EndCondition PhaseEpisode::condition(std::size_t guard) const {
   const AffineForm &form = mode().guards[guard].indicator;
   return {.constant = form({.gap = 0, .gap_rate = 0, .internal = internal_}),
           .by_penetration = -form.gap,
           .by_rate = -form.gap_rate};
 }
 
-void PhaseContact::finish() {
+void PhaseEpisode::finish() {
   after_.resize(before_.size());
   kernel().turn(linear_.phase().view(), before_.data(), duration(), after_.data());
   end_moments_ = contact_->end_moments();
@@ -232,7 +232,7 @@ void PhaseContact::finish() {
 }
 
 // Internal states follow the touch at once and stay; nothing else depends on them.
-void PhaseContact::reset_internal() {
+void PhaseEpisode::reset_internal() {
   const ExactPhase &phase = linear_.phase();
   const contact::ContactPair &pair = equations_.contacts().pairs()[onset_.contact];
   if (pair.n_internal() == 0)
@@ -261,7 +261,7 @@ void PhaseContact::reset_internal() {
 
 // Guards of the contact's own mode but that by which it ends, at the touch, at the nodes and at the
 // end. Those of a gap or a force are positive wherever a law pushes, which is proven between these.
-bool PhaseContact::guards_of_law_hold() const {
+bool PhaseEpisode::guards_of_law_hold() const {
   for (std::size_t g = 0; g < mode().guards.size(); ++g) {
     if (g == release())
       continue;
@@ -279,7 +279,7 @@ bool PhaseContact::guards_of_law_hold() const {
 }
 
 // Bounds of the magnitudes within the contact, by places.
-void PhaseContact::set_reach(const double *x, double duration) {
+void PhaseEpisode::set_reach(const double *x, double duration) {
   const ExactPhase &phase = linear_.phase();
   const auto padded = static_cast<std::size_t>(phase.view().n_padded);
   reach_.assign(padded, 0);
@@ -303,7 +303,7 @@ void PhaseContact::set_reach(const double *x, double duration) {
 }
 
 // Of a guard, for magnitudes within the reach.
-double PhaseContact::second_derivative(std::size_t guard) const {
+double PhaseEpisode::second_derivative(std::size_t guard) const {
   const PhaseView &view = linear_.phase().view();
   const auto n = static_cast<std::size_t>(view.n_padded);
   double sum = 0;
@@ -312,7 +312,7 @@ double PhaseContact::second_derivative(std::size_t guard) const {
   return sum;
 }
 
-bool PhaseContact::others_stay_away() {
+bool PhaseEpisode::others_stay_away() {
   const PhaseView &view = linear_.phase().view();
   const std::vector<PhaseGuard> &guards = linear_.forms().guards();
   if (guards.size() < 2)
@@ -346,7 +346,7 @@ bool PhaseContact::others_stay_away() {
 }
 
 // What an end is summed up from: each group's own motion and what the force has added.
-void PhaseContact::add_rounding(double *rounding) const {
+void PhaseEpisode::add_rounding(double *rounding) const {
   const auto n = static_cast<std::size_t>(linear_.phase().view().n_padded);
   constexpr double unit = 8 * 0x1p-52;
   const double impulse = contact_->impulse();

@@ -10,23 +10,23 @@ namespace {
 enum class Verdict { positive, crossing, unclear };
 
 constexpr double interpolation_rounding = 128 * epsilon;
-class Walker {
+class March {
 public:
-  Walker(const PhaseView &phase, Walk &walk) : p_(phase), w_(walk) {}
+  March(const PhaseView &phase, MarchState &walk) : p_(phase), w_(walk) {}
 
-  WalkEnd advance(double limit) {
+  MarchEnd advance(double limit) {
     for (int i = 0; w_.time < limit; ++i) {
       if (i == pieces_at_once)
-        return WalkEnd::paused;
+        return MarchEnd::paused;
       const Step step = next_piece(limit - w_.time);
       if (step == Step::crossing)
-        return WalkEnd::guard;
+        return MarchEnd::guard;
       if (step == Step::unclear)
-        return WalkEnd::unclear;
+        return MarchEnd::unclear;
       if (step == Step::limit)
         w_.time = limit;
     }
-    return WalkEnd::limit;
+    return MarchEnd::limit;
   }
 
 private:
@@ -433,7 +433,7 @@ private:
   static constexpr int most_corrections = 60;
 
   const PhaseView &p_;
-  Walk &w_;
+  MarchState &w_;
   long touches_ = 0;   ///< in the present trial
   bool again_ = false; ///< the same piece is to be judged with another order
 };

@@ -1,18 +1,18 @@
-#include "motion/episode/time_stretch.h"
+#include "motion/episode/episode_time.h"
 
 #include <cmath>
 #include <stdexcept>
 
 namespace vibroimpact::motion {
 
-TimeStretch::TimeStretch(int begin_root, int end_root) : p_(begin_root), q_(end_root) {
+EpisodeTime::EpisodeTime(int begin_root, int end_root) : p_(begin_root), q_(end_root) {
   if (p_ < 1 || q_ < 1)
     throw std::invalid_argument("roots of the time are of order 1 or more");
 }
 
 // With n = p + q - 1: x is the sum of the Bernstein polynomials of degree n from the p-th on, 1 - x
 // that of the others (Abramowitz and Stegun 1964, 26.5.24); no term is negative.
-TimeStretch::Point TimeStretch::at(long double xi, long double rest) const {
+EpisodeTime::Point EpisodeTime::at(long double xi, long double rest) const {
   const int n = p_ + q_ - 1;
   if (n == 1)
     return {.x = xi, .rest = rest, .begin = 1, .end = 1, .slope_factor = 1};
@@ -32,7 +32,7 @@ TimeStretch::Point TimeStretch::at(long double xi, long double rest) const {
   return point;
 }
 
-long double TimeStretch::inverse(long double x, long double rest) const {
+long double EpisodeTime::inverse(long double x, long double rest) const {
   constexpr int halvings = 66; // the digits of xi
   if (p_ == 1 && q_ == 1)
     return x;
@@ -48,7 +48,7 @@ long double TimeStretch::inverse(long double x, long double rest) const {
 }
 
 // Where (p - 1) / xi = (q - 1) / (1 - xi).
-double TimeStretch::steepest() const {
+double EpisodeTime::steepest() const {
   const int n = p_ + q_ - 2;
   const long double xi = n > 0 ? static_cast<long double>(p_ - 1) / n : 0;
   return static_cast<double>(at(xi, 1 - xi).slope_factor * std::pow(xi, p_ - 1) *

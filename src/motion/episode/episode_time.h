@@ -8,10 +8,10 @@
 
 namespace vibroimpact::motion {
 
-class TimeStretch {
+class EpisodeTime {
 public:
   /// p, q >= 1
-  TimeStretch(int begin_root, int end_root);
+  EpisodeTime(int begin_root, int end_root);
 
   /// Of xi in [0, 1], rest = 1 - xi.
   struct Point {

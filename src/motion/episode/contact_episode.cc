@@ -1,4 +1,4 @@
-#include "motion/episode/whole_contact.h"
+#include "motion/episode/contact_episode.h"
 
 #include "common/decompositions.h"
 
@@ -31,12 +31,12 @@ constexpr double largest_theta = 8;
 // Sum of the first terms of a Taylor series that is left out: 2 theta^(K-1) / (K+1)! of the whole.
 int terms_for(double theta, double tolerance) {
   double left = 1.0 / 3;
-  for (int k = 2; k < WholeContact::most_terms; ++k) {
+  for (int k = 2; k < ContactEpisode::most_terms; ++k) {
     if (left * theta < tolerance && k >= fewest_terms)
-      return std::min(k + 1, WholeContact::most_terms);
+      return std::min(k + 1, ContactEpisode::most_terms);
     left *= theta / (k + 2);
   }
-  return WholeContact::most_terms;
+  return ContactEpisode::most_terms;
 }
 
 } // namespace
@@ -51,9 +51,9 @@ double free_contact_duration(const contact::ElasticForce &elastic, double mass, 
   return length * deepest / speed;
 }
 
-WholeContact::WholeContact(const ForcedOutput &penetration, const ContactForce &force,
-                           const contact::ForceEdge &begin, const contact::ForceEdge &end,
-                           double tolerance, std::shared_ptr<Taught> taught)
+ContactEpisode::ContactEpisode(const ForcedOutput &penetration, const ContactForce &force,
+                               const contact::ForceEdge &begin, const contact::ForceEdge &end,
+                               double tolerance, std::shared_ptr<Taught> taught)
     : output_(penetration), force_(force), begin_(begin), end_(end), tolerance_(tolerance),
       tolerance_of_newton_(std::clamp(0.1 * tolerance, 1e-13, 1e-8)),
       exponent_(force.elastic().exponent), taught_(std::move(taught)),
@@ -61,7 +61,7 @@ WholeContact::WholeContact(const ForcedOutput &penetration, const ContactForce &
   use_nodes(taught_->nodes);
 }
 
-void WholeContact::use_nodes(int nodes) {
+void ContactEpisode::use_nodes(int nodes) {
   n_ = nodes;
   tools_ = &force_tools({.begin = begin_.power,
                          .end = end_.power,
@@ -71,7 +71,7 @@ void WholeContact::use_nodes(int nodes) {
 }
 
 // The shape goes along to other nodes.
-void WholeContact::choose_nodes(int nodes) {
+void ContactEpisode::choose_nodes(int nodes) {
   const ForceTools *const before = tools_;
   const int n_before = n_;
   use_nodes(nodes);
@@ -92,7 +92,7 @@ void WholeContact::choose_nodes(int nodes) {
   taught_->good_steps = 0;
 }
 
-Refusal WholeContact::solve(const double *x, double longest) {
+Refusal ContactEpisode::solve(const double *x, double longest) {
   start_ = x;
   known_coefficients_ = 0;
   if (taught_->nodes != n_)
@@ -110,7 +110,7 @@ Refusal WholeContact::solve(const double *x, double longest) {
 }
 
 // What was learned from a contact of another kind may lead nowhere.
-Refusal WholeContact::solve_with_present_nodes(double longest) {
+Refusal ContactEpisode::solve_with_present_nodes(double longest) {
   const bool learned = taught_->has_shape || taught_->has_inverse;
   if (!begin(longest))
     return Refusal::no_approach;
@@ -124,7 +124,7 @@ Refusal WholeContact::solve_with_present_nodes(double longest) {
   return refusal == Refusal::none ? judge() : refusal;
 }
 
-bool WholeContact::begin(double longest) {
+bool ContactEpisode::begin(double longest) {
   if (known_coefficients_ == 0) {
     known_coefficients_ = fewest_terms;
     output_.free_motion(start_, known_coefficients_, coefficients_.data());
@@ -135,7 +135,7 @@ bool WholeContact::begin(double longest) {
   return speed_ > 0 && std::isfinite(speed_) && mass_ > 0 && longest > 0;
 }
 
-void WholeContact::guess() {
+void ContactEpisode::guess() {
   const double power = (exponent_ - 1) / (exponent_ + 1);
   if (!taught_->has_shape) {
     guess_anew();
@@ -149,7 +149,7 @@ void WholeContact::guess() {
 
 // The two sides alone under the acceleration that they meet with, by the classical Runge-Kutta
 // method, as far as the end of the force.
-void WholeContact::guess_anew() {
+void ContactEpisode::guess_anew() {
   constexpr std::size_t steps_of_elastic_contact = 48;
   constexpr std::size_t most_steps = 10 * steps_of_elastic_contact;
   using Motion = Eigen::Vector2d; // u, u'
@@ -188,7 +188,7 @@ void WholeContact::guess_anew() {
 }
 
 // False: the system turns too far within the step.
-bool WholeContact::choose_terms(double theta) {
+bool ContactEpisode::choose_terms(double theta) {
   if (!(theta <= largest_theta))
     return false;
   terms_ = terms_for(theta, 0.003 * tolerance_of_newton_);
@@ -201,7 +201,7 @@ bool WholeContact::choose_terms(double theta) {
   return true;
 }
 
-Refusal WholeContact::iterate(double longest) {
+Refusal ContactEpisode::iterate(double longest) {
   constexpr double margin = 1.3; // so that the corrections of T need no more terms
   double before = 1;
   bool fresh_inverse = false;
@@ -241,7 +241,7 @@ Refusal WholeContact::iterate(double longest) {
   return Refusal::no_solution;
 }
 
-void WholeContact::evaluate() {
+void ContactEpisode::evaluate() {
   ++sweeps_;
   const double theta = output_.flow().fastest() * duration_;
   double power = 1;
@@ -253,7 +253,7 @@ void WholeContact::evaluate() {
 }
 
 // Horner's rule at all nodes and the end.
-void WholeContact::add_free_motion() {
+void ContactEpisode::add_free_motion() {
   const double theta = output_.flow().fastest() * duration_;
   const double rate = output_.flow().fastest();
   for (int i = 0; i <= n_; ++i) {
@@ -274,7 +274,7 @@ void WholeContact::add_free_motion() {
 }
 
 // The terms beyond the first are those of the system; they change little from sweep to sweep.
-void WholeContact::add_forced_motion() {
+void ContactEpisode::add_forced_motion() {
   const Index targets = n_ + 1;
   const ConstVectorView forces(forces_.data(), n_);
   const Matrix &terms = tools_->at_nodes.terms();
@@ -289,7 +289,7 @@ void WholeContact::add_forced_motion() {
   }
 }
 
-void WholeContact::renew_higher_terms() {
+void ContactEpisode::renew_higher_terms() {
   const Index targets = n_ + 1;
   const Index columns = static_cast<Index>(terms_ - 2) * n_;
   weighted_.resize(columns);
@@ -306,7 +306,7 @@ void WholeContact::renew_higher_terms() {
   changed_ = 0;
 }
 
-void WholeContact::find_residual() {
+void ContactEpisode::find_residual() {
   const double unit = mass_ * speed_ / duration_;
   residual_.resize(n_ + 1);
   for (int i = 0; i < n_; ++i) {
@@ -318,12 +318,12 @@ void WholeContact::find_residual() {
 }
 
 // Of the form that ends the contact.
-double WholeContact::end_scale() const {
+double ContactEpisode::end_scale() const {
   return speed_ * (duration_ * std::abs(condition_.by_penetration) + std::abs(condition_.by_rate));
 }
 
 // d u / d f, d u' / d f at the nodes and the end, and their derivatives by ln T.
-void WholeContact::differentiate() {
+void ContactEpisode::differentiate() {
   const Matrix &terms = tools_->at_nodes.terms();
   const ConstVectorView forces(forces_.data(), n_);
   by_force_.setZero(n_ + 1, n_);
@@ -347,7 +347,7 @@ void WholeContact::differentiate() {
   }
 }
 
-void WholeContact::factorise() {
+void ContactEpisode::factorise() {
   differentiate();
   const double unit = mass_ * speed_ / duration_;
   const double of_value = condition_.by_penetration / end_scale();
@@ -368,7 +368,7 @@ void WholeContact::factorise() {
 }
 
 // Returns the size of the correction; where the inverse is spoilt, the residual shows it.
-double WholeContact::correct() {
+double ContactEpisode::correct() {
   const double unit = mass_ * speed_ / duration_;
   correction_.noalias() = taught_->inverse * residual_;
   const double size = correction_.cwiseAbs().maxCoeff();
@@ -379,11 +379,11 @@ double WholeContact::correct() {
   return std::max(size, 0.1 * residual_.cwiseAbs().maxCoeff());
 }
 
-int WholeContact::highest_count() const {
+int ContactEpisode::highest_count() const {
   return is_rough() ? most_nodes_of_rough_force : most_nodes;
 }
 
-Refusal WholeContact::judge() {
+Refusal ContactEpisode::judge() {
   if (!series_ends())
     return Refusal::too_fast;
   find_error();
@@ -401,7 +401,7 @@ Refusal WholeContact::judge() {
   return Refusal::none;
 }
 
-void WholeContact::learn() {
+void ContactEpisode::learn() {
   const double unit = mass_ * speed_ / duration_;
   taught_->shape.resize(static_cast<std::size_t>(n_));
   for (int j = 0; j < n_; ++j)

@@ -1,5 +1,5 @@
 // Steps towards a point on their way to the sink and back.
-#include "analyses/run/kept_steps.h"
+#include "analyses/run/stored_steps.h"
 
 #include "common/signals.h"
 
@@ -8,7 +8,7 @@
 #include <map>
 
 namespace vibroimpact::analyses {
-namespace kept_steps_tests {
+namespace stored_steps_tests {
 
 using Index = std::vector<std::size_t>;
 
@@ -36,17 +36,17 @@ public:
 /// Stands still but for what a test sets.
 struct HandClock {
   std::chrono::milliseconds elapsed{0};
-  std::function<KeptSteps::Clock::time_point()> now() const {
-    return [this] { return KeptSteps::Clock::time_point(elapsed); };
+  std::function<StoredSteps::Clock::time_point()> now() const {
+    return [this] { return StoredSteps::Clock::time_point(elapsed); };
   }
 };
 
-TEST(KeptStepsTest, WhatAnExceptionLeavesIsGoneOnFrom) {
+TEST(StoredStepsTest, WhatAnExceptionLeavesIsGoneOnFrom) {
   const HandClock time;
   StepSink sink;
   RunSummary summary;
   try {
-    KeptSteps steps(sink, {2}, summary, time.now());
+    StoredSteps steps(sink, {2}, summary, time.now());
     EXPECT_FALSE(steps.next());
     for (const char *step : {"a", "b"})
       steps.keep(step);
@@ -55,7 +55,7 @@ TEST(KeptStepsTest, WhatAnExceptionLeavesIsGoneOnFrom) {
   }
   EXPECT_EQ(sink.bundles, 1);
   try {
-    KeptSteps steps(sink, {2}, summary, time.now());
+    StoredSteps steps(sink, {2}, summary, time.now());
     EXPECT_EQ(steps.next(), "a");
     EXPECT_EQ(steps.next(), "b");
     EXPECT_FALSE(steps.next());
@@ -66,31 +66,31 @@ TEST(KeptStepsTest, WhatAnExceptionLeavesIsGoneOnFrom) {
   EXPECT_EQ(sink.kept.at({2}), (std::vector<std::string>{"a", "b", "c"}));
   EXPECT_EQ(summary.steps_taken_over, 2U);
   EXPECT_EQ(summary.steps_computed, 3U);
-  EXPECT_FALSE(KeptSteps(sink, {3}, summary).next());
+  EXPECT_FALSE(StoredSteps(sink, {3}, summary).next());
 }
 
-TEST(KeptStepsTest, OfAPointThatIsReachedSoonNothingIsStored) {
+TEST(StoredStepsTest, OfAPointThatIsReachedSoonNothingIsStored) {
   StepSink sink;
   RunSummary summary;
   {
     const HandClock time;
-    KeptSteps steps(sink, {}, summary, time.now());
+    StoredSteps steps(sink, {}, summary, time.now());
     steps.keep("a");
   }
   EXPECT_EQ(sink.bundles, 0);
 }
 
 // A kill takes only what came since.
-TEST(KeptStepsTest, AreHandedOverAfterATenthOfASecond) {
+TEST(StoredStepsTest, AreHandedOverAfterATenthOfASecond) {
   StepSink sink;
   RunSummary summary;
   HandClock time;
-  KeptSteps steps(sink, {}, summary, time.now());
+  StoredSteps steps(sink, {}, summary, time.now());
   steps.keep("a");
   time.elapsed = std::chrono::milliseconds(110);
   steps.keep("b");
   EXPECT_EQ(sink.kept.at({}), (std::vector<std::string>{"a", "b"}));
 }
 
-} // namespace kept_steps_tests
+} // namespace stored_steps_tests
 } // namespace vibroimpact::analyses

@@ -1,7 +1,7 @@
 // A nonlinear contact within a linear phase: while the two sides touch, the phase goes on under one
 // more force, in its own coordinates, and when they have parted it is the same phase again.
 //
-// For laws with force_course(), which says how the force begins and by which guards of its mode it
+// For laws with force_pulse(), which says how the force begins and by which guards of its mode it
 // may end. Of several guards that which ended the contact before is tried first; the others must
 // stay positive. Where the mode behind the guard is another one than that before the touch (inside
 // without force), another linear phase follows. The guards of all other contacts are proven to stay
@@ -16,8 +16,8 @@
 // What cannot be proven, or is no single hump of force, is left to others.
 #pragma once
 
+#include "motion/episode/contact_episode.h"
 #include "motion/episode/step_reason.h"
-#include "motion/episode/whole_contact.h"
 #include "motion/phase/exact_phases.h"
 
 #include <Eigen/SparseCore>
@@ -32,16 +32,16 @@ struct TaughtContact {
   int left_out = 0;       ///< contacts to come that are left to others
   std::size_t ending = 0; ///< of the last contact
   long generation = -1;   ///< of the phase that these are for:
-  std::vector<std::shared_ptr<WholeContact::Taught>> shapes{}; ///< by endings
+  std::vector<std::shared_ptr<ContactEpisode::Taught>> shapes{}; ///< by endings
 
   void forget();
 };
 
-class PhaseContact {
+class PhaseEpisode {
 public:
   /// The contact that begins where `guard` of the phase is passed. nullptr: none of this kind. The
   /// modes of the equations are those of the phase. Keeps references.
-  static std::unique_ptr<PhaseContact>
+  static std::unique_ptr<PhaseEpisode>
   create(const Equations &equations, LinearPhase &linear, std::size_t guard, double tolerance,
          std::shared_ptr<TaughtContact> taught = std::make_shared<TaughtContact>());
 
@@ -59,7 +59,7 @@ public:
   /// Largest rounding of each of the phase's groups that the contact has added.
   void add_rounding(double *rounding) const;
 
-  const WholeContact &solution() const { return *contact_; }
+  const ContactEpisode &solution() const { return *contact_; }
   const ForcedFlow &flow() const { return *flow_; }
   const ForcedOutput &penetration() const { return *penetration_; }
   LinearPhase &linear() const { return linear_; }
@@ -87,10 +87,10 @@ private:
   struct Ending {
     std::size_t guard = 0; ///< of the contact's mode
     contact::ForceEdge edge{};
-    std::unique_ptr<WholeContact> contact{};
+    std::unique_ptr<ContactEpisode> contact{};
   };
 
-  PhaseContact(const Equations &equations, LinearPhase &linear, const PhaseGuard &onset,
+  PhaseEpisode(const Equations &equations, LinearPhase &linear, const PhaseGuard &onset,
                double tolerance, std::shared_ptr<TaughtContact> taught);
 
   const contact::ContactLaw &law() const;
@@ -119,8 +119,8 @@ private:
   std::unique_ptr<ForcedOutput> penetration_;
   std::vector<Ending> endings_;
   std::shared_ptr<TaughtContact> taught_;
-  WholeContact *contact_ = nullptr; ///< by the ending of the last contact
-  long generation_ = -1;            ///< of the phase that these are for
+  ContactEpisode *contact_ = nullptr; ///< by the ending of the last contact
+  long generation_ = -1;              ///< of the phase that these are for
   Rows state_rows_, bent_rows_;
   Vector bent_load_;
   Amplitudes before_, after_;

@@ -1,4 +1,4 @@
-#include "analyses/run/shared_notes.h"
+#include "analyses/run/shared_messages.h"
 
 #include "common/bytes.h"
 #include "common/signals.h"
@@ -21,7 +21,7 @@ std::size_t whole_words(std::size_t bytes) { return (bytes + word - 1) / word * 
 
 // A slot: whether the note is there, its length, its bytes. Before all slots: whether a rank has
 // stopped.
-SharedNotes::SharedNotes(std::size_t tasks, std::size_t size, MPI_Comm communicator)
+SharedMessages::SharedMessages(std::size_t tasks, std::size_t size, MPI_Comm communicator)
     : slot_bytes_(2 * word + whole_words(size)) {
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
@@ -33,29 +33,29 @@ SharedNotes::SharedNotes(std::size_t tasks, std::size_t size, MPI_Comm communica
   MPI_Win_lock_all(0, window_);
 }
 
-SharedNotes::~SharedNotes() {
+SharedMessages::~SharedMessages() {
   MPI_Win_unlock_all(window_);
   MPI_Win_free(&window_);
 }
 
-MPI_Aint SharedNotes::place(std::size_t task) const {
+MPI_Aint SharedMessages::place(std::size_t task) const {
   return static_cast<MPI_Aint>(word + task * slot_bytes_);
 }
 
-long SharedNotes::flag(MPI_Aint place) {
+long SharedMessages::flag(MPI_Aint place) {
   long value = 0;
   MPI_Fetch_and_op(nullptr, &value, MPI_LONG, 0, place, MPI_NO_OP, window_);
   MPI_Win_flush(0, window_);
   return value;
 }
 
-void SharedNotes::set_flag(MPI_Aint place) {
+void SharedMessages::set_flag(MPI_Aint place) {
   const long set = 1;
   MPI_Accumulate(&set, 1, MPI_LONG, 0, place, 1, MPI_LONG, MPI_REPLACE, window_);
   MPI_Win_flush(0, window_);
 }
 
-void SharedNotes::leave(std::size_t task, const std::string &note) {
+void SharedMessages::leave(std::size_t task, const std::string &note) {
   const std::string bytes = packed(note);
   if (bytes.size() > slot_bytes_ - word)
     throw std::logic_error("the note of a line is longer than its room");
@@ -66,7 +66,7 @@ void SharedNotes::leave(std::size_t task, const std::string &note) {
   set_flag(place(task));
 }
 
-std::string SharedNotes::of(std::size_t task) {
+std::string SharedMessages::of(std::size_t task) {
   for (auto wait = shortest_wait; flag(place(task)) == 0; wait = std::min(2 * wait, longest_wait)) {
     if (flag(0) != 0)
       throw Interrupted{};
@@ -81,6 +81,6 @@ std::string SharedNotes::of(std::size_t task) {
   return Cursor(bytes).take<std::string>();
 }
 
-void SharedNotes::stop() { set_flag(0); }
+void SharedMessages::stop() { set_flag(0); }
 
 } // namespace vibroimpact::analyses

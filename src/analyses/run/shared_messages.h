@@ -6,13 +6,13 @@
 
 namespace vibroimpact::analyses {
 
-class SharedNotes {
+class SharedMessages {
 public:
   /// Collective. Room for the notes of `tasks` lines, each of `size` bytes at most.
-  SharedNotes(std::size_t tasks, std::size_t size, MPI_Comm communicator);
-  ~SharedNotes();
-  SharedNotes(const SharedNotes &) = delete;
-  SharedNotes &operator=(const SharedNotes &) = delete;
+  SharedMessages(std::size_t tasks, std::size_t size, MPI_Comm communicator);
+  ~SharedMessages();
+  SharedMessages(const SharedMessages &) = delete;
+  SharedMessages &operator=(const SharedMessages &) = delete;
 
   void leave(std::size_t task, const std::string &note);
   /// Waits for it. Lines are drawn in their order and ask for those before them only: the first

@@ -6,11 +6,11 @@
 
 namespace vibroimpact::continuation {
 
-class Walk {
+class BranchContinuation {
 public:
   /// Keeps a reference to the record, if there is one (branch.h).
-  Walk(Problem &problem, const Start &start, const Settings &settings, const Listener &listener,
-       StepRecord *record);
+  BranchContinuation(Problem &problem, const Start &start, const Settings &settings,
+                     const Listener &listener, StepRecord *record);
   Branch run();
 
 private:

@@ -1,4 +1,4 @@
-#include "continuation/locus_walk.h"
+#include "continuation/locus_continuation.h"
 
 #include "common/decompositions.h"
 #include "common/signals.h"
@@ -25,7 +25,7 @@ Matrix slope_of(const Augmented &at) {
 
 // A problem that learns from failures as well learns the same from those that are kept.
 template <class Compute>
-auto LocusWalk::recorded_step(const char *kind, const Compute &compute) const {
+auto LocusContinuation::recorded_step(const char *kind, const Compute &compute) const {
   using Value = decltype(compute());
   Problem &problem = problem_.problem();
   auto [outcome, remembered] = recorded(record_, kind, [&] {
@@ -43,8 +43,10 @@ auto LocusWalk::recorded_step(const char *kind, const Compute &compute) const {
   return *std::move(outcome.first);
 }
 
-LocusWalk::LocusWalk(Problem &problem, const LocusStart &start, const Settings &settings,
-                     const std::function<void(const LocusPoint &)> &listener, StepRecord *record)
+LocusContinuation::LocusContinuation(Problem &problem, const LocusStart &start,
+                                     const Settings &settings,
+                                     const std::function<void(const LocusPoint &)> &listener,
+                                     StepRecord *record)
     : problem_{problem, start.point}, settings_{settings}, kind_{start.kind}, listener_{listener},
       record_{record}, step_{std::min(settings.first_step, settings.longest_step)} {
   if (problem_.unknowns() != problem_.states() + 2)
@@ -57,7 +59,7 @@ LocusWalk::LocusWalk(Problem &problem, const LocusStart &start, const Settings &
   add(here_);
 }
 
-void LocusWalk::find_first(const LocusStart &start) {
+void LocusContinuation::find_first(const LocusStart &start) {
   here_.u = problem_.scaled(start.point);
   here_.chart = start.point.chart;
   equation_ = make_equation(problem_, start,
@@ -72,7 +74,7 @@ void LocusWalk::find_first(const LocusStart &start) {
 }
 
 // The last correction of a start at the end of a range may lead beyond it by rounding.
-void LocusWalk::hold_at_bounds() {
+void LocusContinuation::hold_at_bounds() {
   const double rounding = 10 * settings_.tolerance;
   for (int key = 0; key < 2; ++key)
     if (const auto bound = bound_passed(here_.u);
@@ -80,17 +82,17 @@ void LocusWalk::hold_at_bounds() {
       here_.u(bound->unknown) = bound->value;
 }
 
-Linearisation LocusWalk::linearisation(const Vector &u, double chart) const {
+Linearisation LocusContinuation::linearisation(const Vector &u, double chart) const {
   return recorded_step("linearisation", [&] { return problem_.evaluate(u, chart); });
 }
 
-Vector LocusWalk::first_tangent(bool forward) const {
+Vector LocusContinuation::first_tangent(bool forward) const {
   const Matrix kernel = null_space(slope_of(here_.at));
   const Vector tangent = kernel.col(0).normalized();
   return (tangent(tangent.size() - 1) < 0) == forward ? Vector(-tangent) : tangent;
 }
 
-Locus LocusWalk::run() {
+Locus LocusContinuation::run() {
   if (bound_passed(here_.u))
     end(LocusEnd::bounds, "the start lies outside the bounds of a key");
   while (!ended_) {
@@ -104,7 +106,7 @@ Locus LocusWalk::run() {
   return std::move(locus_);
 }
 
-void LocusWalk::step() {
+void LocusContinuation::step() {
   try {
     LocusNode next = next_node();
     if (const auto cusp = cusp_before(next))
@@ -117,7 +119,7 @@ void LocusWalk::step() {
   }
 }
 
-LocusNode LocusWalk::next_node() {
+LocusNode LocusContinuation::next_node() {
   const double largest = settings_.largest_correction * step_;
   const Vector ahead = here_.u + step_ * here_.tangent;
   auto bound = bound_passed(ahead);
@@ -138,7 +140,8 @@ LocusNode LocusWalk::next_node() {
 }
 
 // Before a prediction or a point that is beyond the bound: there may be no solutions there at all.
-LocusNode LocusWalk::at_bound(const Vector &beyond, const Bound &bound, double largest) const {
+LocusNode LocusContinuation::at_bound(const Vector &beyond, const Bound &bound,
+                                      double largest) const {
   const Index key = bound.unknown;
   Vector guess =
       here_.u + (bound.value - here_.u(key)) / (beyond(key) - here_.u(key)) * (beyond - here_.u);
@@ -146,14 +149,14 @@ LocusNode LocusWalk::at_bound(const Vector &beyond, const Bound &bound, double l
   return solve(guess, Vector::Unit(guess.size(), key), largest, Until::tolerance);
 }
 
-LocusNode LocusWalk::solve(const Vector &guess, const Vector &normal, double largest,
-                           Until until) const {
+LocusNode LocusContinuation::solve(const Vector &guess, const Vector &normal, double largest,
+                                   Until until) const {
   return recorded_step("point", [&] { return compute(guess, normal, largest, until); });
 }
 
 // On the hyperplane through the guess.
-LocusNode LocusWalk::compute(const Vector &guess, const Vector &normal, double largest,
-                             Until until) const {
+LocusNode LocusContinuation::compute(const Vector &guess, const Vector &normal, double largest,
+                                     Until until) const {
   LocusNode node;
   node.chart = here_.chart;
   const auto system = [&](const Vector &u) {
@@ -171,7 +174,7 @@ LocusNode LocusWalk::compute(const Vector &guess, const Vector &normal, double l
   return node;
 }
 
-std::optional<LocusNode> LocusWalk::cusp_before(const LocusNode &next) const {
+std::optional<LocusNode> LocusContinuation::cusp_before(const LocusNode &next) const {
   // Borders renewed at `here_` kept their directions, and with them the sign of its test.
   const double first = here_.at.cusp, last = next.at.cusp;
   if (closes_ || (first < 0) == (last < 0))
@@ -196,7 +199,7 @@ std::optional<LocusNode> LocusWalk::cusp_before(const LocusNode &next) const {
   return best;
 }
 
-void LocusWalk::accept(LocusNode next) {
+void LocusContinuation::accept(LocusNode next) {
   const double factor = next.iterations <= 3 ? 1.5 : 1;
   path_.emplace(here_.u, here_.tangent, next.u, next.tangent);
   here_ = std::move(next);
@@ -214,7 +217,7 @@ void LocusWalk::accept(LocusNode next) {
     move_chart();
 }
 
-void LocusWalk::end_at_steps(const std::string &why) {
+void LocusContinuation::end_at_steps(const std::string &why) {
   constexpr double resonant =
       0.05; // [rad]: there the pair is so close to real that it turns at once
   const double angle = here_.at.angle;
@@ -240,13 +243,13 @@ void LocusWalk::end_at_steps(const std::string &why) {
   end(LocusEnd::graze, "the curve ends on the grazing curve of " + graze->graze.name);
 }
 
-void LocusWalk::end(LocusEnd end, const std::string &reason) {
+void LocusContinuation::end(LocusEnd end, const std::string &reason) {
   ended_ = true;
   locus_.end = end;
   locus_.reason = reason;
 }
 
-std::optional<LocusWalk::Bound> LocusWalk::bound_passed(const Vector &u) const {
+std::optional<LocusContinuation::Bound> LocusContinuation::bound_passed(const Vector &u) const {
   const Range ranges[] = {settings_.first_key, settings_.second_key};
   for (Index key = 0; key < 2; ++key) {
     const Index unknown = problem_.states() + key;
@@ -260,7 +263,7 @@ std::optional<LocusWalk::Bound> LocusWalk::bound_passed(const Vector &u) const {
   return std::nullopt;
 }
 
-bool LocusWalk::passes_start(const LocusNode &next) const {
+bool LocusContinuation::passes_start(const LocusNode &next) const {
   constexpr double same_way = 0.8;
   if (!turned_back_ || next.chart != first_.chart)
     return false;
@@ -269,7 +272,7 @@ bool LocusWalk::passes_start(const LocusNode &next) const {
          next.tangent.dot(first_.tangent) > same_way;
 }
 
-void LocusWalk::move_chart() {
+void LocusContinuation::move_chart() {
   if (here_.at.at.chart_margin >= settings_.least_margin)
     return;
   const double chart = recorded_step("best chart", [&] {
@@ -292,13 +295,13 @@ void LocusWalk::move_chart() {
   here_.arclength = arclength;
 }
 
-void LocusWalk::add(const LocusNode &node) {
+void LocusContinuation::add(const LocusNode &node) {
   locus_.points.push_back(locus_point(node));
   if (listener_)
     listener_(locus_.points.back());
 }
 
-LocusPoint LocusWalk::locus_point(const LocusNode &node) const {
+LocusPoint LocusContinuation::locus_point(const LocusNode &node) const {
   Vector residual(problem_.states() + 1);
   residual << node.at.at.residual, node.at.value;
   const Vector scales = problem_.scales().head(problem_.states());
@@ -318,8 +321,8 @@ Locus follow_locus(Problem &problem, const LocusStart &start, const Settings &se
                    const std::function<void(const LocusPoint &)> &listener, StepRecord *record) {
   if (start.graze)
     if (const std::unique_ptr<Problem> extended = problem.extended(*start.graze))
-      return LocusWalk(*extended, start, settings, listener, record).run();
-  return LocusWalk(problem, start, settings, listener, record).run();
+      return LocusContinuation(*extended, start, settings, listener, record).run();
+  return LocusContinuation(problem, start, settings, listener, record).run();
 }
 
 } // namespace vibroimpact::continuation
