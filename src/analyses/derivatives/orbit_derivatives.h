@@ -5,7 +5,7 @@
 //
 //   x' = (1 - P_x)^-1 P_p
 //
-// and so do the derivatives of extreme values and impacts (tangents/measure_tangents.h). For what
+// and so do the derivatives of extreme values and impacts (measure_tangents.h). For what
 // has no closed form: motions that begin at x + x' d with the key at p + d stay within O(d^2) of
 // the periodic motions there, so that what is recorded of them over one period has the same
 // derivative by d as what is recorded of the periodic motions. It is taken from four such motions,

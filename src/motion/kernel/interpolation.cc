@@ -13,7 +13,7 @@ namespace {
 
 using Matrix8 = Eigen::Matrix<long double, 8, 8>;
 
-long double binomial(int n, int k) {
+long double extended_binomial(int n, int k) {
   long double value = 1;
   for (int i = 1; i <= k; ++i)
     value = value * (n - k + i) / i;
@@ -29,7 +29,7 @@ InterpolationMatrix make() {
   Matrix8 to_bernstein = Matrix8::Zero(); // b_i = sum over k <= i of C(i, k) / C(7, k) a_k
   for (int i = 0; i < 8; ++i)
     for (int k = 0; k <= i; ++k)
-      to_bernstein(i, k) = binomial(i, k) / binomial(7, k);
+      to_bernstein(i, k) = extended_binomial(i, k) / extended_binomial(7, k);
   const Matrix8 both = to_bernstein * powers.inverse();
   InterpolationMatrix result{};
   for (int i = 0; i < 8; ++i)
