@@ -91,7 +91,8 @@ class ContactEpisodes(ProgramRuns):
                            ("short", ("Integration/Maximum step=1e-4 s",))):
             found, summary = self.run_to(name, "--set", "Analyses=start",
                                          *(part for key in more for part in ("--set", key)))
-            whole, stepped = (found[f"start/{kind}_contacts"][0] for kind in ("whole", "stepped"))
+            whole, stepped = (found[f"start/{name}"][0]
+                              for name in ("contact_episodes", "stepped_contacts"))
             self.assertEqual(whole + stepped, len(found["start/contact/stop/impact/time"]))
             reasons = {reason: found[f"start/stepped_contacts_{reason}"][0] for reason in REASONS}
             self.assertEqual(sum(reasons.values()), stepped)
