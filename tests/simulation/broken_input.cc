@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <span>
 
 namespace vibroimpact {
@@ -153,16 +154,16 @@ void write_files() {
 class BrokenInputTest : public ::testing::TestWithParam<std::filesystem::path> {
 protected:
   static void SetUpTestSuite() {
-    std::filesystem::current_path(folder().path());
+    std::filesystem::current_path(folder.emplace().path());
     write_files();
   }
-  static void TearDownTestSuite() { std::filesystem::current_path(before); }
+  static void TearDownTestSuite() {
+    std::filesystem::current_path(before);
+    folder.reset(); // all ranks meet there, before MPI ends
+  }
 
 private:
-  static const testing::TemporaryFolder &folder() {
-    static const testing::TemporaryFolder folder;
-    return folder;
-  }
+  inline static std::optional<testing::TemporaryFolder> folder;
   inline static const std::filesystem::path before = std::filesystem::current_path();
 };
 
