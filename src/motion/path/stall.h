@@ -10,8 +10,12 @@
 // times the uncertainty of an instant, and so before an impact: infinitely many of these in a
 // finite time are completed at once (Collisions). Contacts that change in turn do not count: of
 // many each stays long.
+//
+// Steps and contact changes of any kind are counted too, until the motion is beyond a horizon that
+// no motion needs thousands of them for.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -21,7 +25,14 @@ class StallBound {
 public:
   void begin(std::size_t n_contacts) {
     contacts_.assign(n_contacts, {});
-    quick_ = 0;
+    quick_ = count_ = 0;
+    mark_ = -std::numeric_limits<double>::infinity();
+  }
+  /// Something was done; the motion is at `time` now. Both in s.
+  void pass(double time, double horizon) {
+    const bool beyond = time > mark_ + horizon;
+    count_ = beyond ? 0 : count_ + 1;
+    mark_ = beyond ? time : mark_;
   }
   /// A contact changes its mode at `time` [s], in a phase with the largest exponent |e| [1/s], 0:
   /// not known; `uncertainty`: of the instant [s].
@@ -33,9 +44,9 @@ public:
   }
 
   /// The way in which the motion proceeds does not lead on.
-  bool slow() const { return quick_ > 1000; }
+  bool slow() const { return std::max(quick_, count_) > 1000; }
   /// Nor does any other.
-  bool stalled() const { return quick_ > 10000; }
+  bool stalled() const { return std::max(quick_, count_) > 10000; }
 
 private:
   struct Stays {
@@ -44,6 +55,8 @@ private:
   };
   std::vector<Stays> contacts_;
   long quick_ = 0; ///< of the contact that changed last
+  double mark_ = 0;
+  long count_ = 0; ///< since the mark
 };
 
 } // namespace vibroimpact::motion

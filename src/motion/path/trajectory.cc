@@ -14,6 +14,16 @@ namespace vibroimpact::motion {
 using contact::AffineForm;
 using contact::LocalState;
 
+namespace {
+
+// [s]; a thousandth of the shortest time scale where that is less than what uncertainty leaves.
+double stall_horizon(double uncertainty, double highest_frequency) {
+  const double uncertain = 100 * uncertainty;
+  return highest_frequency > 0 ? std::min(uncertain, 1e-3 / highest_frequency) : uncertain;
+}
+
+} // namespace
+
 Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &contacts,
                        const Settings &settings)
     : settings_(settings), equations_(model, contacts), scales_(equations_, settings_),
@@ -327,6 +337,7 @@ void Trajectory::integrate(double end, Observer &observer) {
 void Trajectory::move(double end, Observer &observer) {
   while (steppers_.present().time() < end) {
     leave_if_stopped();
+    progress_.pass(time(), stall_horizon(time_tolerance(), equations_.model().highest_frequency()));
     if (progress_.stalled())
       throw NumericalError(stall_reason("the motion hardly advances"));
     if (at_source_break()) {
