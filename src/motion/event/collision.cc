@@ -15,7 +15,7 @@ namespace {
 
 constexpr double small_flights = 8; // in tolerances
 
-// In relative tolerances: no more than what the energy balance of a sound motion leaves open
+// In relative tolerances: no more than what the energy balance of a motion leaves open
 // (Accuracy::energy_threshold).
 constexpr double negligible_energy_share = 1000;
 

@@ -14,8 +14,8 @@ struct Accuracy {
   long rejected_steps = 0;
   long events = 0;
   double energy_residual = 0; ///< |unaccounted energy| / (initial + |input|); NaN: not kept
-  /// What a sound motion stays below: 1e-10 where every step was exact, else a thousand times the
-  /// relative tolerance when that is more.
+  /// What it stays below where the balance closes: 1e-10 where every step was exact, else a
+  /// thousand times the relative tolerance when that is more.
   double energy_threshold = 0;
   double event_residual = 0; ///< largest uncertainty of an event's instant [s]
   /// Touches so shallow that rounding decides whether they were contacts; not counted as events.
