@@ -3,7 +3,6 @@
 #include "analyses/curves/branch_table.h"
 #include "analyses/keys/keyed_system.h"
 #include "analyses/recorders/window_recording.h"
-#include "analyses/run/single_point.h"
 #include "common/error.h"
 #include "continuation/stored_steps.h"
 
@@ -93,13 +92,7 @@ PointResult OrbitBranch::compute(System &system, LineContext &context) const {
 }
 
 void OrbitBranch::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
-  run_single_point(context, [&] {
-    try {
-      return compute(system, context);
-    } catch (const NumericalError &error) {
-      throw no_orbit(system, error);
-    }
-  });
+  run_orbit_point(system, context, [&] { return compute(system, context); });
 }
 
 } // namespace vibroimpact::analyses

@@ -2,7 +2,6 @@
 
 #include "analyses/keys/keyed_system.h"
 #include "analyses/recorders/window_recording.h"
-#include "analyses/run/single_point.h"
 #include "common/error.h"
 #include "continuation/stored_steps.h"
 #include "parameters/text.h"
@@ -195,13 +194,7 @@ PointResult OrbitLocus::compute(System &system, LineContext &context) const {
 }
 
 void OrbitLocus::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
-  run_single_point(context, [&] {
-    try {
-      return compute(system, context);
-    } catch (const NumericalError &error) {
-      throw no_orbit(system, error);
-    }
-  });
+  run_orbit_point(system, context, [&] { return compute(system, context); });
 }
 
 } // namespace vibroimpact::analyses

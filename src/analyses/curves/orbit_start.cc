@@ -1,5 +1,6 @@
 #include "analyses/curves/orbit_start.h"
 
+#include "analyses/run/single_point.h"
 #include "analyses/run/stored_state.h"
 #include "analyses/sweeps/steadiness.h"
 #include "common/decompositions.h"
@@ -86,6 +87,17 @@ std::string rigid_body_cause(const System &system) {
 
 NumericalError no_orbit(const System &system, const NumericalError &why) {
   return NumericalError(why.what() + rigid_body_cause(system));
+}
+
+void run_orbit_point(const System &system, LineContext &context,
+                     const std::function<PointResult()> &compute) {
+  run_single_point(context, [&] {
+    try {
+      return compute();
+    } catch (const NumericalError &error) {
+      throw no_orbit(system, error);
+    }
+  });
 }
 
 motion::VariationAccuracy orbit_accuracy(const System &system,

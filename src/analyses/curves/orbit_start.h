@@ -8,6 +8,7 @@
 #include "common/error.h"
 #include "periodic/orbit.h"
 
+#include <functional>
 #include <optional>
 
 namespace vibroimpact::analyses {
@@ -71,6 +72,9 @@ std::string rigid_body_cause(const System &system);
 /// Why no periodic motion was found, and the rigid-body motion as its cause where the model has
 /// one.
 NumericalError no_orbit(const System &system, const NumericalError &why);
+/// run_single_point() for what looks for periodic motions: fails with no_orbit().
+void run_orbit_point(const System &system, LineContext &context,
+                     const std::function<PointResult()> &compute);
 
 /// Factors that make states comparable, and how exactly tangents are carried along.
 motion::VariationAccuracy orbit_accuracy(const System &system,

@@ -5,7 +5,6 @@
 #include "analyses/keys/keyed_system.h"
 #include "analyses/recorders/window_recording.h"
 #include "analyses/results/fields.h"
-#include "analyses/run/single_point.h"
 #include "common/error.h"
 
 namespace vibroimpact::analyses {
@@ -83,13 +82,7 @@ PointResult PeriodicOrbit::compute(const System &system, LineContext &context) c
 }
 
 void PeriodicOrbit::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
-  run_single_point(context, [&] {
-    try {
-      return compute(system, context);
-    } catch (const NumericalError &error) {
-      throw no_orbit(system, error);
-    }
-  });
+  run_orbit_point(system, context, [&] { return compute(system, context); });
 }
 
 } // namespace vibroimpact::analyses
