@@ -193,7 +193,7 @@ class Kinds(unittest.TestCase):
     def test_keys_that_follow_tell_the_cases_of_a_family_apart(self):
         axes, = self.axes("family-displacement-x-first.mass")
         self.assertEqual(self.legend(axes), ["1 mm, 5 mm", "2 mm, 5 mm", "2 mm, 6 mm"])
-        self.assertEqual(axes.get_legend().get_title().get_text(), "Gap, Base")
+        self.assertEqual(axes.get_legend().get_title().get_text(), "gap, base")
 
     def test_frequency_responses_are_a_family_over_a_grid(self):
         amplitude, phase = self.axes("receptance-displacement-x-response-first.mass")
@@ -253,9 +253,9 @@ class Kinds(unittest.TestCase):
 
     def test_map_has_derived_curves_bands_and_level_lines_on_top(self):
         axes, bar = self.axes("plane-map-largest")
-        self.assertEqual(bar.get_ylabel(), "Largest (m)")
+        self.assertEqual(bar.get_ylabel(), "largest (m)")
         self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("$\\lambda$", "$\\delta_{0}$ (m)"))
-        self.assertEqual(sorted(self.legend(axes)), ["Best", "Level", "Useful"])
+        self.assertEqual(sorted(self.legend(axes)), ["best", "level", "useful"])
         best, = self.lines(axes, marker="o")
         np.testing.assert_array_equal(self.xy(best), [[2, 0], [3, 0.5], [4, 1]])
         levels = [self.xy(line) for line in self.lines(axes, marker="None")]
@@ -265,7 +265,7 @@ class Kinds(unittest.TestCase):
 
     def test_derived_quantities_of_one_unit_share_a_figure(self):
         axes, = self.axes("plane-derived-m-over-delta0")
-        self.assertEqual(sorted(self.legend(axes)), ["Mean", "Smallest"])
+        self.assertEqual(sorted(self.legend(axes)), ["mean", "smallest"])
         loci, = self.axes("plane-loci-delta0-lambda")
         self.assertEqual(len(self.legend(loci)), 3)
 

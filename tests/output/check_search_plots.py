@@ -146,7 +146,7 @@ class SearchFigures(unittest.TestCase):
         np.testing.assert_allclose(model.get_xydata(), [[1, 2], [2, 3], [4, 5]])
         np.testing.assert_allclose(measured.get_xydata(), [[1, 1], [2, 2], [4, 4]])
         np.testing.assert_allclose(below.get_lines()[1].get_xydata(), [[1, 2], [2, 3], [4, 5]])
-        self.assertEqual((above.get_ylabel(), below.get_xlabel()), ("Sweep (mm)", "Frequency (Hz)"))
+        self.assertEqual((above.get_ylabel(), below.get_xlabel()), ("sweep (mm)", "Frequency (Hz)"))
 
     def test_residuals_beside_a_normal_distribution(self):
         over, against = self.draw()["fit-residuals"].axes
@@ -171,7 +171,7 @@ class SearchFigures(unittest.TestCase):
         np.testing.assert_allclose(front.get_xydata(), [[1, 3], [2, 2], [3, 1]])
         seen = evaluations.get_xydata()
         np.testing.assert_allclose(seen[np.isfinite(seen[:, 0])], [[1, 3], [2.5, 3.5], [2, 2], [3, 1]])
-        self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("Mass (kg)", "Push (mm)"))
+        self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("mass (kg)", "push (mm)"))
         self.assertLess(axes.get_xlim()[0], 1)
         self.assertGreater(axes.get_xlim()[1], 3)
         (keys,) = self.draw()["both-keys"].axes

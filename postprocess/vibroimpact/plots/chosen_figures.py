@@ -18,7 +18,7 @@ from .choice import choose, is_called
 from .curves import LARGEST_LEGEND, LINES, colour_bar, loose_of, marked
 from .derived import derived_of, pair_of
 from .errors import ResultError
-from .figure_axes import FigureAxis, Quantity, find, plain, read_axis
+from .figure_axes import FigureAxis, Quantity, find, plain, read_axis, together
 from .layout import DIRECTION, Layout, family_of, kept
 from .results import Analysis, Results
 
@@ -62,10 +62,10 @@ def analyses_of(results: Results, section: dict) -> list[Analysis]:
 def curve_figure(results: Results, section: dict):
     analyses = analyses_of(results, section)
     names, given = several(section["Vertical"]["Quantity"]), several(section.get("Names", ""))
-    sheets = [[read_axis(results, section["Horizontal"], analyses),
-               read_axis(results, section["Vertical"] | {"Quantity": name},
-                         analyses if name == names[0] else analyses[:1])]
-              for name in names]
+    across = read_axis(results, section["Horizontal"], analyses)
+    sheets = [[across, axis] for axis in together(
+        [read_axis(results, section["Vertical"] | {"Quantity": name},
+                   analyses if name == names[0] else analyses[:1]) for name in names], analyses[0])]
     shown, (axes,) = style.panels(1, height=3.0)
     handles = []
     for reference in analyses[1:]:

@@ -55,6 +55,8 @@ def parse(arguments) -> argparse.Namespace:
     parser.add_argument("--format", choices=["png", "pdf", "svg"], default="png")
     parser.add_argument("--dpi", type=float, default=300, help="of pictures (default: 300)")
     parser.add_argument("--size", type=size, metavar="WxH", help="in inches, such as 6x4")
+    parser.add_argument("--jobs", type=positive, metavar="N",
+                        help="figures at a time (default: as many as processors)")
     add_animation(parser.add_argument_group("animation", "A motion that was recorded with Frames, "
                                             "as NAME-motion.gif."))
     parser.add_argument("--output", type=Path, metavar="FOLDER",
@@ -106,6 +108,7 @@ def draw_animation(options: argparse.Namespace) -> int:
     import matplotlib.pyplot as plt
 
     from .animation import Style, animate
+    from .files import enter_in_list
     from .style import SETTINGS
 
     results = options.results if options.results.is_dir() else options.results.parent
@@ -140,6 +143,7 @@ def draw(options: argparse.Namespace) -> int:
         import matplotlib.pyplot as plt
 
         from . import table_points
+        from .files import draw_all
         from .labels import SHOWN
         from .overlays import attach
         from .style import SETTINGS
@@ -159,47 +163,6 @@ def draw(options: argparse.Namespace) -> int:
                 print("\n".join(name for name, _ in wanted))
                 return 0
             return draw_all(results, wanted, tables, options)
-
-
-def draw_all(results: Results, wanted, tables, options: argparse.Namespace) -> int:
-    """Code 1 when a figure could not be drawn or a table fits none; the others are drawn all the
-    same."""
-    folder = options.output or results.folder / "figures"
-    folder.mkdir(parents=True, exist_ok=True)
-    code = 0
-    drawn: dict[Path, int] = {table.file: 0 for table in tables}
-    for name, function in wanted:
-        try:
-            file = folder / f"{name}.{options.format}"
-            save(name, function, file, tables, drawn, options)
-            enter_in_list(results.folder, file)
-            print(file, flush=True)
-        except Exception as error:  # one figure must not take the others with it
-            code = 1
-            print(f"vibroimpact-plot: {name} cannot be drawn: {type(error).__name__}: {error}",
-                  file=sys.stderr)
-    for table in tables:
-        if not drawn[table.file]:
-            code = 1
-            print(f"vibroimpact-plot: --overlay {table.file}: no figure has axes of two of its "
-                  f"columns, which are {', '.join(table.columns)}", file=sys.stderr)
-    return code
-
-
-def save(name: str, function, file: Path, tables, drawn, options: argparse.Namespace) -> None:
-    import matplotlib.pyplot as plt
-
-    from . import table_points
-
-    try:
-        figure = function()
-        for table in tables:
-            drawn[table.file] += table_points.draw(figure, name, table)
-        if options.size:
-            figure.set_size_inches(*options.size)
-        figure.savefig(file, dpi=options.dpi)
-    finally:
-        plt.close("all")
 
 
 def wanted_figures(results: Results, analysis: Analysis, patterns):
@@ -224,15 +187,3 @@ def chosen_analyses(results: Results, name) -> list[Analysis]:
         known = ", ".join(analysis.name for analysis in analyses)
         raise ResultError(f"{results.file}: there is no analysis {name}; there are: {known}")
     return chosen
-
-
-def enter_in_list(folder: Path, file: Path) -> None:
-    """A run that overwrites the results removes their figures too: see src/output/written_files.h."""
-    written = folder / "journal" / "written_files.txt"
-    if not written.parent.is_dir() or folder.resolve() not in file.resolve().parents:
-        return
-    entry = str(file.resolve().relative_to(folder.resolve()))
-    known = written.read_text().splitlines() if written.is_file() else []
-    if entry not in known:
-        with written.open("a") as stream:
-            stream.write(entry + "\n")

@@ -48,7 +48,7 @@ def bars(analysis: Analysis, case: dict, keys: list[str]):
     for k, key in enumerate(keys):
         values = [elasticity(analysis, case, key, quantity) for quantity in quantities]
         axes.barh(place + (k - 0.5 * (len(keys) - 1)) * width, values, width,
-                  color=style.COLOURS[k % len(style.COLOURS)], label=words(key_label(key)))
+                  color=style.COLOURS[k % len(style.COLOURS)], label=key_label(key))
     axes.set_yticks(place, [name_of(quantity) for quantity in quantities])
     axes.invert_yaxis()
     axes.axvline(0, color="black", lw=0.5)

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -117,6 +117,23 @@ def read_axis(results: Results, section: dict, analyses: list[Analysis]) -> Figu
         numbers(section.get("Range", ""), results.parameters),
         marks(section.get("Marks", ""), results.parameters),
         section.get("Divide by largest of", "") == analyses[0].name)
+
+
+def together(axes: list[FigureAxis], analysis: Analysis) -> list[FigureAxis]:
+    """Several quantities at one axis: with one prefix, and a label that says what all have in common; the
+    legend has the name of each."""
+    found = [find(analysis, axis.quantity) for axis in axes]
+    labels = list(dict.fromkeys(axis.label for axis in axes))
+    label = labels[0] if len(labels) == 1 else common_label([entry.label for entry in found])
+    same = all(axis.scale.unit for axis in axes) and len({entry.unit for entry in found}) == 1
+    scale = scale_for(found[0].unit, *[entry.values for entry in found]) if same else None
+    return [replace(axis, label=label, scale=scale or axis.scale) for axis in axes]
+
+
+def common_label(labels: list[str]) -> str:
+    """The parts between commas that all have; empty where there are none."""
+    parts = [label.split(", ") for label in labels]
+    return ", ".join(part for part in parts[0] if all(part in other for other in parts))
 
 
 def divisor(results: Results, section: dict, name: str, unit: str) -> Scale | None:

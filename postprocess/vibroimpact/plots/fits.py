@@ -11,7 +11,7 @@ from statistics import NormalDist
 import numpy as np
 
 from . import searches, style
-from .labels import key_label, quantity_label, scale_for, words
+from .labels import key_label, own_name, scale_for
 from .layout import describe, kept
 from .results import Analysis, Results
 
@@ -78,7 +78,7 @@ def curve(analysis: Analysis, name: str, case: dict):
         above.plot(at / x.factor, start / y.factor, "--", color=style.GREY, label="start")
     above.plot(at / x.factor, measured / y.factor, "o", color=style.COLOURS[1],
                markerfacecolor="none", label="measured")
-    above.set_ylabel(y.label(quantity_label(name)))
+    above.set_ylabel(y.label(own_name(name)))
     below.axhline(0, color=style.GREY, linewidth=0.7)
     below.plot(at / x.factor, residual, "o", color=style.COLOURS[1], markerfacecolor="none")
     below.set_ylabel("Residual")

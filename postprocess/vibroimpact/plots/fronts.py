@@ -9,7 +9,7 @@ import itertools
 import numpy as np
 
 from . import style
-from .labels import key_label, quantity_label, scale_for
+from .labels import key_label, own_name, scale_for
 from .layout import describe, kept
 from .results import Analysis, Results
 
@@ -62,7 +62,7 @@ def front(analysis: Analysis, case: dict, first: str, second: str):
     entries += axes.plot(*line, ".-", color=style.COLOURS[1], label="front")
     for scale, name, show, values in zip(scales, (first, second), (axes.set_xlabel, axes.set_ylabel),
                                          line):
-        show(scale.label(quantity_label(name)))
+        show(scale.label(own_name(name)))
     frame(axes, line, points)
     if case:
         axes.set_title(describe(analysis, case))
@@ -87,7 +87,7 @@ def keys_along(analysis: Analysis, case: dict, goal: str):
         scale = scale_for(analysis.read(f"front/key/{name}").unit, values)
         axes.plot(x / along.factor, values / scale.factor, ".", color=style.COLOURS[0])
         axes.set_ylabel(scale.label(key_label(name)))
-    panels[-1].set_xlabel(along.label(quantity_label(goal)))
+    panels[-1].set_xlabel(along.label(own_name(goal)))
     if case:
         panels[0].set_title(describe(analysis, case))
     return figure

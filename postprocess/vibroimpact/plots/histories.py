@@ -83,13 +83,9 @@ def colours_of(motion: Motion, paths: list[str]) -> dict[str, str]:
     contacts = contacts_of(motion.analysis, motion.base)
     owners = list(dict.fromkeys((path.split("/")[0], owner(path)) for path in paths))
     others = [name for group, name in owners if group != "contact"]
-    return {name: contact_colour(contacts.index(name)) if group == "contact"
+    return {name: style.contact_colour(contacts.index(name), len(contacts)) if group == "contact"
             else style.POINT_COLOURS[others.index(name) % len(style.POINT_COLOURS)]
             for group, name in owners}
-
-
-def contact_colour(number: int) -> str:
-    return style.CONTACT_COLOURS[number % len(style.CONTACT_COLOURS)]
 
 
 def draw_row(axes, motion: Motion, paths, time, recent, colours) -> Scale:
@@ -107,8 +103,9 @@ def draw_row(axes, motion: Motion, paths, time, recent, colours) -> Scale:
 def shade(panels, motion: Motion, time, start: float, scale) -> list[Patch]:
     """Background of the intervals in contact; gives the legend entries."""
     handles = []
-    for number, contact in enumerate(contacts_of(motion.analysis, motion.base)):
-        look = dict(color=contact_colour(number), alpha=style.SHADE, linewidth=0)
+    contacts = contacts_of(motion.analysis, motion.base)
+    for number, contact in enumerate(contacts):
+        look = dict(color=style.contact_colour(number, len(contacts)), alpha=style.SHADE, linewidth=0)
         inside = [(max(a, time[0]), min(b, time[-1]))
                   for a, b in contact_intervals(motion, contact) if b >= time[0] and a <= time[-1]]
         for a, b in inside if len(inside) <= MOST_SHADED else []:

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 
 PREFIXES = [(1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M"), (1e9, "G")]
-UNITS_WITH_PREFIX = {"m", "s", "N", "J", "W", "m/s", "N s", "N/m", "Pa"}
 TYPESET = {"m/s^2": "m/s²", "rad/s^2": "rad/s²", "N s": "N s"}
 # What the command line sets: Hz shown as rad/s; False for results of Units = dimensionless.
 SHOWN = {"angular": False, "units": True}
@@ -22,7 +21,7 @@ class Scale:
     unit: str
 
     def label(self, quantity: str) -> str:
-        return f"{quantity} ({self.unit})" if self.unit else quantity
+        return " ".join(filter(None, [quantity, self.unit and f"({self.unit})"]))
 
 
 def scale_for(unit: str, *arrays) -> Scale:
@@ -31,7 +30,7 @@ def scale_for(unit: str, *arrays) -> Scale:
         return Scale(1.0, "")
     if unit == "Hz" and SHOWN["angular"]:
         return Scale(1 / (2 * np.pi), "rad/s")
-    if unit not in UNITS_WITH_PREFIX:
+    if not takes_prefix(unit):
         return Scale(1.0, typeset(unit))
     largest = max((np.nanmax(np.abs(a), initial=0.0) for a in map(finite, arrays)), default=0.0)
     # A picture of 0.9995 m to 1.0005 m should not say 1000 mm at its upper end.
@@ -39,6 +38,11 @@ def scale_for(unit: str, *arrays) -> Scale:
                and (unit != "s" or prefix[0] <= 1)]
     factor, letter = fitting[-1] if fitting and largest > 0 else (1.0, "")
     return Scale(factor, letter + typeset(unit))
+
+
+def takes_prefix(unit: str) -> bool:
+    """Whether the first symbol may: N s/m becomes kN s/m. A power of it stays, accelerations are read in m/s^2."""
+    return bool(re.match(r"(m|s|N|J|W|Pa)(?![\w^])", unit)) and unit != "m/s^2"
 
 
 def with_unit(text: str, unit: str) -> str:
@@ -89,10 +93,16 @@ GREEK = {"alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "
 
 
 def key_label(path: str) -> str:
-    """Name of a key as it is read: "Clearance" of Contact/heads/Clearance; symbols are typeset."""
+    """Name of a key as it was written: "Clearance" of Contact/heads/Clearance, "fm" of Variables/fm; symbols
+    of one letter are typeset."""
     name = path.rsplit("/", 1)[-1]
     match = re.fullmatch(r"([A-Za-z]+?)_?(\d*)", name)
     if match and (match[1] in GREEK or len(match[1]) == 1):
         stem = "\\" + match[1] if match[1] in GREEK else match[1]
         return f"${stem}_{{{match[2]}}}$" if match[2] else f"${stem}$"
-    return name[:1].upper() + name[1:]
+    return name
+
+
+def own_name(name: str) -> str:
+    """Of what the user named: the letters stay, "peak_force" is "peak force"."""
+    return name.replace("_", " ")

@@ -72,7 +72,7 @@ def sheets(analysis: Analysis, root: str, separate: bool) -> list[Sheet]:
     found.append(Sheet("energy", "", [Panel("Energy per period", there(analysis, ENERGY, root))]))
     found.append(rows_sheet(analysis, "regime", "", root, regime_rows(analysis, root)))
     derived = [] if root or analysis.type == "frequency response" else analysis.members("derived")
-    found += [Sheet(f"derived-{name}", "", [Panel(quantity_label(name), [(f"derived/{name}", "")])])
+    found += [Sheet(f"derived-{name}", "", [Panel(analysis.symbol(name), [(f"derived/{name}", "")])])
               for name in derived if analysis.has(f"derived/{name}")
               and analysis.dimensions(f"derived/{name}") == analysis.axes]
     found += orders(analysis, root)

@@ -10,7 +10,10 @@ import h5py
 import numpy as np
 
 from .errors import ResultError
+from .labels import own_name
 from .parameters_text import sections
+
+MOST_KEPT = 100_000  # entries of an array that is read once for all figures
 
 
 @dataclass
@@ -40,6 +43,7 @@ class Analysis:
         self.chosen: dict[str, list[int]] = {}  # indices along an axis, of the axes with a choice
         self.overlays: list[Analysis] = []  # drawn over the figures of this one
         self.shown: dict[str, tuple] = {}  # scale and label of an axis that a figure chooses
+        self._read: dict[str, Array] = {}
 
     @property
     def file(self) -> str:
@@ -48,7 +52,7 @@ class Analysis:
     @property
     def axes(self) -> list[str]:
         """Names of the outer axes."""
-        return [dimension.label for dimension in self._group["status"].dims]
+        return self.dimensions("status")
 
     @property
     def grid_axes(self) -> list[str]:
@@ -60,13 +64,16 @@ class Analysis:
 
     def read(self, path: str) -> Array:
         """A field or axis; its first dimensions are the outer axes, unless it is a coordinate."""
-        return read_array(self._group[path])
+        array = self._read.get(path) or read_array(self._group[path])
+        if array.values.size <= MOST_KEPT:
+            array.values.setflags(write=False)
+            self._read[path] = array
+        return Array(array.values, array.unit)
 
     def symbol(self, derived: str) -> str:
         """Of a derived quantity: its key Symbol, else its name in words."""
         section = self.parameters.get(f"Derived {derived}", {})
-        text = section.get("Symbol", "") or derived.replace("_", " ")
-        return text if section.get("Symbol", "") else text[:1].upper() + text[1:]
+        return section.get("Symbol", "") or own_name(derived)
 
     def members(self, path: str) -> list[str]:
         """Names in a group below the analysis, in the order of the file; empty without it."""

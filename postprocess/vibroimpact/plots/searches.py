@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from . import style
-from .labels import key_label, quantity_label, scale_for, words
+from .labels import key_label, own_name, scale_for
 from .layout import describe, kept
 from .results import Analysis, Results
 
@@ -100,9 +100,9 @@ def dots(axes, number, values, meets, colour) -> None:
 
 def objective_name(analysis: Analysis, path: str = "objective") -> str:
     if path != "objective":
-        return quantity_label(path)
+        return own_name(path)
     name = str(analysis.attributes(path).get("description", path)).split(",")[0].rsplit("/", 1)[-1]
-    return analysis.symbol(name) if f"Derived {name}" in analysis.parameters else words(name)
+    return analysis.symbol(name) if f"Derived {name}" in analysis.parameters else own_name(name)
 
 
 def handles(colours, objective, meets, tried):

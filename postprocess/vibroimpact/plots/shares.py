@@ -9,7 +9,7 @@ import itertools
 import numpy as np
 
 from . import style
-from .labels import key_label, quantity_label, words
+from .labels import key_label, own_name
 from .layout import describe, kept
 from .results import Analysis, Results
 
@@ -46,8 +46,8 @@ def shares(analysis: Analysis, case: dict):
             if axes is panels[0]:
                 entries.append(bars)
         axes.axhline(0, color="black", lw=0.5)
-        axes.set_ylabel(quantity_label(quantity))
-        axes.set_xticks(place, [words(key_label(key)) for key in keys])
+        axes.set_ylabel(own_name(quantity))
+        axes.set_xticks(place, [key_label(key) for key in keys])
     panels[0].set_title("Share of the variance, with twice its standard error"
                         + (", " + describe(analysis, case) if case else ""))
     style.legend_below(panels[-1], entries)

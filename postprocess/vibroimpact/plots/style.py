@@ -18,8 +18,10 @@ PANEL_HEIGHT = 1.9
 # Okabe and Ito's palette: eight colours that the common colour-vision deficiencies keep apart;
 # yellow is left out, it is too light for a line.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
-# Contacts have colours of their own, apart from those of the first points; shaded lightly behind.
+# Contacts have colours of their own, apart from those of the first points; shaded lightly behind. More of them
+# share a sequence.
 CONTACT_COLOURS = ["#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+CONTACT_SEQUENCE = "turbo"
 POINT_COLOURS = ["#0072B2", "#D55E00", "#009E73", "#7F5539", "#6A4C93", "#000000"]
 SHADE = 0.28  # opacity
 SEQUENCE = "viridis"  # of fields
@@ -35,6 +37,7 @@ SETTINGS = {
     "axes.labelsize": 10,
     "axes.titlesize": 10,
     "axes.titlelocation": "left",
+    "axes.titley": 1.0,  # not to be found from all tick labels, time and again
     "legend.fontsize": 9,
     "legend.frameon": False,
     "xtick.labelsize": 9,
@@ -97,6 +100,13 @@ def colours_along(count: int):
         return COLOURS[:count]
     sequence = plt.get_cmap(LINE_SEQUENCE)
     return [sequence(LINE_RANGE * i / (count - 1)) for i in range(count)]
+
+
+def contact_colour(number: int, count: int):
+    """Of one of `count` contacts, distinct from the others."""
+    if count <= len(CONTACT_COLOURS):
+        return CONTACT_COLOURS[number]
+    return plt.get_cmap(CONTACT_SEQUENCE)(0.05 + 0.9 * number / (count - 1))
 
 
 def colour_bar(figure, axes, values, label: str) -> None:
