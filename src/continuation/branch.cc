@@ -1,8 +1,10 @@
 #include "continuation/branch.h"
 
 #include "common/signals.h"
-#include "continuation/branch_continuation.h"
+#include "continuation/branch_system.h"
+#include "continuation/curve_continuation.h"
 #include "continuation/newton.h"
+#include "continuation/stored_steps.h"
 
 namespace vibroimpact::continuation {
 
@@ -48,8 +50,9 @@ BranchPoint solve(Problem &problem, const Point &guess, const Settings &settings
 }
 
 Branch follow(Problem &problem, const Start &start, const Settings &settings,
-              const Listener &listener, StepRecord *record) {
-  return BranchContinuation(problem, start, settings, listener, record).run();
+              const CurveListener<Branch> &listener, StepRecord *record) {
+  RecordedSystem<BranchSystem> system(record, problem, start, settings);
+  return CurveContinuation(system, settings, listener).run();
 }
 
 Start branch_from(Problem &doubled, const SpecialPoint &flip, const Settings &settings) {

@@ -7,11 +7,11 @@
 #pragma once
 
 #include "common/step_record.h"
+#include "continuation/curve.h"
 #include "continuation/problem.h"
 #include "continuation/settings.h"
 
 #include <complex>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,23 +57,7 @@ struct SpecialPoint {
       unstable_after = 0; ///< multipliers outside the unit circle, at the sides
 };
 
-enum class End {
-  lower_bound,
-  upper_bound,
-  closed,
-  far,            ///< the state grows beyond Settings::largest_state
-  shorter_return, ///< on solutions of a lower multiple of the map
-  least_step,
-  most_points,
-  graze ///< that the branch returns to again and again
-};
-
-struct Branch {
-  std::vector<BranchPoint> points;
-  std::vector<SpecialPoint> special; ///< by arclength
-  End end = End::most_points;
-  std::string reason; ///< the end in words
-};
+using Branch = Curve<BranchPoint, SpecialPoint>;
 
 struct Start {
   Point point;
@@ -82,21 +66,15 @@ struct Start {
   bool forward = true;
 };
 
-/// Called for every point and special point as it is found. May throw to end the run.
-struct Listener {
-  std::function<void(const BranchPoint &)> point;
-  std::function<void(const SpecialPoint &)> special;
-};
-
 /// Newton's method at fixed keys. NumericalError when it does not converge; `furthest` bounds each
 /// correction, scaled.
 BranchPoint solve(Problem &problem, const Point &guess, const Settings &settings,
                   double furthest = 0.5);
 
 /// From a start that solve() has made, or branch_from(). A start outside the bounds ends at once.
-/// What the steps gave is kept in the record, or taken from it.
+/// What the steps gave is stored in the record, or taken from it.
 Branch follow(Problem &problem, const Start &start, const Settings &settings,
-              const Listener &listener = {}, StepRecord *record = nullptr);
+              const CurveListener<Branch> &listener = {}, StepRecord *record = nullptr);
 
 /// First point of the branch of `doubled` that begins at a flip of the map whose square it is, at
 /// the distance settings.switch_distance. NumericalError when Newton's method falls back or fails.

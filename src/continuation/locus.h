@@ -44,26 +44,10 @@ struct SpecialLocusPoint {
   std::size_t after = 0; ///< index of the locus' point before it
 };
 
-enum class LocusEnd {
-  bounds,
-  closed,
-  far,       ///< the state grows beyond Settings::largest_state
-  graze,     ///< on a grazing curve, see LocusSpecial::ends_at_graze
-  real_pair, ///< a Neimark-Sacker pair becomes real: strong resonance 1:1 or 1:2
-  least_step,
-  most_points
-};
-
-struct Locus {
-  std::vector<LocusPoint> points;
-  std::vector<SpecialLocusPoint> special;
-  LocusEnd end = LocusEnd::most_points;
-  std::string reason;
-};
+using Locus = Curve<LocusPoint, SpecialLocusPoint>;
 
 /// `problem` has two keys. The record is as for follow().
 Locus follow_locus(Problem &problem, const LocusStart &start, const Settings &settings,
-                   const std::function<void(const LocusPoint &)> &listener = {},
-                   StepRecord *record = nullptr);
+                   const CurveListener<Locus> &listener = {}, StepRecord *record = nullptr);
 
 } // namespace vibroimpact::continuation

@@ -9,7 +9,7 @@
 //     g_min behind.
 #pragma once
 
-#include "continuation/locus_continuation.h"
+#include "continuation/locus_system.h"
 
 namespace vibroimpact::continuation {
 

@@ -5,9 +5,22 @@
 
 namespace vibroimpact::continuation {
 
+namespace {
+
+// Of the two senses of a null vector always the same one, close by as well: along weights that no
+// symmetry makes orthogonal to it.
+Vector in_one_sense(const Vector &vector) {
+  const Vector weights =
+      (Vector::LinSpaced(vector.size(), 1, static_cast<double>(vector.size())).array() + M_SQRT2)
+          .inverse();
+  return vector.dot(weights) < 0 ? Vector(-vector) : vector;
+}
+
+} // namespace
+
 Borders Borders::of(const Matrix &matrix) {
   const SingularValues of = singular_values(matrix);
-  return {of.left.rightCols(1), of.right.rightCols(1)};
+  return {in_one_sense(of.left.rightCols(1)), in_one_sense(of.right.rightCols(1))};
 }
 
 Bordered Borders::solve(const Matrix &matrix) const {
@@ -45,8 +58,8 @@ int sign(double value) { return (value > 0) - (value < 0); }
 
 // Of the change of g with the first key along the solutions x(p), dx = -F_x^-1 F_p dp.
 int sign_along_first_key(const Augmented &at) {
-  const Index n = at.at.slope.rows();
-  const Vector change = solve_fully_pivoted(at.at.slope.leftCols(n), at.at.slope.col(n));
+  const Index n = at.slope.rows();
+  const Vector change = solve_fully_pivoted(at.slope.leftCols(n), at.slope.col(n));
   return sign(at.gradient(n) - at.gradient.head(n).dot(change));
 }
 
@@ -61,15 +74,15 @@ public:
 
   Augmented evaluate(const Vector &u, double chart) const override {
     Augmented result;
-    result.at = problem_.evaluate(u, chart);
-    const Bordered bordered = borders_.solve(shifted(result.at));
+    static_cast<Linearisation &>(result) = problem_.evaluate(u, chart);
+    const Bordered bordered = borders_.solve(shifted(result));
     result.value = bordered.g;
     result.gradient = -bordered.w.transpose() * slope_change(problem_, u, chart, bordered.v);
     const Index n = problem_.states();
     if (multiplier_ == 1) {
       // w^T F_p dp + w^T F_xx (v, v) a^2 / 2 = 0
       result.cusp = result.gradient.head(n).dot(bordered.v);
-      result.side = sign(bordered.w.dot(result.at.slope.col(n)) * result.cusp);
+      result.side = sign(bordered.w.dot(result.slope.col(n)) * result.cusp);
     } else {
       // (J + I) v + b g = 0 and w^T b = 1: g = -(mu + 1) w^T v
       result.side = sign(bordered.w.dot(bordered.v)) * sign_along_first_key(result);
@@ -86,6 +99,10 @@ public:
     chart_ = chart;
     const Bordered bordered = borders_.solve(matrix);
     borders_ = {bordered.w.normalized(), bordered.v.normalized()};
+  }
+
+  std::unique_ptr<LocusEquation> clone() const override {
+    return std::make_unique<SingularJacobian>(*this);
   }
 
 private:
@@ -116,8 +133,8 @@ public:
 
   Augmented evaluate(const Vector &u, double chart) const override {
     Augmented result;
-    result.at = problem_.evaluate(u, chart);
-    const Mode mode = nearest(result.at);
+    static_cast<Linearisation &>(result) = problem_.evaluate(u, chart);
+    const Mode mode = nearest(result);
     const auto dj_v =
         (slope_change(problem_, u, chart, mode.right.real()) +
          std::complex<double>(0, 1) * slope_change(problem_, u, chart, mode.right.imag()))
@@ -133,6 +150,9 @@ public:
 
   void renew(const Linearisation &at, double /*chart*/) override {
     multiplier_ = nearest(at).value;
+  }
+  std::unique_ptr<LocusEquation> clone() const override {
+    return std::make_unique<UnitModulus>(*this);
   }
 
 private:
@@ -155,13 +175,16 @@ public:
   Augmented evaluate(const Vector &u, double chart) const override {
     LinearisedExtension extension = problem_.extend(u, chart, graze_);
     Augmented result;
-    result.at = std::move(extension.smooth);
+    static_cast<Linearisation &>(result) = std::move(extension.smooth);
     result.value = extension.value;
     result.gradient = extension.gradient;
     result.side = -sign_along_first_key(result);
     return result;
   }
   void renew(const Linearisation &, double) override {}
+  std::unique_ptr<LocusEquation> clone() const override {
+    return std::make_unique<TouchingGuard>(*this);
+  }
 
 private:
   const ScaledProblem &problem_;

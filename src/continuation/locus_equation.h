@@ -11,8 +11,8 @@
 
 namespace vibroimpact::continuation {
 
-struct Augmented {
-  Linearisation at;
+/// F with the equation.
+struct Augmented : Linearisation {
   double value = 0;   ///< g
   RowVector gradient; ///< of g by u, n + 2
   /// Of folds: w^T F_xx (v, v), whose sign changes at a cusp. One sign as long as the borders are
@@ -30,6 +30,7 @@ public:
   virtual Augmented evaluate(const Vector &u, double chart) const = 0;
   /// Takes borders, or the multiplier, anew from a point on the curve; in a new chart as well.
   virtual void renew(const Linearisation &at, double chart) = 0;
+  virtual std::unique_ptr<LocusEquation> clone() const = 0;
 };
 
 /// `at`: F at the start, which grazes do without.
@@ -44,7 +45,7 @@ struct Bordered {
 };
 struct Borders {
   Vector b, c;
-  /// Null vectors of the nearest singular matrix, of length 1.
+  /// Null vectors of the nearest singular matrix, of length 1 and of one sense.
   static Borders of(const Matrix &matrix);
   Bordered solve(const Matrix &matrix) const;
 };

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/recorded_step.h"
-#include "continuation/branch_continuation.h"
-#include "continuation/locus_end.h"
+#include "continuation/locus_system.h"
+#include "continuation/node.h"
 
 namespace vibroimpact::continuation {
 
@@ -34,11 +34,19 @@ void members(auto &visit, As<Node> auto &node) {
         node.tests, node.multipliers, node.unstable, node.arclength, node.iterations);
 }
 void members(auto &visit, As<Augmented> auto &at) {
-  visit(at.at, at.value, at.gradient, at.cusp, at.angle, at.side);
+  visit(static_cast<std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(at)>>,
+                                       const Linearisation, Linearisation> &>(at),
+        at.value, at.gradient, at.cusp, at.angle, at.side);
 }
 void members(auto &visit, As<LocusNode> auto &node) {
   visit(node.u, node.chart, node.tangent, node.at, node.iterations, node.arclength);
 }
-void members(auto &visit, As<GrazeEnd> auto &end) { visit(end.u, end.at, end.graze); }
+void members(auto &visit, As<LocusPoint> auto &point) {
+  visit(point.point, point.tangent, point.residual, point.defect, point.by_state, point.pattern,
+        point.angle, point.side, point.arclength);
+}
+void members(auto &visit, As<SpecialLocusPoint> auto &special) {
+  visit(special.kind, special.at, special.after);
+}
 
 } // namespace vibroimpact::continuation

@@ -41,7 +41,7 @@ TEST(LociTest, OfFoldsPassTheirCusp) {
   for (const double start : {0.8, -0.83}) {
     const Locus locus = follow_locus(problem, {LocusKind::fold, on_cusp_fold(start), {}, false},
                                      within({-5, 5}, {-1, 3}));
-    EXPECT_EQ(locus.end, LocusEnd::bounds) << locus.reason;
+    EXPECT_EQ(locus.end, End::bounds) << locus.reason;
     for (const LocusPoint &point : locus.points) {
       const double a = point.point.keys(0), b = point.point.keys(1);
       EXPECT_NEAR(27 * a * a, 4 * b * b * b, 1e-12);
@@ -69,7 +69,7 @@ TEST(LociTest, BeginAtTheEndOfAKey) {
       const double lower = start.keys(1) + rounding;
       const Locus locus =
           follow_locus(problem, {LocusKind::fold, start, {}, forward}, within({-5, 5}, {lower, 3}));
-      EXPECT_EQ(locus.end, LocusEnd::bounds) << locus.reason;
+      EXPECT_EQ(locus.end, End::bounds) << locus.reason;
       EXPECT_NEAR(locus.points.back().point.keys(1), forward ? 3 : lower, 1e-14) << locus.reason;
       EXPECT_EQ(locus.points.size() > 10, forward);
     }
@@ -85,7 +85,7 @@ TEST(LociTest, OfTheHenonMap) {
       const Locus locus =
           follow_locus(map, {kind, {vector({x, b * x}), vector({a, b})}, {}, forward},
                        within({-5, 5}, {-0.8, 0.8}));
-      EXPECT_EQ(locus.end, LocusEnd::bounds) << locus.reason;
+      EXPECT_EQ(locus.end, End::bounds) << locus.reason;
       EXPECT_DOUBLE_EQ(locus.points.back().point.keys(1), forward ? 0.8 : -0.8);
       EXPECT_GT(locus.points.size(), 8u);
       EXPECT_TRUE(locus.special.empty());
@@ -118,7 +118,7 @@ TEST(LociTest, OfNeimarkSackerPoints) {
   const LocusStart start{
       LocusKind::neimark_sacker, {vector({0.5, 0.5}), vector({2, 0})}, {}, false};
   const Locus locus = follow_locus(map, start, within({0, 10}, {-8, 2}));
-  EXPECT_EQ(locus.end, LocusEnd::bounds) << locus.reason;
+  EXPECT_EQ(locus.end, End::bounds) << locus.reason;
   EXPECT_NEAR(locus.points.back().point.keys(0), 4, 1e-12);
   EXPECT_NEAR(locus.points.back().angle, 2 * M_PI / 3, 1e-12);
   for (const LocusPoint &point : locus.points) {
@@ -130,7 +130,7 @@ TEST(LociTest, OfNeimarkSackerPoints) {
     EXPECT_EQ(point.side, change > 0 ? 1 : -1);
   }
   const Locus whole = follow_locus(map, start, within({0, 10}, {-30, 2}));
-  EXPECT_EQ(whole.end, LocusEnd::real_pair) << whole.reason;
+  EXPECT_EQ(whole.end, End::real_pair) << whole.reason;
   EXPECT_NE(whole.reason.find("1:2"), std::string::npos);
   EXPECT_NEAR(whole.points.back().point.keys(0), 5, 1e-2);
 }
@@ -168,7 +168,7 @@ TEST(LociTest, OfGrazesThroughResonance) {
   const Point start{vector({k / amplitude, d / amplitude}), vector({amplitude, 0.5})};
   const Locus locus =
       follow_locus(problem, {LocusKind::graze, start, Graze{}, true}, within({0, 20}, {0.2, 3}));
-  EXPECT_EQ(locus.end, LocusEnd::bounds) << locus.reason;
+  EXPECT_EQ(locus.end, End::bounds) << locus.reason;
   EXPECT_DOUBLE_EQ(locus.points.back().point.keys(1), 3);
   for (const LocusPoint &point : locus.points) {
     const double w = point.point.keys(1);
@@ -191,7 +191,7 @@ TEST(LociTest, CloseOnThemselves) {
       vector({1, 1, 1}));
   const Locus locus =
       follow_locus(problem, {LocusKind::fold, {vector({0}), vector({2, 0})}, {}, true}, Settings());
-  EXPECT_EQ(locus.end, LocusEnd::closed) << locus.reason;
+  EXPECT_EQ(locus.end, End::closed) << locus.reason;
   EXPECT_TRUE(locus.special.empty());
   for (const LocusPoint &point : locus.points)
     EXPECT_NEAR(std::hypot(point.point.keys(0) - 1, point.point.keys(1)), 1, 1e-13);
@@ -243,7 +243,7 @@ TEST(LociTest, EndOnGrazingCurves) {
     const double p = x - (m + s * q) * x - k * root * x;
     const Locus locus = follow_locus(problem, {kind, {vector({x}), vector({p, q})}, {}, false},
                                      within({-3, 3}, {-3, 3}));
-    EXPECT_EQ(locus.end, LocusEnd::graze) << locus.reason;
+    EXPECT_EQ(locus.end, End::graze) << locus.reason;
     EXPECT_NE(locus.reason.find("the stop"), std::string::npos);
     ASSERT_EQ(locus.special.size(), 1u);
     EXPECT_EQ(locus.special[0].kind, LocusSpecial::ends_at_graze);

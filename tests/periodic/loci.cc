@@ -13,7 +13,7 @@ namespace vibroimpact::periodic {
 namespace loci_tests {
 
 using continuation::Locus;
-using continuation::LocusEnd;
+using continuation::End;
 using continuation::LocusKind;
 using continuation::LocusPoint;
 using continuation::Point;
@@ -60,7 +60,7 @@ TEST(LociTest, GrazesOfARigidStopThroughResonance) {
     const Locus locus = follow_locus(
         problem, {.kind = LocusKind::graze, .point = start, .graze = grazes[0], .forward = forward},
         settings);
-    EXPECT_EQ(locus.end, LocusEnd::bounds) << locus.reason;
+    EXPECT_EQ(locus.end, End::bounds) << locus.reason;
     EXPECT_DOUBLE_EQ(locus.points.back().point.keys[1], forward ? 3 : 0.29);
     double charts = 0;
     for (const LocusPoint &point : locus.points) {
@@ -99,7 +99,7 @@ TEST(LociTest, GrazesOfAReleaseThroughResonance) {
     const Locus locus = follow_locus(
         problem, {.kind = LocusKind::graze, .point = start, .graze = grazes[0], .forward = forward},
         settings);
-    EXPECT_EQ(locus.end, LocusEnd::bounds) << locus.reason;
+    EXPECT_EQ(locus.end, End::bounds) << locus.reason;
     EXPECT_DOUBLE_EQ(locus.points.back().point.keys[1], forward ? 4 : 1);
     for (const LocusPoint &point : locus.points)
       EXPECT_NEAR(point.point.keys[0], exact(point.point.keys[1]), 1e-12);
@@ -125,7 +125,7 @@ TEST(LociTest, GrazesOfASymmetricMotion) {
   const Locus locus = follow_locus(
       problem, {.kind = LocusKind::graze, .point = start, .graze = grazes[0], .forward = true},
       settings);
-  EXPECT_EQ(locus.end, LocusEnd::bounds) << locus.reason;
+  EXPECT_EQ(locus.end, End::bounds) << locus.reason;
   EXPECT_DOUBLE_EQ(locus.points.back().point.keys[1], 1.8);
   for (const LocusPoint &point : locus.points)
     EXPECT_NEAR(point.point.keys[0], exact(point.point.keys[1]), 1e-12);

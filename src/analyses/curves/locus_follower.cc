@@ -7,8 +7,8 @@
 
 namespace vibroimpact::analyses {
 
+using continuation::End;
 using continuation::Locus;
-using continuation::LocusEnd;
 using continuation::LocusKind;
 using continuation::LocusPoint;
 using continuation::LocusStart;
@@ -171,7 +171,7 @@ void LocusFollower::follow_both_ways(const LocusOrigin &origin) {
     if (passed(origin, start))
       return;
     table_.begin(loci_, start.kind, origin.halves, 1);
-    if (follow(problem, start) != LocusEnd::closed) {
+    if (follow(problem, start) != End::closed) {
       table_.begin(loci_, start.kind, origin.halves, -1);
       start.forward = false;
       follow(problem, start);
@@ -183,7 +183,7 @@ void LocusFollower::follow_both_ways(const LocusOrigin &origin) {
   ++loci_;
 }
 
-LocusEnd LocusFollower::follow(OrbitProblem &problem, const LocusStart &start) {
+End LocusFollower::follow(OrbitProblem &problem, const LocusStart &start) {
   bool first = start.forward;
   progress_.begin(start.point.keys[1]);
   const auto add = [&](const LocusPoint &point) {
@@ -192,11 +192,12 @@ LocusEnd LocusFollower::follow(OrbitProblem &problem, const LocusStart &start) {
       table_.add(point);
     first = true; // the start of the second direction is there already
   };
-  Locus locus = continuation::follow_locus(problem, start, settings_, add, steps_);
+  Locus locus =
+      continuation::follow_locus(problem, start, settings_, {.point = add, .special = {}}, steps_);
   table_.end(locus);
   progress_.finish();
   --left_;
-  const LocusEnd end = locus.end;
+  const End end = locus.end;
   done_.push_back({.kind = start.kind, .halves = problem.halves(), .locus = std::move(locus)});
   return end;
 }

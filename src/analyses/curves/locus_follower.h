@@ -62,7 +62,7 @@ private:
   bool passed(const LocusOrigin &origin, const continuation::LocusStart &start) const;
   continuation::LocusStart start_at(const LocusOrigin &origin,
                                     periodic::OrbitProblem &problem) const;
-  continuation::LocusEnd follow(periodic::OrbitProblem &problem,
+  continuation::End follow(periodic::OrbitProblem &problem,
                                 const continuation::LocusStart &start);
 
   KeyedMap &maps_;

@@ -10,7 +10,7 @@
 namespace vibroimpact::analyses {
 
 using continuation::Locus;
-using continuation::LocusEnd;
+using continuation::End;
 using continuation::LocusKind;
 using continuation::LocusPoint;
 using continuation::LocusSpecial;
@@ -29,15 +29,15 @@ constexpr Coded<LocusSpecial> special_kinds_of_loci[] = {
     {LocusSpecial::cusp, 1, "cusp"}, {LocusSpecial::ends_at_graze, 2, "end on a grazing curve"}};
 
 // Loci that could not be entered have none of the ends.
-constexpr std::optional<LocusEnd> not_entered;
-constexpr Coded<std::optional<LocusEnd>> locus_ends[] = {
-    {LocusEnd::bounds, 0, "end of a key"},
-    {LocusEnd::closed, 1, "the locus closes on itself"},
-    {LocusEnd::graze, 2, "it meets a grazing curve"},
-    {LocusEnd::real_pair, 3, "the pair of multipliers becomes real"},
-    {LocusEnd::least_step, 4, "least step"},
-    {LocusEnd::most_points, 5, "most points"},
-    {LocusEnd::far, 6, "the motion grows beyond all measure"},
+constexpr std::optional<End> not_entered;
+constexpr Coded<std::optional<End>> locus_ends[] = {
+    {End::bounds, 0, "end of a key"},
+    {End::closed, 1, "the locus closes on itself"},
+    {End::graze, 2, "it meets a grazing curve"},
+    {End::real_pair, 3, "the pair of multipliers becomes real"},
+    {End::least_step, 4, "least step"},
+    {End::most_points, 5, "most points"},
+    {End::far, 6, "the motion grows beyond all measure"},
     {not_entered, 7, "the locus could not be entered"}};
 
 // Behind flips stand those of symmetric motions.
@@ -121,13 +121,13 @@ void LocusTable::end(const Locus &locus) {
   }
   const LocusPoint &last = locus.points.back();
   add_end(last.point.keys, last.arclength, locus.end);
-  if (locus.end == LocusEnd::least_step || locus.end == LocusEnd::most_points)
+  if (locus.end == End::least_step || locus.end == End::most_points)
     rows_.remark("a locus ends at " + rows_.at(last.point.keys) + ": " + locus.reason);
 }
 
 void LocusTable::end_at_start(const Vector &keys) { add_end(keys, 0, not_entered); }
 
-void LocusTable::add_end(const Vector &keys, double arclength, std::optional<LocusEnd> end) {
+void LocusTable::add_end(const Vector &keys, double arclength, std::optional<End> end) {
   PointResult values;
   FieldWriter(values).number("reason", code_of(locus_ends, end), "1", meaning_of(locus_ends));
   rows_.add(CurveTable::Part::end, keys, arclength, std::move(values));

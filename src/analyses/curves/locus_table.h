@@ -29,7 +29,7 @@ public:
 
 private:
   PointResult values_of(const continuation::LocusPoint &point) const;
-  void add_end(const Vector &keys, double arclength, std::optional<continuation::LocusEnd> end);
+  void add_end(const Vector &keys, double arclength, std::optional<continuation::End> end);
   periodic::Orbit orbit_of(const continuation::LocusPoint &point) const;
 
   KeyedMap &maps_;
