@@ -346,7 +346,7 @@ def twisted_beam(sketch, x):
 
 
 def plates_and_shells():
-    sketch = Sketch("Four of the public cases: a square plate, a roof under its weight, a pinched cylinder, a twisted "
+    sketch = Sketch("Four of the benchmarks: a square plate, a roof under its weight, a pinched cylinder, a twisted "
                     "beam with a force at its end")
     square_plate(sketch, 20)
     roof(sketch, 205)
