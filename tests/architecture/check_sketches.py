@@ -21,7 +21,7 @@ from sketch_shapes import MARGIN, Sketch  # noqa: E402
 PROGRAM = ROOT / "scripts" / "draw-sketches.py"
 GALLERY = ROOT / "docs" / "gallery"
 OF_ANOTHER_PAGE = {"identification": "impacting-beams"}  # the same system
-WITHOUT_SYSTEM = {"README", "frames", "integrators"}
+WITHOUT_SYSTEM = {"README", "frames"}
 SVG = "{http://www.w3.org/2000/svg}"
 
 

@@ -6,7 +6,7 @@ The quantities, references and tolerances are those of the check of the system; 
 meet them. Runge-Kutta takes up to a hundred times as long, so that some sweeps are thinned out here,
 for both alike. Minutes for each system on an idle machine.
 
-usage: check_integrators.py PROGRAM SOURCE --system NAME [--page FILE] [--keep FOLDER] [--ranks N]
+usage: check_integrators.py PROGRAM SOURCE --system NAME [--keep FOLDER] [--ranks N]
 """
 import resource
 import sys
@@ -19,7 +19,7 @@ import check_bilinear
 import check_bumpers
 import check_electromechanical
 import check_isolator
-from page_tables import markdown, write_into
+from page_tables import markdown
 from systems import Table, arguments_of_checks, shown, signed
 
 HEAD = ("quantity", "reference", "exact", "rk", "exact − reference", "rk − reference",
@@ -134,8 +134,6 @@ def main():
     text += (f"\nProcessor time of all runs: exact {exact.seconds:.1f} s, rk "
              f"{tight.seconds:.1f} s.\n")
     print(text)
-    if arguments.page:
-        write_into(arguments.page, f"check_integrators.py, {arguments.system}", text)
     bad = [row.quantity for table in (exact, tight) for row in table.rows if not row.good()]
     print(f"{len(bad)} of {2 * len(exact.rows)} beyond their tolerances")
     sys.exit(1 if bad else 0)

@@ -1,10 +1,10 @@
-"""Tables in pages: short ones stand there whole, long ones as a few rows and a link to all of them as CSV."""
+"""Tables in pages: short ones stand there whole, long ones as CSV behind a link, with a few rows of a study's."""
 import csv
 import re
 
 BEGIN, END = "<!-- table made by {} -->", "<!-- end of table -->"
 LONGEST = 20  # rows of a table that stands whole
-SHOWN = 8  # rows of a longer one
+SHOWN = 8  # rows of a longer one of a study
 
 
 def markdown(lines):
@@ -54,7 +54,8 @@ def shortened(path, name, text):
         csv.writer(stream, lineterminator="\n").writerows([head, *body])
     rest = [line for line in lines if not line.startswith("|")]
     link = f"\n{len(body)} rows in all: [tables/{file.name}](tables/{file.name})\n"
-    return markdown([head, *telling(head, body)]) + link + "".join(f"{line}\n" for line in rest)
+    told = telling(head, body)
+    return (markdown([head, *told]) if told else "") + link + "".join(f"{line}\n" for line in rest)
 
 
 def cells(line):
@@ -67,9 +68,7 @@ def slug(name):
 
 
 def telling(head, body):
-    """What is beyond a tolerance, then rows with a number of the paper, then the first ones."""
-    paper = head.index("paper") if "paper" in head else None
-    beyond = [row for row in body if any("**" in cell for cell in row)]
-    printed = [row for row in body if paper is not None and row[paper]]
-    chosen = list(dict.fromkeys([*beyond, *printed, *body]))[:max(SHOWN, len(beyond))]
-    return [row for row in body if row in chosen]
+    """Of a check, which holds values against references, what is beyond a tolerance; of a study the first rows."""
+    if "reference" not in head:
+        return body[:SHOWN]
+    return [row for row in body if any("**" in cell for cell in row)]
