@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 
 PAGES = ("README.md", "CONTRIBUTING.md", "docs/*.md", "docs/developer/*.md", "docs/tutorials/*.md")
-OTHERS = {"parameters.md", "architecture.md", "theory.md"}  # the first is made of the sources
+OTHERS = {"parameters.md", "architecture.md"}  # the first is made of the sources
 # A pattern, in which a blank stands for any white space, and what to write instead.
 WORDS = (
     (r"strikes? each other|strikes? a stop", "collide, impact"),
