@@ -30,6 +30,7 @@ WORDS = (
     (r"dangerous motions?", "undesired attractor"),
     (r"the way there", "convergence history"),
     (r"factor of a deviation|growth of deviations", "growth of a perturbation, Lyapunov exponents"),
+    (r"small deviations?|deviations grow", "small perturbations"),
     (r"unbalanced(?! (?:rotor|motor|mass|disc))", "energy balance not closed"),
     (r"thr[oe]ws? (?:the |its )?\w+ apart", "rebound"),
     (r"attenuates to a (?:quarter|half|third)", "reduces by a percentage"),
