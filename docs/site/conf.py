@@ -1,8 +1,12 @@
 """The pages as a site; scripts/build-site.sh runs this."""
 import re
+import sys
 from pathlib import Path
 
 from pygments.lexers.special import TextLexer
+
+sys.path.insert(0, str(Path(__file__).parent))
+import sources  # noqa: E402
 
 project = "vibroimpact"
 author = copyright = "The vibroimpact developers"  # noqa: A001
@@ -26,6 +30,7 @@ html_js_files = [("katex.min.js", {"defer": "defer", "priority": 100}),
 mathjax_path = "equations.js"
 mathjax_options = {"defer": "defer"}
 
+WORKS = sources.entries()
 ROOT = Path(__file__).resolve().parents[2]
 LINK = re.compile(r"\]\(([\w./-]+\.md)\)")
 FOLDER = re.compile(r"\[([^\]]+)\]\((?:published|tables)\)")  # links to these have no page
@@ -49,7 +54,9 @@ def contents():
 
 
 def add_contents(app, name, source):
-    source[0] = FOLDER.sub(r"\1", source[0])
+    source[0] = sources.linked(FOLDER.sub(r"\1", source[0]), WORKS)
+    if name == "docs/references":
+        source[0] += sources.listed(WORKS)
     if name == root_doc:
         source[0] += "".join(contents())
     elif name == GALLERY:
