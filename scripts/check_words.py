@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 
 PAGES = ("README.md", "CONTRIBUTING.md", "docs/*.md", "docs/developer/*.md", "docs/tutorials/*.md")
-OTHERS = {"parameters.md", "architecture.md", "theory.md"}  # the first is made of the sources
+OTHERS = {"parameters.md", "architecture.md"}  # the first is made of the sources
 # A pattern, in which a blank stands for any white space, and what to write instead.
 WORDS = (
     (r"strikes? each other|strikes? a stop", "collide, impact"),
@@ -30,6 +30,7 @@ WORDS = (
     (r"dangerous motions?", "undesired attractor"),
     (r"the way there", "convergence history"),
     (r"factor of a deviation|growth of deviations", "growth of a perturbation, Lyapunov exponents"),
+    (r"small deviations?|deviations grow", "small perturbations"),
     (r"unbalanced(?! (?:rotor|motor|mass|disc))", "energy balance not closed"),
     (r"thr[oe]ws? (?:the |its )?\w+ apart", "rebound"),
     (r"attenuates to a (?:quarter|half|third)", "reduces by a percentage"),
