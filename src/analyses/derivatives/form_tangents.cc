@@ -4,6 +4,8 @@
 #include "common/scalar.h"
 #include "motion/variation/key_stencil.h"
 
+#include <algorithm>
+
 namespace vibroimpact::analyses {
 
 using motion::Equations;
@@ -27,11 +29,9 @@ Vector impulses_of(const model::Model &model, const contact::ContactSet &contact
   return least_norm_solution(response, jump);
 }
 
-/// All but the forces of contacts.
-std::vector<Observable> polynomials_of(const System &system) {
-  std::vector<Observable> list = observables({}, system);
-  std::erase_if(list, [](const Observable &one) { return one.is_force(); });
-  return list;
+const Observable &same_in(const std::vector<Observable> &list, const Observable &observed) {
+  return *std::find_if(list.begin(), list.end(),
+                       [&](const Observable &one) { return one.path == observed.path; });
 }
 
 } // namespace
@@ -43,15 +43,12 @@ FormTangents::FormTangents(const System &system,
   for (const motion::KeyNeighbour &neighbour : neighbours)
     offsets.push_back(neighbour.offset);
   const Vector weights = motion::derivative_weights(offsets);
-  quantities_.push_back(polynomials_of(system));
-  for (const motion::KeyNeighbour &neighbour : neighbours) {
+  for (const motion::KeyNeighbour &neighbour : neighbours)
     near_.push_back(std::make_unique<Near>(System{.model = neighbour.model,
                                                   .contacts = neighbour.contacts,
                                                   .integration = system.integration,
                                                   .initial = system.initial},
                                            weights[static_cast<Index>(near_.size())]));
-    quantities_.push_back(polynomials_of(near_.back()->system));
-  }
 }
 
 Tangent FormTangents::linear(const FormMaker &make, const TangentPoint &at) {
@@ -75,30 +72,39 @@ Tangent FormTangents::linear(const FormMaker &make, const TangentPoint &at) {
   return tangent;
 }
 
-Tangent FormTangents::quantity(std::size_t place, const TangentPoint &at) {
-  motion::ValueRange unused;
-  return linear(
-      [&](std::size_t system, const Equations &equations) {
-        return monitored(quantities_[system][place], equations, unused);
-      },
-      at);
+TangentOf FormTangents::of(const Observable &observed) {
+  if (const auto *form = std::get_if<ForceForm>(&observed.form))
+    return [this, c = form->contact](const TangentPoint &at) { return force(c, at); };
+  std::vector<Observable> all{observed}; // of the system and its neighbours
+  for (const auto &near : near_)
+    all.push_back(same_in(near->observables, observed));
+  return [this, all = std::move(all)](const TangentPoint &at) {
+    motion::ValueRange unused;
+    return linear(
+        [&](std::size_t system, const Equations &equations) {
+          return monitored(all[system], equations, unused);
+        },
+        at);
+  };
 }
 
-Tangent FormTangents::contact_form(std::size_t contact, const contact::AffineForm &form,
+Tangent FormTangents::contact_form(std::size_t contact, const FormOfLaw &form,
                                    const TangentPoint &at) {
   return linear(
-      [&](std::size_t, const Equations &equations) {
-        return MonitoredForm{.row = motion::linear_row(equations, contact, form)};
+      [&](std::size_t, const Equations &of) {
+        return MonitoredForm{.row = motion::linear_row(of, contact, form(law_of(of, contact)))};
       },
       at);
 }
 
 Tangent FormTangents::gap(std::size_t contact, const TangentPoint &at) {
-  return contact_form(contact, {.gap = 1}, at);
+  return contact_form(
+      contact, [](const auto &) { return contact::AffineForm{.gap = 1}; }, at);
 }
 
 Tangent FormTangents::gap_rate(std::size_t contact, const TangentPoint &at) {
-  return contact_form(contact, {.gap_rate = 1}, at);
+  return contact_form(
+      contact, [](const auto &) { return contact::AffineForm{.gap_rate = 1}; }, at);
 }
 
 Tangent FormTangents::force(std::size_t contact, const TangentPoint &at) {
@@ -111,12 +117,8 @@ Tangent FormTangents::force(std::size_t contact, const TangentPoint &at) {
   if (!mode.affine)
     return nonlinear_force(contact, at);
   const auto present = static_cast<std::size_t>(equations.modes()[contact]);
-  return linear(
-      [&](std::size_t, const Equations &of) {
-        const contact::AffineForm &force = law_of(of, contact).modes()[present].affine->force;
-        return MonitoredForm{.row = motion::linear_row(of, contact, force)};
-      },
-      at);
+  return contact_form(
+      contact, [&](const auto &law) { return law.modes()[present].affine->force; }, at);
 }
 
 Tangent FormTangents::nonlinear_force(std::size_t contact, const TangentPoint &at) {
@@ -159,11 +161,8 @@ double FormTangents::delay(const motion::ContactEvent &event, const TangentPoint
   if (own.normal_force != 0 && !motion::LinearSystem::holds(before.equations()))
     return nan;
   const auto place = static_cast<std::size_t>(event.guard - guards.data());
-  return to_delay(linear(
-      [&](std::size_t, const Equations &of) {
-        const contact::Guard &same = law_of(of, event.contact).modes()[mode].guards[place];
-        return MonitoredForm{.row = motion::linear_row(of, event.contact, same.indicator)};
-      },
+  return to_delay(contact_form(
+      event.contact, [&](const auto &law) { return law.modes()[mode].guards[place].indicator; },
       before));
 }
 

@@ -28,18 +28,23 @@ struct Tangent {
   double with(double delay) const { return change + (rate == 0 ? 0 : rate * delay); }
 };
 
+/// Of a quantity where the motion stands.
+using TangentOf = std::function<Tangent(const TangentPoint &)>;
+
 /// A form in the present modes of the equations, of the system (0) or one of its neighbours (1...).
 using FormMaker =
     std::function<motion::MonitoredForm(std::size_t system, const motion::Equations &equations)>;
+
+/// An affine form of the local state of a contact, by its law.
+using FormOfLaw = std::function<contact::AffineForm(const contact::ContactLaw &law)>;
 
 class FormTangents {
 public:
   /// Keeps copies of the neighbours and a reference to the system.
   FormTangents(const System &system, const std::vector<motion::KeyNeighbour> &neighbours);
 
-  /// The quantities that recorders observe; without the forces of contacts.
-  const std::vector<Observable> &quantities() const { return quantities_.front(); }
-  Tangent quantity(std::size_t place, const TangentPoint &at);
+  /// Of what is linear in the motion, and of forces of contacts. Refers to the forms.
+  TangentOf of(const Observable &observed);
   Tangent gap(std::size_t contact, const TangentPoint &at);
   Tangent gap_rate(std::size_t contact, const TangentPoint &at);
   /// Normal force in the present mode. NaN where a gap is held in a phase that is not linear.
@@ -55,18 +60,18 @@ private:
   struct Near {
     System system;
     motion::Equations equations;
+    std::vector<Observable> observables;
     double weight = 0;
     Near(System of, double weight)
-        : system(std::move(of)), equations(system.model, system.contacts), weight(weight) {}
+        : system(std::move(of)), equations(system.model, system.contacts),
+          observables(analyses::observables({}, system)), weight(weight) {}
   };
   Tangent linear(const FormMaker &make, const TangentPoint &at);
-  Tangent contact_form(std::size_t contact, const contact::AffineForm &form,
-                       const TangentPoint &at);
+  Tangent contact_form(std::size_t contact, const FormOfLaw &form, const TangentPoint &at);
   Tangent nonlinear_force(std::size_t contact, const TangentPoint &at);
 
   const System &system_;
   std::vector<std::unique_ptr<Near>> near_;
-  std::vector<std::vector<Observable>> quantities_; ///< of the system and its neighbours
 };
 
 } // namespace vibroimpact::analyses

@@ -10,9 +10,8 @@ using GaussRule = boost::math::quadrature::gauss<double, 20>;
 
 constexpr long steps_in_panel = 2;
 
-/// Powers u^(k/4) of the time u since either end are polynomials of s in u = s^4 (35 - 84 s + 70
-/// s^2
-/// - 20 s^3), whose rate is 140 s^3 (1 - s)^3.
+/// Powers u^(k/4) of the time u since either end are polynomials of s in
+/// u = s^4 (35 - 84 s + 70 s^2 - 20 s^3), whose rate is 140 s^3 (1 - s)^3.
 double graded(double s) { return s * s * s * s * (35 + s * (-84 + s * (70 - 20 * s))); }
 double grading(double s) { return 140 * std::pow(s * (1 - s), 3); }
 
@@ -40,13 +39,11 @@ bool may_push(const SmoothInterval &interval, const contact::ContactSet &contact
   return false;
 }
 
-} // namespace
-
-std::vector<IntegrationNode> integration_nodes(const ExtremeSearch &search,
+std::vector<IntegrationNode> integration_nodes(const std::vector<SmoothInterval> &intervals,
                                                const contact::ContactSet &contacts) {
   std::vector<IntegrationNode> nodes;
-  for (std::size_t i = 0; i < search.intervals.size(); ++i) {
-    const SmoothInterval &interval = search.intervals[i];
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const SmoothInterval &interval = intervals[i];
     if (!may_push(interval, contacts))
       continue;
     const long panels = (interval.steps + steps_in_panel - 1) / steps_in_panel;
@@ -57,12 +54,22 @@ std::vector<IntegrationNode> integration_nodes(const ExtremeSearch &search,
   return nodes;
 }
 
-ImpactTangents::ImpactTangents(const contact::ContactSet &contacts, const ExtremeSearch &search,
-                               FormTangents &forms)
+} // namespace
+
+ImpactTangents::ImpactTangents(const contact::ContactSet &contacts,
+                               const std::vector<SmoothInterval> &intervals, FormTangents &forms)
     : impacts(contacts.size()), approach_speeds(contacts.size()), contacts_(contacts),
-      search_(search), forms_(forms), tracks_(contacts.size()) {
-  if (!search.intervals.empty())
-    start_ = search.intervals.front().start;
+      intervals_(intervals), forms_(forms), nodes_(integration_nodes(intervals, contacts)),
+      tracks_(contacts.size()) {
+  if (!intervals.empty())
+    start_ = intervals.front().start;
+}
+
+std::vector<double> ImpactTangents::stops() const {
+  std::vector<double> stops;
+  for (const IntegrationNode &node : nodes_)
+    stops.push_back(node.time);
+  return stops;
 }
 
 bool ImpactTangents::in_contact(std::size_t contact, int mode) const {
@@ -70,8 +77,9 @@ bool ImpactTangents::in_contact(std::size_t contact, int mode) const {
 }
 
 // A break of the sources ends an interval without moving.
-void ImpactTangents::node(const IntegrationNode &node, const TangentPoint &at) {
-  const SmoothInterval &interval = search_.intervals[node.interval];
+void ImpactTangents::stop(std::size_t place, const TangentPoint &at) {
+  const IntegrationNode &node = nodes_[place];
+  const SmoothInterval &interval = intervals_[node.interval];
   if (interval.from_break && node.interval != interval_)
     close_interval(interval.start, 0);
   interval_ = node.interval;

@@ -4,17 +4,16 @@
 //
 //   duration         t_1' - t_0'
 //   approach speed   -(dg'/dp + g'' t_0'), before the event
-//   impulse          integral of (DF + F s) dt over its smooth intervals, plus the derivative of
-//   the
-//                    impulses at events
+//   impulse          integral of (DF + F s) dt over its smooth intervals,
+//                    plus the derivative of the impulses at events
 //
 // where DF = dF/dp + F' t' is the derivative at a time that moves along with both ends of an
 // interval, t' linear between them and s = (t_1' - t_0') / (t_1 - t_0). At a fixed time dF/dp would
 // be infinite where contact begins, for laws whose slope is infinite there.
 #pragma once
 
-#include "analyses/derivatives/extreme_search.h"
-#include "analyses/derivatives/tangent_motion.h"
+#include "analyses/derivatives/form_tangents.h"
+#include "analyses/derivatives/smooth_intervals.h"
 
 namespace vibroimpact::analyses {
 
@@ -28,20 +27,20 @@ struct IntegrationNode {
   std::size_t interval = 0;
 };
 
-/// For all intervals in which some contact may have a force.
-std::vector<IntegrationNode> integration_nodes(const ExtremeSearch &search,
-                                               const contact::ContactSet &contacts);
-
-class ImpactTangents {
+/// Follows the motion apart from extreme values: stops close to where the slope of a force is
+/// infinite cost digits of what follows.
+class ImpactTangents : public TangentVisitor {
 public:
   /// Keeps references.
-  ImpactTangents(const contact::ContactSet &contacts, const ExtremeSearch &search,
+  ImpactTangents(const contact::ContactSet &contacts, const std::vector<SmoothInterval> &intervals,
                  FormTangents &forms);
 
-  void node(const IntegrationNode &node, const TangentPoint &at);
-  void event(const TangentEvent &event);
+  /// Nodes of all intervals in which some contact may have a force.
+  std::vector<double> stops() const override;
+  void stop(std::size_t place, const TangentPoint &at) override;
+  void event(const TangentEvent &event) override;
 
-  /// Per contact, as the impacts of the log; approach speeds of all onsets.
+  /// Per contact, of the impacts that have ended; approach speeds of all onsets.
   std::vector<std::vector<ImpactTangent>> impacts;
   std::vector<std::vector<double>> approach_speeds;
 
@@ -61,8 +60,9 @@ private:
   bool in_contact(std::size_t contact, int mode) const;
 
   const contact::ContactSet &contacts_;
-  const ExtremeSearch &search_;
+  const std::vector<SmoothInterval> &intervals_;
   FormTangents &forms_;
+  std::vector<IntegrationNode> nodes_;
   std::vector<Track> tracks_;
   double start_ = 0, start_delay_ = 0; ///< of the present interval
   std::size_t interval_ = 0;           ///< of the last node

@@ -1,6 +1,6 @@
 #include "analyses/derivatives/orbit_derivatives.h"
 
-#include "analyses/derivatives/measure_tangents.h"
+#include "analyses/derivatives/tangent_motion.h"
 #include "analyses/keys/key_neighbours.h"
 #include "analyses/recorders/window_recording.h"
 #include "analyses/results/fields.h"
@@ -104,14 +104,14 @@ double difference(const Field &field, const std::vector<Recorded> &near, const V
 }
 
 void add_recorded(const FieldWriter &result, const OrbitKey &key, const Recorded &present,
-                  const std::map<std::string, double> &tangents, const std::vector<Recorded> &near,
+                  const PointResult &tangents, const std::vector<Recorded> &near,
                   const Vector &weight) {
   for (const Field &field : present.point.fields) {
     if (!field.shape.empty() || field.unit() == "1" || !std::isfinite(field.values[0]))
       continue;
-    const auto known = tangents.find(field.name());
+    const Field *known = find(tangents, field.name());
     result.number(
-        field.name(), known != tangents.end() ? known->second : difference(field, near, weight),
+        field.name(), known != nullptr ? known->values[0] : difference(field, near, weight),
         unit_by_key(field.unit(), key.parameter.unit), "derivative: " + field.description());
   }
 }
@@ -163,8 +163,7 @@ void add_derivatives(const FieldWriter &result, const OrbitKey &key, const Recor
             {state_dimension}},
            at_zero_phase(motion, by_key));
   motion.map.set_keys({});
-  const std::map<std::string, double> tangents =
-      measure_tangents(motion, forced, neighbours, by_key);
+  const PointResult tangents = measure_tangents(motion, forced, neighbours, by_key);
   std::vector<double> offsets;
   for (const KeyNeighbour &neighbour : neighbours)
     offsets.push_back(neighbour.offset);

@@ -5,12 +5,12 @@
 //
 //   x' = (1 - P_x)^-1 P_p
 //
-// and so do the derivatives of extreme values and impacts (measure_tangents.h). For what
-// has no closed form: motions that begin at x + x' d with the key at p + d stay within O(d^2) of
-// the periodic motions there, so that what is recorded of them over one period has the same
-// derivative by d as what is recorded of the periodic motions. It is taken from four such motions,
-// some thousandths of the key apart, exactly to the fourth power of d. Stable and unstable motions
-// are treated alike.
+// and so do the derivatives of extreme values and impacts that recorders name (tangent_motion.h).
+// For what has no closed form: motions that begin at x + x' d with the key at p + d stay within
+// O(d^2) of the periodic motions there, so that what is recorded of them over one period has the
+// same derivative by d as what is recorded of the periodic motions. It is taken from four such
+// motions, some thousandths of the key apart, exactly to the fourth power of d. Stable and unstable
+// motions are treated alike.
 #pragma once
 
 #include "analyses/curves/orbit_start.h"

@@ -1,5 +1,8 @@
 #include "analyses/derivatives/tangent_motion.h"
 
+#include "analyses/recorders/window_recording.h"
+#include "motion/variation/variation.h"
+
 namespace vibroimpact::analyses {
 
 namespace {
@@ -66,23 +69,61 @@ void Along::event(const motion::ContactEvent &event) {
   visitor_.event({.event = event, .before = before, .after = after, .delay = delay});
 }
 
-} // namespace
+/// Where the motion starts, how its state there changes with the key at the fixed time, and its
+/// end.
+struct TangentWindow {
+  motion::MotionState start;
+  Vector change;  ///< physical_size() entries per unit of the key
+  double end = 0; ///< [s]
+};
 
-void follow_tangent(motion::Trajectory &trajectory, const TangentStart &start,
-                    const std::vector<double> &stops, double end, motion::KeyTangent &key,
-                    const motion::VariationAccuracy &accuracy, FormTangents &forms,
-                    TangentVisitor &visitor) {
-  trajectory.start(start.state);
+void follow(motion::Trajectory &trajectory, const TangentWindow &window, motion::KeyTangent &key,
+            const motion::VariationAccuracy &accuracy, FormTangents &forms,
+            TangentVisitor &visitor) {
+  trajectory.start(window.start);
   motion::Variation variation(trajectory, accuracy.scale, accuracy.tolerance, {&key});
-  variation.set_columns(start.change);
+  variation.set_columns(window.change);
   Along along(trajectory, variation, key, forms, visitor);
+  const std::vector<double> stops = visitor.stops();
   for (std::size_t i = 0; i < stops.size(); ++i) {
     if (stops[i] > trajectory.time())
       trajectory.advance(stops[i], along);
     visitor.stop(
         i, {trajectory.equations(), key, trajectory.time(), trajectory.state(), along.change()});
   }
-  trajectory.advance(end, along);
+  trajectory.advance(window.end, along);
+}
+
+} // namespace
+
+PointResult measure_tangents(const RecordedOrbit &motion, periodic::ForcedKey &key,
+                             const std::vector<motion::KeyNeighbour> &neighbours,
+                             const Vector &by_key) {
+  periodic::ForcedSystem forced(motion.system.model, motion.system.contacts,
+                                motion.system.integration, motion.map.system().source());
+  const double phase = motion.orbit.section.phase, start = phase * forced.period();
+  const TangentWindow window{
+      .start = {.time = start, .physical = motion.orbit.point.state},
+      .change = by_key - phase * key.period * motion.map.rates(phase, motion.orbit.point.state),
+      .end = periods_window(start, forced.period(), motion.orbit.multiple()).end};
+  WindowRecording recording(motion.recorders, motion.system);
+  recording.keep_extrema();
+  SmoothIntervals intervals;
+  forced.trajectory().start(window.start);
+  recording.run({.start = start, .end = window.end}, forced.trajectory(), intervals);
+  PointResult result;
+  if (recording.empty() || (intervals.breaks && key.tangent.sources().break_rate() != 0))
+    return result;
+  FormTangents forms(motion.system, neighbours);
+  ExtremeTangents extremes(recording.extrema(), intervals.events, forms);
+  ImpactTangents impacts(motion.system.contacts, intervals.list, forms);
+  for (TangentVisitor *visitor :
+       {static_cast<TangentVisitor *>(&extremes), static_cast<TangentVisitor *>(&impacts)})
+    follow(forced.trajectory(), window, key.tangent, orbit_accuracy(motion.system, forced), forms,
+           *visitor);
+  if (extremes.events() == intervals.events.size())
+    recording.add_tangents({.extremes = extremes, .impacts = impacts}, result);
+  return result;
 }
 
 } // namespace vibroimpact::analyses

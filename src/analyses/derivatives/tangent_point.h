@@ -11,6 +11,7 @@
 // motion is never differenced.
 #pragma once
 
+#include "motion/interval/observer.h"
 #include "motion/variation/key_tangent.h"
 
 #include <optional>
@@ -47,6 +48,23 @@ private:
   const Vector &state_;
   Vector values_, change_, rates_;
   mutable std::optional<Vector> second_rates_, change_of_rates_;
+};
+
+/// An event with what deviating motions make of it.
+struct TangentEvent {
+  const motion::ContactEvent &event;
+  const TangentPoint &before, &after;
+  double delay = 0; ///< dt/dp of its instant; NaN: it has none
+};
+
+/// Sees a motion with its derivative at chosen instants and on both sides of every event.
+class TangentVisitor {
+public:
+  virtual ~TangentVisitor() = default;
+  virtual std::vector<double> stops() const = 0; ///< ascending [s]
+  /// The motion stands at the stop of this place in the list.
+  virtual void stop(std::size_t place, const TangentPoint &at) = 0;
+  virtual void event(const TangentEvent &event) = 0;
 };
 
 } // namespace vibroimpact::analyses

@@ -1,8 +1,11 @@
 #include "analyses/recorders/extreme_values.h"
 
+#include "analyses/derivatives/tangent_motion.h"
 #include "analyses/results/fields.h"
 #include "common/scalar.h"
 #include "motion/event/impact_log.h"
+
+#include <cmath>
 
 namespace vibroimpact::analyses {
 
@@ -70,16 +73,29 @@ void ExtremeValues::begin(const Window & /*window*/, const motion::Trajectory & 
   // A contact that stays open has the largest force zero.
   for (std::size_t i = 0; i < ranges_.size(); ++i)
     ranges_[i] = observables_[i].is_force() ? ValueRange{.minimum = 0, .maximum = 0} : ValueRange{};
+  std::fill(extrema_.begin(), extrema_.end(), Extrema{});
 }
 
 void ExtremeValues::step(const motion::StepView &view) {
   for (std::size_t i = 0; i < observables_.size(); ++i)
     if (!is_seen(observables_[i], view.equations()))
       continue;
+    else if (!extrema_.empty())
+      include(extrema_[i], observables_[i], view);
     else if (const auto *force = std::get_if<ForceForm>(&observables_[i].form))
       ranges_[i].include(motion::peak_force(view, force->contact));
     else
       ranges_[i].include(curve(observables_[i], view));
+}
+
+void ExtremeValues::include(Extrema &extrema, const Observable &observed,
+                            const motion::StepView &view) const {
+  if (const auto *force = std::get_if<ForceForm>(&observed.form))
+    return extrema.largest.include_force(view, force->contact);
+  motion::Bernstein along_step = curve(observed, view);
+  extrema.largest.include(view, along_step);
+  along_step *= -1;
+  extrema.smallest.include(view, along_step);
 }
 
 void ExtremeValues::add_forms(const motion::Equations &equations,
@@ -97,6 +113,47 @@ void ExtremeValues::add_fields(const FieldWriter &result) const {
       add_bounds(result, labels_[i], ranges_[i]);
     else
       add_range(result, labels_[i], ranges_[i]);
+}
+
+bool ExtremeValues::keeps_extrema() {
+  extrema_.resize(observables_.size());
+  return !extrema_.empty();
+}
+
+std::vector<ObservedExtremum> ExtremeValues::extrema() const {
+  std::vector<ObservedExtremum> list;
+  for (std::size_t i = 0; i < observables_.size(); ++i) {
+    if (observables_[i].is_linear())
+      list.push_back({&extrema_[i].largest, observables_[i], Bound::largest});
+    if (observables_[i].is_linear() && !observables_[i].is_force())
+      list.push_back({&extrema_[i].smallest, observables_[i], Bound::smallest});
+  }
+  return list;
+}
+
+// NaN where the motion has other values than its steps; what has no closed form is left out.
+void ExtremeValues::add_tangents(const TangentMotion &motion, const FieldWriter &result) const {
+  const ExtremeTangents &known = motion.extremes;
+  for (std::size_t i = 0; i < observables_.size(); ++i) {
+    const auto &[largest, smallest] = extrema_[i];
+    const double above = largest.value, below = smallest.value;
+    const double range = std::max(above + below, std::max(std::abs(above), std::abs(below)));
+    const bool force = observables_[i].is_force();
+    if (!observables_[i].is_linear())
+      continue;
+    const bool sound =
+        force || (known.is_of_motion(largest, range) && known.is_of_motion(smallest, range));
+    const double high = known.of(largest), low = force ? nan : 0 - known.of(smallest);
+    const auto add = [&](const Label &label, double derivative) {
+      if (!sound || std::isfinite(derivative))
+        result.number(label, sound ? derivative : nan);
+    };
+    add(labels_[i].maximum, high);
+    add(labels_[i].minimum, low);
+    add(labels_[i].peak_to_peak, high - low);
+    add(labels_[i].amplitude, (high - low) / 2);
+    add(labels_[i].largest, above >= below ? high : 0 - low);
+  }
 }
 
 } // namespace vibroimpact::analyses

@@ -30,19 +30,30 @@ public:
 
   void begin(const Window &window, const motion::Trajectory &trajectory) override;
   void step(const motion::StepView &view) override;
-  /// None where something that is observed is not linear in the motion.
-  motion::OutputMonitor *output_monitor() override { return linear_ ? this : nullptr; }
+  /// None where something that is observed is not linear in the motion, or extrema are kept.
+  motion::OutputMonitor *output_monitor() override {
+    return linear_ && extrema_.empty() ? this : nullptr;
+  }
   /// Extreme values of every quantity observed; of gaps only minimum and maximum, of contact forces
   /// only the maximum. Internal states that belong to an impact are NaN without one.
   void add_fields(const FieldWriter &result) const override;
+  bool keeps_extrema() override;
+  std::vector<ObservedExtremum> extrema() const override;
+  void add_tangents(const TangentMotion &motion, const FieldWriter &result) const override;
 
 private:
+  /// Of one quantity.
+  struct Extrema {
+    motion::Extremum largest, smallest; ///< the smallest one of the reversed sign
+  };
+  void include(Extrema &extrema, const Observable &observed, const motion::StepView &view) const;
   void add_forms(const motion::Equations &equations,
                  std::vector<motion::MonitoredForm> &forms) override;
 
   std::vector<Observable> observables_;
   std::vector<ExtremeValueLabels> labels_;
   std::vector<motion::ValueRange> ranges_;
+  std::vector<Extrema> extrema_; ///< of each quantity, where they are kept
   bool linear_ = true;
 };
 

@@ -1,10 +1,12 @@
 #include "analyses/recorders/impacts.h"
 
+#include "analyses/derivatives/tangent_motion.h"
 #include "analyses/recorders/observables.h"
 #include "analyses/results/fields.h"
 #include "common/scalar.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace vibroimpact::analyses {
@@ -22,6 +24,23 @@ void add_range(const FieldWriter &result, const RangeLabels &labels,
   result.number(labels.mean, none ? nan : mean);
   result.number(labels.minimum, none ? nan : *lowest);
   result.number(labels.maximum, none ? nan : *highest);
+}
+
+// The mean has the mean of the derivatives, the largest value its own; what has no closed form is
+// left out.
+void add_range_tangents(const FieldWriter &result, const RangeLabels &labels,
+                        const std::vector<double> &values, const std::vector<double> &derivatives) {
+  if (values.empty() || values.size() != derivatives.size())
+    return;
+  const auto add = [&](const Label &label, double derivative) {
+    if (std::isfinite(derivative))
+      result.number(label, derivative);
+  };
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  add(labels.minimum, derivatives[static_cast<std::size_t>(lowest - values.begin())]);
+  add(labels.maximum, derivatives[static_cast<std::size_t>(highest - values.begin())]);
+  add(labels.mean, std::accumulate(derivatives.begin(), derivatives.end(), 0.0) /
+                       static_cast<double>(values.size()));
 }
 
 enum class Lasting : bool { left_out, included };
@@ -135,6 +154,52 @@ void Impacts::add_fields(const FieldWriter &result) const {
               values_of(impacts, &Impact::duration, Lasting::left_out));
     add_range(result, labels.penetration,
               values_of(impacts, &Impact::maximum_penetration, Lasting::included));
+  }
+}
+
+bool Impacts::keeps_extrema() {
+  log_.keep_extrema();
+  return true;
+}
+
+std::vector<ObservedExtremum> Impacts::extrema() const {
+  std::vector<ObservedExtremum> list;
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    for (const Impact &impact : log_.impacts(c)) {
+      list.push_back({&impact.force, normal_force(contacts_, c), Bound::largest});
+      list.push_back({&impact.overlap, gap_of(contacts_, c), Bound::smallest});
+    }
+  return list;
+}
+
+void Impacts::add_tangents(const TangentMotion &motion, const FieldWriter &result) const {
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const std::vector<Impact> &impacts = log_.impacts(c);
+    const auto of_extrema = [&](motion::Extremum Impact::*member) {
+      std::vector<double> derivatives;
+      for (const Impact &impact : impacts)
+        derivatives.push_back(motion.extremes.of(impact.*member));
+      return derivatives;
+    };
+    const auto of_ended = [&](const RangeLabels &labels, double Impact::*member,
+                              double ImpactTangent::*derivative) {
+      std::vector<double> derivatives;
+      for (const ImpactTangent &impact : motion.impacts.impacts[c])
+        derivatives.push_back(impact.*derivative);
+      add_range_tangents(result, labels, values_of(impacts, member, Lasting::left_out),
+                         derivatives);
+    };
+    const auto of_all = [&](double Impact::*member) {
+      return values_of(impacts, member, Lasting::included);
+    };
+    add_range_tangents(result, labels_[c].peak_force, of_all(&Impact::peak_force),
+                       of_extrema(&Impact::force));
+    add_range_tangents(result, labels_[c].penetration, of_all(&Impact::maximum_penetration),
+                       of_extrema(&Impact::overlap));
+    add_range_tangents(result, labels_[c].approach_speed, approach_speeds_[c],
+                       motion.impacts.approach_speeds[c]);
+    of_ended(labels_[c].impulse, &Impact::impulse, &ImpactTangent::impulse);
+    of_ended(labels_[c].contact_duration, &Impact::duration, &ImpactTangent::duration);
   }
 }
 

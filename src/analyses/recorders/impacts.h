@@ -30,11 +30,17 @@ public:
   void step(const motion::StepView &view) override;
   void event(const motion::ContactEvent &event) override;
   void end(const motion::Trajectory &trajectory) override;
-  motion::OutputMonitor *output_monitor() override { return this; }
+  motion::OutputMonitor *output_monitor() override {
+    return log_.output_monitor() == nullptr ? nullptr : this;
+  }
   /// For every contact C: contact/C/impacts, /unfinished, /impacts_per_period (where the window has
   /// periods), /contact_fraction, /chatters, and mean, minimum and maximum of /approach_speed,
   /// /impulse, /peak_force, /contact_duration, /penetration; these are NaN without an impact.
   void add_fields(const FieldWriter &result) const override;
+  bool keeps_extrema() override;
+  /// Of the force and the overlap of each impact.
+  std::vector<ObservedExtremum> extrema() const override;
+  void add_tangents(const TangentMotion &motion, const FieldWriter &result) const override;
 
 private:
   /// Of the impacts of one contact.

@@ -38,7 +38,7 @@ void add_contact(const contact::ContactSet &contacts, std::size_t c,
                  std::vector<Observable> &list) {
   const contact::ContactPair &pair = contacts.pairs()[c];
   const std::string base = "contact/" + pair.name + "/";
-  list.push_back({base + "gap", "gap", "m", "gap", GapForm{c}, ", > 0 open"});
+  list.push_back(gap_of(contacts, c));
   list.push_back(normal_force(contacts, c));
   Index place = pair.internal_offset;
   for (const contact::InternalState &state : pair.law->internal_states()) {
@@ -102,6 +102,15 @@ std::vector<Observable> observables(const ObservedSelection &selection, const Sy
     add_rotor(rotor, list);
   leave_selected(selection, list);
   return list;
+}
+
+Observable gap_of(const contact::ContactSet &contacts, std::size_t contact) {
+  return {"contact/" + contacts.pairs()[contact].name + "/gap",
+          "gap",
+          "m",
+          "gap",
+          GapForm{contact},
+          ", > 0 open"};
 }
 
 Observable normal_force(const contact::ContactSet &contacts, std::size_t contact) {

@@ -77,6 +77,7 @@ std::vector<Observable> observables(const ObservedSelection &selection, const Sy
 /// Of points alone; `fixed`: displacements in space also where no base moves the point.
 std::vector<Observable> point_observables(const model::Model &model,
                                           const ObservedSelection &selection, bool fixed = false);
+Observable gap_of(const contact::ContactSet &contacts, std::size_t contact);
 Observable normal_force(const contact::ContactSet &contacts, std::size_t contact);
 /// Moves the normal forces behind all others.
 void put_forces_last(std::vector<Observable> &list);

@@ -8,8 +8,10 @@
 // period's end), tells them where it ends, and lets them turn what they saw into fields.
 #pragma once
 
+#include "analyses/recorders/observables.h"
 #include "analyses/results/field_writer.h"
 #include "analyses/run/system.h"
+#include "motion/interval/extremum.h"
 #include "motion/path/trajectory.h"
 
 #include <functional>
@@ -27,6 +29,18 @@ struct Window {
   double length() const { return end - start; }
 };
 
+enum class Bound { largest, smallest };
+
+/// An extreme value of what is linear in the motion, or of a force; of the smallest value with the
+/// sign reversed.
+struct ObservedExtremum {
+  const motion::Extremum *extremum = nullptr;
+  Observable observed;
+  Bound bound = Bound::largest;
+};
+
+struct TangentMotion;
+
 class Recorder : public motion::Observer {
 public:
   void step(const motion::StepView & /*view*/) override {}
@@ -42,6 +56,17 @@ public:
   /// Fields and summary lines of what was seen between the window's start and its end. Recorders
   /// of cheap points make the labels of their fields when they are made.
   virtual void add_fields(const FieldWriter &result) const = 0;
+
+  /// Has it derivatives by keys of its own? Before the first window; from now on it keeps what they
+  /// need.
+  virtual bool keeps_extrema() { return false; }
+  /// Behind the window: what is to be differentiated for add_tangents(). The extrema stay where
+  /// they are.
+  virtual std::vector<ObservedExtremum> extrema() const { return {}; }
+  /// Derivatives by a key under the labels of its fields. What it leaves out is differenced between
+  /// neighbouring motions.
+  virtual void add_tangents(const TangentMotion & /*motion*/,
+                            const FieldWriter & /*result*/) const {}
 };
 
 /// Makes a recorder of the points of an analysis. The system outlives the recorder. InputError

@@ -51,6 +51,24 @@ void WindowRecording::watch(const Window &window, Trajectory &trajectory, Observ
     recorder->end(trajectory);
 }
 
+void WindowRecording::keep_extrema() {
+  std::erase_if(recorders_, [](const auto &recorder) { return !recorder->keeps_extrema(); });
+  together_ = std::make_unique<motion::Observers>(observers());
+}
+
+std::vector<ObservedExtremum> WindowRecording::extrema() const {
+  std::vector<ObservedExtremum> all;
+  for (const auto &recorder : recorders_)
+    for (ObservedExtremum &one : recorder->extrema())
+      all.push_back(std::move(one));
+  return all;
+}
+
+void WindowRecording::add_tangents(const TangentMotion &motion, const FieldWriter &result) const {
+  for (const auto &recorder : recorders_)
+    recorder->add_tangents(motion, result);
+}
+
 void WindowRecording::add_fields(const FieldWriter &result) const {
   for (const auto &recorder : recorders_)
     recorder->add_fields(result);

@@ -25,6 +25,11 @@ public:
   void run(const Window &window, motion::Trajectory &trajectory, motion::Observer &also);
 
   bool empty() const { return recorders_.empty(); }
+  /// Before the first window: leaves those recorders alone that have derivatives of their own.
+  void keep_extrema();
+  std::vector<ObservedExtremum> extrema() const;
+  void add_tangents(const TangentMotion &motion, const FieldWriter &result) const;
+
   /// What all recorders saw.
   void add_fields(const FieldWriter &result) const;
 

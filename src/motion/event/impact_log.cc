@@ -96,6 +96,12 @@ void ImpactLog::step(const StepView &view) {
     note_peak(track.current, view, c);
     track.current.maximum_penetration =
         std::max(track.current.maximum_penetration, -view.gap(c).minimum());
+    if (extrema_) {
+      track.current.force.include_force(view, c);
+      Bernstein overlap = view.gap(c);
+      overlap *= -1;
+      track.current.overlap.include(view, overlap);
+    }
     if (track.pulses_begun > 0 && track.pulses_begun <= pulse_limit_)
       record_pulse(track, view, c);
   }

@@ -1,6 +1,7 @@
 // Event log: every impact of every contact with the figures an engineer asks for.
 #pragma once
 
+#include "motion/interval/extremum.h"
 #include "motion/interval/observer.h"
 
 #include <vector>
@@ -22,6 +23,7 @@ struct Impact {
   /// False: the sides were still together where the record ended. Duration, peak, impulse, overlap
   /// and energy are those up to then, and there is no separation speed (NaN).
   bool finished = true;
+  Extremum force{}, overlap{}; ///< where extrema are kept; nothing seen of rigid impacts
 
   /// separation_speed / approach_speed; NaN when there is none
   double restitution_coefficient() const;
@@ -42,10 +44,12 @@ public:
 
   void step(const StepView &view) override;
   void event(const ContactEvent &event) override;
-  /// None while force samples or instants are to be kept.
+  /// None while force samples, instants or extrema are to be kept.
   OutputMonitor *output_monitor() override {
-    return pulse_limit_ == 0 && !instants_ ? this : nullptr;
+    return pulse_limit_ == 0 && !instants_ && !extrema_ ? this : nullptr;
   }
+  /// From now on of all impacts.
+  void keep_extrema() { extrema_ = true; }
   /// The record ends here: impacts that last are listed behind the finished ones, as far as they
   /// have come.
   void end_record(double time, const Vector &state, const StateLayout &layout);
@@ -83,6 +87,7 @@ private:
   const contact::ContactSet &contacts_;
   std::size_t pulse_limit_;
   bool instants_;
+  bool extrema_ = false;
   std::vector<Track> tracks_;
 };
 
