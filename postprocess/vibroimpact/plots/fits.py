@@ -79,6 +79,7 @@ def curve(analysis: Analysis, name: str, case: dict):
         above.plot(at / x.factor, start / y.factor, "--", color=style.GREY, label="start")
     above.plot(at / x.factor, model / y.factor, color=style.COLOURS[0], label="model")
     above.set_ylabel(y.label(own_name(name)))
+    above.set_ylim(*around(measured / y.factor, model / y.factor))
     below.axhline(0, color=style.GREY, linewidth=0.7)
     below.plot(at / x.factor, residual, "o", color=style.COLOURS[1], markerfacecolor="none")
     below.set_ylabel("Residual")
@@ -87,6 +88,13 @@ def curve(analysis: Analysis, name: str, case: dict):
         above.set_title(describe(analysis, case))
     style.legend_beside(above)
     return figure
+
+
+def around(*curves) -> tuple[float, float]:
+    """Limits with a tenth of room; a start far off leaves them."""
+    low, high = (end([end(curve) for curve in curves]) for end in (min, max))
+    room = 0.1 * (high - low) or 1.0
+    return low - room, high + room
 
 
 def abscissa_name(analysis: Analysis, data_set: str) -> str:
