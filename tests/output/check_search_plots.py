@@ -141,7 +141,7 @@ class SearchFigures(unittest.TestCase):
 
     def test_a_fit_shows_data_model_and_residuals_of_the_best_start(self):
         above, below = self.draw()["fit-fit-sweep"].axes
-        model, start, measured = above.get_lines()
+        measured, start, model = above.get_lines()  # the model lies on top
         np.testing.assert_allclose(start.get_xydata(), model.get_xydata())
         np.testing.assert_allclose(model.get_xydata(), [[1, 2], [2, 3], [4, 5]])
         np.testing.assert_allclose(measured.get_xydata(), [[1, 1], [2, 2], [4, 4]])

@@ -105,7 +105,7 @@ def stack(analysis: Analysis):
                    for axis in analysis.axes)
     shares = analysis.read("attractors/share").values[places]
     states = analysis.read("attractors/state").values[places]
-    tracks = follow(states)
+    tracks = numbered(follow(states))
     heights = np.zeros((max(max(row, default=0) for row in tracks) + 1, len(shares)))
     for i, row in enumerate(tracks):
         for attractor, track in enumerate(row):
@@ -114,7 +114,7 @@ def stack(analysis: Analysis):
     scale = axis_scale(analysis, name)
     x = analysis.read(name).values[kept(analysis, name)] / scale.factor
     figure, (axes,) = style.panels(1, height=3.0)
-    layers = axes.stackplot(x, heights, rest, linewidth=0,
+    layers = axes.stackplot(x, heights, rest, linewidth=0, step="mid",
                             colors=[*map(colour, range(len(heights))), MARKS[-1][1]])
     for layer, text in zip(layers, [*(f"motion {t + 1}" for t in range(len(heights))), "undecided"]):
         layer.set_label(text)
@@ -127,6 +127,12 @@ def stack(analysis: Analysis):
     found = [layer for layer, height in zip(layers, [*heights, rest]) if np.any(height > 0)]
     style.legend_beside(axes, found)
     return figure
+
+
+def numbered(tracks: list[list[int]]) -> list[list[int]]:
+    """As the program numbers the motions where most of them exist, which is how images of cells have them."""
+    order = list(dict.fromkeys([*max(tracks, key=len), *itertools.chain(*tracks)]))
+    return [[order.index(track) for track in row] for row in tracks]
 
 
 def follow(states: np.ndarray) -> list[list[int]]:

@@ -13,15 +13,15 @@ from matplotlib.lines import Line2D
 from . import overlays, style
 from .axis_meaning import Meaning, Panel, note
 from .branch_curves import TYPES, key_name, key_of, pick, pieces
-from .curves import explain, field_of
+from .curves import explain
 from .labels import scale_for
 from .layout import LARGEST_FAMILY, Layout, family_of, kept
-from .measures import sheets
+from .measures import field_of, sheets
 from .results import Analysis, Results
 
 #        of `special/kind`
 KINDS = {1: ("fold", "o"), 2: ("branch point", "X"), 3: ("period doubling", "^"),
-         4: ("loss of symmetry", "v"), 5: ("Neimark–Sacker", "s"), 6: ("graze", "d"),
+         4: ("loss of symmetry", "v"), 5: ("Neimark–Sacker", "s"), 6: ("grazing", "d"),
          7: ("grazing fold", "D"), 8: ("other contact changes", "|")}
 CRITICAL = (1, 2, 3, 4, 5)  # kinds at which a multiplier is on the unit circle
 

@@ -238,8 +238,8 @@ def line_handles(analysis: Analysis, directions, union, colour) -> list[Line2D]:
                for direction in directions if len(directions) > 1]
     if analysis.has("steady") and set(union) >= set(analysis.axes) \
             and np.any(analysis.read("steady").values == 0):
-        handles.append(Line2D([], [], color=style.GREY, linestyle="", marker="o", fillstyle="none",
-                              markersize=2.6, label="not settled"))
+        handles.append(Line2D([], [], color=style.GREY, linestyle="", label="not settled",
+                              **traces.UNSETTLED))
     return handles
 
 

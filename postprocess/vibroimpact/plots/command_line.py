@@ -51,6 +51,8 @@ def parse(arguments) -> argparse.Namespace:
                         help="the sections Figure of this parameter file instead of those stored "
                              "with the results")
     parser.add_argument("--angular", action="store_true", help="frequencies in rad/s")
+    parser.add_argument("--dimensionless", action="store_true",
+                        help="numbers without units, as with Units = dimensionless in the file")
     parser.add_argument("--list", action="store_true", help="names of the figures, nothing drawn")
     parser.add_argument("--format", choices=["png", "pdf", "svg"], default="png")
     parser.add_argument("--dpi", type=float, default=300, help="of pictures (default: 300)")
@@ -152,7 +154,7 @@ def draw(options: argparse.Namespace) -> int:
                   if name.endswith(".csv")]
         attach(results, chosen, [name for name in options.overlay if not name.endswith(".csv")],
                others)
-        SHOWN.update(angular=options.angular, units=not results.dimensionless)
+        SHOWN.update(angular=options.angular or options.dimensionless, units=not (results.dimensionless or options.dimensionless))
         with plt.rc_context(SETTINGS):
             wanted = [entry for analysis in chosen
                       for entry in wanted_figures(results, analysis, options.figure)]

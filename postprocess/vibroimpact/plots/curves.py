@@ -2,32 +2,19 @@
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 from matplotlib.lines import Line2D
 
 from . import style, traces
 from .labels import scale_for
 from .layout import Layout, axis_name
-from .results import Analysis, Array
+from .measures import field_of
+from .results import Analysis
 
 LARGEST_LEGEND = 8
 LINES = {"forward": dict(linestyle="-", marker=">"), "backward": dict(linestyle="--", marker="<"),
          "initial conditions": dict(linestyle=":", marker="o"), "": dict(linestyle="-")}
 FEW_POINTS = 60  # a curve without direction shows every point up to this number
-
-
-def field_of(analysis: Analysis, path: str) -> Array:
-    """A field; `path[k]` is component k of its last dimension."""
-    match = re.fullmatch(r"(.*)\[(\d+)\]", path)
-    if not match:
-        return analysis.read(path)
-    whole = analysis.read(match[1])
-    number = int(match[2])
-    missing = number >= whole.values.shape[-1]
-    values = np.full(whole.values.shape[:-1], np.nan) if missing else whole.values[..., number]
-    return Array(values, whole.unit)
 
 
 def draw(axes, layout: Layout, path: str, colours, scale) -> None:
@@ -87,8 +74,8 @@ def direction_handles(layout: Layout) -> list[Line2D]:
     handles = [Line2D([], [], color=style.GREY, label=direction, **LINES.get(direction, LINES[""]))
                for direction in layout.directions if len(layout.directions) > 1]
     if analysis.has("steady") and np.any(analysis.read("steady").values == 0):
-        handles.append(Line2D([], [], color=style.GREY, marker="o", fillstyle="none", linestyle="",
-                              label="not settled"))
+        handles.append(Line2D([], [], color=style.GREY, linestyle="", label="not settled",
+                              **traces.UNSETTLED))
     if analysis.has("jump_from") and np.any(np.isfinite(analysis.read("jump_from").values)):
         handles.append(Line2D([], [], color=style.GREY, linestyle=":", linewidth=0.9, label="jump"))
     return handles

@@ -7,10 +7,10 @@ import functools
 import numpy as np
 from matplotlib.lines import Line2D
 
-from . import style
+from . import envelopes, style
 from .labels import scale_for
 from .layout import layout_of, places
-from .motions import Motion, bases, contacts_of, finely_sampled, is_closed
+from .motions import Motion, bases, contacts_of, finely_sampled
 from .parameters_text import contact_sides, direction_of
 from .results import Analysis, Results
 
@@ -67,8 +67,9 @@ def over_penetration(analysis: Analysis, base: str, contact: str):
     def curve(motion):
         gap = motion.signal(f"contact/{contact}/gap")
         force = motion.signal(f"contact/{contact}/normal_force")
+        _, force, gap = envelopes.with_jumps(motion.time(), force, gap)
         # One sample on either side closes the cycle; what lies between contacts is left out.
-        closed = is_closed(motion, contact) | (gap < 0)
+        closed = (np.abs(force) > 0) | (gap < 0)
         near = closed | np.roll(closed, 1) | np.roll(closed, -1)
         return np.where(near, -gap, np.nan), np.where(near, force, np.nan)
 
@@ -80,20 +81,32 @@ def over_penetration(analysis: Analysis, base: str, contact: str):
 
 def over_displacement(analysis: Analysis, base: str, contacts, point: str, axis: str):
     """Sum of all contact forces that the point exerts along the axis."""
+    pressing = {contact: sign for contact in contacts if (sign := sign_of(analysis, contact, point, axis))}
+
     def curve(motion):
-        force = 0.0
-        for contact in contacts:
-            direction = direction_of(analysis.parameters, contact)
-            sides = contact_sides(analysis.parameters, contact)
-            if direction and direction[0] == axis and point in sides:
-                sign = direction[1] if sides[0] == point else -direction[1]
-                force = force + sign * motion.signal(f"contact/{contact}/normal_force")
-        return motion.signal(f"point/{point}/displacement_{axis}"), force
+        signals = [motion.time(), motion.signal(f"point/{point}/displacement_{axis}")]
+        for contact in pressing:
+            signals += [motion.signal(f"contact/{contact}/{name}") for name in ("normal_force", "gap")]
+        for k in range(2, len(signals), 2):
+            rest = [j for j in range(1, len(signals)) if j not in (k, k + 1)]
+            places = [0, k, k + 1, *rest]
+            made = envelopes.with_jumps(*[signals[j] for j in places])
+            signals = [made[places.index(j)] for j in range(len(signals))]
+        return signals[1], sum(sign * force for sign, force in zip(pressing.values(), signals[2::2]))
 
     figure = cycles(fine_motions(analysis, base, contacts), curve, f"Displacement ${axis}$",
                        f"Contact force along ${axis}$")
     figure.suptitle(f"Force of {point} on what it meets", x=0.01, ha="left", fontsize=10)
     return figure
+
+
+def sign_of(analysis: Analysis, contact: str, point: str, axis: str) -> int:
+    """Of the force that the point exerts along the axis; 0 where it has no part in the contact."""
+    direction = direction_of(analysis.parameters, contact)
+    sides = contact_sides(analysis.parameters, contact)
+    if not direction or direction[0] != axis or point not in sides:
+        return 0
+    return direction[1] if sides[0] == point else -direction[1]
 
 
 def cycles(entries, curve, x_label: str, y_label: str):

@@ -72,21 +72,38 @@ def curve(analysis: Analysis, name: str, case: dict):
                                      for group in ("abscissa", "measured", "model", "residual"))
     x = scale_for(analysis.read(f"abscissa/{name}").unit, at)
     y = scale_for(analysis.read(f"measured/{name}").unit, measured, model)
-    above.plot(at / x.factor, model / y.factor, color=style.COLOURS[0], label="model")
+    above.plot(at / x.factor, measured / y.factor, "o", color=style.COLOURS[1], alpha=0.6,
+               markerfacecolor="none", label="measured")
     start = data(analysis, "model", name, case, START)
     if len(start) == len(at):
         above.plot(at / x.factor, start / y.factor, "--", color=style.GREY, label="start")
-    above.plot(at / x.factor, measured / y.factor, "o", color=style.COLOURS[1],
-               markerfacecolor="none", label="measured")
+    above.plot(at / x.factor, model / y.factor, color=style.COLOURS[0], label="model")
     above.set_ylabel(y.label(own_name(name)))
+    above.set_ylim(*around(measured / y.factor, model / y.factor))
     below.axhline(0, color=style.GREY, linewidth=0.7)
     below.plot(at / x.factor, residual, "o", color=style.COLOURS[1], markerfacecolor="none")
     below.set_ylabel("Residual")
-    below.set_xlabel(x.label("Frequency" if x.unit == "Hz" else words("abscissa").capitalize()))
+    below.set_xlabel(x.label(abscissa_name(analysis, name)))
     if case:
         above.set_title(describe(analysis, case))
     style.legend_beside(above)
     return figure
+
+
+def around(*curves) -> tuple[float, float]:
+    """Limits with a tenth of room; a start far off leaves them."""
+    low, high = (end([end(curve) for curve in curves]) for end in (min, max))
+    room = 0.1 * (high - low) or 1.0
+    return low - room, high + room
+
+
+def abscissa_name(analysis: Analysis, data_set: str) -> str:
+    """By its unit, else as the section of the data calls it."""
+    unit = analysis.read(f"abscissa/{data_set}").unit
+    section = analysis.parameters.get(f"Analysis {analysis.name}", {}).get("Estimate", {})
+    column = section.get(f"Data {data_set}", {}).get("Abscissa column", "")
+    return {"Hz": "Frequency", "s": "Time"}.get(unit) or (
+        "Abscissa of the data" if column.isdigit() or not column else key_label(column))
 
 
 def residuals(analysis: Analysis, case: dict):
@@ -104,13 +121,15 @@ def residuals(analysis: Analysis, case: dict):
     over.set(xlabel="Model over its largest value", ylabel="Residual")
     count = len(together)
     quantiles = [NormalDist().inv_cdf((i + 0.5) / count) for i in range(count)]
-    against.plot(quantiles, np.sort(together), "o", markerfacecolor="none", color=style.COLOURS[0])
+    sets = len(analysis.members("residual"))
+    against.plot(quantiles, np.sort(together), "o", markerfacecolor="none", label="all together",
+                 color=style.GREY if sets > 1 else style.COLOURS[0])
     ends = np.array([min(quantiles), max(quantiles)])
     against.plot(ends, np.mean(together) + np.std(together) * ends, color=style.GREY, linewidth=0.7)
     against.set(xlabel="Quantile of the normal distribution", ylabel="Residual")
     if case:
         over.set_title(describe(analysis, case))
-    style.legend_beside(against, over.get_legend_handles_labels()[0])
+    style.legend_beside(against, [*over.get_lines()[:sets], *(against.get_lines()[:1] if sets > 1 else [])])
     return figure
 
 

@@ -7,7 +7,7 @@ import functools
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from . import style
+from . import envelopes, style
 from .axis_meaning import Meaning, Panel, note
 from .labels import Scale, quantity_label, scale_for, with_unit
 from .layout import layout_of, place_of, places
@@ -92,7 +92,11 @@ def draw_row(axes, motion: Motion, paths, time, recent, colours) -> Scale:
     signals = [motion.signal(path)[recent] for path in paths]
     scale = scale_for(motion.unit(paths[0]), *signals)
     for path, signal in zip(paths, signals):
-        axes.plot(time, signal / scale.factor, color=colours[owner(path)])
+        at = time
+        gap = path.replace("normal_force", "gap")
+        if gap != path and motion.has(gap):
+            at, signal, _ = envelopes.with_jumps(time, signal, motion.signal(gap)[recent])
+        envelopes.draw(axes, at, signal / scale.factor, color=colours[owner(path)])
     quantity = paths[0].split("/")[2:]
     label = "contact force" if quantity == ["normal_force"] else quantity_label(quantity[-1])
     axes.set_ylabel(scale.label(label[0].upper() + label[1:]))

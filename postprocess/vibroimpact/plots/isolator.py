@@ -74,13 +74,14 @@ def sets(analysis: Analysis):
     for name, text, line in (("b2", "$B_2$", "-"), ("b3_plus", "$B_3^+$", "--"),
                              ("b3_minus", "$B_3^-$", "-.")):
         axes.plot(first, values(analysis, f"set/{name}"), line, color=LEAST_STIFFNESS, label=text)
+    axes.axvline(0, color=LEAST_STIFFNESS, linewidth=2.5, label="$B_1$", clip_on=False)
     axes.plot(values(analysis, "hysteresis/alpha_1"), values(analysis, "hysteresis/alpha_2"),
               color=JUMP, label="$H$")
     for kind, text in REGION_NAMES.items():
         x, y = stops(analysis, kind, "alpha_1", "alpha_2")
         axes.plot(x, y, ".", color=style.GREY)
-        for at in zip(x, y):
-            axes.annotate(text, at, xytext=(4, -3), textcoords="offset points")
+        for at in zip(x, y):  # the curves rise: a name on the left of its point stands between them
+            axes.annotate(text, at, xytext=(-4, 1), textcoords="offset points", ha="right")
     mark_stops(axes, analysis, "alpha_1", "alpha_2")
     axes.set(xlim=(0, 1), ylim=(-1.15, 1), xlabel=ALPHAS[0], ylabel=ALPHAS[1])
     style.legend_beside(axes)

@@ -9,7 +9,7 @@ import numpy as np
 
 PREFIXES = [(1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M"), (1e9, "G")]
 TYPESET = {"m/s^2": "m/s²", "rad/s^2": "rad/s²", "N s": "N s"}
-# What the command line sets: Hz shown as rad/s; False for results of Units = dimensionless.
+# What the command line sets: Hz shown as rad/s; False for dimensionless results.
 SHOWN = {"angular": False, "units": True}
 
 
@@ -26,10 +26,10 @@ class Scale:
 
 def scale_for(unit: str, *arrays) -> Scale:
     """The prefix that brings the largest magnitude of the arrays between 1 and 1000."""
+    if unit == "Hz" and SHOWN["angular"]:
+        return Scale(1 / (2 * np.pi), "rad/s" if SHOWN["units"] else "")
     if unit == "1" or not SHOWN["units"]:
         return Scale(1.0, "")
-    if unit == "Hz" and SHOWN["angular"]:
-        return Scale(1 / (2 * np.pi), "rad/s")
     if not takes_prefix(unit):
         return Scale(1.0, typeset(unit))
     largest = max((np.nanmax(np.abs(a), initial=0.0) for a in map(finite, arrays)), default=0.0)

@@ -16,9 +16,9 @@ from .results import Analysis, Results
 
 TYPE = "locus"
 #        of `kind`: name, line, what there is on the side that `side` names
-KINDS = {1: ("fold", "-", "two motions\nmore"), 3: ("period doubling", "--", "period doubled"),
+KINDS = {1: ("fold", "-", "three solutions"), 3: ("period doubling", "--", "period doubled"),
          4: ("loss of symmetry", ":", "not symmetric"),
-         5: ("Neimark–Sacker", "-.", "quasi-periodic"), 6: ("graze", (0, (1, 1)), "contact")}
+         5: ("Neimark–Sacker", "-.", "quasi-periodic"), 6: ("grazing", (0, (1, 1)), "contact")}
 #        of `special/kind`
 SPECIAL = {1: ("cusp", "*"), 2: ("end on a grazing curve", "D")}
 TICKS = 24  # along a locus, towards its side
@@ -58,7 +58,7 @@ def plane_figure(layout: Layout):
     for case in layout.cases():
         found |= mark(axes, layout, case, keys, scales)
     explain(figure, [axes], layout,
-            kind_handles({locus["kind"] for locus in loci}) + special_handles(found))
+            kind_handles(layout, {locus["kind"] for locus in loci}) + special_handles(found))
     return figure
 
 
@@ -89,25 +89,8 @@ def draw(axes, layout: Layout, locus: dict, width: float) -> None:
         axes.plot([at[0], at[0] + side * TICK_LENGTH * width], [at[1], at[1]], color=colour,
                   linewidth=0.6, gid="side")
     if not layout.family:
-        name_region(axes, locus, colour, width)
-
-
-def name_region(axes, locus: dict, colour, width: float) -> None:
-    """Inside a locus that comes back to where a key ends, else beside its middle."""
-    x, y, text = locus["x"], locus["y"], KINDS[locus["kind"]][2]
-    look = {"color": colour, "fontsize": 9, "va": "center"}
-    if locus["kind"] == 1 and y[0] == y[-1]:
-        axes.fill(x, y, color=colour, alpha=0.12, linewidth=0)
-        tip = np.argmax(np.abs(y - y[0]))
-        height = y[0] + 0.3 * (y[tip] - y[0])
-        across = [part_x[np.argmin(np.abs(part_y - height))]
-                  for part_x, part_y in ((x[:tip + 1], y[:tip + 1]), (x[tip:], y[tip:]))]
-        axes.text(np.mean(across), height, text, ha="center", **look)
-        return
-    middle = len(x) // 2
-    side = locus["side"][middle] or 1
-    axes.text(x[middle] + 2 * side * TICK_LENGTH * width, y[middle], text,
-              ha="left" if side > 0 else "right", **look)
+        if kind == 1 and y[0] == y[-1]:  # comes back to where a key ends
+            axes.fill(x, y, color=colour, alpha=0.12, linewidth=0)
 
 
 def mark(axes, layout: Layout, case, keys, scales) -> set[int]:
@@ -126,9 +109,12 @@ def mark(axes, layout: Layout, case, keys, scales) -> set[int]:
     return {int(kind) for kind in kinds[np.isfinite(kinds)]}
 
 
-def kind_handles(found: set[int]) -> list[Line2D]:
-    return [Line2D([], [], color=style.GREY, linestyle=line, label=label)
-            for kind, (label, line, _) in KINDS.items() if kind in found]
+def kind_handles(layout: Layout, found: set[int]) -> list[Line2D]:
+    """What the ticks point at stands in the legend, where it hides no curve."""
+    colours = {kind: style.GREY if layout.family else style.COLOURS[place]
+               for place, kind in enumerate(sorted(KINDS))}
+    return [Line2D([], [], color=colours[kind], linestyle=line, label=f"{label};\nticks: {side}")
+            for kind, (label, line, side) in KINDS.items() if kind in found]
 
 
 def special_handles(found: set[int]) -> list[Line2D]:

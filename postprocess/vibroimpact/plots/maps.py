@@ -6,6 +6,7 @@ import functools
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.colors import ListedColormap
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.patheffects import Normal, Stroke
@@ -20,6 +21,7 @@ from .measures import sheets
 from .results import Analysis, Results
 
 LEVELS = 12
+BLANK = ListedColormap(["white"])  # of a map without a value
 MOST_LEVELS = 2  # level lines of more levels have a figure of their own
 FEW_POINTS = 20  # of a curve that shows each of them
 LEAST_ROWS = 8  # fewer curves than that are a family, no map
@@ -146,7 +148,8 @@ def draw_map(shown: Map, overlays: list[Derived], scale, ends=()):
     x, y = (coordinates(analysis, axis) / axis_scale(analysis, axis).factor for axis in shown.axes)
     values = np.ma.masked_invalid(shown.values / scale.factor)
     levels = MaxNLocator(LEVELS).tick_values(*(ends or ends_of(values)))
-    filled = axes.contourf(x, y, values.T, levels, cmap=style.SEQUENCE, extend="both" if ends else "neither")
+    filled = axes.contourf(x, y, values.T if values.count() else np.full(values.T.shape, levels[0]), levels,
+                           cmap=style.SEQUENCE if values.count() else BLANK, extend="both" if ends else "neither")
     if varies(values):
         lines = axes.contour(x, y, values.T, levels, colors="white", linewidths=0.4, alpha=0.7)
         axes.clabel(lines, levels[::2], fontsize=7, fmt="%g")
@@ -162,11 +165,14 @@ def draw_map(shown: Map, overlays: list[Derived], scale, ends=()):
 
 def varies(values) -> bool:
     """By more than rounding."""
-    return np.ptp(values) > 1e-9 * np.abs(values).max()
+    known = np.ma.compressed(values)
+    return bool(known.size) and np.ptp(known) > 1e-9 * np.abs(known).max()
 
 
 def ends_of(values) -> tuple[float, float]:
     """Of the colours; around values that are all the same."""
+    if not np.ma.count(values):
+        return 0.0, 1.0
     if varies(values):
         return values.min(), values.max()
     room = 0.05 * abs(values.max()) or 1.0

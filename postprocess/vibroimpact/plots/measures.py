@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from .labels import quantity_label, words
-from .results import Analysis
+from .results import Analysis, Array
 
 MAIN = ["peak_to_peak", "largest"]  # the first that is there is drawn
 PEAKS = [("largest", "largest magnitude"), ("maximum", "maximum"), ("minimum", "minimum")]
@@ -38,6 +39,8 @@ REGIME = [
     ("lyapunov/exponent", "Largest Lyapunov\nexponent"),
 ]
 ORDERS = 4
+ROUND_OFF = 1e-8  # of the largest value in a sheet
+TINY = {"m": 1e-13, "m/s": 1e-12, "rad": 1e-13}  # what rounding leaves of a motion that is not there
 
 
 @dataclass(frozen=True)
@@ -76,8 +79,46 @@ def sheets(analysis: Analysis, root: str, separate: bool) -> list[Sheet]:
               for name in derived if analysis.has(f"derived/{name}")
               and analysis.dimensions(f"derived/{name}") == analysis.axes]
     found += orders(analysis, root)
-    return [split(sheet) if separate else sheet for sheet in found
-            if any(panel.curves for panel in sheet.panels)]
+    shown = [without_rounding(analysis, split(sheet) if separate else sheet) for sheet in found]
+    return [sheet for sheet in shown if sheet.panels]
+
+
+def without_rounding(analysis: Analysis, sheet: Sheet) -> Sheet:
+    """Without curves that are zero, rounding beside others of the sheet in the same unit, or not there."""
+    largest = {path: magnitude(field_of(analysis, path)) for panel in sheet.panels for path, _ in panel.curves}
+    of_unit: dict[str, float] = {}
+    for path, size in largest.items():
+        unit = field_of(analysis, path).unit
+        of_unit[unit] = max(size, of_unit.get(unit, 0.0))
+
+    def shows(path):
+        array = field_of(analysis, path)
+        return largest[path] > ROUND_OFF * of_unit[array.unit] and largest[path] > TINY.get(array.unit, 0.0)
+
+    panels = [Panel(panel.label, [curve for curve in panel.curves if is_count(curve[0]) or shows(curve[0])])
+              for panel in sheet.panels]
+    return Sheet(sheet.name, sheet.title, [panel for panel in panels if panel.curves])
+
+
+def is_count(path: str) -> bool:
+    """Of periods or classes, where 0 is a finding."""
+    return "regime/" in path
+
+
+def field_of(analysis: Analysis, path: str) -> Array:
+    """A field; `path[k]` is component k of its last dimension."""
+    match = re.fullmatch(r"(.*)\[(\d+)\]", path)
+    if not match:
+        return analysis.read(path)
+    whole = analysis.read(match[1])
+    number = int(match[2])
+    missing = number >= whole.values.shape[-1]
+    values = np.full(whole.values.shape[:-1], np.nan) if missing else whole.values[..., number]
+    return Array(values, whole.unit)
+
+
+def magnitude(array: Array) -> float:
+    return np.nanmax(np.abs(array.values), initial=0.0)
 
 
 def dashed(name: str) -> str:

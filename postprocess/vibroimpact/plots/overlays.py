@@ -12,9 +12,9 @@ from matplotlib.lines import Line2D
 
 from . import style
 from .branch_curves import BALANCE, TYPES, key_of, pick, pieces
-from .curves import field_of
 from .errors import ResultError
 from .layout import DIRECTION, Layout, kept, title_of
+from .measures import field_of
 from .results import Analysis, Results
 
 MARKERS = {"forward": ">", "backward": "<"}

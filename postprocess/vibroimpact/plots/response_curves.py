@@ -6,21 +6,19 @@ from __future__ import annotations
 
 import functools
 
-import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from . import axis_meaning, style
 from .axis_meaning import Meaning, note
-from .curves import direction_handles, draw, field_of, finish
+from .curves import direction_handles, draw, finish
 from .labels import scale_for
 from .layout import LARGEST_FAMILY, Layout, family_of, layout_of
-from .measures import Panel, Sheet, sheets
+from .measures import Panel, Sheet, field_of, magnitude, sheets
 from .results import Analysis, Results
 
 CHARACTERS = ["not repeating", "periodic", "settling", "quasi-periodic", "chaotic", "not decided"]
 ORDER_RANGE = 1e-5  # smallest amplitude of an order that is shown, of the largest
-ROUND_OFF = 1e-8
 
 
 def figures(results: Results, analysis: Analysis):
@@ -39,7 +37,6 @@ def curve_figure(layout: Layout, sheet: Sheet):
     figure, panels = style.panels(count, height=2.6 if count == 1 else 1.9 if count < 4 else 1.5)
     for axes, panel in zip(panels, sheet.panels):
         draw_panel(axes, layout, panel, colours_of(sheet))
-    show_zeros(layout, panels, sheet)
     if sheet.title:
         panels[0].set_title(sheet.title)
     handles = direction_handles(layout)
@@ -86,24 +83,6 @@ def adapt_axis(axes, path: str, largest: float) -> None:
     elif "order_amplitude/" in path and largest > 0:
         axes.set_yscale("log")
         axes.set_ylim(largest * ORDER_RANGE, 3 * largest)
-
-
-def magnitude(array) -> float:
-    return np.nanmax(np.abs(array.values), initial=0.0)
-
-
-def show_zeros(layout: Layout, panels, sheet: Sheet) -> None:
-    """A mean that is round-off beside the other averages is shown as the zero it is."""
-    arrays = [field_of(layout.analysis, panel.curves[0][0]) for panel in sheet.panels]
-    if len({array.unit for array in arrays}) != 1:
-        return
-    largest = max(map(magnitude, arrays))
-    for axes, array in zip(panels, arrays):
-        if magnitude(array) < ROUND_OFF * largest:
-            for line in axes.get_lines():
-                line.set_ydata(np.asarray(line.get_ydata()) * 0.0)
-            axes.set_ylim(-1, 1)
-            axes.set_yticks([0])
 
 
 def curve_handles(sheet: Sheet) -> list[Line2D]:

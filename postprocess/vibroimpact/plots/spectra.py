@@ -106,8 +106,9 @@ def spectrogram(layout: Layout, root: str, path: str, case, direction: str):
     mesh = columns(axes, x, frequency / across.factor, amplitude / scale.factor)
     figure.colorbar(mesh, ax=axes, label=scale.label("Amplitude"), pad=0.015)
     order_lines(axes, x, frequency / across.factor, order)
-    axes.set_xlabel(layout.scale.label(axis_name(analysis, layout.along)))
-    axes.set_ylabel(across.label("Frequency"))
+    along = axis_name(analysis, layout.along)
+    axes.set_xlabel(layout.scale.label("Excitation frequency" if along == "Frequency" else along))
+    axes.set_ylabel(across.label("Frequency in the response"))
     axes.set_title(", ".join(filter(None, [what(path), case.text, direction])))
     swept = analysis.read(layout.along).unit
     note(axes, Panel(Meaning((layout.along,), swept, layout.scale),

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 import numpy as np
 
 ABRUPT = 0.1  # of the range of a curve: the least step that counts as a jump where none is recorded
-ABRUPT_RATIO = 6.0  # of it to the steps on either side
+ABRUPT_RATIO = 5.0  # of it to the steps on either side
 CHAOTIC = (0, 4, 5)  # values of regime/class: not repeating, chaotic, not decided
 JUMP = dict(linestyle=":", linewidth=0.8)
+UNSETTLED = dict(marker="o", fillstyle="none", markersize=2.6, markeredgewidth=0.7)
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,7 @@ def draw(axes, shown: Trace, colour, swapped: bool = False, **look) -> None:
         plot(shown.along[alone], line[alone], linestyle="", marker=".", markersize=2.5)
     if shown.loose.any():
         plot(shown.along[shown.loose], shown.values[shown.loose], linestyle="",
-             marker=look.get("marker", "o"), fillstyle="none", markersize=2.6, markeredgewidth=0.7)
+             **UNSETTLED)
     for a, b, at in shown.jumps if look.get("linestyle") else []:
         plot([shown.along[a], at, at, shown.along[b]],
              [shown.values[a], shown.values[a], shown.values[b], shown.values[b]],

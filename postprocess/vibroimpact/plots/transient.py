@@ -7,7 +7,7 @@ import functools
 import numpy as np
 from matplotlib.lines import Line2D
 
-from . import style
+from . import envelopes, style
 from .axis_meaning import Meaning, Panel, note
 from .cases import cases, explain
 from .histories import shade
@@ -90,13 +90,23 @@ def along_the_grid(analysis: Analysis, contact: str):
     return figure
 
 
-def draw(axes, analysis, x: Array, y: Array, x_scale, y_scale, shift=0.0) -> None:
+def draw(axes, analysis, x: Array, y: Array, x_scale, y_scale) -> None:
     for case in cases(analysis):
         axes.plot(
-            (of_case(x, analysis, case.index) - shift) / x_scale.factor,
+            of_case(x, analysis, case.index) / x_scale.factor,
             of_case(y, analysis, case.index) / y_scale.factor,
             color=case.colour,
         )
+
+
+def draw_history(axes, analysis: Analysis, path: str, x_scale, y_scale) -> None:
+    gap = path.replace("normal_force", "gap")
+    for case in cases(analysis):
+        time, values = (of_case(analysis.read(name), analysis, case.index) for name in ("time", path))
+        if gap != path and analysis.has(gap):
+            time, values, _ = envelopes.with_jumps(time, values,
+                                                   of_case(analysis.read(gap), analysis, case.index))
+        envelopes.draw(axes, time / x_scale.factor, values / y_scale.factor, color=case.colour)
 
 
 def histories(analysis: Analysis, rows: list[tuple[str, str]], title: str, peaks=None):
@@ -113,7 +123,7 @@ def histories(analysis: Analysis, rows: list[tuple[str, str]], title: str, peaks
         if marked:
             handles.append(draw_peaks(axes, analysis, peaks, time_scale, scale))
         if not marked or shows_contacts(analysis, path):
-            draw(axes, analysis, time, field, time_scale, scale)
+            draw_history(axes, analysis, path, time_scale, scale)
         axes.set_ylabel(scale.label(label))
         note(axes, Panel(Meaning(("time",), time.unit, time_scale), Meaning((path,), field.unit, scale)))
     panels[0].set_title(title)
