@@ -146,5 +146,26 @@ TEST(EventsTest, RoundingOfAGapBetweenFallingMasses) {
   }
 }
 
+// A falling mass is bounded by no oscillation, so that both stops lie within the first ten
+// thousandth of the time that is looked at at once.
+TEST(EventsTest, AFallingMassMeetsTheNearerOfTwoStops) {
+  const double weight = 9.81, speed = 0.0081;
+  Model model({single_mass("block", 4.3, 0, 0)});
+  testing::add_weight(model, weight, {0});
+  for (const double nearer : {0.0175351404482591, 0.03, 0.04, 0.0408444}) {
+    const auto soft = std::make_shared<LinearPenalty>(35);
+    const ContactSet contacts({contact_along_x(model, "block.head", "", 0.0408444504194515, soft),
+                               contact_along_x(model, "block.head", "", nearer, soft)});
+    Trajectory trajectory(model, contacts, Settings());
+    Changes changes;
+    trajectory.start(0, Vector::Zero(1), Vector::Constant(1, speed));
+    const double expected = 2 * nearer / (speed + std::sqrt(speed * speed + 2 * weight * nearer));
+    trajectory.advance(0.0915, changes);
+    ASSERT_EQ(changes.list.size(), 2U) << nearer;
+    EXPECT_EQ(changes.list[0].contact, 1U) << nearer;
+    EXPECT_NEAR(changes.list[0].time, expected, 1e-14) << nearer;
+  }
+}
+
 } // namespace events_tests
 } // namespace vibroimpact::motion

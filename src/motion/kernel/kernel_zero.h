@@ -96,6 +96,7 @@ inline Zero polynomial_zero(int guard, int r, const double *b, unsigned low, dou
   double lower = 0;
   double upper = 1;
   double slope = 0;
+  bool settled = false;
   const Polynomial polynomial(b, r);
   for (int i = 0; i < 30; ++i) {
     double p = 0;
@@ -107,10 +108,15 @@ inline Zero polynomial_zero(int guard, int r, const double *b, unsigned low, dou
       next = 0.5 * (lower + upper);
     const double moved = next > x ? next - x : x - next;
     x = next;
-    if (moved < 3e-3) // the next one would be its cube
+    // What is left is its cube over the square of slope / bend, the distance at which the slope
+    // vanishes, which is short where the zero lies in a small part of a long piece.
+    const double larger =
+        __builtin_fabs(bend) > __builtin_fabs(slope) ? __builtin_fabs(bend) : __builtin_fabs(slope);
+    settled = moved * larger < 3e-3 * __builtin_fabs(slope);
+    if (settled)
       break;
   }
-  const double zone = slope < 0 ? -e / slope : 1;
+  const double zone = settled && slope < 0 ? -e / slope : 1;
   return {.guard = guard, .tau = x, .zone = zone};
 }
 
