@@ -21,6 +21,9 @@ Index count_converged(const RitzPairs &pairs) {
          pairs.residuals.begin();
 }
 
+/// A gap of ten times the residual behind it: the angle between the vectors in front of it and the
+/// invariant subspace is then below residual / gap = 0.1 at most (Davis and Kahan's sine theorem),
+/// so that no eigenvalue stands on the wrong side of it.
 /// Number of converged pairs in front of the first gap at or after number `count`; 0 when there is
 /// none yet.
 Index converged_group(const RitzPairs &pairs, Index count) {

@@ -45,17 +45,11 @@ void BranchFollower::enter(Task &task) {
 
 continuation::End BranchFollower::follow(const Task &task) {
   sink_.begin(task.number, task.halves, task.sign);
-  progress_.begin(task.start.point.keys[0]);
-  bool first = task.sign > 0 || rule_.directions == Directions::backward;
+  const bool with_start = task.sign > 0 || rule_.directions == Directions::backward;
   const Branch branch = continuation::follow(
       *task.problem, task.start, rule_.continuation,
-      {.point =
-           [&](const BranchPoint &point) {
-             note_(progress_.at(point.point.keys[0], static_cast<double>(tasks_.size())));
-             if (first)
-               sink_.add(point);
-             first = true; // the start of the second direction is there already
-           },
+      {.point = progress_.part(task.start.point, with_start, static_cast<double>(tasks_.size()),
+                               [&](const BranchPoint &point) { sink_.add(point); }),
        .special = [&](const SpecialPoint &special) { sink_.add(special); }},
       steps_);
   sink_.end(branch);

@@ -39,8 +39,8 @@ public:
   /// may throw to end the run. What the steps give is kept in the record, if there is one.
   BranchFollower(Rule rule, BranchSink &sink, std::function<void(double share)> note,
                  StepRecord *steps = nullptr)
-      : rule_(std::move(rule)), sink_(sink), note_(std::move(note)), steps_(steps),
-        progress_(rule_.continuation.first_key) {}
+      : rule_(std::move(rule)), sink_(sink), steps_(steps),
+        progress_(rule_.continuation.first_key, 0, std::move(note)) {}
 
   /// From a solution that continuation::solve() has found; `halves` as for BranchSink::begin().
   void run(const std::shared_ptr<continuation::Problem> &problem, long halves,
@@ -63,7 +63,6 @@ private:
 
   Rule rule_;
   BranchSink &sink_;
-  std::function<void(double share)> note_;
   StepRecord *steps_;
   std::list<Task> tasks_;
   long branches_ = 0;

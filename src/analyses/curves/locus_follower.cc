@@ -184,16 +184,12 @@ void LocusFollower::follow_both_ways(const LocusOrigin &origin) {
 }
 
 End LocusFollower::follow(OrbitProblem &problem, const LocusStart &start) {
-  bool first = start.forward;
-  progress_.begin(start.point.keys[1]);
-  const auto add = [&](const LocusPoint &point) {
-    note_(progress_.at(point.point.keys[1], left_));
-    if (first)
-      table_.add(point);
-    first = true; // the start of the second direction is there already
-  };
-  Locus locus =
-      continuation::follow_locus(problem, start, settings_, {.point = add, .special = {}}, steps_);
+  Locus locus = continuation::follow_locus(
+      problem, start, settings_,
+      {.point = progress_.part(start.point, start.forward, left_,
+                               [&](const LocusPoint &point) { table_.add(point); }),
+       .special = {}},
+      steps_);
   table_.end(locus);
   progress_.finish();
   --left_;

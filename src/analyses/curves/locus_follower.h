@@ -46,7 +46,7 @@ public:
                 LocusTable &table, std::size_t origins, std::function<void(double share)> note,
                 StepRecord *steps)
       : maps_(maps), sizes_(std::move(sizes)), second_(second), settings_(settings), table_(table),
-        note_(std::move(note)), steps_(steps), progress_(settings.second_key),
+        steps_(steps), progress_(settings.second_key, 1, std::move(note)),
         left_(2 * static_cast<double>(origins)) {}
 
   /// In both directions, unless a locus so far passes this point.
@@ -62,15 +62,13 @@ private:
   bool passed(const LocusOrigin &origin, const continuation::LocusStart &start) const;
   continuation::LocusStart start_at(const LocusOrigin &origin,
                                     periodic::OrbitProblem &problem) const;
-  continuation::End follow(periodic::OrbitProblem &problem,
-                                const continuation::LocusStart &start);
+  continuation::End follow(periodic::OrbitProblem &problem, const continuation::LocusStart &start);
 
   KeyedMap &maps_;
   Vector sizes_;
   double second_;
   continuation::Settings settings_;
   LocusTable &table_;
-  std::function<void(double share)> note_;
   StepRecord *steps_;
   CurveProgress progress_;
   double left_; ///< parts, two of each locus

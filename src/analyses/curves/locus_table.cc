@@ -9,8 +9,8 @@
 
 namespace vibroimpact::analyses {
 
-using continuation::Locus;
 using continuation::End;
+using continuation::Locus;
 using continuation::LocusKind;
 using continuation::LocusPoint;
 using continuation::LocusSpecial;

@@ -16,7 +16,8 @@ constexpr double first_step = 0.1;
 constexpr double exact = 1e-11;       // what is left of the way
 constexpr double motion_error = 1e-7; // steps below may be the error of the motion itself
 constexpr double same_state = 1e-7;   // of two periods of one motion
-// From one step to the next, at most; where more than the second one, J is made anew.
+// From one step to the next, at most, so that 1 / (1 - 0.3) = 1.4 times the next step is left of
+// the way; where more than the second one, J is made anew.
 constexpr double shrinkage = 0.3, slow = 0.1;
 constexpr long most_maps = 12;
 constexpr double stable = 1 - 1e-6; // largest multiplier

@@ -11,6 +11,9 @@ namespace vibroimpact::motion {
 
 namespace {
 
+// What goes with the power p of a key differs in both derivatives by (p - 1)(p - 2) / 6 h^2 with
+// neighbours at both sides, by twice that with those at one side: 2.4e-5 for p = 10 at h = 1e-3,
+// where a kink at the present value changes it by its jump of the slope over the slope.
 constexpr double smooth = 3e-5;
 
 void append(const contact::AffineForm &form, std::vector<double> &list) {
