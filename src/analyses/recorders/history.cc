@@ -9,11 +9,12 @@ namespace vibroimpact::analyses {
 namespace {
 constexpr const char *history_section = "History";
 constexpr double most_samples = 1e8;
+const std::vector<std::string> more_kinds = {"connection_force"};
 } // namespace
 
 History::History(Settings settings, const System &system)
     : settings_(std::move(settings)), observables_(observables(settings_.selection, system)) {
-  if (settings_.selection.has("connection_force"))
+  if (settings_.selection.has(more_kinds.front()))
     for (Observable &force : connection_forces(system.model))
       observables_.push_back(std::move(force));
   put_forces_last(observables_);
@@ -22,7 +23,7 @@ History::History(Settings settings, const System &system)
 void History::declare(parameters::Section &analysis) {
   using namespace parameters;
   Section &section = analysis.subsection(history_section, "The recorder of time histories.");
-  declare_selection_of_quantities(section);
+  declare_selection_of_quantities(section, more_kinds);
   section
       .integer("Samples per period", "200", Range{.lower = 2, .upper = 1e6}, "",
                "Samples in each period of the excitation.")
@@ -34,7 +35,7 @@ void History::declare(parameters::Section &analysis) {
 RecorderFactory History::create(const parameters::Values &analysis) {
   const parameters::Values section = analysis.subsection(history_section);
   const Settings settings{
-      .selection = read_selection_of_quantities(section),
+      .selection = read_selection_of_quantities(section, more_kinds),
       .samples_per_period = section.integer("Samples per period"),
       .interval = section.has("Sampling interval") ? section.quantity("Sampling interval") : 0};
   return [section, settings](const System &system) {

@@ -220,22 +220,33 @@ std::vector<std::string> chosen(const parameters::Values &values, const std::str
 
 } // namespace
 
-void declare_selection_of_quantities(parameters::Section &section) {
+namespace {
+
+std::vector<std::string> with_quantities(std::vector<std::string> more) {
+  more.insert(more.begin(), quantity_kinds.begin(), quantity_kinds.end());
+  return more;
+}
+
+} // namespace
+
+void declare_selection_of_quantities(parameters::Section &section,
+                                     const std::vector<std::string> &more) {
   std::string list;
-  for (const std::string &kind : quantity_kinds)
+  for (const std::string &kind : with_quantities(more))
     list += ", " + kind;
   section.names("Points", "all", "Points that are observed: all, or their names as BODY.POINT.")
       .names("Quantities", "all",
              "What is observed: all, or some of" + list.substr(1) +
                  ". stop: internal states of contact laws, such as the deformation of a stop; "
-                 "rotor: speed, torque and current; connection_force: in histories only.");
+                 "rotor: speed, torque and current.");
 }
 
-ObservedSelection read_selection_of_quantities(const parameters::Values &section) {
+ObservedSelection read_selection_of_quantities(const parameters::Values &section,
+                                               const std::vector<std::string> &more) {
   ObservedSelection selection{.points = without_all(section.names("Points")),
                               .kinds = without_all(section.names("Quantities"))};
   for (const std::string &kind : selection.kinds)
-    section.require_known("Quantities", kind, quantity_kinds);
+    section.require_known("Quantities", kind, with_quantities(more));
   return selection;
 }
 

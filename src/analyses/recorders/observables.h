@@ -85,10 +85,12 @@ void put_forces_last(std::vector<Observable> &list);
 /// Is a contact in a mode that counts as contact?
 bool in_contact(const motion::StepView &view, std::size_t contact);
 
-/// Declares the keys Points and Quantities.
-void declare_selection_of_quantities(parameters::Section &section);
+/// Declares the keys Points and Quantities; `more`: kinds beside those of observables().
+void declare_selection_of_quantities(parameters::Section &section,
+                                     const std::vector<std::string> &more = {});
 /// InputError for kinds that do not exist.
-ObservedSelection read_selection_of_quantities(const parameters::Values &section);
+ObservedSelection read_selection_of_quantities(const parameters::Values &section,
+                                               const std::vector<std::string> &more = {});
 /// Refuses names of points that the model does not have. InputError.
 void check_points(const ObservedSelection &selection, const System &system,
                   const parameters::Values &section);
