@@ -13,8 +13,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-PAGES = ("README.md", "CONTRIBUTING.md", "docs/*.md", "docs/developer/*.md", "docs/tutorials/*.md")
-OTHERS = {"parameters.md", "architecture.md"}  # the first is made of the sources
+PLACES = ("README.md", "CONTRIBUTING.md", "docs/*.md", "docs/developer/*.md", "docs/gallery/*.md", "docs/tutorials/*.md",
+          "src/**/*.cc", "src/**/*.h")
+OTHERS = {"parameters.md"}  # made of the sources
 # A pattern, in which a blank stands for any white space, and what to write instead.
 WORDS = (
     (r"strikes? each other|strikes? a stop", "collide, impact"),
@@ -117,7 +118,7 @@ def self_test():
 def main():
     if sys.argv[1] == "--self-test":
         return self_test()
-    found = list(violations(Path(sys.argv[1]).resolve(), sys.argv[2:] or PAGES))
+    found = list(violations(Path(sys.argv[1]).resolve(), sys.argv[2:] or PLACES))
     print("\n".join(found) or "no phrase of the list")
     return 1 if found else 0
 

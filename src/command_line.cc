@@ -126,7 +126,7 @@ CommandLine parse_command_line(int argc, char **argv) {
 
 std::string usage() {
   std::ostringstream text;
-  text << "vibroimpact: vibrating structures that hit each other or a stop\n\n"
+  text << "vibroimpact: vibro-impact dynamics of structures\n\n"
           "  vibroimpact FILE [options] [--petsc PETSC OPTIONS]\n"
           "  mpirun -np 2 vibroimpact FILE [options]\n"
           "  vibroimpact --resume DIR [FILE]\n\n"

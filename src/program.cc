@@ -109,9 +109,9 @@ int run(const CommandLine &line) {
   const analyses::RunSummary summary = simulation.run(options);
   const std::string folder = options.folder.string();
   if (summary.unbalanced > 0)
-    log::warning("the energy balance of " + std::to_string(summary.unbalanced) +
-                 " points does not close; unbalanced and energy_residual in results.h5 say which "
-                 "and by how much. A smaller Relative tolerance helps, with another Method than "
+    log::warning("the energy balance is not closed at " + std::to_string(summary.unbalanced) +
+                 " points; energy_residual in results.h5 shows where and by how much. A smaller "
+                 "Relative tolerance helps, with another Method than "
                  "exact also a smaller Absolute tolerance; where neither does, compare with "
                  "Method = rk.");
   if (summary.interrupted) {

@@ -90,7 +90,7 @@ template <class... Values> std::string packed(const Values &...values) {
 /// Bytes that break off, or cannot be those of the values asked for.
 class BytesError : public std::runtime_error {
 public:
-  explicit BytesError(const std::string &what = "bytes are missing, or are not of what they tell")
+  explicit BytesError(const std::string &what = "bytes are missing or do not match their header")
       : runtime_error(what) {}
 };
 

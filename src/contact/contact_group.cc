@@ -170,8 +170,8 @@ double clearance_between(const Values &contact, const Vector3 &a, const Vector3 
     contact.reject("Between", "must be sides that do not overlap, but the nodes at " + at(a) +
                                   " and " + at(b) + " begin with a clearance of " +
                                   length(clearance) +
-                                  " (Direction points from the first side to the second, Offset "
-                                  "is taken off); if a prestress is meant, it needs Prestressed = "
+                                  " (Direction points from the first side to the second, Offset is "
+                                  "subtracted); if a prestress is meant, it needs Prestressed = "
                                   "true.");
   return clearance;
 }
@@ -262,10 +262,10 @@ void declare_pairing(parameters::Section &contact) {
       .choice("Normal", "direction", {"direction", "joining line"},
               "Contact normal of a pair of two interfaces: Direction, or the line from its first "
               "node to its second.")
-      .quantity(
-          "Offset", "0 m", dimension::length, range::any, "",
-          "Taken off the distance of two nodes along the normal, which gives the clearance of "
-          "a pair without the key Clearance: half the thickness of both shells.");
+      .quantity("Offset", "0 m", dimension::length, range::any, "",
+                "Subtracted from the distance of two nodes along the normal, which gives the "
+                "clearance of "
+                "a pair without the key Clearance: half the thickness of both shells.");
 }
 
 void refuse_pairing_keys(const parameters::Values &contact) {

@@ -149,7 +149,7 @@ void declare_contacts(parameters::Section &root) {
   using namespace parameters;
   Section &contact = root.named_subsection(
       "Contact", "Two points that can touch, or a point and a fixed stop, or many such pairs. The "
-                 "gap is clearance + (u_b - u_a) . n; the force pushes the two apart.");
+                 "gap is clearance + (u_b - u_a) . n; the force is repulsive.");
   contact
       .names(
           "Between", "",
@@ -176,7 +176,7 @@ void declare_contacts(parameters::Section &root) {
                 "Instead of the key Stiffness of a law: this multiple of the static stiffness with "
                 "which both sides together resist a force between them.")
       .quantity("Least flexibility share", "0.9", dimension::none, range::fraction, "",
-                "There is a warning when the kept modes carry less than this share of the static "
+                "There is a warning when the kept modes hold less than this fraction of the static "
                 "displacement that a force at the contact causes: a measure for quasi-static "
                 "contacts, not for impacts.")
       .quantity("Largest impact error", "0.02", dimension::none, range::positive, "",

@@ -85,7 +85,7 @@ private:
       return (u - behind->graze).norm() < same;
     });
     if (returns >= most_returns) {
-      end(End::graze, "the branch returns to the graze of " + behind->guard + " again and again");
+      end(End::graze, "the branch returns repeatedly to the grazing contact of " + behind->guard);
       return true;
     }
     if (!behind->special)

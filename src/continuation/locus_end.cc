@@ -33,7 +33,7 @@ private:
     if (open_ || at.touch == Touch::smooth)
       return matrix;
     if (at.touch == Touch::square_root || at.jump.size() == 0)
-      throw NumericalError("derivatives have no limit behind this graze");
+      throw NumericalError("derivatives have no limit beyond this grazing motion");
     return matrix + at.jump * at.gradient.head(n);
   }
 

@@ -198,7 +198,7 @@ std::unique_ptr<LocusEquation> make_equation(const ScaledProblem &problem, const
   const double chart = start.point.chart;
   if (start.kind != LocusKind::graze && !problem.problem().is_map() &&
       start.kind != LocusKind::fold)
-    throw std::logic_error("without a map there are loci of folds and grazes only");
+    throw std::logic_error("without a map there are loci of folds and grazing motions only");
   switch (start.kind) {
   case LocusKind::fold:
     return std::make_unique<SingularJacobian>(problem, 1, at, chart);
@@ -208,7 +208,7 @@ std::unique_ptr<LocusEquation> make_equation(const ScaledProblem &problem, const
     return std::make_unique<UnitModulus>(problem, at);
   case LocusKind::graze:
     if (!start.graze)
-      throw std::logic_error("a locus of grazes begins at a graze");
+      throw std::logic_error("a grazing locus begins at a grazing motion");
     return std::make_unique<TouchingGuard>(problem, *start.graze);
   }
   throw std::logic_error("a locus of no kind");

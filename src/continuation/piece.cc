@@ -42,7 +42,7 @@ Piece::Piece(const ScaledProblem &problem, const Settings &settings, Node begin,
     : problem_{problem}, settings_{settings}, begin_{std::move(begin)}, end_{std::move(end)},
       path_{begin_.u, begin_.tangent, end_.u, end_.tangent} {
   if (begin_.chart != end_.chart)
-    throw std::logic_error("the ends of a piece have different charts");
+    throw std::logic_error("the ends of a segment have different charts");
 }
 
 Piece::Piece(const ScaledProblem &problem, const Settings &settings, Node begin, Node end,

@@ -7,7 +7,7 @@ Transfer Problem::transfer(const Point &, double) {
 }
 
 Extension Problem::extend(const Point &, const Graze &) {
-  throw std::logic_error("this problem has no grazes");
+  throw std::logic_error("this problem has no grazing motions");
 }
 
 } // namespace vibroimpact::continuation

@@ -118,7 +118,7 @@ double minimum_near(const StroboscopicMap &map, const StroboscopicMap &open, dou
       best = instant;
   }
   if (std::isnan(best))
-    throw NumericalError("the guard of a contact has no minimum where it is to graze");
+    throw NumericalError("the guard of a contact has no minimum at the grazing contact");
   return best;
 }
 

@@ -32,7 +32,7 @@ void declare_geometry(Section &body) {
       .integer("Elements", "40", Range{.lower = 1, .upper = 1e4}, "",
                "Number of equal elements along Line. Where nodes must lie elsewhere too (a "
                "Position, the "
-               "ends of a Member), the pieces between them have equal elements that are no longer.")
+               "ends of a Member), the parts between them have equal elements that are no longer.")
       .quantities("Orientation", "", dimension::none, range::any, "",
                   "Direction of the local y axis, the first dimension of the cross-section; only "
                   "its part normal to the beam counts. Without it: global y, or global z for "
@@ -155,8 +155,8 @@ void declare_modes(Section &body) {
       .names(
           "Attachments", "",
           "Places as POINT.x, POINT.y or POINT.z, or INTERFACE.x and so on for all its nodes: the "
-          "static answer to a force there is kept beside the normal modes, as far as they lack "
-          "it (residual attachment modes).")
+          "static response to a force there, less the part of the normal modes, is kept beside "
+          "them (residual attachment modes).")
       .choice("Reduction", "free interface", {"free interface", "fixed interface"},
               "free interface: normal modes of the body as it is, and residual attachment modes; "
               "fixed interface: normal modes of the body held at its Attachments, and its static "

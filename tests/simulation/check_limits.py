@@ -216,7 +216,7 @@ end
                                 "Integration/Relative tolerance=1e-13", "--set",
                                 "Integration/Absolute tolerance=1 km", "--set",
                                 "Integration/Maximum step=0.05 s")
-        self.assertIn("does not close", text)
+        self.assertIn("is not closed", text)
         self.assertGreater(np.count_nonzero(self.read(out, "unbalanced")), 0)
         self.assertIn("analysis.cases.unbalanced_points", (out / "summary.txt").read_text())
         # What is advised helps.

@@ -27,7 +27,7 @@ void declare_basin_search(parameters::Section &section) {
   using namespace parameters;
   section
       .integer("Most periods", "2000", Range{.lower = 1, .upper = 1e9}, "",
-               "Forcing periods after which a start is left undecided.")
+               "Forcing periods after which an initial condition is left unassigned.")
       .integer("Longest period", "16", Range{.lower = 1, .upper = 1000}, "",
                "Longest repetition of a motion that is looked for, in forcing periods.")
       .text("Excitation", "",

@@ -224,7 +224,7 @@ void Basins::add_cells(const FieldWriter &result, std::vector<double> marks,
   result.series(
       "cell/attractor", axis, std::move(marks), "1",
       "motion that the cell leads to, counted from 0 in the order of attractors/state; -1 not "
-      "caught within the periods, -2 no motion, -3 a motion that Coarse cells have not met");
+      "caught within the periods, -2 no motion, -3 a motion that Coarse cells have not found");
   result.series("cell/periods", axis, std::move(periods), "1",
                 "forcing periods until the cell was decided");
 }

@@ -73,7 +73,8 @@ void add_character(const FieldWriter &result, const BilinearMotion &motion,
   of.number("closing_phase", motion.closing_phase, "rad", "phase of the excitation at closing");
   of.number("approach_speed/maximum", motion.approach_speed, "m/s", "rate of the gap at closing");
   result.number("largest_multiplier", motion.largest_multiplier, "1",
-                "largest modulus of what small deviations are multiplied by in each period");
+                "largest modulus of largest modulus of the multipliers: growth of small "
+                "perturbations over a period");
   result.number("stable", motion.largest_multiplier < 1 ? 1 : 0, "1",
                 "1 when the largest multiplier is smaller than 1");
 }

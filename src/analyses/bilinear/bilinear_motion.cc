@@ -157,7 +157,7 @@ double largest_multiplier(const TiedSystem &system, const Vector &before,
 
 std::string objection(const TiedSystem &system, const BilinearMotion &motion, std::size_t samples) {
   if (motion.closes && !(motion.approach_speed > 0))
-    return "the sides part where the contact closes";
+    return "the sides separate where the contact closes";
   if (motion.closes && motion.contact_angle == 0 && system.force().dot(motion.closed_start) > 0)
     return "the contact opens although it pushes";
   const FormRange gap = ranges(system, motion, {system.gap()}, false, samples)[0];

@@ -29,7 +29,7 @@ constexpr Coded<End> branch_ends[] = {
     {End::shorter_return, 3, "it falls onto motions of a smaller multiple"},
     {End::least_step, 4, "least step"},
     {End::most_points, 5, "most points"},
-    {End::graze, 6, "a graze it returns to again and again"},
+    {End::graze, 6, "returns repeatedly to the same grazing motion"},
     {End::far, 7, "the motion grows beyond all measure"}};
 
 } // namespace

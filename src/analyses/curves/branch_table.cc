@@ -64,7 +64,7 @@ void BranchTable::note_enclosed(const SpecialPoint &special) {
   width << special.width << (parameter_.unit == "1" ? "" : " " + parameter_.unit);
   rows_.remark("the contact changes are others from " + rows_.at(special.at.point.keys) +
                " on, or up to " + width.str() +
-               " before it, without a graze that could be located");
+               " before it, without a grazing motion that could be located");
 }
 
 void BranchTable::end(const continuation::Branch &branch) {

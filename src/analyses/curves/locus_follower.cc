@@ -138,7 +138,7 @@ LocusStart LocusFollower::start_at(const LocusOrigin &origin, OrbitProblem &prob
   if (start.kind == LocusKind::graze) {
     start.graze = graze_like(problem, start.point, origin.special.graze);
     if (!start.graze)
-      throw NumericalError("no contact is about to graze there");
+      throw NumericalError("no contact is near grazing there");
   }
   return start;
 }

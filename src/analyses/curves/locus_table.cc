@@ -97,9 +97,10 @@ PointResult LocusTable::values_of(const LocusPoint &point) const {
   row.number("multiplier_angle", angle_of(point, kind_number_, orbit.section), "rad",
              "argument of the pair of multipliers of modulus 1; Neimark-Sacker only");
   row.number("side", point.side, "1",
-             "1 or -1: the side, by the first key, on which there are two motions more (fold), the "
-             "multiplier is outside the unit circle, or the contact touches (graze)");
-  row.number("contact_changes", changes, "1", "contact changes of the motion, a graze among them");
+             "1 or -1: the side, by the first key, with two additional motions (fold), the "
+             "multiplier is outside the unit circle, or contact occurs (grazing)");
+  row.number("contact_changes", changes, "1",
+             "contact changes of the motion, grazing contacts included");
   const PointResult motion = orbits_.of(point.point.keys, orbit);
   values.fields.insert(values.fields.end(), motion.fields.begin(), motion.fields.end());
   return values;

@@ -11,8 +11,8 @@ namespace {
 struct OrbitLabels {
   Label real{"multiplier_real",
              "1",
-             "real part of the multipliers of the periodic motion: what small deviations of the "
-             "state are multiplied by until it repeats itself, the largest first",
+             "real part of the multipliers of the periodic motion: eigenvalues of the "
+             "map of small perturbations over a period, the largest first",
              {"multiplier"}};
   Label imaginary{"multiplier_imaginary", "1", "imaginary part of the multipliers", {"multiplier"}};
   Label stable{"stable", "1", "1 when all multipliers are smaller than 1 in absolute value"};
@@ -26,9 +26,10 @@ struct OrbitLabels {
               "phase of the forcing, as a share of its period, at which the motion was cut, away "
               "from contact changes"};
   Label iterations{"newton_iterations", "1", "iterations of Newton's method for the motion"};
-  Label without{"events_without_derivative", "1",
-                "contact changes of the motion that have no derivative, such as grazes; where "
-                "there are any, the multipliers are of no use"};
+  Label without{
+      "events_without_derivative", "1",
+      "contact changes of the motion that have no derivative, such as grazing contacts; where "
+      "there are any, the multipliers are of no use"};
   Label settled{"settled_multiple", "1",
                 "forcing periods after which the settled motion repeated itself that Newton's "
                 "method began with; 0 where it was not seen to repeat itself within Longest "

@@ -36,7 +36,7 @@ double call(unsigned n, const double *x, double * /*gradient*/, void *data) {
 
 void require(nlopt_result result) {
   if (result < 0)
-    throw std::logic_error("NLopt refuses what it is asked for: " +
+    throw std::logic_error("NLopt rejected its arguments: " +
                            std::string(nlopt_result_to_string(result)));
 }
 

@@ -69,7 +69,7 @@ Impacts::Labels::Labels(const std::string &contact)
       impacts_per_period("contact/" + contact + "/impacts_per_period", "1",
                          "impacts begun per forcing period"),
       contact_fraction("contact/" + contact + "/contact_fraction", "1",
-                       "share of the recorded window in contact"),
+                       "contact fraction: part of the recorded window in contact"),
       chatters("contact/" + contact + "/chatters", "1",
                "infinite sequences of rigid impacts that were completed in the recorded window"),
       approach_speed("contact/" + contact + "/approach_speed", "m/s",

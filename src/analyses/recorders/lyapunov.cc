@@ -104,11 +104,10 @@ void LyapunovRecorder::declare(parameters::Section &analysis) {
       .integer("Exponents", "1", Range{.lower = 0, .upper = 1e6}, "n",
                "Number of exponents, the largest first; 0: one for each physical state "
                "(coordinates, velocities, internal states of contacts, torques).")
-      .quantity(
-          "Discarded share", "0.1", dimension::none,
-          Range{.lower = 0, .upper = 1, .upper_open = true}, "",
-          "Share of the window at its start that lets the deviations turn into the directions "
-          "of largest growth and does not count.")
+      .quantity("Discarded share", "0.1", dimension::none,
+                Range{.lower = 0, .upper = 1, .upper_open = true}, "",
+                "Share of the window at its start discarded at the start of the window, while "
+                "perturbations align with the directions of largest growth.")
       .integer("Blocks", "10", Range{.lower = 2, .upper = 1e6}, "",
                "Blocks whose means give the standard error; each should be longer than the motion "
                "remembers.")
@@ -151,7 +150,8 @@ void LyapunovRecorder::add_fields(const FieldWriter &result) const {
   listed.number("tangential_events", static_cast<double>(exponents_.tangential_events()), "1",
                 "contact changes whose instant has no derivative; passed as if fixed");
   listed.number("mean_divergence", exponents_.mean_divergence(), "1/s",
-                "mean growth of the volume of all deviations, which is the sum of all exponents");
+                "mean growth rate of the volume of all perturbations (mean divergence), which is "
+                "the sum of all exponents");
   if (period_ > 0)
     listed.number("exponent_per_period", exponent * period_, "1",
                   "largest Lyapunov exponent times the forcing period");

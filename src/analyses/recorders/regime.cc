@@ -45,8 +45,8 @@ void RegimeRecorder::declare(parameters::Section &analysis) {
                   "peak-to-peak range of each during the window.",
                   0, 1000000)
       .boolean("Exponent", "true",
-               "Compute the largest Lyapunov exponent, which tells quasi-periodic from chaotic "
-               "motions.")
+               "Compute the largest Lyapunov exponent, which distinguishes quasi-periodic from "
+               "chaotic motions.")
       .quantity("Exponent threshold", "0.02", dimension::none, range::positive, "",
                 "Exponent times forcing period above which a motion counts as chaotic.");
 }

@@ -139,7 +139,7 @@ void WaveletRecorder::add_fields(const FieldWriter &result) const {
   std::transform(scales.begin(), scales.end(), std::back_inserter(edge),
                  [decay](double frequency) { return decay / frequency; });
   result.series("wavelet_edge", "scale_frequency", edge, "s",
-                "closer to the ends of the record its end shows");
+                "closer to the ends of the record edge effects are present");
   for (std::size_t s = 0; s < signals_.size(); ++s) {
     const WaveletTransform transform(settings_.wavelet, samples_.values(s), settings_.interval,
                                      scales.front());

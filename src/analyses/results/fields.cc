@@ -46,7 +46,7 @@ struct AccuracyLabels {
       stepped("fast", "a mode turned too far within it"),
       stepped("shape", "the force was no single hump, or too coarse with the most nodes"),
       stepped("neighbour", "another contact might have changed within it"),
-      stepped("shallow", "its two instants, or its release, could not be told apart"),
+      stepped("shallow", "its two instants, or its release, could not be distinguished"),
       stepped("pause", "one shortly before was left for its shape or a fast mode")};
 
 private:

@@ -35,9 +35,10 @@ KelvinVoigtBumper::KelvinVoigtBumper(double stiffness, double damping_constant)
 void KelvinVoigtBumper::declare(parameters::Section &contact_section) {
   using namespace parameters;
   contact_section
-      .subsection(section_name,
-                  "Spring and dashpot that are pushed in, let go when they would pull, and then "
-                  "recover by themselves: F = k z + c z' with the compression z of the stop.")
+      .subsection(
+          section_name,
+          "Spring and dashpot compressed by the mass; they detach where they would pull, and then "
+          "recover by themselves: F = k z + c z' with the compression z of the stop.")
       .quantity("Stiffness", "", dimension::stiffness, range::positive, "k",
                 "Contact force per unit compression.")
       .required()

@@ -28,11 +28,12 @@ NewtonRestitution::NewtonRestitution(double coefficient)
 void NewtonRestitution::declare(parameters::Section &contact_section) {
   using namespace parameters;
   contact_section
-      .subsection(section_name,
-                  "Rigid sides that never overlap: where they meet, the speed of parting is a "
-                  "share of that of approach; they stay together as long as they are pressed.")
+      .subsection(
+          section_name,
+          "Rigid sides that never overlap: the separation speed is a fraction of the approach "
+          "speed; they remain in contact while they are pressed together.")
       .quantity("Restitution coefficient", "", dimension::none, Range{.lower = 0, .upper = 1}, "e",
-                "Speed of parting over speed of approach; 1 loses no energy.")
+                "Separation speed over approach speed; 1 loses no energy.")
       .required();
 }
 

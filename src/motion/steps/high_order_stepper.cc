@@ -408,7 +408,7 @@ void HighOrderStepper::step(double limit) {
     if (!(start_.time + wanted > start_.time))
       break;
   }
-  throw NumericalError("the time integrator gave up at t = " + std::to_string(start_.time) +
+  throw NumericalError("time integration stopped at t = " + std::to_string(start_.time) +
                        " s: no step is short enough for the tolerance");
 }
 

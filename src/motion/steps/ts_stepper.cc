@@ -204,9 +204,8 @@ void TsStepper::attempt(double end) {
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
   TSGetConvergedReason(ts_, &reason);
   if (code != 0 || reason < 0)
-    throw NumericalError(
-        "the time integrator gave up at t = " + std::to_string(start_.time) +
-        " s: " + (reason < 0 ? TSConvergedReasons[reason] : petsc_error_text(code)));
+    throw NumericalError("time integration stopped at t = " + std::to_string(start_.time) + " s: " +
+                         (reason < 0 ? TSConvergedReasons[reason] : petsc_error_text(code)));
   check_petsc(TSGetTime(ts_, &end_.time), "TSGetTime");
 }
 

@@ -203,8 +203,8 @@ Equilibrium static_equilibrium(const Model &model, const contact::ContactSet &co
       found = balance_from(problem, found->pressed, rigid, model.size(), unbalanced);
   }
   if (!found)
-    throw NumericalError("nothing balances the constant loads, or no equilibrium was found; "
-                         "unbalanced " +
+    throw NumericalError("no static equilibrium under the constant loads was found; residual "
+                         "force " +
                          std::to_string(unbalanced) + " N");
   Equilibrium equilibrium{.displacement = found->unknown.head(model.size()), .closed = {}};
   for (std::size_t c = 0; c < contacts.size(); ++c)

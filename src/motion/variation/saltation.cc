@@ -224,8 +224,8 @@ Saltation Saltations::change(const ContactEvent &event, bool at_start) {
 
 Saltation Saltations::collide(const ContactEvent &event) {
   if (!equations_.model().rotors().empty())
-    throw NumericalError("the growth of deviations through rigid impacts is not known for models "
-                         "with rotors, whose inertia changes with the position");
+    throw NumericalError("perturbations through rigid impacts are not implemented for models with "
+                         "rotors, whose inertia changes with the position");
   const Collision &collision = *event.collision;
   for (std::size_t c = 0; c < collision.modes_before.size(); ++c)
     equations_.set_mode(c, collision.modes_before[c]);
