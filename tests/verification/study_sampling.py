@@ -110,7 +110,7 @@ def main():
                   "of f_m", "of v_c", "of e", "a (95 %)", "b (95 %)")
     time, force, impacts = releases(study)
     folder = pathlib.Path(tempfile.mkdtemp())
-    figure, axes, colours = panels(study, 2)
+    figure, axes, colours = panels(study, 2, share_x=False)
     order = numpy.argsort(impacts["approach_speed"])
     axes[0].plot(impacts["approach_speed"][order], impacts["restitution_coefficient"][order], "k+",
                  label="motion")
@@ -127,7 +127,7 @@ def main():
                      found["peak_force"][:][which >= 0], "o", markersize=3, color=colour)
     axes[0].set_xscale("log")
     axes[0].set_ylim(0, 1)
-    axes[0].set_ylabel("Restitution $e$ over\napproach speed (m/s)")
+    axes[0].set(xlabel="Approach speed (m/s)", ylabel="Restitution $e$")
     axes[0].legend(fontsize=7)
     axes[1].plot([1, 3e3], [1, 3e3], "k-", linewidth=0.7)
     axes[1].set(xscale="log", yscale="log", xlabel="Peak force of the pulse (N)",

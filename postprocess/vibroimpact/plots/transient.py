@@ -227,11 +227,11 @@ def first_pulses(analysis: Analysis, contact: str):
 
 
 def close_up(analysis: Analysis, contact: str):
-    """Force and gap during the first recorded impact of every case."""
-    shown = first_pulses(analysis, contact)
+    """Force and penetration during the first recorded impact of every case."""
+    shown = [(case, time, force, -gap) for case, time, force, gap in first_pulses(analysis, contact)]
     time_scale = scale_for("s", np.concatenate([t - t[0] for _, t, _, _ in shown]))
     figure, panels = style.panels(2)
-    for axes, unit, label, k in zip(panels, ["N", "m"], ["Contact force", "Gap"], [2, 3]):
+    for axes, unit, label, k in zip(panels, ["N", "m"], ["Contact force", "Penetration"], [2, 3]):
         scale = scale_for(unit, np.concatenate([entry[k] for entry in shown]))
         for entry in shown:
             axes.plot((entry[1] - entry[1][0]) / time_scale.factor, entry[k] / scale.factor,
@@ -239,7 +239,7 @@ def close_up(analysis: Analysis, contact: str):
         axes.set_ylabel(scale.label(label))
     start = f", {shown[0][1][0]:.6g} s" if len(shown) == 1 else ""
     panels[0].set_title(f"First impact of contact {contact}{start}")
-    panels[-1].set_xlabel(time_scale.label("Time since first touch"))
+    panels[-1].set_xlabel(time_scale.label("Time since the contact began"))
     explain(figure, panels, analysis, [entry[0] for entry in shown])
     return figure
 
