@@ -277,11 +277,13 @@ void write_lines(BodyGroup &group, const Recovery &recovery) {
 }
 
 void write_surfaces(BodyGroup &group, const Recovery &recovery) {
-  group.index("surface", recovery.surfaces.size());
+  const std::vector<std::vector<int>> faces = structure::visible_faces(recovery.cells);
+  group.index("surface", faces.size());
   group.index("corner", 4);
   std::vector<std::int64_t> corners;
-  for (const auto &surface : recovery.surfaces)
-    corners.insert(corners.end(), surface.begin(), surface.end());
+  for (const std::vector<int> &face : faces)
+    for (std::size_t i = 0; i < 4; ++i)
+      corners.push_back(i < face.size() ? face[i] : -1);
   group.array("surfaces", {"surface", "corner"}, corners, "1",
               "corners around a shell element, as positions in nodes from 0; the last one of a "
               "triangle is -1");
@@ -295,7 +297,7 @@ void write_recovery(BodyGroup &group, const Recovery &recovery) {
               "undeformed position");
   if (!recovery.lines.empty())
     write_lines(group, recovery);
-  if (!recovery.surfaces.empty())
+  if (!recovery.cells.empty())
     write_surfaces(group, recovery);
   group.array("shapes", {"node", "component", "mode"}, row_major(recovery.shapes), "1",
               "displacement [m] or rotation [rad] of a node per unit coordinate");

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <stdexcept>
 
 namespace vibroimpact::output {
 
@@ -110,10 +111,10 @@ void fill_corner(const BodyShape &shape, const PointData &data, int node, const 
 }
 
 /// The largest, that of the first face, that of the second.
-Vector3 von_mises_of(const BodyShape &shape, std::size_t surface) {
-  if (shape.surface_stress.size() == 0)
+Vector3 von_mises_of(const BodyShape &shape, std::size_t cell) {
+  if (shape.cell_stress.size() == 0)
     return Vector3::Constant(not_known);
-  const Vector own = places_of(shape.recovery->surface_stress, shape.surface_stress, surface);
+  const Vector own = places_of(shape.recovery->cell_stress, shape.cell_stress, cell);
   if (own.size() != 6)
     return Vector3::Constant(not_known);
   const double first = largest_von_mises(own.head<3>());
@@ -140,10 +141,10 @@ PointData BodyShape::line_data() const {
           .von_mises = line_stress.size() > 0 ? 1U : 0U};
 }
 
-PointData BodyShape::surface_data() const {
+PointData BodyShape::cell_data() const {
   return {.velocity = velocity.size() > 0,
           .contact = contact.cols() > 0,
-          .von_mises = surface_stress.size() > 0 ? 3U : 0U};
+          .von_mises = cell_stress.size() > 0 ? 3U : 0U};
 }
 
 void add_lines(const BodyShape &shape, const PointData &data, Patches<1> &patches) {
@@ -215,26 +216,45 @@ void add_sections(const BodyShape &shape, const PointData &data, Patches<2> &pat
   }
 }
 
-void add_surfaces(const BodyShape &shape, const PointData &data, Patches<2> &patches) {
-  for (std::size_t surface = 0; surface < shape.recovery->surfaces.size(); ++surface) {
-    const std::array<int, 4> &nodes = shape.recovery->surfaces[surface];
-    const bool triangle = nodes[3] < 0;
-    // deal.II numbers the corners of a quadrilateral line by line, not around it.
-    const std::array<int, 4> order = {nodes[0], nodes[1], triangle ? nodes[2] : nodes[3], nodes[2]};
-    const unsigned corners = triangle ? 3 : 4;
-    const Vector3 von_mises = von_mises_of(shape, surface);
-    Patch<2, 3> patch;
-    patch.reference_cell =
-        triangle ? dealii::ReferenceCells::Triangle : dealii::ReferenceCells::Quadrilateral;
+namespace {
+
+/// Of the type that has this number in VTK's files.
+dealii::ReferenceCell reference_cell(int dimension, unsigned vtk) {
+  for (const dealii::ReferenceCell cell :
+       {dealii::ReferenceCells::Triangle, dealii::ReferenceCells::Quadrilateral,
+        dealii::ReferenceCells::Tetrahedron, dealii::ReferenceCells::Pyramid,
+        dealii::ReferenceCells::Wedge, dealii::ReferenceCells::Hexahedron})
+    if (static_cast<int>(cell.get_dimension()) == dimension && cell.vtk_linear_type() == vtk)
+      return cell;
+  throw std::logic_error("no patch has the shape of a cell");
+}
+
+} // namespace
+
+template <int dimension>
+void add_cells(const BodyShape &shape, const PointData &data, Patches<dimension> &patches) {
+  // deal.II numbers the corners of quadrilaterals and hexahedra line by line, cells go around.
+  constexpr std::array<unsigned, 8> line_by_line = {0, 1, 3, 2, 4, 5, 7, 6};
+  for (std::size_t number = 0; number < shape.recovery->cells.size(); ++number) {
+    const structure::Cell &cell = shape.recovery->cells[number];
+    if (structure::cell_type(cell.shape).dimension != dimension)
+      continue;
+    const Vector3 von_mises = von_mises_of(shape, number);
+    Patch<dimension, 3> patch;
+    patch.reference_cell = reference_cell(dimension, static_cast<unsigned>(cell.shape));
     patch.patch_index = static_cast<unsigned>(patches.size());
-    patch.data.reinit(data.size(), corners);
-    for (unsigned i = 0; i < corners; ++i) {
-      patch.vertices[i] = to_point(shape.recovery->nodes.col(order[i]));
-      fill_corner(shape, data, order[i], von_mises, i, patch.data);
+    patch.data.reinit(data.size(), static_cast<unsigned>(cell.size));
+    for (unsigned i = 0; i < static_cast<unsigned>(cell.size); ++i) {
+      const unsigned corner = patch.reference_cell.is_hyper_cube() ? line_by_line[i] : i;
+      const int node = cell.corners[i];
+      patch.vertices[corner] = to_point(shape.recovery->nodes.col(node));
+      fill_corner(shape, data, node, von_mises, corner, patch.data);
     }
     patches.push_back(std::move(patch));
   }
 }
+
+template void add_cells(const BodyShape &, const PointData &, Patches<2> &);
 
 void add_point(const Vector3 &place, const Vector6 &motion, const Vector6 *velocity,
                std::size_t body_number, Patches<0> &patches) {

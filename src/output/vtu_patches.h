@@ -23,10 +23,10 @@ struct BodyShape {
   std::vector<Matrix> outlines{};
   ContactFields contact{}; ///< no columns when no contact touches a mesh
   Vector line_stress{};    ///< [Pa], rows as in Recovery::line_stress; empty when not known
-  Vector surface_stress{}; ///< as in Recovery::surface_stress
+  Vector cell_stress{};    ///< as in Recovery::cell_stress
 
   PointData line_data() const;
-  PointData surface_data() const;
+  PointData cell_data() const;
 };
 
 /// Beam elements with their cubic bending shape. Stress is linear between the nodes of an element
@@ -37,8 +37,9 @@ void add_lines(const BodyShape &shape, const PointData &data, Patches<1> &patche
 /// node to node. Points have no contact values.
 void add_sections(const BodyShape &shape, const PointData &data, Patches<2> &patches);
 
-/// Shell elements by their corners, with one stress for an element.
-void add_surfaces(const BodyShape &shape, const PointData &data, Patches<2> &patches);
+/// Cells of this dimension by their corners, with one stress for an element.
+template <int dimension>
+void add_cells(const BodyShape &shape, const PointData &data, Patches<dimension> &patches);
 
 /// A point with its displacement and rotation, without other data.
 void add_point(const Vector3 &place, const Vector6 &motion, const Vector6 *velocity,

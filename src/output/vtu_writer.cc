@@ -68,7 +68,7 @@ struct Meshes {
   Patches<1> lines;
   Patches<2> surfaces;
   Patches<2> sections; ///< the sides of beams
-  PointData line_data, surface_data, section_data;
+  PointData line_data, cell_data, section_data;
 };
 
 PointData both(PointData a, const PointData &b) {
@@ -82,13 +82,13 @@ Meshes meshes_of(const std::vector<BodyShape> &shapes) {
   Meshes meshes;
   for (const BodyShape &shape : shapes) {
     meshes.line_data = both(meshes.line_data, shape.line_data());
-    meshes.surface_data = both(meshes.surface_data, shape.surface_data());
+    meshes.cell_data = both(meshes.cell_data, shape.cell_data());
   }
   meshes.section_data = meshes.line_data;
   meshes.section_data.contact = false;
   for (const BodyShape &shape : shapes) {
     add_lines(shape, meshes.line_data, meshes.lines);
-    add_surfaces(shape, meshes.surface_data, meshes.surfaces);
+    add_cells(shape, meshes.cell_data, meshes.surfaces);
     add_sections(shape, meshes.section_data, meshes.sections);
   }
   return meshes;
@@ -101,7 +101,7 @@ std::vector<std::string> write_mesh(RunFolder &folder, const std::string &name,
   std::vector<std::string> files;
   if (!meshes.surfaces.empty()) {
     files.push_back(name + ".vtu");
-    write_patches(folder.claim(files.back()), meshes.surface_data, meshes.surfaces);
+    write_patches(folder.claim(files.back()), meshes.cell_data, meshes.surfaces);
   }
   if (!meshes.lines.empty()) {
     files.push_back(name + (meshes.surfaces.empty() ? ".vtu" : "-lines.vtu"));
@@ -245,8 +245,8 @@ private:
     shape.contact = contact_fields(motion_, body, recovery.nodes.cols(), number_);
     if (!recovery.line_stress.empty())
       shape.line_stress = recovery.line_stress.rows * coordinates;
-    if (!recovery.surface_stress.empty())
-      shape.surface_stress = recovery.surface_stress.rows * coordinates;
+    if (!recovery.cell_stress.empty())
+      shape.cell_stress = recovery.cell_stress.rows * coordinates;
     return shape;
   }
 
@@ -307,7 +307,7 @@ StressOverTime stress_over_time(const std::vector<ReducedBody> &bodies, const Mo
                       .number = b + 1,
                       .motion = Vector::Zero(6 * recovery.nodes.cols())};
       shape.line_stress = stress.add(recovery.line_stress, motion.coordinates[b]);
-      shape.surface_stress = stress.add(recovery.surface_stress, motion.coordinates[b]);
+      shape.cell_stress = stress.add(recovery.cell_stress, motion.coordinates[b]);
       stress.shapes.push_back(std::move(shape));
     }
   return stress;

@@ -23,8 +23,8 @@ void members(auto &visit, As<BodyPoint> auto &point) {
 }
 void members(auto &visit, As<CellStress> auto &stress) { visit(stress.rows, stress.first); }
 void members(auto &visit, As<Recovery> auto &recovery) {
-  visit(recovery.nodes, recovery.lines, recovery.surfaces, recovery.shapes,
-        recovery.static_displacement, recovery.line_stress, recovery.surface_stress);
+  visit(recovery.nodes, recovery.lines, recovery.cells, recovery.shapes,
+        recovery.static_displacement, recovery.line_stress, recovery.cell_stress);
 }
 void members(auto &visit, As<ReducedBody> auto &body) {
   visit(body.name, body.type, body.mass, body.stiffness, body.damping, body.base_participation,
@@ -34,7 +34,7 @@ void members(auto &visit, As<ReducedBody> auto &body) {
 
 namespace {
 
-const std::string title = "vibroimpact reduced body 6\n";
+const std::string title = "vibroimpact reduced body 7\n";
 
 } // namespace
 

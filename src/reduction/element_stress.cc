@@ -104,10 +104,10 @@ CellStress line_stress(const BodyModel &model, const Matrix &shapes) {
   return collector.result(shapes.cols());
 }
 
-CellStress surface_stress(const BodyModel &model, const Matrix &shapes) {
+CellStress cell_stress(const BodyModel &model, const Matrix &shapes) {
   const ElementsByNodes elements = elements_by_nodes(model);
   Collector collector;
-  for (const structure::Surface &surface : model.mesh.surfaces) {
+  for (const structure::Cell &surface : model.mesh.cells) {
     collector.begin_cell();
     const auto [begin, end] = elements.equal_range(ascending(surface.nodes()));
     for (auto at = begin; at != end; ++at) {

@@ -10,9 +10,9 @@ namespace vibroimpact::reduction {
 /// of node i.
 Matrix stress_at_node(const structure::BodyModel &model, int node, const Matrix &shapes);
 
-/// See Recovery::line_stress and Recovery::surface_stress. The mean of the corners of a shell
+/// See Recovery::line_stress and Recovery::cell_stress. The mean of the corners of a shell
 /// element stands for its middle, where the stress of a coarse mesh is the best.
 CellStress line_stress(const structure::BodyModel &model, const Matrix &shapes);
-CellStress surface_stress(const structure::BodyModel &model, const Matrix &shapes);
+CellStress cell_stress(const structure::BodyModel &model, const Matrix &shapes);
 
 } // namespace vibroimpact::reduction

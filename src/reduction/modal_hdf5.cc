@@ -149,10 +149,13 @@ Recovery read_recovery(const StoredGroup &group, Index n) {
         {node_number(row[0], nodes, "lines", 0), node_number(row[1], nodes, "lines", 0)});
   const Matrix surfaces = group.has("surfaces") ? group.matrix("surfaces", {-1, 4}) : Matrix();
   for (const auto &row : surfaces.rowwise()) {
-    std::array<int, 4> corners{};
+    std::vector<int> corners;
     for (int i = 0; i < 4; ++i)
-      corners[i] = node_number(row[i], nodes, "surfaces", i == 3 ? -1 : 0);
-    recovery.surfaces.push_back(corners);
+      if (const int node = node_number(row[i], nodes, "surfaces", i == 3 ? -1 : 0); node >= 0)
+        corners.push_back(node);
+    recovery.cells.push_back(structure::cell_of(
+        corners.size() == 3 ? structure::CellShape::triangle : structure::CellShape::quadrilateral,
+        corners));
   }
   return recovery;
 }

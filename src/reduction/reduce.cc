@@ -52,7 +52,7 @@ Recovery recovery(const structure::BodyModel &model, Matrix shapes, const Vector
   const structure::Mesh &mesh = model.mesh;
   const auto count = static_cast<Index>(mesh.places().size());
   Recovery result;
-  if (mesh.lines.empty() && mesh.surfaces.empty())
+  if (mesh.lines.empty() && mesh.cells.empty())
     return result;
   if (model.given)
     turn_with_lines(mesh, shapes);
@@ -60,11 +60,7 @@ Recovery recovery(const structure::BodyModel &model, Matrix shapes, const Vector
   for (Index node = 0; node < count; ++node)
     result.nodes.col(node) = mesh.nodes[static_cast<std::size_t>(node)];
   result.lines = mesh.lines;
-  for (const structure::Surface &surface : mesh.surfaces) {
-    result.surfaces.push_back(surface.corners);
-    if (surface.size == 3)
-      result.surfaces.back()[3] = -1;
-  }
+  result.cells = mesh.cells;
   shapes.conservativeResize(6 * count, Eigen::NoChange);
   result.shapes = std::move(shapes);
   if (deflection.size() > 0)
@@ -153,7 +149,7 @@ Matrix modal_damping(const Damping &damping, const AssembledBody &body, const Ve
 
 void add_points(const structure::BodyModel &model, const Matrix &shapes,
                 const PointResponse &response, ReducedBody &body) {
-  const bool shown = !model.mesh.lines.empty() || !model.mesh.surfaces.empty();
+  const bool shown = !model.mesh.lines.empty() || !model.mesh.cells.empty();
   for (std::size_t p = 0; p < model.points.size(); ++p) {
     const structure::NamedNode &named = model.points[p];
     const Index row = Index{6} * named.node;
@@ -218,7 +214,7 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
   body.recovery = recovery(assembled.model, std::move(basis.shapes), response.deflection);
   if (!body.recovery.empty()) {
     body.recovery.line_stress = line_stress(assembled.model, body.recovery.shapes);
-    body.recovery.surface_stress = surface_stress(assembled.model, body.recovery.shapes);
+    body.recovery.cell_stress = cell_stress(assembled.model, body.recovery.shapes);
   }
   body.total_mass = assembled.total_mass;
   body.eigen_residual = std::move(basis.error_bounds);

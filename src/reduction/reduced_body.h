@@ -10,6 +10,7 @@
 #pragma once
 
 #include "common/linear_algebra.h"
+#include "structure/cell.h"
 
 #include <array>
 #include <string>
@@ -54,18 +55,17 @@ struct CellStress {
 struct Recovery {
   Matrix nodes;                          ///< 3 x N, undeformed positions [m]
   std::vector<std::array<int, 2>> lines; ///< node pairs of beam elements
-  /// Nodes around each shell element; the last one is -1 for a triangle.
-  std::vector<std::array<int, 4>> surfaces;
-  Matrix shapes; ///< 6N x n: rows 6 i + component of node i
+  std::vector<structure::Cell> cells;    ///< of shell elements
+  Matrix shapes;                         ///< 6N x n: rows 6 i + component of node i
   /// 6N, displacement of the mesh under the body's loads [m, rad]; empty without loads.
   Vector static_displacement{};
   /// The extreme fibres at the first node, then as many at the second; none where the cross-section
   /// has no known shape.
   CellStress line_stress{};
   /// In the middle of an element: the face that its normal points to, then the other.
-  CellStress surface_stress{};
+  CellStress cell_stress{};
 
-  bool empty() const { return lines.empty() && surfaces.empty(); }
+  bool empty() const { return lines.empty() && cells.empty(); }
 };
 
 struct ReducedBody {

@@ -72,13 +72,12 @@ StressEnvelope stress_envelope(const CellStress &stress, const Matrix &coordinat
   return envelope;
 }
 
-Vector3 place_of_stress(const Recovery &recovery, bool surface, Index place) {
-  if (surface) {
-    const std::array<int, 4> &corners = recovery.surfaces[cell_of(recovery.surface_stress, place)];
-    const int size = corners[3] < 0 ? 3 : 4;
+Vector3 place_of_stress(const Recovery &recovery, bool of_cells, Index place) {
+  if (of_cells) {
+    const structure::Cell &cell = recovery.cells[cell_of(recovery.cell_stress, place)];
     Vector3 middle = Vector3::Zero();
-    for (int i = 0; i < size; ++i)
-      middle += recovery.nodes.col(corners[static_cast<std::size_t>(i)]) / size;
+    for (const int node : cell.nodes())
+      middle += recovery.nodes.col(node) / cell.size;
     return middle;
   }
   const std::size_t line = cell_of(recovery.line_stress, place);

@@ -22,8 +22,8 @@ struct StressEnvelope {
 /// instants there are.
 StressEnvelope stress_envelope(const CellStress &stress, const Matrix &coordinates);
 
-/// The middle of the cell that a place belongs to [m]; `surface`: of Recovery::surface_stress, else
+/// The middle of the cell that a place belongs to [m]; `of_cells`: of Recovery::cell_stress, else
 /// the end of the line where the place lies.
-Vector3 place_of_stress(const Recovery &recovery, bool surface, Index place);
+Vector3 place_of_stress(const Recovery &recovery, bool of_cells, Index place);
 
 } // namespace vibroimpact::reduction

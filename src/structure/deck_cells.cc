@@ -6,22 +6,6 @@ namespace vibroimpact::structure {
 
 namespace {
 
-using Faces = std::vector<std::vector<int>>;
-
-bool begins(const std::string &type, std::initializer_list<const char *> heads) {
-  return std::any_of(heads.begin(), heads.end(),
-                     [&](const char *head) { return type.starts_with(head); });
-}
-
-/// Corners of the faces of solids with so many corners, outward.
-Faces corner_faces(std::size_t corners) {
-  if (corners == 4)
-    return {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  if (corners == 6)
-    return {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
-  return {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-}
-
 /// Node between two corners of a solid: behind the corners stand those of the base, then those of
 /// the top, then those of the edges between them; a tetrahedron has its three edges to the top
 /// last.
@@ -40,39 +24,21 @@ int between(std::size_t corners, int a, int b) {
   return count + (closes ? std::max(a, b) : low);
 }
 
-DeckElement solid(std::size_t corners, std::size_t nodes) {
-  DeckElement element{.nodes = nodes, .faces = corner_faces(corners), .solid = true};
-  if (nodes > corners)
-    for (std::vector<int> &face : element.faces) {
-      const std::size_t size = face.size();
-      for (std::size_t i = 0; i < size; ++i)
-        face.push_back(between(corners, face[i], face[(i + 1) % size]));
-    }
-  return element;
-}
-
-DeckElement shell(std::size_t nodes) {
-  std::vector<int> face(nodes);
-  for (std::size_t i = 0; i < nodes; ++i)
-    face[i] = static_cast<int>(i);
-  return {.nodes = nodes, .faces = {face}};
-}
-
-/// The number that follows the letters, of the letters and digits of a type.
-int nodes_in_name(const std::string &type, std::size_t letters) {
-  return std::atoi(type.c_str() + std::min(letters, type.size()));
-}
-
-std::size_t corner_count(std::size_t face_nodes) {
-  return face_nodes == 3 || face_nodes == 6 ? 3 : 4;
+/// The nodes of a face of an element, as positions among its own.
+std::vector<int> face_nodes(const DeckElement &element, std::vector<int> face) {
+  const std::size_t corners = face.size();
+  for (std::size_t i = 0; element.nodes > element.type->nodes && i < corners; ++i)
+    face.push_back(element.type->dimension == 3
+                       ? between(element.type->nodes, face[i], face[(i + 1) % corners])
+                       : static_cast<int>(corners + i));
+  return face;
 }
 
 void add_surface(const std::vector<int> &nodes, Mesh &mesh) {
-  const std::size_t corners = corner_count(nodes.size());
-  const auto add = [&](std::initializer_list<int> of) {
-    Surface surface{.size = static_cast<int>(of.size())};
-    std::copy(of.begin(), of.end(), surface.corners.begin());
-    mesh.surfaces.push_back(surface);
+  const std::size_t corners = nodes.size() % 3 == 0 ? 3 : 4;
+  const auto add = [&](const std::vector<int> &of) {
+    mesh.cells.push_back(
+        cell_of(of.size() == 3 ? CellShape::triangle : CellShape::quadrilateral, of));
   };
   const std::vector<int> &n = nodes;
   if (nodes.size() == corners)
@@ -84,55 +50,37 @@ void add_surface(const std::vector<int> &nodes, Mesh &mesh) {
 
 } // namespace
 
-std::optional<DeckElement> deck_element(const std::string &type) {
-  const std::map<int, std::size_t> corners = {{4, 4}, {6, 6}, {8, 8}, {10, 4}, {15, 6}, {20, 8}};
-  if (begins(type, {"C3D"})) {
-    const auto found = corners.find(nodes_in_name(type, 3));
-    if (found != corners.end())
-      return solid(found->second, static_cast<std::size_t>(found->first));
-    return std::nullopt;
-  }
-  for (const auto &[head, letters] : std::initializer_list<std::pair<const char *, std::size_t>>{
-           {"CPS", 3}, {"CPE", 3}, {"M3D", 3}, {"S", 1}})
-    if (begins(type, {head}))
-      if (const int nodes = nodes_in_name(type, letters);
-          nodes == 3 || nodes == 4 || nodes == 6 || nodes == 8)
-        return shell(static_cast<std::size_t>(nodes));
-  if (begins(type, {"B31", "T3D2", "T2D2", "B21"}))
-    return DeckElement{.nodes = 2, .faces = {}};
-  if (begins(type, {"B32", "T3D3", "B22"}))
-    return DeckElement{.nodes = 3, .faces = {}};
+std::optional<DeckElement> deck_element(const std::string &name) {
+  const auto is_digit = [](char letter) { return letter >= '0' && letter <= '9'; };
+  for (const CellType &type : cell_types())
+    for (const auto &[head, nodes] : type.deck)
+      if (const std::string_view rest =
+              std::string_view(name).substr(std::min(name.size(), std::string_view(head).size()));
+          name.starts_with(head) && (rest.empty() || !is_digit(rest.front())))
+        return DeckElement{&type, nodes};
   return std::nullopt;
 }
 
 void DeckCells::add(const DeckElement &element, const std::vector<int> &nodes) {
-  if (element.faces.empty())
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-      lines_.push_back({nodes[i], nodes[i + 1]});
-  for (const std::vector<int> &face : element.faces) {
+  for (std::size_t i = 0; element.type->dimension == 1 && i + 1 < nodes.size(); ++i)
+    lines_.push_back({nodes[i], nodes[i + 1]});
+  for (const std::vector<int> &face : element.type->faces) {
     std::vector<int> own;
-    for (const int at : face)
+    for (const int at : face_nodes(element, face))
       own.push_back(nodes[static_cast<std::size_t>(at)]);
-    if (!element.solid) {
-      shells_.push_back({own, 1});
-      continue;
-    }
-    std::vector<int> corners(own.begin(),
-                             own.begin() + static_cast<std::ptrdiff_t>(corner_count(own.size())));
-    std::sort(corners.begin(), corners.end());
-    Face &known = solids_[corners];
-    known.nodes = std::move(own);
-    ++known.count;
+    if (element.type->dimension == 3)
+      solids_.add(std::move(own), face.size());
+    else
+      shells_.push_back(std::move(own));
   }
 }
 
 void DeckCells::give(Mesh &mesh) const {
   mesh.lines = lines_;
-  for (const Face &face : shells_)
-    add_surface(face.nodes, mesh);
-  for (const auto &[corners, face] : solids_)
-    if (face.count == 1)
-      add_surface(face.nodes, mesh);
+  for (const std::vector<int> &face : shells_)
+    add_surface(face, mesh);
+  for (const std::vector<int> &face : solids_.faces())
+    add_surface(face, mesh);
 }
 
 } // namespace vibroimpact::structure

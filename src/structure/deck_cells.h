@@ -3,16 +3,14 @@
 
 #include "structure/mesh.h"
 
-#include <map>
 #include <optional>
 
 namespace vibroimpact::structure {
 
-/// How an element type is shown: a polygon or polyhedron by its faces, or a line.
+/// How an element type is shown.
 struct DeckElement {
-  std::size_t nodes = 0;               ///< that stand in the deck
-  std::vector<std::vector<int>> faces; ///< corners, then the nodes between them; empty for a line
-  bool solid = false;                  ///< only its outer faces are seen
+  const CellType *type = nullptr;
+  std::size_t nodes = 0; ///< that stand in the deck: the corners, then those between them
 };
 
 /// Of a type in capitals ("C3D8I", "S8R", "B31"); nothing when its elements are not shown.
@@ -26,13 +24,9 @@ public:
   void give(Mesh &mesh) const;
 
 private:
-  struct Face {
-    std::vector<int> nodes;
-    int count = 0;
-  };
   std::vector<std::array<int, 2>> lines_;
-  std::vector<Face> shells_;
-  std::map<std::vector<int>, Face> solids_; ///< by their corners in ascending order
+  std::vector<std::vector<int>> shells_; ///< corners, then the nodes between them
+  OuterFaces solids_;
 };
 
 } // namespace vibroimpact::structure

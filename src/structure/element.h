@@ -15,6 +15,16 @@ namespace vibroimpact::structure {
 using NodalVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 24, 1>;
 using NodalMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 24, 24>;
 
+struct ShellPart;
+
+/// What the element on a cell is made of.
+struct CellPart {
+  std::span<const int> nodes;         ///< positions in the list of the mesh's nodes
+  std::span<const Vector3> positions; ///< of these [m]
+  std::span<const Vector3> normals;   ///< of a surface at its corners (surface_normals.h)
+  const ShellPart &part;
+};
+
 class Element {
 public:
   Element() = default;

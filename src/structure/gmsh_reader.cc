@@ -13,11 +13,12 @@ namespace {
 using Group = std::pair<int, int>; // dimension and tag
 using Node = long;                 // number in the file
 
-/// A cell of one, two, three or four nodes, with the tags of its physical groups.
+/// A cell or, without a type, a point, with the tags of its physical groups.
 struct RawCell {
   std::vector<Node> nodes;
   std::vector<int> physical;
-  int dimension() const { return nodes.size() < 3 ? static_cast<int>(nodes.size()) - 1 : 2; }
+  const CellType *type;
+  int dimension() const { return type ? type->dimension : 0; }
 };
 
 struct RawMesh {
@@ -42,18 +43,29 @@ void read_names(const GmshFile &file, RawMesh &raw) {
   }
 }
 
-int nodes_of_type(int type) {
-  static const std::map<int, int> sizes = {{15, 1}, {1, 2}, {2, 3}, {3, 4}};
+/// Of the elements that bodies are made of.
+const CellType &type_of(int gmsh) {
+  const auto &types = cell_types();
+  const auto found = std::find_if(types.begin(), types.end(),
+                                  [&](const CellType &type) { return type.gmsh == gmsh; });
   static const std::set<int> volumes = {4, 5, 6, 7, 11, 12, 13, 14, 17, 18, 19, 29, 30, 31};
-  if (const auto found = sizes.find(type); found != sizes.end())
-    return found->second;
-  if (volumes.contains(type))
+  if (found != types.end() && (found->dimension == 1 || found->make))
+    return *found;
+  if (volumes.contains(gmsh))
     fail_mesh("must hold points, lines, triangles and quadrilaterals only, but has volumes (Gmsh "
               "element type " +
-              std::to_string(type) + "); bodies are beams and shells (gmsh -1 or -2)");
+              std::to_string(gmsh) + "); bodies are beams and shells (gmsh -1 or -2)");
   fail_mesh("must have straight lines and flat cells with corner nodes only, but has cells of "
             "higher order (Gmsh element type " +
-            std::to_string(type) + "; gmsh: -order 1)");
+            std::to_string(gmsh) + "; gmsh: -order 1)");
+}
+
+RawCell cell_of_type(int gmsh) {
+  constexpr int point = 15;
+  if (gmsh == point)
+    return {std::vector<Node>(1), {}, nullptr};
+  const CellType &type = type_of(gmsh);
+  return {std::vector<Node>(type.nodes), {}, &type};
 }
 
 void read_nodes_2(const GmshFile &file, RawMesh &raw) {
@@ -68,13 +80,12 @@ void read_nodes_2(const GmshFile &file, RawMesh &raw) {
 
 /// `tags` come before the nodes; the first one is the physical group, the others are not needed.
 RawCell read_cell_2(GmshData &in, int type, int tags) {
-  RawCell cell;
+  RawCell cell = cell_of_type(type);
   for (int i = 0; i < tags; ++i) {
     const int tag = in.integer();
     if (i == 0 && tag != 0)
       cell.physical.push_back(tag);
   }
-  cell.nodes.resize(nodes_of_type(type));
   for (Node &node : cell.nodes)
     node = in.integer();
   return cell;
@@ -163,7 +174,8 @@ void read_elements_4(const GmshFile &file, RawMesh &raw) {
     const std::vector<int> physical = found == entities.end() ? std::vector<int>{} : found->second;
     for (std::size_t left = in.count(); left > 0; --left) {
       in.count(); // element number
-      RawCell cell{std::vector<Node>(nodes_of_type(type)), physical};
+      RawCell cell = cell_of_type(type);
+      cell.physical = physical;
       for (Node &node : cell.nodes)
         node = static_cast<Node>(in.count());
       raw.cells.push_back(std::move(cell));
@@ -212,13 +224,12 @@ private:
       nodes.push_back(index_.at(node));
     std::vector<int> sorted = nodes;
     std::sort(sorted.begin(), sorted.end());
-    const std::size_t next = nodes.size() == 2 ? mesh_.lines.size() : mesh_.surfaces.size();
+    const std::size_t next = cell.dimension() == 1 ? mesh_.lines.size() : mesh_.cells.size();
     const auto [known, is_new] = places_.insert({sorted, static_cast<int>(next)});
-    if (is_new && nodes.size() == 2)
+    if (is_new && cell.dimension() == 1)
       mesh_.lines.push_back({nodes[0], nodes[1]});
     else if (is_new)
-      mesh_.surfaces.push_back(
-          {{nodes[0], nodes[1], nodes[2], nodes.back()}, static_cast<int>(nodes.size())});
+      mesh_.cells.push_back(structure::cell_of(cell.type->shape, nodes));
     return known->second;
   }
 
@@ -231,7 +242,7 @@ private:
     if (!members_.insert({cell.dimension(), name, position}).second)
       fail_mesh("must hold each cell once, but group " + name + " has the one at " +
                 coordinates(raw_.nodes.at(cell.nodes[0])) + " twice");
-    (cell.dimension() == 1 ? mesh_.line_groups : mesh_.surface_groups)[name].push_back(position);
+    (cell.dimension() == 1 ? mesh_.line_groups : mesh_.cell_groups)[name].push_back(position);
   }
 
   const RawMesh &raw_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "structure/beam_definition.h"
+#include "structure/cell.h"
 
 #include <array>
 #include <map>
@@ -12,21 +13,13 @@
 
 namespace vibroimpact::structure {
 
-/// A triangle or a quadrilateral; nodes in order around it.
-struct Surface {
-  std::array<int, 4> corners{}; ///< the last one counts for quadrilaterals only
-  int size = 3;
-  std::span<const int> nodes() const { return {corners.data(), static_cast<std::size_t>(size)}; }
-  bool operator==(const Surface &) const = default;
-};
-
 struct Mesh {
-  std::vector<Vector3> nodes;            ///< [m]
-  std::vector<std::array<int, 2>> lines; ///< node pairs
-  std::vector<Surface> surfaces;
-  std::map<std::string, std::vector<int>> groups;         ///< nodes
-  std::map<std::string, std::vector<int>> line_groups;    ///< positions in lines
-  std::map<std::string, std::vector<int>> surface_groups; ///< positions in surfaces
+  std::vector<Vector3> nodes;                          ///< [m]
+  std::vector<std::array<int, 2>> lines;               ///< node pairs
+  std::vector<Cell> cells;                             ///< surfaces
+  std::map<std::string, std::vector<int>> groups;      ///< nodes
+  std::map<std::string, std::vector<int>> line_groups; ///< positions in lines
+  std::map<std::string, std::vector<int>> cell_groups; ///< positions in cells
   int unused_nodes = 0;         ///< nodes of a file that no cell uses; they are left out
   std::map<int, int> numbers{}; ///< of the nodes in their file -> position, where they count
   /// That many at the end of the list are no places: they carry coordinates of given matrices that

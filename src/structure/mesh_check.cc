@@ -32,7 +32,7 @@ void check_length(const Mesh &mesh, int line) {
          coordinates(mesh.nodes[mesh.lines[line][0]]) + " has none");
 }
 
-Vector3 unit_corner_normal(const Mesh &mesh, const Surface &surface, int corner) {
+Vector3 unit_corner_normal(const Mesh &mesh, const Cell &surface, int corner) {
   const auto nodes = surface.nodes();
   const Vector3 &here = mesh.nodes[nodes[corner]];
   const Vector3 next = mesh.nodes[nodes[(corner + 1) % surface.size]] - here;
@@ -40,14 +40,14 @@ Vector3 unit_corner_normal(const Mesh &mesh, const Surface &surface, int corner)
   return next.normalized().cross(last.normalized()); // length: sine of the angle
 }
 
-std::string place(const Mesh &mesh, const Surface &surface) {
+std::string place(const Mesh &mesh, const Cell &surface) {
   Vector3 centre = Vector3::Zero();
   for (const int node : surface.nodes())
     centre += mesh.nodes[node] / surface.size;
   return "the one around " + coordinates(centre);
 }
 
-void check_corners(const Mesh &mesh, const Surface &surface) {
+void check_corners(const Mesh &mesh, const Cell &surface) {
   Vector3 mean = Vector3::Zero();
   for (int corner = 0; corner < surface.size; ++corner)
     mean += unit_corner_normal(mesh, surface, corner);
@@ -63,7 +63,7 @@ void check_corners(const Mesh &mesh, const Surface &surface) {
   }
 }
 
-void check_surface(const Mesh &mesh, const Surface &surface) {
+void check_surface(const Mesh &mesh, const Cell &surface) {
   const auto nodes = surface.nodes();
   if (std::set<int>(nodes.begin(), nodes.end()).size() < nodes.size())
     fail("must have cells with different corners, but " + place(mesh, surface) + " has one twice");
@@ -79,7 +79,7 @@ void check_surface(const Mesh &mesh, const Surface &surface) {
 
 void check_orphans(const Mesh &mesh, const std::vector<int> &beams) {
   std::vector<bool> used(mesh.nodes.size(), false);
-  for (const Surface &surface : mesh.surfaces)
+  for (const Cell &surface : mesh.cells)
     for (const int node : surface.nodes())
       used[node] = true;
   for (const int beam : beams)
@@ -96,8 +96,8 @@ void check_orphans(const Mesh &mesh, const std::vector<int> &beams) {
 } // namespace
 
 void check_line_mesh(const Mesh &mesh) {
-  if (!mesh.surfaces.empty())
-    fail("must hold lines only, but has " + std::to_string(mesh.surfaces.size()) +
+  if (!mesh.cells.empty())
+    fail("must hold lines only, but has " + std::to_string(mesh.cells.size()) +
          " surface cells (they belong to a body of type shell)");
   if (mesh.lines.empty())
     fail("must hold line cells, but has none");
@@ -110,14 +110,14 @@ void check_line_mesh(const Mesh &mesh) {
 }
 
 void check_surface_mesh(const Mesh &mesh, const std::vector<int> &beams) {
-  if (mesh.surfaces.empty())
+  if (mesh.cells.empty())
     fail("must hold triangles or quadrilaterals, but has none (gmsh -2 makes them; they belong to "
          "a physical group when there are any groups)");
-  for (const Surface &surface : mesh.surfaces)
+  for (const Cell &surface : mesh.cells)
     check_surface(mesh, surface);
   check_orphans(mesh, beams);
   NodeSets parts(mesh.nodes.size());
-  for (const Surface &surface : mesh.surfaces)
+  for (const Cell &surface : mesh.cells)
     for (int corner = 1; corner < surface.size; ++corner)
       parts.join(surface.corners[0], surface.corners[corner]);
   for (const int beam : beams) {
@@ -131,7 +131,7 @@ void check_orientation(const Mesh &mesh, const std::vector<int> &surfaces, const
                        const std::string &name, const std::string &key) {
   std::set<std::array<int, 2>> directed;
   for (const int number : surfaces) {
-    const auto nodes = mesh.surfaces[number].nodes();
+    const auto nodes = mesh.cells[number].nodes();
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (!directed.insert({nodes[i], nodes[(i + 1) % nodes.size()]}).second)
         throw DefinitionError(kind, name, key,

@@ -91,4 +91,15 @@ std::vector<Vector3> QuadrilateralShell::pressure_areas() const {
   return areas;
 }
 
+std::shared_ptr<const Element> make_quadrilateral_shell(const CellPart &cell) {
+  std::array<int, 4> nodes{};
+  NodeVectors positions;
+  NodeVectors normals;
+  std::copy_n(cell.nodes.begin(), 4, nodes.begin());
+  std::copy_n(cell.positions.begin(), 4, positions.begin());
+  std::copy_n(cell.normals.begin(), 4, normals.begin());
+  return std::make_shared<QuadrilateralShell>(nodes, positions, normals,
+                                              shell_properties(cell.part));
+}
+
 } // namespace vibroimpact::structure

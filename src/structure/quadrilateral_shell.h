@@ -37,4 +37,7 @@ private:
   NodeVectors surface_normals_;
 };
 
+/// Throws like shell_properties().
+std::shared_ptr<const Element> make_quadrilateral_shell(const CellPart &cell);
+
 } // namespace vibroimpact::structure

@@ -3,10 +3,9 @@
 #include "structure/frame_element.h"
 #include "structure/gmsh_reader.h"
 #include "structure/mesh_check.h"
-#include "structure/quadrilateral_shell.h"
+#include "structure/shell_element.h"
 #include "structure/shell_mesh.h"
 #include "structure/surface_normals.h"
-#include "structure/triangle_shell.h"
 
 #include <set>
 
@@ -28,11 +27,11 @@ std::vector<int> all_stiffener_lines(const Mesh &mesh, const ShellDefinition &de
 
 /// Position of its part in the definition, for each surface.
 std::vector<int> parts_of_surfaces(const Mesh &mesh, const ShellDefinition &definition) {
-  std::vector<int> parts(mesh.surfaces.size(), -1);
+  std::vector<int> parts(mesh.cells.size(), -1);
   for (std::size_t p = 0; p < definition.parts.size(); ++p) {
     const ShellPart &part = definition.parts[p];
     for (const int surface :
-         find_cells(mesh.surface_groups, part.on, mesh.surfaces.size(), "Shell", part.name)) {
+         find_cells(mesh.cell_groups, part.on, mesh.cells.size(), "Shell", part.name)) {
       if (parts[surface] >= 0)
         throw DefinitionError("Shell", part.name, "On",
                               "must not share surfaces with Shell " +
@@ -44,28 +43,24 @@ std::vector<int> parts_of_surfaces(const Mesh &mesh, const ShellDefinition &defi
     if (parts[surface] < 0)
       throw DefinitionError("Geometry", "", "Mesh",
                             "must have every surface in a subsection Shell, but the one at " +
-                                coordinates(mesh.nodes[mesh.surfaces[surface].corners[0]]) +
+                                coordinates(mesh.nodes[mesh.cells[surface].corners[0]]) +
                                 " is in none");
   return parts;
 }
 
-std::shared_ptr<const Element> shell_element(const Mesh &mesh, const Surface &surface,
-                                             const NodeVectors &normals,
-                                             const ShellProperties &properties) {
-  const auto &c = surface.corners;
-  const auto &nodes = mesh.nodes;
-  if (surface.size == 3)
-    return std::make_shared<TriangleShell>(std::array{c[0], c[1], c[2]},
-                                           std::array{nodes[c[0]], nodes[c[1]], nodes[c[2]]},
-                                           properties);
-  return std::make_shared<QuadrilateralShell>(
-      c, NodeVectors{nodes[c[0]], nodes[c[1]], nodes[c[2]], nodes[c[3]]}, normals, properties);
+std::shared_ptr<const Element> element_of(const Mesh &mesh, const Cell &cell,
+                                          const NodeVectors &normals, const ShellPart &part) {
+  std::vector<Vector3> positions;
+  for (const int node : cell.nodes())
+    positions.push_back(mesh.nodes[node]);
+  return cell_type(cell.shape)
+      .make({.nodes = cell.nodes(), .positions = positions, .normals = normals, .part = part});
 }
 
 /// Sums of the normals of the surfaces around each node.
 std::vector<Vector3> node_normals(const Mesh &mesh) {
   std::vector<Vector3> normals(mesh.nodes.size(), Vector3::Zero());
-  for (const Surface &surface : mesh.surfaces)
+  for (const Cell &surface : mesh.cells)
     for (int i = 0; i < surface.size; ++i) {
       const int here = surface.corners[i];
       const int next = surface.corners[(i + 1) % surface.size];
@@ -116,16 +111,13 @@ Mesh shell_mesh(const ShellDefinition &definition) {
 void add_shell_elements(BodyModel &model, const ShellDefinition &definition) {
   const std::vector<int> beams = all_stiffener_lines(model.mesh, definition);
   check_surface_mesh(model.mesh, beams);
-  std::vector<ShellProperties> properties;
-  for (const ShellPart &part : definition.parts)
-    properties.push_back(shell_properties(part.thickness, part.material, "Shell", part.name));
   const std::vector<int> parts = parts_of_surfaces(model.mesh, definition);
   const std::vector<NodeVectors> around = surface_normals(model.mesh);
   std::vector<double> thickness;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    thickness.push_back(properties[parts[i]].thickness);
-    model.elements.push_back(
-        shell_element(model.mesh, model.mesh.surfaces[i], around[i], properties[parts[i]]));
+    const ShellPart &part = definition.parts[parts[i]];
+    thickness.push_back(part.thickness);
+    model.elements.push_back(element_of(model.mesh, model.mesh.cells[i], around[i], part));
   }
   model.locking = find_locking(model.mesh, around, thickness);
   const std::vector<Vector3> normals = node_normals(model.mesh);
@@ -145,7 +137,7 @@ void add_shell_elements(BodyModel &model, const ShellDefinition &definition) {
 
 void add_pressure(BodyModel &model, const Load &load) {
   const std::vector<int> surfaces =
-      find_cells(model.mesh.surface_groups, load.on, model.mesh.surfaces.size(), "Load", load.name);
+      find_cells(model.mesh.cell_groups, load.on, model.mesh.cells.size(), "Load", load.name);
   check_orientation(model.mesh, surfaces, "Load", load.name, "Pressure");
   for (const int number : surfaces) {
     const auto &shell = dynamic_cast<const ShellElement &>(*model.elements[number]);

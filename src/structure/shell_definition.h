@@ -3,10 +3,9 @@
 #pragma once
 
 #include "structure/beam_definition.h"
+#include "structure/cell.h"
 
 namespace vibroimpact::structure {
-
-enum class CellShape { quadrilateral, triangle };
 
 /// A parallelogram, `elements[0]` along the first edge and `elements[1]` along the second.
 struct Plate {

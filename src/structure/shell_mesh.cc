@@ -37,16 +37,16 @@ void add_grid_nodes(const Grid &grid, Mesh &mesh) {
 void add_surfaces(const Grid &grid, Mesh &mesh) {
   for (int j = 0; j < grid.elements[1]; ++j)
     for (int i = 0; i < grid.elements[0]; ++i) {
-      const std::array<int, 4> c = {grid.node(i, j), grid.node(i + 1, j), grid.node(i + 1, j + 1),
-                                    grid.node(i, j + 1)};
+      const std::vector<int> c = {grid.node(i, j), grid.node(i + 1, j), grid.node(i + 1, j + 1),
+                                  grid.node(i, j + 1)};
       if (grid.shape == CellShape::quadrilateral) {
-        mesh.surfaces.push_back({c, 4});
+        mesh.cells.push_back(cell_of(grid.shape, c));
       } else if ((i + j) % 2 == 0) { // diagonals change their direction: no direction is preferred
-        mesh.surfaces.push_back({{c[0], c[1], c[2], 0}, 3});
-        mesh.surfaces.push_back({{c[0], c[2], c[3], 0}, 3});
+        mesh.cells.push_back(cell_of(grid.shape, {c[0], c[1], c[2]}));
+        mesh.cells.push_back(cell_of(grid.shape, {c[0], c[2], c[3]}));
       } else {
-        mesh.surfaces.push_back({{c[0], c[1], c[3], 0}, 3});
-        mesh.surfaces.push_back({{c[1], c[2], c[3], 0}, 3});
+        mesh.cells.push_back(cell_of(grid.shape, {c[0], c[1], c[3]}));
+        mesh.cells.push_back(cell_of(grid.shape, {c[1], c[2], c[3]}));
       }
     }
 }

@@ -37,4 +37,8 @@ ShellProperties shell_properties(double thickness, const Material &material,
   return properties;
 }
 
+ShellProperties shell_properties(const ShellPart &part) {
+  return shell_properties(part.thickness, part.material, "Shell", part.name);
+}
+
 } // namespace vibroimpact::structure

@@ -2,7 +2,7 @@
 // its material.
 #pragma once
 
-#include "structure/beam_definition.h"
+#include "structure/shell_definition.h"
 
 #include <Eigen/Core>
 
@@ -23,5 +23,7 @@ struct ShellProperties {
 /// Throws DefinitionError of the section `kind` `name` for a thickness or material out of range.
 ShellProperties shell_properties(double thickness, const Material &material,
                                  const std::string &kind, const std::string &name);
+
+ShellProperties shell_properties(const ShellPart &part);
 
 } // namespace vibroimpact::structure

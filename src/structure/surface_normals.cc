@@ -16,7 +16,7 @@ struct CornerNormal {
   double angle = 0; ///< of the surface at this corner [rad]
 };
 
-CornerNormal corner_normal(const Mesh &mesh, const Surface &surface, int corner) {
+CornerNormal corner_normal(const Mesh &mesh, const Cell &surface, int corner) {
   const auto nodes = surface.nodes();
   const Vector3 &here = mesh.nodes[nodes[corner]];
   const Vector3 next = mesh.nodes[nodes[(corner + 1) % surface.size]] - here;
@@ -40,11 +40,11 @@ Vector3 mean_normal(const CornerNormal &own, const std::vector<CornerNormal> &ar
 
 std::vector<std::array<Vector3, 4>> surface_normals(const Mesh &mesh) {
   std::vector<std::vector<CornerNormal>> around(mesh.nodes.size());
-  for (const Surface &surface : mesh.surfaces)
+  for (const Cell &surface : mesh.cells)
     for (int i = 0; i < surface.size; ++i)
       around[surface.corners[i]].push_back(corner_normal(mesh, surface, i));
   std::vector<std::array<Vector3, 4>> normals;
-  for (const Surface &surface : mesh.surfaces) {
+  for (const Cell &surface : mesh.cells) {
     auto &own = normals.emplace_back();
     own.fill(Vector3::Zero());
     for (int i = 0; i < surface.size; ++i)

@@ -13,7 +13,7 @@ constexpr double largest_ratio = 0.25; // errors of 0.1 to 4 %, see above
 
 /// size^2 / R: the area between two sides, times the root of the Gaussian curvature. That is the
 /// ratio of the areas which the normals and the corners span.
-double bulge(const Mesh &mesh, const Surface &surface, const std::array<Vector3, 4> &normals) {
+double bulge(const Mesh &mesh, const Cell &surface, const std::array<Vector3, 4> &normals) {
   const Vector3 &first = mesh.nodes[surface.corners[0]];
   const Vector3 sides =
       (mesh.nodes[surface.corners[1]] - first).cross(mesh.nodes[surface.corners[2]] - first);
@@ -27,8 +27,8 @@ std::optional<TriangleLocking> find_locking(const Mesh &mesh,
                                             const std::vector<std::array<Vector3, 4>> &normals,
                                             const std::vector<double> &thickness) {
   TriangleLocking found;
-  for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
-    const Surface &surface = mesh.surfaces[i];
+  for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
+    const Cell &surface = mesh.cells[i];
     if (surface.size != 3)
       continue;
     ++found.triangles;

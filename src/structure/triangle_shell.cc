@@ -4,6 +4,8 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+
 namespace vibroimpact::structure {
 
 namespace {
@@ -156,6 +158,14 @@ double TriangleShell::area() const { return normal_.norm() / 2; }
 
 std::vector<Vector3> TriangleShell::pressure_areas() const {
   return std::vector<Vector3>(3, normal_ / 6);
+}
+
+std::shared_ptr<const Element> make_triangle_shell(const CellPart &cell) {
+  std::array<int, 3> nodes{};
+  std::array<Vector3, 3> positions;
+  std::copy_n(cell.nodes.begin(), 3, nodes.begin());
+  std::copy_n(cell.positions.begin(), 3, positions.begin());
+  return std::make_shared<TriangleShell>(nodes, positions, shell_properties(cell.part));
 }
 
 } // namespace vibroimpact::structure

@@ -39,4 +39,7 @@ private:
   NodeVectors directors_;
 };
 
+/// Throws like shell_properties().
+std::shared_ptr<const Element> make_triangle_shell(const CellPart &cell);
+
 } // namespace vibroimpact::structure

@@ -65,12 +65,12 @@ std::string renumbered(const structure::Mesh &mesh) {
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
     text << number(static_cast<int>(node)) << " " << mesh.nodes[node].transpose() << "\n";
   const std::vector<int> &left = mesh.line_groups.at("left");
-  text << "$EndNodes\n$Elements\n" << mesh.surfaces.size() + left.size() << "\n";
+  text << "$EndNodes\n$Elements\n" << mesh.cells.size() + left.size() << "\n";
   int element = 0;
   for (const int line : left)
     text << ++element << " 1 2 1 1 " << number(mesh.lines[line][0]) << " "
          << number(mesh.lines[line][1]) << "\n";
-  for (auto surface = mesh.surfaces.rbegin(); surface != mesh.surfaces.rend(); ++surface) {
+  for (auto surface = mesh.cells.rbegin(); surface != mesh.cells.rend(); ++surface) {
     text << ++element << (surface->size == 3 ? " 2 2 0 1" : " 3 2 0 1");
     for (int i = surface->size; i > 0; --i)
       text << " " << number(surface->corners[(i + element) % surface->size]);

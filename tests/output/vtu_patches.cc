@@ -137,12 +137,12 @@ TEST(VtuPatches, ShellsHaveTheStressOfBothFacesAndTheLarger) {
   Recovery recovery;
   recovery.nodes = Matrix::Zero(3, 3);
   recovery.nodes(0, 1) = recovery.nodes(1, 2) = 1;
-  recovery.surfaces = {{0, 1, 2, -1}};
-  recovery.surface_stress = {.rows = Matrix::Zero(6, 1), .first = {0, 2}};
+  recovery.cells = {structure::cell_of(structure::CellShape::triangle, {0, 1, 2})};
+  recovery.cell_stress = {.rows = Matrix::Zero(6, 1), .first = {0, 2}};
   BodyShape shape{.recovery = &recovery, .motion = Vector::Zero(18)};
-  shape.surface_stress = (Vector(6) << 3, 0, 0, 0, 0, 2).finished();
+  shape.cell_stress = (Vector(6) << 3, 0, 0, 0, 0, 2).finished();
   Patches<2> patches;
-  add_surfaces(shape, shape.surface_data(), patches);
+  add_cells(shape, shape.cell_data(), patches);
   const auto shear = static_cast<float>(2 * std::sqrt(3));
   for (unsigned corner = 0; corner < 3; ++corner)
     EXPECT_EQ(values(patches[0].data, 7, 3, corner), (Values{shear, 3, shear}));

@@ -111,7 +111,8 @@ ReducedBody small_shell() {
   body.damping = Matrix::Zero(1, 1);
   body.recovery.nodes.resize(3, 5);
   body.recovery.nodes << 0, 1, 1, 0, 2, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0;
-  body.recovery.surfaces = {{0, 1, 2, 3}, {1, 4, 2, -1}};
+  body.recovery.cells = {structure::cell_of(structure::CellShape::quadrilateral, {0, 1, 2, 3}),
+                         structure::cell_of(structure::CellShape::triangle, {1, 4, 2})};
   body.recovery.lines = {{1, 2}};
   body.recovery.shapes = Matrix::Zero(30, 1);
   body.recovery.shapes(6 * 2 + 2, 0) = 4;
@@ -167,7 +168,7 @@ TEST_F(VtuWriter, VelocityAndStressAreFieldsWhereTheyAreKnown) {
   write_motion_files(folder, "moving", {small_shell()}, {}, motion);
   EXPECT_EQ(point_arrays(path / "moving/frame-00001.vtu"), arrays);
   ReducedBody body = small_shell();
-  body.recovery.surface_stress = {.rows = Matrix::Zero(12, 1), .first = {0, 2, 4}};
+  body.recovery.cell_stress = {.rows = Matrix::Zero(12, 1), .first = {0, 2, 4}};
   write_motion_files(folder, "surfaces", {body}, {}, motion);
   EXPECT_EQ(point_arrays(path / "surfaces/frame-00001-lines.vtu"), arrays);
   body.recovery.line_stress = {.rows = Matrix::Zero(12, 1), .first = {0, 4}};

@@ -91,12 +91,12 @@ TEST(ShellBodies, RecoveryHoldsTheMesh) {
   EXPECT_EQ(quads.type, "shell");
   EXPECT_TRUE(quads.modal());
   EXPECT_EQ(quads.recovery.nodes.cols(), 25);
-  ASSERT_EQ(quads.recovery.surfaces.size(), 16U);
-  EXPECT_EQ(quads.recovery.surfaces[0], (std::array<int, 4>{0, 1, 6, 5}));
+  ASSERT_EQ(quads.recovery.cells.size(), 16U);
+  EXPECT_EQ(quads.recovery.cells[0], structure::cell_of(CellShape::quadrilateral, {0, 1, 6, 5}));
   EXPECT_TRUE(quads.recovery.lines.empty());
   const ReducedBody triangles =
       reduce(body_of(plate_with_middle(4, CellShape::triangle), 3), MPI_COMM_WORLD);
-  EXPECT_EQ(triangles.recovery.surfaces[0], (std::array<int, 4>{0, 1, 6, -1}));
+  EXPECT_EQ(triangles.recovery.cells[0], structure::cell_of(CellShape::triangle, {0, 1, 6}));
 }
 
 TEST(ShellBodies, AllMassMovesWithTheBaseOfAFreePlate) {
@@ -118,7 +118,7 @@ TEST(ShellBodies, FilesKeepSurfacesAndStatics) {
   std::string reason;
   const auto copy = from_bytes(to_bytes(body, ""), "", reason);
   ASSERT_TRUE(copy) << reason;
-  EXPECT_EQ(copy->recovery.surfaces, body.recovery.surfaces);
+  EXPECT_EQ(copy->recovery.cells, body.recovery.cells);
   EXPECT_EQ(copy->recovery.static_displacement, body.recovery.static_displacement);
   EXPECT_EQ(copy->points[0].flexibility, body.points[0].flexibility);
 }

@@ -98,7 +98,7 @@ TEST(ShellParameters, APlateIsRead) {
 TEST(ShellParameters, APlateIsReduced) {
   const ReducedBody body = reduced_text(plate);
   EXPECT_EQ(body.size(), 5);
-  EXPECT_EQ(body.recovery.surfaces.size(), 8U);
+  EXPECT_EQ(body.recovery.cells.size(), 8U);
   EXPECT_EQ(body.recovery.lines.size(), 4U);
   EXPECT_EQ(body.points[0].position, Vector3(1, 0.5, 0));
   EXPECT_GT(body.points[0].static_displacement[2], 0);

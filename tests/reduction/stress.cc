@@ -82,14 +82,12 @@ struct Faces {
 };
 
 Faces faces_of(const ReducedBody &body, const Vector &q) {
-  const auto &surfaces = body.recovery.surfaces;
-  const Vector stress = body.recovery.surface_stress.rows * q;
+  const auto &surfaces = body.recovery.cells;
+  const Vector stress = body.recovery.cell_stress.rows * q;
   Faces faces{stress.reshaped(6, stress.size() / 6), Matrix::Zero(3, stress.size() / 6)};
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const Index corners = surfaces[i][3] < 0 ? 3 : 4;
-    for (Index k = 0; k < corners; ++k)
-      faces.middle.col(static_cast<Index>(i)) +=
-          body.recovery.nodes.col(surfaces[i][static_cast<std::size_t>(k)]) / corners;
+    for (const int node : surfaces[i].nodes())
+      faces.middle.col(static_cast<Index>(i)) += body.recovery.nodes.col(node) / surfaces[i].size;
   }
   return faces;
 }
@@ -119,7 +117,7 @@ TEST(Stress, LinesOfACantileverUnderATipForce) {
       const double arm = 2 - 0.5 * static_cast<double>(line + static_cast<std::size_t>(end));
       EXPECT_NEAR(von_mises_of_line(body, line, end, q) * modulus, arm, 1e-6) << line << " " << end;
     }
-  EXPECT_TRUE(body.recovery.surface_stress.empty());
+  EXPECT_TRUE(body.recovery.cell_stress.empty());
 }
 
 // M c / I with M = F (L - x), in either plane.

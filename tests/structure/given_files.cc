@@ -127,7 +127,7 @@ TEST(GivenFiles, DecksHaveNodesSetsAndOuterFaces) {
                                 "*NSET, NSET=foot\n1,2,3,\n4\n*NSET, NSET=both, GENERATE\n1,11,5\n"
                                 "*NSET, NSET=more\nfoot, 12\n*STEP\n*FREQUENCY\n10\n");
   EXPECT_EQ(mesh.nodes.size(), 12U);
-  EXPECT_EQ(mesh.surfaces.size(), 10U);
+  EXPECT_EQ(mesh.cells.size(), 10U);
   EXPECT_EQ(mesh.numbers.at(12), 11);
   EXPECT_EQ(mesh.groups.at("FOOT"), (std::vector<int>{0, 1, 2, 3}));
   EXPECT_EQ(mesh.groups.at("BOTH"), (std::vector<int>{0, 5, 10}));
@@ -140,7 +140,7 @@ TEST(GivenFiles, DecksHaveNodesSetsAndOuterFaces) {
 TEST(GivenFiles, FacesOfSolidsLieAroundThem) {
   const auto volume = [](const Mesh &mesh) {
     double sum = 0;
-    for (const Surface &surface : mesh.surfaces)
+    for (const Cell &surface : mesh.cells)
       for (int i = 1; i + 1 < surface.size; ++i) {
         const Vector3 a = mesh.nodes[surface.corners[0]];
         const Vector3 b = mesh.nodes[surface.corners[i]];
@@ -156,7 +156,7 @@ TEST(GivenFiles, FacesOfSolidsLieAroundThem) {
                            "*ELEMENT,TYPE=C3D20R\n1,1,2,3,4,5,6,7,8,9,10,11,12,"
                            "13,14,15,\n16,17,18,19,20\n");
   EXPECT_NEAR(volume(bricks), 8, 1e-12);
-  EXPECT_EQ(bricks.surfaces.size(), 30U);
+  EXPECT_EQ(bricks.cells.size(), 30U);
   EXPECT_NEAR(volume(deck(cube + "*ELEMENT,TYPE=C3D6\n1,1,2,3,5,6,7\n")), 4, 1e-12);
   EXPECT_NEAR(volume(deck(cube + "9,1,0,0\n10,2,1,0\n11,1,1,0\n12,1,0,2\n13,2,1,2\n14,1,1,2\n"
                                  "15,0,0,1\n16,2,0,1\n17,2,2,1\n*ELEMENT,TYPE=C3D15\n"
@@ -171,8 +171,8 @@ TEST(GivenFiles, FacesOfSolidsLieAroundThem) {
 TEST(GivenFiles, ShellsAndBeamsOfDecks) {
   const Mesh mesh = deck(cube + "*ELEMENT,TYPE=S4R\n1,1,2,3,4\n*ELEMENT,TYPE=S3\n2,5,6,7\n"
                                 "*ELEMENT,TYPE=B32R\n3,1,5,8\n*ELEMENT,TYPE=SPRINGA\n4,2,6\n");
-  ASSERT_EQ(mesh.surfaces.size(), 2U);
-  EXPECT_EQ(mesh.surfaces[0].size + mesh.surfaces[1].size, 7);
+  ASSERT_EQ(mesh.cells.size(), 2U);
+  EXPECT_EQ(mesh.cells[0].size + mesh.cells[1].size, 7);
   EXPECT_EQ(mesh.lines, (std::vector<std::array<int, 2>>{{0, 4}, {4, 7}}));
 }
 

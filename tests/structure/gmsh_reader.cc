@@ -157,19 +157,19 @@ TEST(GmshReader, ACellTwiceInAGroupIsRefused) {
 // same mesh must come out.
 TEST(GmshReader, AllFourFormsGiveTheSameSurfaces) {
   const Mesh first = parse_gmsh(content_of("tests/structure/meshes/mixed-22-ascii.msh"));
-  EXPECT_GT(first.surfaces.size(), 4U);
-  EXPECT_GT(first.surface_groups.at("thick part").size(), 0U);
-  EXPECT_GT(first.surface_groups.at("thin part").size(), 0U);
+  EXPECT_GT(first.cells.size(), 4U);
+  EXPECT_GT(first.cell_groups.at("thick part").size(), 0U);
+  EXPECT_GT(first.cell_groups.at("thin part").size(), 0U);
   EXPECT_EQ(first.groups.at("corner").size(), 1U);
   EXPECT_EQ(first.line_groups.at("left edge").size(), 3U);
   EXPECT_EQ(first.groups.at("left edge").size(), 4U);
   for (const char *form : {"22-binary", "41-ascii", "41-binary"}) {
     const Mesh other =
         parse_gmsh(content_of(std::string("tests/structure/meshes/mixed-") + form + ".msh"));
-    EXPECT_EQ(other.surfaces, first.surfaces) << form;
+    EXPECT_EQ(other.cells, first.cells) << form;
     EXPECT_EQ(other.lines, first.lines) << form;
     EXPECT_EQ(other.groups, first.groups) << form;
-    EXPECT_EQ(other.surface_groups, first.surface_groups) << form;
+    EXPECT_EQ(other.cell_groups, first.cell_groups) << form;
     EXPECT_EQ(other.line_groups, first.line_groups) << form;
     ASSERT_EQ(other.nodes.size(), first.nodes.size()) << form;
     for (std::size_t i = 0; i < first.nodes.size(); ++i)

@@ -25,14 +25,14 @@ inline std::string mapped_mesh(int columns, int rows, structure::CellShape shape
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
     text << node + 1 << " " << position(mesh.nodes[node].x(), mesh.nodes[node].y()).transpose()
          << "\n";
-  text << "$EndNodes\n$Elements\n" << mesh.surfaces.size() + mesh.lines.size() << "\n";
+  text << "$EndNodes\n$Elements\n" << mesh.cells.size() + mesh.lines.size() << "\n";
   std::size_t element = 0;
   const std::vector<std::string> edges = {"left", "right", "bottom", "top"};
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
     for (const int line : mesh.line_groups.at(edges[edge]))
       text << ++element << " 1 2 " << edge + 1 << " 1 " << mesh.lines[line][0] + 1 << " "
            << mesh.lines[line][1] + 1 << "\n";
-  for (const structure::Surface &surface : mesh.surfaces) {
+  for (const structure::Cell &surface : mesh.cells) {
     text << ++element << (surface.size == 3 ? " 2 2 0 1" : " 3 2 0 1");
     for (const int node : surface.nodes())
       text << " " << node + 1;

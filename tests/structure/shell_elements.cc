@@ -66,13 +66,13 @@ Patch patch(CellShape shape, double thickness, bool warped = false) {
     node = patch.rotation * node;
   structure::Mesh mesh;
   mesh.nodes = patch.nodes;
-  for (const auto &c : {std::array{0, 1, 5, 4}, std::array{1, 2, 6, 5}, std::array{2, 3, 7, 6},
-                        std::array{3, 0, 4, 7}, std::array{4, 5, 6, 7}})
+  for (const auto &c : {std::vector{0, 1, 5, 4}, std::vector{1, 2, 6, 5}, std::vector{2, 3, 7, 6},
+                        std::vector{3, 0, 4, 7}, std::vector{4, 5, 6, 7}})
     if (shape == CellShape::quadrilateral) {
-      mesh.surfaces.push_back({c, 4});
+      mesh.cells.push_back(cell_of(shape, c));
     } else {
-      mesh.surfaces.push_back({{c[0], c[1], c[2], 0}, 3});
-      mesh.surfaces.push_back({{c[0], c[2], c[3], 0}, 3});
+      mesh.cells.push_back(cell_of(shape, {c[0], c[1], c[2]}));
+      mesh.cells.push_back(cell_of(shape, {c[0], c[2], c[3]}));
     }
   patch.elements = examples::shell_elements(mesh, shell_properties(thickness, material, "", ""));
   return patch;

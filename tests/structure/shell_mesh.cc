@@ -53,7 +53,7 @@ void expect_problem(const Mesh &mesh, const std::string &words,
 TEST(ShellMesh, APlateHasItsNodesEdgesAndNormals) {
   const Mesh mesh = generate_plate(unit_plate(4, 2));
   EXPECT_EQ(mesh.nodes.size(), 15U);
-  EXPECT_EQ(mesh.surfaces.size(), 8U);
+  EXPECT_EQ(mesh.cells.size(), 8U);
   EXPECT_EQ(mesh.groups.at("left").size(), 3U);
   EXPECT_EQ(mesh.groups.at("top").size(), 5U);
   EXPECT_EQ(mesh.groups.at("edges").size(), 12U);
@@ -64,16 +64,16 @@ TEST(ShellMesh, APlateHasItsNodesEdgesAndNormals) {
   EXPECT_EQ(mesh.line_groups.at("bottom").size(), 4U);
   EXPECT_EQ(mesh.line_groups.at("edges").size(), 12U);
   EXPECT_NO_THROW(check_surface_mesh(mesh, {}));
-  const auto n = mesh.surfaces[0].nodes();
+  const auto n = mesh.cells[0].nodes();
   EXPECT_GT((mesh.nodes[n[1]] - mesh.nodes[n[0]]).cross(mesh.nodes[n[2]] - mesh.nodes[n[0]]).z(),
             0);
 }
 
 TEST(ShellMesh, TrianglesCoverTheSameArea) {
   const Mesh mesh = generate_plate(unit_plate(4, 2, CellShape::triangle));
-  EXPECT_EQ(mesh.surfaces.size(), 16U);
+  EXPECT_EQ(mesh.cells.size(), 16U);
   double area = 0;
-  for (const Surface &surface : mesh.surfaces) {
+  for (const Cell &surface : mesh.cells) {
     const auto n = surface.nodes();
     area +=
         (mesh.nodes[n[1]] - mesh.nodes[n[0]]).cross(mesh.nodes[n[2]] - mesh.nodes[n[0]]).z() / 2;
@@ -133,7 +133,7 @@ TEST(ShellMesh, BadCellsAreFoundWithTheirPlace) {
   const Mesh sound = generate_plate(unit_plate(2, 1));
   expect_problem({}, "triangles or quadrilaterals");
   Mesh mesh = sound;
-  std::swap(mesh.surfaces[0].corners[0], mesh.surfaces[0].corners[1]);
+  std::swap(mesh.cells[0].corners[0], mesh.cells[0].corners[1]);
   expect_problem(mesh, "inverted or folded");
   mesh = sound;
   mesh.nodes[0] = {0.9, 0.9, 0};
@@ -145,7 +145,7 @@ TEST(ShellMesh, BadCellsAreFoundWithTheirPlace) {
   mesh.nodes[0] = {0, 0, 3};
   expect_problem(mesh, "warped by more than 60 degrees");
   mesh = sound;
-  mesh.surfaces[1].corners[2] = mesh.surfaces[1].corners[1];
+  mesh.cells[1].corners[2] = mesh.cells[1].corners[1];
   expect_problem(mesh, "has one twice");
 }
 
@@ -168,7 +168,7 @@ TEST(ShellMesh, OppositeNormalsAreFound) {
   Mesh mesh = generate_plate(unit_plate(2, 1));
   const std::vector<int> all = {0, 1};
   EXPECT_NO_THROW(check_orientation(mesh, all, "Load", "wind", "Pressure"));
-  std::swap(mesh.surfaces[0].corners[1], mesh.surfaces[0].corners[3]);
+  std::swap(mesh.cells[0].corners[1], mesh.cells[0].corners[3]);
   const std::string problem =
       problem_of([&] { check_orientation(mesh, all, "Load", "wind", "Pressure"); });
   EXPECT_NE(problem.find("Pressure must act on surfaces whose normals"), std::string::npos);

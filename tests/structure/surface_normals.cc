@@ -15,7 +15,8 @@ namespace {
 Mesh one_strip(double height) { // two squares with a fold between them
   Mesh mesh;
   mesh.nodes = {{-1, 0, 0}, {0, 0, 0}, {1, 0, height}, {-1, 1, 0}, {0, 1, 0}, {1, 1, height}};
-  mesh.surfaces = {{{0, 1, 4, 3}, 4}, {{1, 2, 5, 4}, 4}};
+  mesh.cells = {cell_of(CellShape::quadrilateral, {0, 1, 4, 3}),
+                cell_of(CellShape::quadrilateral, {1, 2, 5, 4})};
   return mesh;
 }
 
@@ -31,9 +32,9 @@ TEST(SurfaceNormals, AreThoseOfTheSmoothSurface) {
                                        .elements = {24, 3},
                                        .shape = CellShape::quadrilateral});
   const std::vector<std::array<Vector3, 4>> normals = surface_normals(mesh);
-  for (std::size_t number = 0; number < mesh.surfaces.size(); ++number)
+  for (std::size_t number = 0; number < mesh.cells.size(); ++number)
     for (int i = 0; i < 4; ++i) {
-      const Vector3 &at = mesh.nodes[mesh.surfaces[number].corners[i]];
+      const Vector3 &at = mesh.nodes[mesh.cells[number].corners[i]];
       EXPECT_LT((normals[number][i] - Vector3(2 * at.x(), 2 * at.y(), 0)).norm(), 1e-14);
     }
 }
@@ -44,7 +45,7 @@ TEST(SurfaceNormals, EndAtFoldsAndFollowTheNumbering) {
   const Vector3 mean(-std::sin(half), 0, std::cos(half));
   EXPECT_LT((surface_normals(mesh)[0][1] - mean).norm(), 1e-14);
   EXPECT_LT((surface_normals(mesh)[0][0] - Vector3::UnitZ()).norm(), 1e-14);
-  std::swap(mesh.surfaces[1].corners[1], mesh.surfaces[1].corners[3]);
+  std::swap(mesh.cells[1].corners[1], mesh.cells[1].corners[3]);
   EXPECT_LT((surface_normals(mesh)[0][1] - mean).norm(), 1e-14);
   EXPECT_LT((surface_normals(mesh)[1][0] + mean).norm(), 1e-14);
   EXPECT_LT((surface_normals(one_strip(0.6))[0][1] - Vector3::UnitZ()).norm(), 1e-14); // 31 degrees

@@ -26,7 +26,7 @@ Mesh bowl(int n, double curvature, double kind) {
 }
 
 std::optional<TriangleLocking> locking(const Mesh &mesh, double thickness) {
-  return find_locking(mesh, surface_normals(mesh), std::vector(mesh.surfaces.size(), thickness));
+  return find_locking(mesh, surface_normals(mesh), std::vector(mesh.cells.size(), thickness));
 }
 
 } // namespace

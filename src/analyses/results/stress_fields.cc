@@ -23,7 +23,7 @@ LargestStress largest_stress(const Recovery &recovery, const Matrix &coordinates
   LargestStress largest;
   for (const bool surface : {false, true}) {
     const StressEnvelope envelope = reduction::stress_envelope(
-        surface ? recovery.surface_stress : recovery.line_stress, coordinates);
+        surface ? recovery.cell_stress : recovery.line_stress, coordinates);
     if (envelope.place >= 0 && envelope.maximum() > largest.value)
       largest = {.value = envelope.maximum(),
                  .instant = envelope.instant,
@@ -44,7 +44,7 @@ void add_body(const FieldWriter &result, const std::string &name, const LargestS
 }
 
 bool has_stress(const reduction::ReducedBody &body) {
-  return !body.recovery.line_stress.empty() || !body.recovery.surface_stress.empty();
+  return !body.recovery.line_stress.empty() || !body.recovery.cell_stress.empty();
 }
 
 } // namespace
