@@ -145,7 +145,7 @@ TEST_F(RecordTest, AJournalInAnotherFormatIsNamed) {
        {std::pair("?" + number, "a record of unknown kind"),
         std::pair("h" + number, "a record of format 22 instead of 1"),
         std::pair(std::string("h\1\0\0\0\4", 6),
-                  "bytes are missing, or are not of what they tell")}) {
+                  "bytes are missing or do not match their header")}) {
     fs::remove(file);
     JournalWriter(file).append(record);
     EXPECT_EQ(thrown_message<std::runtime_error>([&] { points("map"); }),
