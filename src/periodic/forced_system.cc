@@ -55,7 +55,7 @@ ForcedKey forced_key(const std::string &name, const ForcedSystem &system,
   std::vector<double> offsets, periods;
   for (const motion::KeyNeighbour &neighbour : neighbours) {
     offsets.push_back(neighbour.offset);
-    periods.push_back(ForcedSystem::period_of(neighbour.model, system.source()));
+    periods.push_back(neighbour.histories()[system.source()]->period());
   }
   const Vector weights = motion::derivative_weights(offsets);
   double derivative = 0;

@@ -2,7 +2,7 @@
 // that are found anew, and against the variational equations up to the instant of an extreme value.
 #include "analyses/derivatives/orbit_derivatives.h"
 #include "analyses/curves/periodic_orbit.h"
-#include "analyses/keys/key_neighbours.h"
+#include "analyses/keys/keyed_system.h"
 
 #include "common/error.h"
 #include "contact/laws/bilinear_stop.h"

@@ -4,7 +4,7 @@
 #include "analyses/curves/periodic_orbit.h"
 #include "analyses/derivatives/orbit_derivatives.h"
 #include "analyses/derivatives/tangent_motion.h"
-#include "analyses/keys/key_neighbours.h"
+#include "analyses/keys/keyed_system.h"
 
 #include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hertz.h"

@@ -197,9 +197,8 @@ private:
       const double offset = place * (near[key] == 0 ? 1 : near[key]);
       near[key] += offset;
       Parts parts_near = make_parts(law(), near);
-      neighbours.push_back({.offset = offset,
-                            .model = std::move(parts_near.model),
-                            .contacts = std::move(parts_near.contacts)});
+      neighbours.push_back(
+          KeyNeighbour::of(offset, std::move(parts_near.model), std::move(parts_near.contacts)));
     }
     return std::make_unique<KeyTangent>("key", parts.model, parts.contacts, std::move(neighbours));
   }

@@ -45,9 +45,8 @@ struct Family {
     std::vector<KeyNeighbour> neighbours;
     for (const double place : {-2e-3, -1e-3, 1e-3, 2e-3}) {
       Parts near = make(value * (1 + place));
-      neighbours.push_back({.offset = place * value,
-                            .model = std::move(near.model),
-                            .contacts = std::move(near.contacts)});
+      neighbours.push_back(
+          KeyNeighbour::of(place * value, std::move(near.model), std::move(near.contacts)));
     }
     return {"key", parts.model, parts.contacts, std::move(neighbours)};
   }

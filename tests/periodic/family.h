@@ -63,9 +63,8 @@ private:
         Vector moved = values;
         moved[key] *= 1 + place;
         Oscillator near = make(moved);
-        list.push_back({.offset = place * values[key],
-                        .model = std::move(near.model),
-                        .contacts = std::move(near.contacts)});
+        list.push_back(motion::KeyNeighbour::of(place * values[key], std::move(near.model),
+                                                std::move(near.contacts)));
       }
       return list;
     }

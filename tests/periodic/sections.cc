@@ -65,7 +65,7 @@ TEST(SectionsTest, DerivativeByTheFrequencyMovesBothEnds) {
   for (const double offset : {-2e-3, -1e-3, 1e-3, 2e-3}) {
     Oscillator near = isolator(lambda + offset);
     neighbours.push_back(
-        {.offset = offset, .model = std::move(near.model), .contacts = std::move(near.contacts)});
+        motion::KeyNeighbour::of(offset, std::move(near.model), std::move(near.contacts)));
   }
   ForcedKey key = forced_key("frequency", forced.system, std::move(neighbours));
   EXPECT_NEAR(key.period, -2 * std::numbers::pi / (lambda * lambda), 1e-10);

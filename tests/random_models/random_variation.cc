@@ -1,6 +1,6 @@
 #include "random_models/random_variation.h"
 
-#include "analyses/keys/key_neighbours.h"
+#include "analyses/keys/keyed_system.h"
 #include "common/error.h"
 #include "motion/variation/linearised_motion.h"
 #include "periodic/stroboscopic_map.h"

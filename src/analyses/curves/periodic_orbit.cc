@@ -1,7 +1,6 @@
 #include "analyses/curves/periodic_orbit.h"
 
 #include "analyses/curves/orbit_fields.h"
-#include "analyses/keys/key_neighbours.h"
 #include "analyses/keys/keyed_system.h"
 #include "analyses/recorders/window_recording.h"
 #include "analyses/results/fields.h"

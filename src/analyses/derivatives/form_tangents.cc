@@ -44,8 +44,8 @@ FormTangents::FormTangents(const System &system,
     offsets.push_back(neighbour.offset);
   const Vector weights = motion::derivative_weights(offsets);
   for (const motion::KeyNeighbour &neighbour : neighbours)
-    near_.push_back(std::make_unique<Near>(System{.model = neighbour.model,
-                                                  .contacts = neighbour.contacts,
+    near_.push_back(std::make_unique<Near>(System{.model = neighbour.own_model(),
+                                                  .contacts = *neighbour.contacts,
                                                   .integration = system.integration,
                                                   .initial = system.initial},
                                            weights[static_cast<Index>(near_.size())]));

@@ -1,7 +1,7 @@
 #include "analyses/derivatives/orbit_derivatives.h"
 
 #include "analyses/derivatives/tangent_motion.h"
-#include "analyses/keys/key_neighbours.h"
+#include "analyses/keys/keyed_system.h"
 #include "analyses/recorders/window_recording.h"
 #include "analyses/results/fields.h"
 #include "common/decompositions.h"
@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vibroimpact::analyses {
 
@@ -19,16 +18,6 @@ using motion::KeyNeighbour;
 namespace {
 
 constexpr double nearly_singular = 1e-10; // of 1 - P_x, relative to 1
-
-std::vector<KeyNeighbour> neighbours_of(const OrbitKey &key, const RecordedOrbit &motion,
-                                        const SystemSource &build) {
-  if (!key.parameter.is_frequency())
-    return key_neighbours(key.parameter, key.parameter.values[0], build);
-  auto list = frequency_neighbours(motion.system, motion.map.system().source());
-  for (KeyNeighbour &neighbour : list)
-    neighbour.offset /= 2 * std::numbers::pi; // per hertz
-  return list;
-}
 
 /// The whole motion, which a key that takes the symmetry away leaves periodic.
 periodic::Section whole(const periodic::Orbit &orbit) {
@@ -77,12 +66,12 @@ Recorded record(const System &system, const Vector &state, const RecordedOrbit &
   return recorded;
 }
 
-std::vector<Recorded> record_neighbours(std::vector<KeyNeighbour> neighbours, const Vector &by_key,
-                                        const RecordedOrbit &motion) {
+std::vector<Recorded> record_neighbours(const std::vector<KeyNeighbour> &neighbours,
+                                        const Vector &by_key, const RecordedOrbit &motion) {
   std::vector<Recorded> all;
-  for (KeyNeighbour &near : neighbours) {
-    const System system{.model = std::move(near.model),
-                        .contacts = std::move(near.contacts),
+  for (const KeyNeighbour &near : neighbours) {
+    const System system{.model = near.own_model(),
+                        .contacts = *near.contacts,
                         .integration = motion.system.integration,
                         .initial = motion.system.initial};
     all.push_back(record(system, motion.orbit.point.state + near.offset * by_key, motion));
@@ -151,7 +140,12 @@ std::vector<OrbitKey> read_orbit_keys(const parameters::Values &section) {
 
 void add_derivatives(const FieldWriter &result, const OrbitKey &key, const RecordedOrbit &motion,
                      const SystemSource &build) {
-  std::vector<KeyNeighbour> neighbours = neighbours_of(key, motion, build);
+  const std::shared_ptr<const System> present_system(std::shared_ptr<const System>(),
+                                                     &motion.system);
+  const std::vector<KeyNeighbour> neighbours =
+      key.parameter.is_frequency()
+          ? frequency_neighbours(present_system, motion.map.system().source())
+          : key_neighbours(key.parameter, key.parameter.values[0], build);
   periodic::ForcedKey forced = forced_key(key.name, motion.map.system(), neighbours);
   motion.map.set_keys({&forced});
   const Vector by_key = state_by_key(motion);
@@ -169,7 +163,7 @@ void add_derivatives(const FieldWriter &result, const OrbitKey &key, const Recor
     offsets.push_back(neighbour.offset);
   const Vector weight = motion::derivative_weights(offsets);
   const Recorded present = record(motion.system, motion.orbit.point.state, motion);
-  const std::vector<Recorded> near = record_neighbours(std::move(neighbours), by_key, motion);
+  const std::vector<Recorded> near = record_neighbours(neighbours, by_key, motion);
   const bool smooth = std::all_of(
       near.begin(), near.end(), [&](const Recorded &one) { return one.events == present.events; });
   listed.number("smooth", smooth ? 1 : 0, "1",

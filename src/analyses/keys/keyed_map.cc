@@ -117,14 +117,18 @@ const StroboscopicMap &KeyedMap::overlooking(const Vector &values,
   Maps &maps = overlooking_[overlooked];
   if (!maps.keys.empty())
     return *maps.map;
+  const auto overlooking_some = [&](const contact::ContactSet &contacts) {
+    return std::make_shared<const contact::ContactSet>(periodic::overlooking(contacts, overlooked));
+  };
   if (!maps.contacts)
-    maps.contacts =
-        std::make_unique<contact::ContactSet>(periodic::overlooking(system().contacts, overlooked));
+    maps.contacts = overlooking_some(system().contacts);
   make_forced(maps);
   Neighbours near = neighbours(within_ends(values));
   for (std::vector<motion::KeyNeighbour> &along_one : near)
     for (motion::KeyNeighbour &neighbour : along_one)
-      neighbour.contacts = periodic::overlooking(neighbour.contacts, overlooked);
+      neighbour.contacts = neighbour.contacts.get() == &system().contacts
+                               ? maps.contacts
+                               : overlooking_some(*neighbour.contacts);
   finish(maps, std::move(near));
   return *maps.map;
 }

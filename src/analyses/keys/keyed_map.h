@@ -28,7 +28,7 @@ public:
 private:
   /// A forced system with its map, and its keys at one place.
   struct Maps {
-    std::unique_ptr<contact::ContactSet> contacts; ///< none: those of the system
+    std::shared_ptr<const contact::ContactSet> contacts; ///< none: those of the system
     std::unique_ptr<periodic::ForcedSystem> forced;
     std::unique_ptr<periodic::StroboscopicMap> map;
     std::vector<std::unique_ptr<periodic::ForcedKey>> keys;

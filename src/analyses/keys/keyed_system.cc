@@ -1,14 +1,22 @@
 #include "analyses/keys/keyed_system.h"
 
-#include "analyses/keys/key_neighbours.h"
 #include "common/error.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 
 namespace vibroimpact::analyses {
 
 namespace {
+
+// Of the value. Differences by it are exact to its fourth power, and what rounding leaves of them
+// is divided by it.
+constexpr double relative_step = 1e-3;
+
+constexpr std::array<std::array<double, 4>, 3> sides = {
+    {{-2, -1, 1, 2}, {1, 2, 3, 4}, {-4, -3, -2, -1}}};
 
 std::size_t only_periodic(const std::vector<model::Source> &sources) {
   if (sources.size() == 1)
@@ -37,6 +45,40 @@ std::size_t sweep_source(const System &system, const std::string &name, const st
     throw InputError("The excitation " + sources[found].name +
                      " has no frequency; its History must be harmonic or ramped harmonic.");
   return found;
+}
+
+std::vector<motion::KeyNeighbour> key_neighbours(const SweptParameter &key, double value,
+                                                 const SystemSource &build) {
+  const double step = relative_step * (value != 0 ? std::abs(value) : key.magnitude());
+  for (std::size_t side = 0;; ++side) {
+    try {
+      std::vector<motion::KeyNeighbour> neighbours;
+      for (const double place : sides[side]) {
+        System system = build({key.at(value + place * step)});
+        neighbours.push_back(motion::KeyNeighbour::of(place * step, std::move(system.model),
+                                                      std::move(system.contacts)));
+      }
+      return neighbours;
+    } catch (const InputError &) {
+      if (side + 1 == sides.size())
+        throw;
+    }
+  }
+}
+
+std::vector<motion::KeyNeighbour> frequency_neighbours(const std::shared_ptr<const System> &system,
+                                                       std::size_t source) {
+  const double omega = 2 * std::numbers::pi / system->model.sources()[source].function->period();
+  std::vector<motion::KeyNeighbour> neighbours;
+  for (const double place : sides.front()) {
+    const double offset = place * relative_step * omega;
+    neighbours.push_back(
+        {.offset = offset / (2 * std::numbers::pi),
+         .model = {system, &system->model},
+         .contacts = {system, &system->contacts},
+         .frequency = motion::SourceFrequency{.source = source, .angular = omega + offset}});
+  }
+  return neighbours;
 }
 
 KeyedSystem::KeyedSystem(std::vector<SweptParameter> keys, std::string excitation, std::string who,
@@ -93,10 +135,7 @@ std::vector<motion::KeyNeighbour> KeyedSystem::neighbours(const Vector &values, 
       set_frequency(system, values);
       return system;
     });
-  std::vector<motion::KeyNeighbour> list = frequency_neighbours(*present_, source());
-  for (motion::KeyNeighbour &neighbour : list)
-    neighbour.offset /= 2 * std::numbers::pi; // per hertz
-  return list;
+  return frequency_neighbours(present_, source());
 }
 
 } // namespace vibroimpact::analyses

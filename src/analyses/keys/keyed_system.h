@@ -1,4 +1,4 @@
-// The system of an analysis at any values of some keys.
+// The system of an analysis at any values of some keys, and its neighbours along each.
 #pragma once
 
 #include "analyses/analysis.h"
@@ -16,6 +16,18 @@ namespace vibroimpact::analyses {
 /// it: "A stepped sweep".
 std::size_t sweep_source(const System &system, const std::string &name,
                          const std::string &who = "A stepped sweep");
+
+/// Four neighbours of the system at `value` of the key [its unit], a thousandth of the value apart
+/// (of the largest of its values where it is zero), on both sides or, where the system cannot be
+/// built on one of them (a clearance below zero, a restitution above one), on the other. InputError
+/// when it cannot be built on either.
+std::vector<motion::KeyNeighbour> key_neighbours(const SweptParameter &key, double value,
+                                                 const SystemSource &build);
+
+/// The same for the frequency [Hz] of an excitation that has one, which changes nothing else. The
+/// given quantity keeps its amplitude and, at t = 0, its phase.
+std::vector<motion::KeyNeighbour> frequency_neighbours(const std::shared_ptr<const System> &system,
+                                                       std::size_t source);
 
 class KeyedSystem {
 public:

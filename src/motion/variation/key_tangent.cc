@@ -24,67 +24,83 @@ auto velocities(const Vector &state, Index n) { return state.segment(n, n); }
 
 } // namespace
 
+KeyNeighbour KeyNeighbour::of(double offset, model::Model model, contact::ContactSet contacts) {
+  return {.offset = offset,
+          .model = std::make_shared<model::Model>(std::move(model)),
+          .contacts = std::make_shared<contact::ContactSet>(std::move(contacts))};
+}
+
+model::Model KeyNeighbour::own_model() const {
+  model::Model own = *model;
+  if (frequency)
+    own.set_frequency(frequency->source, frequency->angular);
+  return own;
+}
+
+Histories KeyNeighbour::histories() const {
+  Histories list;
+  for (const model::Source &source : model->sources())
+    list.push_back(source.function);
+  if (frequency)
+    list[frequency->source] = list[frequency->source]->with_frequency(frequency->angular);
+  return list;
+}
+
 KeyTangent::KeyTangent(std::string key, const model::Model &model,
                        const contact::ContactSet &contacts, std::vector<KeyNeighbour> neighbours)
-    : key_(std::move(key)), model_(model), contacts_(contacts) {
+    : key_(std::move(key)), model_(model), contacts_(contacts), keeps_linear_(model.linear()) {
   static std::atomic<long> next{0};
   identity_ = next++;
   std::vector<double> offsets;
   for (const KeyNeighbour &neighbour : neighbours) {
     offsets.push_back(neighbour.offset);
     reach_ = std::max(reach_, std::abs(neighbour.offset));
+    keeps_linear_ = keeps_linear_ && neighbour.model->linear();
   }
   const Vector weights = derivative_weights(offsets);
-  near_.reserve(neighbours.size()); // the equations refer to the models
-  std::vector<const model::Model *> models;
-  std::vector<WeightedModel> weighted;
-  for (KeyNeighbour &neighbour : neighbours) {
-    const double weight = weights[static_cast<Index>(near_.size())];
-    near_.push_back({.data = std::move(neighbour), .equations = nullptr, .weight = weight});
-    const KeyNeighbour &data = near_.back().data;
-    models.push_back(&data.model);
-    weighted.push_back({.model = &data.model, .contacts = &data.contacts, .weight = weight});
-  }
+  std::vector<Histories> histories;
+  for (const KeyNeighbour &neighbour : neighbours)
+    histories.push_back(neighbour.histories());
+  if (!std::all_of(neighbours.begin(), neighbours.end(),
+                   [this](const KeyNeighbour &near) { return is_unchanged(near); }))
+    for (KeyNeighbour &neighbour : neighbours) {
+      const double weight = weights[static_cast<Index>(near_.size())];
+      near_.push_back({.data = std::move(neighbour), .equations = nullptr, .weight = weight});
+    }
   check_structure();
   check_smoothness();
-  sources_ = std::make_unique<SourceTangent>(model_, std::move(models), weights);
+  sources_ = std::make_unique<SourceTangent>(model_, std::move(histories), weights);
+  std::vector<WeightedModel> weighted;
+  for (const Near &near : near_)
+    weighted.push_back({.model = near.data.model.get(),
+                        .contacts = near.data.contacts.get(),
+                        .weight = near.weight});
   data_ = std::make_unique<ModelTangent>(model_, contacts_, weighted);
 }
 
 void KeyTangent::check_structure() const {
+  if (near_.empty())
+    return;
   const std::vector<std::size_t> present = structure_of(model_, contacts_);
   for (const Near &near : near_)
-    if (structure_of(near.data.model, near.data.contacts) != present)
+    if (structure_of(*near.data.model, *near.data.contacts) != present)
       throw NumericalError("the key " + key_ +
                            " changes which coordinates, contacts or excitations there are: the "
                            "motion has no derivative by it");
 }
 
-void KeyTangent::check_smoothness() {
+void KeyTangent::check_smoothness() const {
+  if (near_.empty())
+    return;
   std::vector<double> offsets;
   std::vector<ModelData> data;
   for (const Near &near : near_) {
     offsets.push_back(near.data.offset);
-    data.push_back(data_of(near.data.model, near.data.contacts));
+    data.push_back(data_of(*near.data.model, *near.data.contacts));
   }
-  const ModelData present = data_of(model_, contacts_);
-  if (!is_smooth(offsets, present, data))
+  if (!is_smooth(offsets, data_of(model_, contacts_), data))
     throw NumericalError("the model does not change smoothly with the key " + key_ +
                          ": the motion has no derivative by it");
-  sources_alone_ = std::all_of(data.begin(), data.end(),
-                               [&](const ModelData &near) { return near == present; }) &&
-                   has_same_laws();
-}
-
-// The very same, and not only equal ones.
-bool KeyTangent::has_same_laws() const {
-  return std::all_of(near_.begin(), near_.end(), [&](const Near &near) {
-    const std::vector<ContactPair> &others = near.data.contacts.pairs();
-    return std::equal(others.begin(), others.end(), contacts_.pairs().begin(),
-                      contacts_.pairs().end(), [](const ContactPair &a, const ContactPair &b) {
-                        return a.law == b.law && a.gap.base_coefficients == b.gap.base_coefficients;
-                      });
-  });
 }
 
 double KeyTangent::gap(std::size_t contact, double time, const Vector &state) const {
@@ -119,7 +135,7 @@ double KeyTangent::form(const Equations &equations, std::size_t contact, const P
   const double value = own(local);
   double change = 0;
   for (const Near &near : near_)
-    change += near.weight * (pick(*near.data.contacts.pairs()[contact].law)(local) - value);
+    change += near.weight * (pick(*near.data.contacts->pairs()[contact].law)(local) - value);
   if (own.gap != 0)
     change += own.gap * gap(contact, time, state);
   if (own.gap_rate != 0)
@@ -152,7 +168,7 @@ KeyTangent::Forces KeyTangent::forces(const Equations &equations, double time, c
           own.internal_rate_by_gap[place] * by_gap + own.internal_rate_by_gap_rate[place] * by_rate;
     }
     for (const Near &near : near_) {
-      near.data.contacts.pairs()[c].law->evaluate(mode, local, other);
+      near.data.contacts->pairs()[c].law->evaluate(mode, local, other);
       force += near.weight * (other.force - own.force);
       for (Index i = 0; i < pair.n_internal(); ++i) {
         const auto place = static_cast<std::size_t>(i);
@@ -213,9 +229,9 @@ void KeyTangent::add_rates_with_rotors(const Equations &equations, double time, 
   for (const Near &near : near_) {
     change.segment(layout.velocity(), n) +=
         near.weight *
-        (acceleration(near.data.model, near.data.contacts, time, state, sources, contact_forces) -
+        (acceleration(*near.data.model, *near.data.contacts, time, state, sources, contact_forces) -
          present);
-    near.data.model.rotors().drive_rates(
+    near.data.model->rotors().drive_rates(
         ConstVectorView(state.data() + n, n),
         ConstVectorView(state.data() + layout.drive(), layout.n_drive),
         VectorView(drive.data(), drive.size()));
@@ -313,14 +329,14 @@ Vector KeyTangent::jump(const Equations &equations, const Collision &collision, 
   const Vector factor =
       -(collision.rows * collision.response * collision.impulse_by_rate).diagonal();
   for (const Near &near : near_) {
-    const Matrix rows = gap_rows(near.data.contacts, collision.contacts, n);
+    const Matrix rows = gap_rows(*near.data.contacts, collision.contacts, n);
     // Collisions of models with rotors have no derivative.
-    const Matrix response = near.data.model.mass().cwiseInverse().asDiagonal() * rows.transpose();
+    const Matrix response = near.data.model->mass().cwiseInverse().asDiagonal() * rows.transpose();
     Vector wanted(size);
     for (Index k = 0; k < size; ++k) {
       const std::size_t c = collision.contacts[static_cast<std::size_t>(k)];
       const double speed = -gap_rates[k];
-      const double other = near.data.contacts.pairs()[c].law->restitution(speed);
+      const double other = near.data.contacts->pairs()[c].law->restitution(speed);
       const double own = contacts_.pairs()[c].law->restitution(speed);
       const bool bounces = factor[k] > 1 + 1e-9;
       wanted[k] = (factor[k] + (bounces || own == 0 ? other - own : 0)) * gap_rates[k];
@@ -330,11 +346,6 @@ Vector KeyTangent::jump(const Equations &equations, const Collision &collision, 
     change += near.weight * (jump - present);
   }
   return change;
-}
-
-bool KeyTangent::keeps_linear() const {
-  return std::all_of(near_.begin(), near_.end(),
-                     [](const Near &near) { return near.data.model.linear(); });
 }
 
 const KeyTangent::LinearTangent &KeyTangent::linear(const std::vector<int> &modes,
@@ -350,11 +361,9 @@ KeyTangent::LinearTangent KeyTangent::make_linear(const std::vector<int> &modes,
   LinearTangent tangent{.matrix = Matrix::Zero(own.size(), own.size()),
                         .constant = zero,
                         .loads = {own.loads().size(), {zero, zero, zero}}};
-  if (sources_alone_)
-    return tangent;
   for (Near &near : near_) {
     if (!near.equations)
-      near.equations = std::make_unique<Equations>(near.data.model, near.data.contacts);
+      near.equations = std::make_unique<Equations>(*near.data.model, *near.data.contacts);
     for (std::size_t c = 0; c < modes.size(); ++c)
       near.equations->set_mode(c, modes[c]);
     const LinearSystem other(*near.equations);

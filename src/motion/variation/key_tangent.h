@@ -20,16 +20,29 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace vibroimpact::motion {
 
-/// Model and contacts at the value p + offset of a key.
+struct SourceFrequency {
+  std::size_t source = 0;
+  double angular = 0; ///< [rad/s]
+};
+
+/// What a motion is made of at the value p + offset of a key. Model and contacts that the key does
+/// not change may be the very ones of the present value; no difference of them is taken then.
 struct KeyNeighbour {
   double offset = 0; ///< not zero [unit of the key]
-  model::Model model;
-  contact::ContactSet contacts;
+  std::shared_ptr<const model::Model> model;
+  std::shared_ptr<const contact::ContactSet> contacts;
+  std::optional<SourceFrequency> frequency{}; ///< of a source, in place of that of the model
+
+  static KeyNeighbour of(double offset, model::Model model, contact::ContactSet contacts);
+  /// The model with that frequency.
+  model::Model own_model() const;
+  Histories histories() const;
 };
 
 class KeyTangent {
@@ -70,7 +83,7 @@ public:
   /// on.
   const LinearTangent &linear(const std::vector<int> &modes, const LinearSystem &own);
   /// The neighbours are linear without contacts, as a cubic spring that begins with the key is not.
-  bool keeps_linear() const;
+  bool keeps_linear() const { return keeps_linear_; }
   /// How far the neighbours lie from the key [its unit].
   double reach() const { return reach_; }
   /// No two keys have the same.
@@ -86,9 +99,11 @@ private:
     Vector present, change; ///< of all contacts: F, and dF/dp of those that do not hold their gap
   };
   LinearTangent make_linear(const std::vector<int> &modes, const LinearSystem &own);
+  bool is_unchanged(const KeyNeighbour &neighbour) const {
+    return neighbour.model.get() == &model_ && neighbour.contacts.get() == &contacts_;
+  }
   void check_structure() const;
-  void check_smoothness();
-  bool has_same_laws() const;
+  void check_smoothness() const;
   Forces forces(const Equations &equations, double time, const Vector &state, const Vector &rates,
                 Vector &change) const;
   Vector acceleration(const model::Model &model, const contact::ContactSet &contacts, double time,
@@ -106,12 +121,12 @@ private:
   std::string key_;
   const model::Model &model_;
   const contact::ContactSet &contacts_;
-  std::vector<Near> near_;
+  std::vector<Near> near_; ///< none where the sources alone change, as with a frequency
   std::unique_ptr<SourceTangent> sources_;
   std::unique_ptr<ModelTangent> data_;
   std::map<std::vector<int>, LinearTangent> linear_; ///< by the modes of the contacts
   double reach_ = 0;
-  bool sources_alone_ = false; ///< nothing else changes, as with the frequency of an excitation
+  bool keeps_linear_ = false;
   long identity_;
 };
 

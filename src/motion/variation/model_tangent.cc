@@ -9,9 +9,9 @@ using Neighbours = std::vector<WeightedModel>;
 // The weighted sum of what `part` of a neighbour is more than `present`.
 template <typename Value, typename Part>
 Value derivative(const Value &present, const Neighbours &neighbours, const Part &part) {
-  Value sum = neighbours.front().weight * (part(neighbours.front()) - present);
-  for (std::size_t i = 1; i < neighbours.size(); ++i)
-    sum += neighbours[i].weight * (part(neighbours[i]) - present);
+  Value sum = 0.0 * present;
+  for (const WeightedModel &near : neighbours)
+    sum += near.weight * (part(near) - present);
   return sum;
 }
 

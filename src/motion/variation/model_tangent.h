@@ -31,7 +31,7 @@ struct GapTangent {
 
 class ModelTangent {
 public:
-  /// Keeps a reference to the model. Of models with the same structure.
+  /// Keeps a reference to the model. Of models with the same structure; none: nothing changes.
   ModelTangent(const model::Model &model, const contact::ContactSet &contacts,
                const std::vector<WeightedModel> &neighbours);
 

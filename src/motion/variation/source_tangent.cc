@@ -45,8 +45,8 @@ const TimeFunction &function_of(const model::Model &model, std::size_t source) {
 
 } // namespace
 
-SourceTangent::SourceTangent(const model::Model &model,
-                             std::vector<const model::Model *> neighbours, Vector weights)
+SourceTangent::SourceTangent(const model::Model &model, std::vector<Histories> neighbours,
+                             Vector weights)
     : model_(model), neighbours_(std::move(neighbours)), weights_(std::move(weights)) {}
 
 // A source without closed form belongs to its next piece at the break itself.
@@ -67,7 +67,7 @@ void SourceTangent::enter(double from, double to) {
     const TimeFunction &function = function_of(model_, k);
     interval.form = function.exponential_form(inside());
     for (std::size_t i = 0; i < neighbours_.size(); ++i) {
-      const TimeFunction &near = function_of(*neighbours_[i], k);
+      const TimeFunction &near = *neighbours_[i][k];
       const bool periodic = function.period() > 0 && near.period() > 0;
       const double factor = periodic ? near.period() / function.period() : 1;
       interval.time_factors.push_back(factor);
@@ -99,7 +99,7 @@ void SourceTangent::find_break_rate() {
       continue;
     double rate = 0;
     for (std::size_t i = 0; i < neighbours_.size(); ++i) {
-      const double instant = function_of(*neighbours_[i], k).next_break(inside());
+      const double instant = neighbours_[i][k]->next_break(inside());
       if (!(std::abs(instant - to_) < 0.5 * (to_ - from_)))
         throw NumericalError("a break of the excitation " + model_.sources()[k].name + " at t = " +
                              std::to_string(to_) + " s moves too far with a key for a derivative");
@@ -125,7 +125,7 @@ Values SourceTangent::at(std::size_t source, double time) const {
   const Values own = values_of(function, interval.form, instant);
   Values change{};
   for (std::size_t i = 0; i < neighbours_.size(); ++i) {
-    const Values near = values_of(function_of(*neighbours_[i], source), interval.neighbours[i],
+    const Values near = values_of(*neighbours_[i][source], interval.neighbours[i],
                                   instant * interval.time_factors[i]);
     for (std::size_t m = 0; m < 3; ++m)
       change[m] += weights_[static_cast<Index>(i)] * (near[m] - own[m]);

@@ -15,16 +15,19 @@
 #include "motion/phase/excitation.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace vibroimpact::motion {
 
+/// What the sources of a model do in time.
+using Histories = std::vector<std::shared_ptr<const model::TimeFunction>>;
+
 class SourceTangent {
 public:
   /// Keeps references. `weights`: of the difference of each neighbour to the model.
-  SourceTangent(const model::Model &model, std::vector<const model::Model *> neighbours,
-                Vector weights);
+  SourceTangent(const model::Model &model, std::vector<Histories> neighbours, Vector weights);
 
   /// From now on times lie between `from` and the next break `to` (+infinity: none). NumericalError
   /// when a neighbour has its break elsewhere.
@@ -62,7 +65,7 @@ private:
   void find_break_rate();
 
   const model::Model &model_;
-  std::vector<const model::Model *> neighbours_;
+  std::vector<Histories> neighbours_;
   Vector weights_;
   std::vector<Interval> intervals_; ///< per source
   double from_ = 0, to_ = 0;
