@@ -39,6 +39,19 @@ def datasets(folder):
     return found
 
 
+def wait_for_session(leader):
+    """Until no process of a session is left: ranks outlive a killed mpirun by what they compute."""
+    def is_of_it(stat):
+        try:
+            state, _, _, session = stat.read_text().rsplit(")", 1)[1].split()[:4]
+        except OSError:
+            return False
+        return int(session) == leader and state not in "ZX"
+
+    while any(is_of_it(path) for path in pathlib.Path("/proc").glob("[0-9]*/stat")):
+        time.sleep(0.02)
+
+
 class Runs:
     """Starts the program, and ends it when its time has come."""
 
@@ -62,6 +75,7 @@ class Runs:
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, how)
             process.communicate()
+            wait_for_session(process.pid)
             return False
         if process.returncode not in (0, 4):
             raise SystemExit(f"{folder}: exit code {process.returncode}\n{errors}")
