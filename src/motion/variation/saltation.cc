@@ -224,7 +224,7 @@ Saltation Saltations::change(const ContactEvent &event, bool at_start) {
 
 Saltation Saltations::collide(const ContactEvent &event) {
   if (!equations_.model().rotors().empty())
-    throw NumericalError("perturbations through rigid impacts are not implemented for models with "
+    throw NumericalError("rigid impacts have no known derivative in models with "
                          "rotors, whose inertia changes with the position");
   const Collision &collision = *event.collision;
   for (std::size_t c = 0; c < collision.modes_before.size(); ++c)
