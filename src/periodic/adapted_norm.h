@@ -19,7 +19,8 @@ public:
   /// std::logic_error where that is not below one.
   AdaptedNorm(const Matrix &by_state, double multiplier);
 
-  double operator()(const Vector &y) const { return (root_.transpose() * y).norm(); }
+  /// Asked for every period of a motion: a general product would cost more than a small one.
+  double operator()(const Vector &y) const { return root_.transpose().lazyProduct(y).norm(); }
   /// |mu|
   double multiplier() const { return multiplier_; }
   /// rho

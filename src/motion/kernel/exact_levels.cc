@@ -1,5 +1,6 @@
 // The tables of a phase for pieces of one length.
 #include "common/decompositions.h"
+#include "common/memory.h"
 #include "motion/kernel/interpolation.h"
 #include "motion/phase/exact_phase.h"
 
@@ -19,6 +20,7 @@ constexpr std::array<double, 3> order_factors = {1, 7, 21};
 // A level that is there already lacks what was renewed since.
 void ExactPhase::make_level(int index) {
   const std::unique_ptr<Level> &known = levels_[static_cast<std::size_t>(index)];
+  level_bytes_ -= known ? known->bytes() : 0;
   Level &level = known ? *known : allocate_level(index);
   for (const PhaseGroup &group : groups_) {
     if (group.generation <= level.generation)
@@ -29,7 +31,12 @@ void ExactPhase::make_level(int index) {
       set_level_pair(level, group);
   }
   level.generation = generation_;
+  level_bytes_ += level.bytes();
   show_level(index);
+}
+
+std::size_t ExactPhase::Level::bytes() const {
+  return bytes_of(turn, growth, table, bounds, dense, dense_growth);
 }
 
 ExactPhase::Level &ExactPhase::allocate_level(int index) {

@@ -12,7 +12,8 @@
 // many each stays long.
 //
 // Steps and contact changes of any kind are counted too, until the motion is beyond a horizon that
-// no motion needs thousands of them for.
+// no motion needs thousands of them for: a thousandth of the shortest time scale, or what the
+// uncertainty of an instant leaves, where that is less.
 #pragma once
 
 #include <algorithm>
@@ -23,14 +24,17 @@ namespace vibroimpact::motion {
 
 class StallBound {
 public:
-  void begin(std::size_t n_contacts) {
+  /// highest_frequency: of the model [rad/s]; 0: nothing vibrates.
+  void begin(std::size_t n_contacts, double highest_frequency) {
     contacts_.assign(n_contacts, {});
+    shortest_ =
+        highest_frequency > 0 ? 1e-3 / highest_frequency : std::numeric_limits<double>::infinity();
     quick_ = count_ = 0;
     mark_ = -std::numeric_limits<double>::infinity();
   }
-  /// Something was done; the motion is at `time` now. Both in s.
-  void pass(double time, double horizon) {
-    const bool beyond = time > mark_ + horizon;
+  /// Something was done; the motion is at `time` [s] now, an instant with the `uncertainty` [s].
+  void pass(double time, double uncertainty) {
+    const bool beyond = time > mark_ + std::min(100 * uncertainty, shortest_);
     count_ = beyond ? 0 : count_ + 1;
     mark_ = beyond ? time : mark_;
   }
@@ -54,7 +58,8 @@ private:
     long quick = 0;                                        ///< in a row
   };
   std::vector<Stays> contacts_;
-  long quick_ = 0; ///< of the contact that changed last
+  long quick_ = 0;      ///< of the contact that changed last
+  double shortest_ = 0; ///< a thousandth of the shortest time scale [s]
   double mark_ = 0;
   long count_ = 0; ///< since the mark
 };

@@ -14,16 +14,6 @@ namespace vibroimpact::motion {
 using contact::AffineForm;
 using contact::LocalState;
 
-namespace {
-
-// [s]; a thousandth of the shortest time scale where that is less than what uncertainty leaves.
-double stall_horizon(double uncertainty, double highest_frequency) {
-  const double uncertain = 100 * uncertainty;
-  return highest_frequency > 0 ? std::min(uncertain, 1e-3 / highest_frequency) : uncertain;
-}
-
-} // namespace
-
 Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &contacts,
                        const Settings &settings)
     : settings_(settings), equations_(model, contacts), scales_(equations_, settings_),
@@ -71,7 +61,7 @@ void Trajectory::start(const MotionState &from) {
   steppers_.forget(); // so that a case does not depend on what was integrated before it
   counts_ = {.rejected_steps = -steppers_.rejected_steps()};
   last_ = {};
-  progress_.begin(equations_.contacts().size());
+  progress_.begin(equations_.contacts().size(), equations_.model().highest_frequency());
   zero_at_start_.clear();
   if (path_) { // a step, if one is needed at all, finds out the rest
     steppers_.place(from.time, state);
@@ -337,7 +327,7 @@ void Trajectory::integrate(double end, Observer &observer) {
 void Trajectory::move(double end, Observer &observer) {
   while (steppers_.present().time() < end) {
     leave_if_stopped();
-    progress_.pass(time(), stall_horizon(time_tolerance(), equations_.model().highest_frequency()));
+    progress_.pass(time(), time_tolerance());
     if (progress_.stalled())
       throw NumericalError(stall_reason("the motion hardly advances"));
     if (at_source_break()) {

@@ -75,13 +75,9 @@ void ExactPhase::take(const Excitation &excitation) {
 }
 
 std::size_t ExactPhase::bytes() const {
-  std::size_t sum = modal_.bytes() + bytes_of(guard_rows_, columns_, couples_, rows_, sizes_,
-                                              second_, third_, eighth_, magnitudes_, weights_);
-  for (const std::unique_ptr<Level> &level : levels_)
-    if (level)
-      sum += bytes_of(level->turn, level->growth, level->table, level->bounds, level->dense,
-                      level->dense_growth);
-  return sum;
+  return level_bytes_ + modal_.bytes() +
+         bytes_of(guard_rows_, columns_, couples_, rows_, sizes_, second_, third_, eighth_,
+                  magnitudes_, weights_);
 }
 
 void ExactPhase::arrange(const Excitation &excitation) {
@@ -103,6 +99,7 @@ void ExactPhase::arrange(const Excitation &excitation) {
   set_weights();
   for (std::unique_ptr<Level> &level : levels_)
     level.reset();
+  level_bytes_ = 0;
   forget_levels();
   ++arrangement_;
 }

@@ -75,6 +75,8 @@ private:
     long generation = -1; ///< that it was last renewed for
     AlignedArray turn, growth, table, bounds;
     std::vector<double> dense, dense_growth;
+
+    std::size_t bytes() const;
   };
 
   void set_loads(const Vector &constant, const std::vector<LinearSystem::Load> &loads);
@@ -139,6 +141,7 @@ private:
   std::vector<DenseBlockView> dense_;
   std::vector<std::vector<double>> generators_;
   std::vector<std::unique_ptr<Level>> levels_;
+  std::size_t level_bytes_ = 0; ///< of all
   std::vector<LevelView> level_views_;
 };
 
