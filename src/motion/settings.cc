@@ -6,9 +6,11 @@ void declare_integration(parameters::Section &root) {
   using namespace parameters;
   root.subsection("Integration", "How motions are integrated in time.")
       .choice(
-          "Method", "exact", {"exact", "rk", "bdf", "theta", "arkimex"},
+          "Method", "exact", {"exact", "moments", "rk", "bdf", "theta", "arkimex"},
           "Time integrator: exact where everything is linear and adaptive Runge-Kutta elsewhere; "
-          "or throughout adaptive Runge-Kutta of order 5 (Dormand-Prince), backward "
+          "moments for many contacts, in steps that no contact change ends (linear models, laws "
+          "with finite forces and without internal states); or throughout adaptive Runge-Kutta of "
+          "order 5 (Dormand-Prince), backward "
           "differentiation, trapezoidal-type theta, or diagonally implicit Runge-Kutta.")
       .quantity("Relative tolerance", "1e-9", dimension::none, Range{.lower = 1e-14, .upper = 0.1},
                 "",

@@ -9,7 +9,7 @@
 namespace vibroimpact::motion {
 
 struct Settings {
-  std::string method = "exact"; ///< "exact", "rk", "bdf", "theta" or "arkimex"
+  std::string method = "exact"; ///< "exact", "moments", "rk", "bdf", "theta" or "arkimex"
   double relative_tolerance = 1e-9;
   double absolute_tolerance = 0;  ///< of displacements at the points [m]; 0: none
   double event_tolerance = 1e-12; ///< of the instant of a contact change [s]

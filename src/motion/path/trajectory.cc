@@ -2,6 +2,7 @@
 
 #include "common/error.h"
 #include "common/signals.h"
+#include "motion/moments/moment_path.h"
 #include "motion/path/exact_path.h"
 
 #include <algorithm>
@@ -22,6 +23,12 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
   if (steppers_.exact())
     path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(), settings,
                                         progress_, counts_);
+  if (settings.method == "moments" && !MomentStep::holds(equations_))
+    throw InputError("Method = moments needs a linear model and contacts with finite forces and "
+                     "without internal states.");
+  if (settings.method == "moments")
+    moments_ =
+        std::make_unique<MomentPath>(equations_, steppers_.exact()->phases(), settings, counts_);
 }
 
 Trajectory::~Trajectory() = default;
@@ -47,6 +54,8 @@ void Trajectory::begin_phase(double time, const Vector &state) {
   steps_outdated_ = false;
   if (path_)
     path_->leave();
+  if (moments_)
+    moments_->leave();
 }
 
 void Trajectory::start(const MotionState &from) {
@@ -58,6 +67,8 @@ void Trajectory::start(const MotionState &from) {
   collisions_.settle(from.time, settings_.event_tolerance, state);
   if (path_)
     path_->begin();
+  if (moments_)
+    moments_->begin();
   steppers_.forget(); // so that a case does not depend on what was integrated before it
   counts_ = {.rejected_steps = -steppers_.rejected_steps()};
   last_ = {};

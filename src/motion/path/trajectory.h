@@ -24,6 +24,8 @@
 namespace vibroimpact::motion {
 
 class ExactPath;
+class MomentPath;
+struct PathObserver;
 
 /// Where a motion stands, to start another one from.
 struct MotionState {
@@ -112,6 +114,7 @@ private:
   void integrate(double end, Observer &observer);
   void move(double end, Observer &observer);
   bool propagate(double limit, Observer &observer);
+  bool propagate_by_moments(double limit, const PathObserver *observer);
   void note_path_events();
   void take_over();
   void begin_balance();
@@ -156,9 +159,10 @@ private:
   ContactScales scales_;
   Collisions collisions_;
   Steppers steppers_;
-  std::unique_ptr<MotionTs> ts_;    ///< none: nobody looks at it by PETSc's means
-  std::unique_ptr<ExactPath> path_; ///< none where the method is another
-  bool steps_outdated_ = false;     ///< the steppers must begin anew to take a step
+  std::unique_ptr<MotionTs> ts_;        ///< none: nobody looks at it by PETSc's means
+  std::unique_ptr<ExactPath> path_;     ///< none where the method is another
+  std::unique_ptr<MomentPath> moments_; ///< none where such steps cannot be taken or are not due
+  bool steps_outdated_ = false;         ///< the steppers must begin anew to take a step
   Balance balance_;
   Accuracy counts_; ///< without the energies
   LastInstant last_;

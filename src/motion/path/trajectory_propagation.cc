@@ -1,4 +1,5 @@
 // What a motion does without steps, and how steps take over.
+#include "motion/moments/moment_path.h"
 #include "motion/path/exact_path.h"
 #include "motion/path/trajectory.h"
 
@@ -8,6 +9,19 @@
 namespace vibroimpact::motion {
 
 // Goes on in closed form as far as that is clear. False: a step is next.
+bool Trajectory::propagate_by_moments(double limit, const PathObserver *observer) {
+  double instant = time();
+  const bool moved = moments_->advance(instant, state(), limit, observer);
+  balance_.exact = false;
+  if (!moved)
+    return false;
+  steppers_.place(instant, moments_->state());
+  steps_outdated_ = true;
+  zero_at_start_.clear();
+  path_->leave();
+  return instant == limit;
+}
+
 bool Trajectory::propagate(double limit, Observer &observer) {
   if (!path_ || keeps_modes())
     return false;
@@ -22,6 +36,8 @@ bool Trajectory::propagate(double limit, Observer &observer) {
         change_mode(when, contact, guard, changed, observer);
       }};
   const bool observed = path_observer.monitor || path_observer.steps;
+  if (moments_)
+    return propagate_by_moments(limit, observed ? &path_observer : nullptr);
   const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - before.events
                                                         : std::numeric_limits<long>::max();
   const bool moved = path_->advance(instant, state(), limit, most_events, zero_at_start_,

@@ -26,7 +26,7 @@ constexpr int implicit_order = 5;
 
 Steppers::Steppers(Equations &equations, const Settings &settings)
     : equations_(equations), settings_(settings) {
-  if (settings.method == "exact") {
+  if (settings.method == "exact" || settings.method == "moments") {
     exact_ = std::make_unique<ExactStepper>(equations, settings);
     general_ = std::make_unique<HighOrderStepper>(equations, settings);
   } else {

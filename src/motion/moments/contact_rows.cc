@@ -1,0 +1,21 @@
+#include "motion/moments/contact_rows.h"
+
+namespace vibroimpact::motion {
+
+ContactRows::ContactRows(const Equations &equations) {
+  const auto &pairs = equations.contacts().pairs();
+  const auto count = static_cast<Index>(pairs.size());
+  rows.resize(count, equations.layout().n);
+  base.setZero(count, static_cast<Index>(equations.model().sources().size()));
+  clearances.resize(count);
+  for (Index c = 0; c < count; ++c) {
+    const contact::ContactPair &pair = pairs[static_cast<std::size_t>(c)];
+    rows.row(c) = pair.gap.row;
+    clearances[c] = pair.clearance;
+    for (std::size_t s = 0; s < pair.gap.base_coefficients.size(); ++s)
+      base(c, static_cast<Index>(s)) = pair.gap.base_coefficients[s];
+  }
+  largest = rows.cwiseAbs().colwise().maxCoeff();
+}
+
+} // namespace vibroimpact::motion

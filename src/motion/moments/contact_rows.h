@@ -1,0 +1,24 @@
+// The gaps of all contacts as rows of the motion.
+#pragma once
+
+#include "motion/system/equations.h"
+
+#include <vector>
+
+namespace vibroimpact::motion {
+
+/// gap = clearance + row q + base s
+struct ContactRows {
+  using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  explicit ContactRows(const Equations &equations);
+
+  Index size() const { return rows.rows(); }
+
+  RowMatrix rows;    ///< contacts x n
+  RowMatrix base;    ///< contacts x sources
+  Vector clearances; ///< [m]
+  Vector largest;    ///< of each coordinate, |row| over all contacts
+};
+
+} // namespace vibroimpact::motion

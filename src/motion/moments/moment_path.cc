@@ -1,0 +1,220 @@
+#include "motion/moments/moment_path.h"
+
+#include "common/error.h"
+#include "common/signals.h"
+#include "motion/episode/gauss_jacobi.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vibroimpact::motion {
+
+namespace {
+
+constexpr int rungs_per_octave = 4;
+constexpr std::size_t most_tables = 48;
+/// Rungs that a step may lose at once.
+constexpr int most_rungs_down = 8;
+
+} // namespace
+
+MomentPath::MomentPath(Equations &equations, ExactPhases &phases, const Settings &settings,
+                       Accuracy &counts)
+    : equations_(equations), phases_(phases), counts_(counts),
+      step_(equations, settings.relative_tolerance),
+      views_(equations, step_, settings.relative_tolerance),
+      unit_(equations.model().highest_frequency() > 0 ? 1 / equations.model().highest_frequency()
+                                                      : 1),
+      longest_(settings.maximum_step > 0 ? settings.maximum_step
+                                         : std::numeric_limits<double>::infinity()) {}
+
+void MomentPath::begin() {
+  running_ = false;
+  rung_ = 0;
+  step_.begin();
+}
+
+double MomentPath::length_of(int rung) const {
+  return unit_ * std::exp2(static_cast<double>(rung) / rungs_per_octave);
+}
+
+const MomentTables &MomentPath::tables_of(int rung) {
+  const auto known = tables_.find(rung);
+  if (known != tables_.end())
+    return known->second;
+  if (tables_.size() >= most_tables)
+    tables_.clear();
+  return tables_.emplace(rung, step_.tables(length_of(rung))).first->second;
+}
+
+bool MomentPath::start(double time, const Vector &state) {
+  if (!phases_.take_sources(time))
+    return false;
+  if (step_.take(phases_.excitation()))
+    tables_.clear();
+  step_.start(state, phases_.excitation(), time, equations_.modes());
+  return running_ = true;
+}
+
+// With the rung of the next attempt. False: no shorter step is possible.
+bool MomentPath::refuse(std::optional<double> error, double h) {
+  ++counts_.rejected_steps;
+  const int rung = static_cast<int>(std::floor(rungs_per_octave * std::log2(h / unit_)));
+  const int down = error ? std::clamp(static_cast<int>(std::ceil(rungs_per_octave *
+                                                                 std::log2(*error) / n_moments)),
+                                      1, most_rungs_down)
+                         : rungs_per_octave;
+  rung_ = std::min(rung_, rung) - down;
+  constexpr double shortest = 1e-9; // of the shortest time scale
+  return length_of(rung_) > shortest * unit_;
+}
+
+bool MomentPath::advance(double &time, const Vector &state, double limit,
+                         const PathObserver *observer) {
+  state_ = state;
+  if (!running_ && !start(time, state))
+    return false;
+  const double from = time;
+  while (time < limit) {
+    leave_if_stopped();
+    const double most = std::min(limit - time, longest_);
+    const bool on_ladder = length_of(rung_) < most;
+    const double h = on_ladder ? length_of(rung_) : most;
+    const std::optional<double> error =
+        on_ladder ? step_.attempt(h, tables_of(rung_)) : step_.attempt(h, step_.tables(h));
+    if (!error || *error > 1) {
+      if (refuse(error, h))
+        continue;
+      running_ = false;
+      break;
+    }
+    accept(time, *error, on_ladder, observer);
+    time = h == limit - time ? limit : time + h;
+    step_.go_on(phases_.excitation(), time);
+  }
+  if (!state_.allFinite())
+    throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");
+  return time > from;
+}
+
+void MomentPath::accept(double time, double error, bool on_ladder, const PathObserver *observer) {
+  ++counts_.steps;
+  list_changes();
+  if (observer)
+    report(time, *observer);
+  else
+    skip_changes();
+  if (on_ladder && error < std::exp2(-(n_moments + 1.0) / rungs_per_octave))
+    ++rung_;
+}
+
+void MomentPath::list_changes() {
+  changes_.clear();
+  for (const std::size_t c : step_.listed()) {
+    const auto &stretches = step_.course(c).stretches();
+    for (std::size_t s = 0; s + 1 < stretches.size(); ++s)
+      changes_.push_back({.x = stretches[s].to, .contact = c, .stretch = s});
+  }
+  std::stable_sort(changes_.begin(), changes_.end(),
+                   [](const Change &a, const Change &b) { return a.x < b.x; });
+}
+
+void MomentPath::skip_changes() {
+  for (const Change &change : changes_)
+    equations_.set_mode(change.contact, step_.course(change.contact).last_mode());
+  counts_.events += static_cast<long>(changes_.size());
+  const Index n = equations_.layout().n;
+  state_.head(2 * n) = step_.rows_at_end().head(2 * n);
+}
+
+// Impulse and dissipated work of a contact over a stretch of its course.
+void MomentPath::add_integrals(double time, std::size_t contact, const CourseStretch &stretch) {
+  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
+  const StateLayout &layout = equations_.layout();
+  const ContactRows &rows = step_.contact_rows();
+  const auto row = static_cast<Index>(contact);
+  const double h = step_.length();
+  const auto base_rate = [&](double x) {
+    double rate = 0;
+    for (Index s = 0; s < rows.base.cols(); ++s)
+      if (rows.base(row, s) != 0)
+        rate += rows.base(row, s) *
+                equations_.model().sources()[static_cast<std::size_t>(s)].function->rate(
+                    equations_.source_time(time + h * x));
+    return rate;
+  };
+  std::function<double(double)> carried;
+  if (rows.base.row(row).any())
+    carried = base_rate;
+  const ForceIntegrals integrals =
+      step_.course(contact).integrals(*pair.law, stretch, carried, response_);
+  state_[layout.impulse(row)] += h * integrals.force;
+  state_[layout.contact_work(row)] += h * integrals.dissipated;
+  state_[layout.input_work()] -= h * integrals.carried;
+  state_[layout.absolute_input_work()] += h * std::abs(integrals.carried);
+}
+
+// Work of loads and of damping between two ends, by a Gauss rule on the quintic of each coordinate.
+void MomentPath::add_power(const EndPoint &start, const EndPoint &end) {
+  static const GaussRule rule = JacobiPolynomials(0, 0, 5).rule();
+  const StateLayout &layout = equations_.layout();
+  const Index n = layout.n;
+  const double h = end.time - start.time;
+  Vector load, damping;
+  for (Index i = 0; i < rule.nodes.size(); ++i) {
+    const auto x = static_cast<double>(rule.nodes[i]);
+    const double y = 1 - x, weight = h * static_cast<double>(rule.weights[i]);
+    // Derivatives of the quintic Hermite polynomials.
+    const Vector v = 30 * x * x * y * y / h * (end.state.head(n) - start.state.head(n)) +
+                     y * y * (1 + 2 * x - 15 * x * x) * start.state.segment(n, n) +
+                     x * x * (1 + 2 * y - 15 * y * y) * end.state.segment(n, n) +
+                     h * x * y * y * (1 - 2.5 * x) * start.rates.tail(n) -
+                     h * x * x * y * (1 - 2.5 * y) * end.rates.tail(n);
+    equations_.model().load(equations_.source_time(start.time + h * x), load);
+    equations_.model().damping().apply(ConstVectorView(v.data(), n), damping);
+    const double power = load.dot(v);
+    state_[layout.input_work()] += weight * power;
+    state_[layout.absolute_input_work()] += weight * std::abs(power);
+    state_[layout.damping_work()] += weight * damping.dot(v);
+  }
+}
+
+// The change itself belongs to who observes.
+void MomentPath::pass(double time, const Change &change, const PathObserver &observer) {
+  const CourseStretch &stretch = step_.course(change.contact).stretches()[change.stretch];
+  if (observer.integrals)
+    add_integrals(time, change.contact, stretch);
+  observer.change(time + change.x * step_.length(), change.contact, *stretch.guard, state_);
+}
+
+void MomentPath::report(double time, const PathObserver &observer) {
+  start_point_.state = state_;
+  double from = 0;
+  views_.fill(time, from, false, start_point_);
+  for (std::size_t next = 0; next <= changes_.size(); ++next) {
+    const double to = next < changes_.size() ? changes_[next].x : 1;
+    if (time + to * step_.length() > start_point_.time) {
+      end_point_.state = state_;
+      views_.fill(time, to, true, end_point_);
+      views_.show(time, from, start_point_, to, end_point_,
+                  [&](const EndPoint &a, const EndPoint &b) {
+                    if (observer.integrals)
+                      add_power(a, b);
+                    observer.everyone->step(StepView(equations_, a, b));
+                  });
+      state_.head(end_point_.rates.size()) = end_point_.state.head(end_point_.rates.size());
+    }
+    from = to;
+    if (next == changes_.size())
+      break;
+    pass(time, changes_[next], observer);
+    start_point_.state = state_;
+    views_.fill(time, to, false, start_point_);
+  }
+  if (observer.integrals)
+    for (const std::size_t c : step_.listed())
+      add_integrals(time, c, step_.course(c).stretches().back());
+}
+
+} // namespace vibroimpact::motion

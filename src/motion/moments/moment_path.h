@@ -1,0 +1,68 @@
+// A motion with many contacts in steps that no contact change ends (moment_step.h).
+//
+// Lengths of steps are those of a ladder with four rungs to the octave, whose tables are kept; only
+// the last step before a limit has another length.
+#pragma once
+
+#include "motion/moments/moment_views.h"
+#include "motion/path/accuracy.h"
+#include "motion/path/exact_path.h"
+#include "motion/phase/exact_phases.h"
+#include "motion/settings.h"
+
+#include <map>
+#include <memory>
+
+namespace vibroimpact::motion {
+
+class MomentPath {
+public:
+  /// Keeps references.
+  MomentPath(Equations &equations, ExactPhases &phases, const Settings &settings, Accuracy &counts);
+
+  /// Another motion begins, which must not depend on those before; the excitation may be another.
+  void begin();
+  /// The motion was moved on or changed by somebody else.
+  void leave() { running_ = false; }
+
+  /// Goes on from (time, state) in the present modes of the equations to `limit`, no later than the
+  /// next break of the sources. True when that moved the motion on, as far as `time`; state() is
+  /// where it stands. Short of the limit such steps cannot go on.
+  bool advance(double &time, const Vector &state, double limit, const PathObserver *observer);
+  const Vector &state() const { return state_; }
+
+private:
+  struct Change {
+    double x = 0; ///< part of the step
+    std::size_t contact = 0;
+    std::size_t stretch = 0; ///< of its course, that ends there
+  };
+
+  bool start(double time, const Vector &state);
+  const MomentTables &tables_of(int rung);
+  double length_of(int rung) const;
+  bool refuse(std::optional<double> error, double h);
+  void accept(double time, double error, bool on_ladder, const PathObserver *observer);
+  void list_changes();
+  void skip_changes();
+  void report(double time, const PathObserver &observer);
+  void add_integrals(double time, std::size_t contact, const CourseStretch &stretch);
+  void add_power(const EndPoint &start, const EndPoint &end);
+  void pass(double time, const Change &change, const PathObserver &observer);
+
+  Equations &equations_;
+  ExactPhases &phases_;
+  Accuracy &counts_;
+  MomentStep step_;
+  MomentViews views_;
+  double unit_, longest_;
+  int rung_ = 0;
+  bool running_ = false;
+  std::map<int, MomentTables> tables_;
+  std::vector<Change> changes_;
+  Vector state_;
+  EndPoint start_point_, end_point_;
+  contact::LawResponse response_;
+};
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,99 @@
+// A step of many contacts at once, through all changes of their modes.
+//
+// The modes are those of the system without contact forces. With the force of each contact over the
+// step as a polynomial (contact_course.h) the coordinates at the nodes and the end follow
+// (moment_flow.h), from these the gaps, and from the gaps the forces: the sweeps of this
+// fixed-point iteration end when what they change is below the tolerance. No change of a contact
+// ends a step, and none needs a decomposition.
+//
+// Errors are measured in the energy norm, |(q, v)|^2 = q K q + v M v, relative to the largest norm
+// of the motion so far. Two are estimated: what the polynomial lacks, its next coefficient taken
+// for as large as its last one, through the response of the coordinates to P_m; and for contacts
+// that change what the last coefficient does to the gap within the step, which the moments do not
+// see:
+//   e1 = |h J_m L W^T a_(m-1)|,   e2 = h |W^T a_(m-1)|_changing rho / (2 m),
+// rho the rate at which the sweeps converge.
+#pragma once
+
+#include "motion/moments/contact_course.h"
+#include "motion/moments/contact_rows.h"
+#include "motion/moments/moment_flow.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace vibroimpact::motion {
+
+/// The tables of a step: of the nodes, then of the end.
+using MomentTables = std::array<MomentTable, n_moments + 1>;
+
+class MomentStep {
+public:
+  /// Keeps a reference. The model must be linear, no law rigid or with internal states. The present
+  /// modes of the equations are changed and restored.
+  MomentStep(Equations &equations, double tolerance);
+
+  /// True where such steps can be taken at all.
+  static bool holds(const Equations &equations);
+  /// No force in that mode, whatever the gap.
+  static bool forceless(const contact::Mode &mode);
+
+  /// A motion begins.
+  void begin();
+  /// Under the present excitation. True when tables made before mean nothing now.
+  bool take(const Excitation &excitation);
+  /// The step begins there, with the contacts in these modes.
+  void start(const Vector &state, const Excitation &excitation, double time,
+             const std::vector<int> &modes);
+  /// The same where the last step ended.
+  void go_on(const Excitation &excitation, double time);
+
+  MomentTables tables(double h) const;
+  /// Error of a step over its tolerance; nothing where the sweeps do not converge.
+  std::optional<double> attempt(double h, const MomentTables &tables);
+
+  /// Of the last attempt; contacts that stayed open throughout are not among them.
+  const std::vector<std::size_t> &listed() const { return list_; }
+  const ContactCourse &course(std::size_t contact) const { return courses_[contact]; }
+  /// y and sources, r = columns x, at a part of the step (phase/exact_phase.h).
+  Vector rows_at(double x) const;
+  Vector rows_at_end() const { return phase_->columns() * ends_.back(); }
+  double length() const { return h_; }
+  const ContactRows &contact_rows() const { return contacts_; }
+  /// |(q, v)| and the largest so far.
+  double norm(const Vector &rows) const;
+  double largest_norm() const { return largest_; }
+
+private:
+  void make_phase();
+  void find_start(const Vector &rows);
+  void sweep(const MomentTables &tables);
+  void find_gaps();
+  bool find_forces();
+  void choose_list();
+  double way() const;
+  double error(const MomentTable &end, double rate) const;
+
+  Equations &equations_;
+  double tolerance_;
+  ContactRows contacts_;
+  std::unique_ptr<ExactPhase> phase_;
+  std::unique_ptr<MomentFlow> flow_;
+  std::vector<int> modes_;             ///< at the start of the step
+  std::vector<ContactCourse> courses_; ///< of each contact
+  ContactRows::RowMatrix moments_;     ///< contacts x n_moments
+  std::vector<std::size_t> all_, list_;
+  Vector start_; ///< coordinates
+  Vector start_gaps_, start_rates_;
+  Matrix loads_;                           ///< coordinates x n_moments
+  std::array<Vector, n_moments + 1> ends_; ///< coordinates at the nodes and the end
+  Matrix positions_, first_positions_;     ///< q there and v at the end; of the first sweep
+  Matrix sources_;                         ///< s, s', s'' of each there
+  ContactRows::RowMatrix gaps_;            ///< listed contacts x the same
+  double h_ = 0, largest_ = 0, slack_ = 0;
+  contact::LawResponse response_;
+};
+
+} // namespace vibroimpact::motion

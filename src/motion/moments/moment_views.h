@@ -1,0 +1,40 @@
+// A step of many contacts as others see a motion: smooth parts between contact changes.
+//
+// Each part is shown as steps whose ends have the true accelerations and whose Hermite polynomials
+// meet the motion in the middle to the tolerance, in the energy norm; others are halved.
+#pragma once
+
+#include "motion/interval/observer.h"
+#include "motion/moments/moment_step.h"
+
+#include <functional>
+
+namespace vibroimpact::motion {
+
+class MomentViews {
+public:
+  /// Keeps references. tolerance: relative.
+  MomentViews(Equations &equations, const MomentStep &step, double tolerance);
+
+  /// What is known at the part x of the step, which begins at `time`; at a contact change just
+  /// before it or just after it. The integrals in the state stay.
+  void fill(double time, double x, bool before, EndPoint &point) const;
+
+  using Show = std::function<void(const EndPoint &start, const EndPoint &end)>;
+  /// From start to end, at the parts `from` and `to` of the step.
+  void show(double time, double from, const EndPoint &start, double to, const EndPoint &end,
+            const Show &show) const;
+
+private:
+  void add_forces(double x, bool before, Vector &force) const;
+  void halve(double time, double from, const EndPoint &start, double to, const EndPoint &end,
+             int depth, const Show &show) const;
+  double missed(const EndPoint &start, const EndPoint &middle, const EndPoint &end) const;
+
+  Equations &equations_;
+  const MomentStep &step_;
+  double tolerance_;
+  mutable contact::LawResponse response_;
+};
+
+} // namespace vibroimpact::motion
