@@ -42,26 +42,14 @@ Rule graded_rule(int count) {
   return rule;
 }
 
-double binomial_of_degree(std::size_t j) {
-  double value = 1;
-  for (std::size_t i = 0; i < j; ++i)
-    value *= static_cast<double>(degree - i) / static_cast<double>(i + 1);
-  return value;
-}
-
-double bernstein_polynomial(std::size_t j, double x) {
-  return binomial_of_degree(j) * std::pow(x, static_cast<double>(j)) *
-         std::pow(1 - x, static_cast<double>(degree - j));
-}
-
 // The inner coefficients from what the outer ones leave at the nodes.
 const Matrix &inner_coefficients() {
   static const Matrix inverse = [] {
     Matrix values(n_moments, n_moments);
     for (Index i = 0; i < n_moments; ++i)
       for (Index j = 0; j < n_moments; ++j)
-        values(i, j) = bernstein_polynomial(static_cast<std::size_t>(j) + 2,
-                                            moment_nodes()[static_cast<std::size_t>(i)]);
+        values(i, j) = bernstein_polynomials(
+            moment_nodes()[static_cast<std::size_t>(i)])[static_cast<std::size_t>(j) + 2];
     return vibroimpact::inverse(values);
   }();
   return inverse;
@@ -71,22 +59,13 @@ const Matrix &inner_coefficients() {
 const std::array<std::array<double, 4>, n_moments> &outer_polynomials() {
   static const auto values = [] {
     std::array<std::array<double, 4>, n_moments> list{};
-    for (std::size_t i = 0; i < n_moments; ++i)
-      list[i] = {bernstein_polynomial(0, moment_nodes()[i]),
-                 bernstein_polynomial(1, moment_nodes()[i]),
-                 bernstein_polynomial(degree - 1, moment_nodes()[i]),
-                 bernstein_polynomial(degree, moment_nodes()[i])};
+    for (std::size_t i = 0; i < n_moments; ++i) {
+      const auto all = bernstein_polynomials(moment_nodes()[i]);
+      list[i] = {all[0], all[1], all[degree - 1], all[degree]};
+    }
     return list;
   }();
   return values;
-}
-
-double value_of(const GapCurve::Coefficients &coefficients, double x) {
-  GapCurve::Coefficients b = coefficients;
-  for (std::size_t last = degree; last > 0; --last)
-    for (std::size_t j = 0; j < last; ++j)
-      b[j] += x * (b[j + 1] - b[j]);
-  return b[0];
 }
 
 // Of the part from x to 1 (de Casteljau).
@@ -102,8 +81,9 @@ bool positive(const GapCurve::Coefficients &coefficients) {
   return *std::min_element(coefficients.begin(), coefficients.end()) > 0;
 }
 
-// The part of the step from x on at which the form falls through zero.
-std::optional<double> fall_behind(const GapCurve::Coefficients &form, double x) {
+// The part of the step from x on at which the form falls through zero; `rounding`: of its value at
+// x = 0.
+std::optional<double> fall_behind(const GapCurve::Coefficients &form, double x, double rounding) {
   const GapCurve::Coefficients rest = x > 0 ? behind(form, x) : form;
   if (positive(rest))
     return {};
@@ -111,8 +91,9 @@ std::optional<double> fall_behind(const GapCurve::Coefficients &form, double x) 
   double largest = 0;
   for (const double coefficient : form)
     largest = std::max(largest, std::abs(coefficient));
-  if (std::abs(rest[0]) <= zero_at_start * largest)
-    curve.clear_start(zero_at_start * largest);
+  const double negligible = std::max(zero_at_start * largest, x == 0 ? rounding : 0);
+  if (std::abs(rest[0]) <= negligible)
+    curve.clear_start(negligible);
   const std::optional<double> fall = curve.first_down_crossing();
   return fall ? std::optional(x + *fall * (1 - x)) : std::nullopt;
 }
@@ -120,6 +101,23 @@ std::optional<double> fall_behind(const GapCurve::Coefficients &form, double x) 
 bool without_force(const contact::Mode &mode) {
   return mode.affine && mode.affine->force.constant == 0 && mode.affine->force.gap == 0 &&
          mode.affine->force.gap_rate == 0;
+}
+
+// (2 k + 1) times the integral of P_k(2 x - 1) and each Bernstein polynomial.
+const std::array<std::array<double, GapCurve::size>, n_moments> &moments_of_polynomials() {
+  static const auto values = [] {
+    std::array<std::array<double, GapCurve::size>, n_moments> list{};
+    const Rule rule = gauss_rule(6);
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+      const auto p = shifted_legendre(rule.nodes[i]);
+      const auto polynomials = bernstein_polynomials(rule.nodes[i]);
+      for (std::size_t k = 0; k < n_moments; ++k)
+        for (std::size_t j = 0; j <= degree; ++j)
+          list[k][j] += (2 * static_cast<double>(k) + 1) * rule.weights[i] * p[k] * polynomials[j];
+    }
+    return list;
+  }();
+  return values;
 }
 
 // Six nodes integrate the product of a gap of degree 7 and P_3 exactly. A force that is no affine
@@ -131,6 +129,16 @@ const Rule &rule_for(const contact::Mode &mode) {
 
 } // namespace
 
+GapCurve::Coefficients bernstein_polynomials(double x) {
+  GapCurve::Coefficients list{1};
+  for (std::size_t n = 1; n <= degree; ++n) { // one degree more
+    for (std::size_t j = n; j > 0; --j)
+      list[j] = x * list[j - 1] + (1 - x) * list[j];
+    list[0] *= 1 - x;
+  }
+  return list;
+}
+
 const std::array<double, n_moments> &moment_nodes() {
   static const auto nodes = [] {
     std::array<double, n_moments> list{};
@@ -140,7 +148,8 @@ const std::array<double, n_moments> &moment_nodes() {
   return nodes;
 }
 
-GapCurve::GapCurve(const GapValues &values, double h) {
+GapCurve::GapCurve(const GapValues &values, double h)
+    : rounding_(values.rounding), rate_rounding_(values.rate_rounding) {
   constexpr double n = degree;
   gap_[0] = values.start;
   gap_[1] = values.start + h * values.start_rate / n;
@@ -172,9 +181,18 @@ GapCurve::Coefficients GapCurve::form(const contact::AffineForm &form) const {
   return result;
 }
 
-double GapCurve::gap(double x) const { return value_of(gap_, x); }
+double GapCurve::start_rounding(const contact::AffineForm &form) const {
+  return std::abs(form.gap) * rounding_ + std::abs(form.gap_rate) * rate_rounding_;
+}
 
-double GapCurve::rate(double x) const { return value_of(rate_, x); }
+contact::LocalState GapCurve::at(const Coefficients &polynomials) const {
+  contact::LocalState state;
+  for (std::size_t j = 0; j < size; ++j) {
+    state.gap += polynomials[j] * gap_[j];
+    state.gap_rate += polynomials[j] * rate_[j];
+  }
+  return state;
+}
 
 bool ContactCourse::follow(const contact::ContactLaw &law, const GapCurve &curve, int mode) {
   curve_ = curve;
@@ -184,7 +202,8 @@ bool ContactCourse::follow(const contact::ContactLaw &law, const GapCurve &curve
     const contact::Mode &present = law.modes()[static_cast<std::size_t>(mode)];
     CourseStretch stretch{.from = x, .to = 1, .mode = mode};
     for (std::size_t g = 0; g < present.guards.size(); ++g) {
-      const auto fall = fall_behind(curve.form(present.guards[g].indicator), x);
+      const contact::AffineForm &indicator = present.guards[g].indicator;
+      const auto fall = fall_behind(curve.form(indicator), x, curve.start_rounding(indicator));
       if (fall && (!stretch.guard || *fall < stretch.to)) {
         stretch.to = *fall;
         stretch.guard = g;
@@ -210,6 +229,14 @@ int ContactCourse::mode_at(double x, bool earlier) const {
 ContactCourse::Moments ContactCourse::moments(const contact::ContactLaw &law,
                                               contact::LawResponse &response) const {
   Moments result{};
+  const contact::Mode &first = law.modes()[static_cast<std::size_t>(stretches_.front().mode)];
+  if (!changes() && first.affine) {
+    const GapCurve::Coefficients force = curve_.form(first.affine->force);
+    for (std::size_t k = 0; k < n_moments; ++k)
+      for (std::size_t j = 0; j <= degree; ++j)
+        result[k] += moments_of_polynomials()[k][j] * force[j];
+    return result;
+  }
   for (const CourseStretch &stretch : stretches_) {
     const contact::Mode &mode = law.modes()[static_cast<std::size_t>(stretch.mode)];
     const double length = stretch.to - stretch.from;
@@ -218,7 +245,7 @@ ContactCourse::Moments ContactCourse::moments(const contact::ContactLaw &law,
     const Rule &rule = rule_for(mode);
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double x = stretch.from + length * rule.nodes[i];
-      law.evaluate(stretch.mode, {.gap = curve_.gap(x), .gap_rate = curve_.rate(x)}, response);
+      law.evaluate(stretch.mode, curve_.at(bernstein_polynomials(x)), response);
       const std::array<double, n_responses> p = shifted_legendre(x);
       for (std::size_t k = 0; k < n_moments; ++k)
         result[k] +=
@@ -226,6 +253,32 @@ ContactCourse::Moments ContactCourse::moments(const contact::ContactLaw &law,
     }
   }
   return result;
+}
+
+std::array<double, 2> ContactCourse::lacking(const contact::ContactLaw &law, const double *moments,
+                                             double x, contact::LawResponse &response) const {
+  std::array<double, 2> sums{};
+  for (const CourseStretch &stretch : stretches_) {
+    const double length = std::min(x, stretch.to) - stretch.from;
+    if (!(length > 0))
+      break;
+    const contact::Mode &mode = law.modes()[static_cast<std::size_t>(stretch.mode)];
+    const Rule &rule = rule_for(mode);
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+      const double s = stretch.from + length * rule.nodes[i];
+      const std::array<double, n_responses> p = shifted_legendre(s);
+      double force = 0;
+      for (std::size_t k = 0; k < n_moments; ++k)
+        force -= moments[k] * p[k];
+      if (!without_force(mode)) {
+        law.evaluate(stretch.mode, curve_.at(bernstein_polynomials(s)), response);
+        force += response.force;
+      }
+      sums[0] += length * rule.weights[i] * force;
+      sums[1] += length * rule.weights[i] * (x - s) * force;
+    }
+  }
+  return sums;
 }
 
 ForceIntegrals ContactCourse::integrals(const contact::ContactLaw &law,
@@ -240,7 +293,7 @@ ForceIntegrals ContactCourse::integrals(const contact::ContactLaw &law,
   const double length = stretch.to - stretch.from;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     const double x = stretch.from + length * rule.nodes[i];
-    law.evaluate(stretch.mode, {.gap = curve_.gap(x), .gap_rate = curve_.rate(x)}, response);
+    law.evaluate(stretch.mode, curve_.at(bernstein_polynomials(x)), response);
     result.force += length * rule.weights[i] * response.force;
     result.dissipated += length * rule.weights[i] * response.dissipated_power;
     if (base_rate)

@@ -24,11 +24,15 @@ namespace vibroimpact::motion {
 /// Nodes of the Gauss rule, in (0, 1).
 const std::array<double, n_moments> &moment_nodes();
 
+/// The Bernstein polynomials of degree n_moments + 3 at x.
+std::array<double, n_moments + 4> bernstein_polynomials(double x);
+
 /// What a step gives of a gap [m], and of its rate at both ends [m/s].
 struct GapValues {
   double start = 0, start_rate = 0;
   std::array<double, n_moments> nodes{};
   double end = 0, end_rate = 0;
+  double rounding = 0, rate_rounding = 0; ///< of those at the start
 };
 
 class GapCurve {
@@ -40,13 +44,16 @@ public:
   GapCurve(const GapValues &values, double h);
 
   const Coefficients &coefficients() const { return gap_; }
+  /// What rounding may make of a form at the start of the step.
+  double start_rounding(const contact::AffineForm &form) const;
   /// Of an affine form without internal states and held forces.
   Coefficients form(const contact::AffineForm &form) const;
-  double gap(double x) const;
-  double rate(double x) const; ///< [m/s]
+  /// Gap and rate at the part x of the step whose Bernstein polynomials are given.
+  contact::LocalState at(const Coefficients &polynomials) const;
 
 private:
   Coefficients gap_{}, rate_{};
+  double rounding_ = 0, rate_rounding_ = 0;
 };
 
 /// A stretch of the step in one mode.
@@ -80,6 +87,10 @@ public:
   Moments moments(const contact::ContactLaw &law, contact::LawResponse &response) const;
   /// base_rate: rate at which a moving base opens the gap at the part x of the step [m/s]; none: it
   /// does not.
+  /// What the force has more than its polynomial, up to the part x of the step: the integral of
+  /// F - p, and that of (x - s) (F - p). Both are zero at the end, where x = 1.
+  std::array<double, 2> lacking(const contact::ContactLaw &law, const double *moments, double x,
+                                contact::LawResponse &response) const;
   ForceIntegrals integrals(const contact::ContactLaw &law, const CourseStretch &stretch,
                            const std::function<double(double x)> &base_rate,
                            contact::LawResponse &response) const;

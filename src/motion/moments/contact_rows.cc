@@ -15,6 +15,7 @@ ContactRows::ContactRows(const Equations &equations) {
     for (std::size_t s = 0; s < pair.gap.base_coefficients.size(); ++s)
       base(c, static_cast<Index>(s)) = pair.gap.base_coefficients[s];
   }
+  flexibilities = rows.cwiseAbs2() * equations.model().mass().cwiseInverse();
   largest = rows.cwiseAbs().colwise().maxCoeff();
 }
 

@@ -15,10 +15,11 @@ struct ContactRows {
 
   Index size() const { return rows.rows(); }
 
-  RowMatrix rows;    ///< contacts x n
-  RowMatrix base;    ///< contacts x sources
-  Vector clearances; ///< [m]
-  Vector largest;    ///< of each coordinate, |row| over all contacts
+  RowMatrix rows;       ///< contacts x n
+  RowMatrix base;       ///< contacts x sources
+  Vector clearances;    ///< [m]
+  Vector flexibilities; ///< row M^-1 row^T of each contact [1/kg]
+  Vector largest;       ///< of each coordinate, |row| over all contacts
 };
 
 } // namespace vibroimpact::motion

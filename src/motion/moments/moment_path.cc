@@ -180,9 +180,25 @@ void MomentPath::add_power(const EndPoint &start, const EndPoint &end) {
   }
 }
 
+// The polynomial of the guard is zero; the motion misses that by what its gap does.
+void MomentPath::note_residual(const Change &change) {
+  const contact::LocalState seen =
+      step_.course(change.contact).curve().at(bernstein_polynomials(change.x));
+  const auto row = static_cast<Index>(change.contact);
+  const ContactRows &rows = step_.contact_rows();
+  double gap =
+      rows.clearances[row] + rows.rows.row(row).dot(end_point_.state.head(rows.rows.cols()));
+  for (Index s = 0; s < rows.base.cols(); ++s)
+    gap += rows.base(row, s) * end_point_.sources[static_cast<std::size_t>(s)][0];
+  if (seen.gap_rate != 0)
+    counts_.event_residual =
+        std::max(counts_.event_residual, std::abs((gap - seen.gap) / seen.gap_rate));
+}
+
 // The change itself belongs to who observes.
 void MomentPath::pass(double time, const Change &change, const PathObserver &observer) {
   const CourseStretch &stretch = step_.course(change.contact).stretches()[change.stretch];
+  note_residual(change);
   if (observer.integrals)
     add_integrals(time, change.contact, stretch);
   observer.change(time + change.x * step_.length(), change.contact, *stretch.guard, state_);
@@ -191,6 +207,7 @@ void MomentPath::pass(double time, const Change &change, const PathObserver &obs
 void MomentPath::report(double time, const PathObserver &observer) {
   start_point_.state = state_;
   double from = 0;
+  views_.begin();
   views_.fill(time, from, false, start_point_);
   for (std::size_t next = 0; next <= changes_.size(); ++next) {
     const double to = next < changes_.size() ? changes_[next].x : 1;
@@ -213,7 +230,7 @@ void MomentPath::report(double time, const PathObserver &observer) {
     views_.fill(time, to, false, start_point_);
   }
   if (observer.integrals)
-    for (const std::size_t c : step_.listed())
+    for (const std::size_t c : step_.acting())
       add_integrals(time, c, step_.course(c).stretches().back());
 }
 

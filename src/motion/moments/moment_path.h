@@ -48,6 +48,7 @@ private:
   void report(double time, const PathObserver &observer);
   void add_integrals(double time, std::size_t contact, const CourseStretch &stretch);
   void add_power(const EndPoint &start, const EndPoint &end);
+  void note_residual(const Change &change);
   void pass(double time, const Change &change, const PathObserver &observer);
 
   Equations &equations_;

@@ -41,14 +41,15 @@ bool MomentStep::holds(const Equations &equations) {
 }
 
 MomentStep::MomentStep(Equations &equations, double tolerance)
-    : equations_(equations), tolerance_(tolerance), contacts_(equations),
-      courses_(equations.contacts().size()), all_(equations.contacts().size()) {
+    : equations_(equations), tolerance_(tolerance), fastest_(equations.model().highest_frequency()),
+      contacts_(equations), courses_(equations.contacts().size()),
+      all_(equations.contacts().size()) {
   moments_.setZero(contacts_.size(), n_moments);
   std::iota(all_.begin(), all_.end(), 0);
 }
 
 void MomentStep::begin() {
-  largest_ = 0;
+  largest_ = deepest_ = 0;
   slack_ = std::numeric_limits<double>::infinity();
 }
 
@@ -99,16 +100,26 @@ void MomentStep::find_start(const Vector &rows) {
   const Index n = equations_.layout().n;
   start_gaps_ = contacts_.clearances + contacts_.rows * rows.head(n);
   start_rates_ = contacts_.rows * rows.segment(n, n);
+  constexpr double unit = 64 * std::numeric_limits<double>::epsilon();
+  gap_rounding_ =
+      contacts_.clearances.cwiseAbs().maxCoeff() + contacts_.largest.dot(rows.head(n).cwiseAbs());
+  rate_rounding_ = contacts_.largest.dot(rows.segment(n, n).cwiseAbs());
   for (Index s = 0; s < contacts_.base.cols(); ++s) {
-    start_gaps_ += contacts_.base.col(s) * rows[2 * n + 3 * s];
-    start_rates_ += contacts_.base.col(s) * rows[2 * n + 3 * s + 1];
+    const double value = rows[2 * n + 3 * s], rate = rows[2 * n + 3 * s + 1];
+    start_gaps_ += value * contacts_.base.col(s);
+    start_rates_ += rate * contacts_.base.col(s);
+    gap_rounding_ += std::abs(value) * contacts_.base.col(s).cwiseAbs().maxCoeff();
+    rate_rounding_ += std::abs(rate) * contacts_.base.col(s).cwiseAbs().maxCoeff();
   }
+  gap_rounding_ *= unit;
+  rate_rounding_ *= unit;
 }
 
 // Inputs go on by themselves; their rounding does not add up.
 void MomentStep::go_on(const Excitation &excitation, double time) {
   for (const std::size_t c : list_)
     modes_[c] = courses_[c].last_mode();
+  deepest_ = deepest();
   start_ = ends_.back();
   excitation.coordinates(time, start_.data() + phase_->n_modes());
   const Vector rows = phase_->columns() * start_;
@@ -121,6 +132,7 @@ MomentTables MomentStep::tables(double h) const {
   for (std::size_t i = 0; i < n_moments; ++i)
     tables[i] = flow_->table(h, moment_nodes()[i]);
   tables[n_moments] = flow_->table(h, 1);
+  tables[n_moments + 1] = flow_->table(h, 0.5);
   return tables;
 }
 
@@ -186,7 +198,10 @@ bool MomentStep::find_forces() {
     const std::size_t c = list_[k];
     const auto row = static_cast<Index>(c);
     const contact::ContactLaw &law = *equations_.contacts().pairs()[c].law;
-    GapValues values{.start = start_gaps_[row], .start_rate = start_rates_[row]};
+    GapValues values{.start = start_gaps_[row],
+                     .start_rate = start_rates_[row],
+                     .rounding = gap_rounding_,
+                     .rate_rounding = rate_rounding_};
     const double *gaps = gaps_.row(static_cast<Index>(k)).data();
     std::copy_n(gaps, n_moments, values.nodes.begin());
     values.end = gaps[n_moments];
@@ -216,6 +231,14 @@ void MomentStep::choose_list() {
 double MomentStep::way() const {
   const Matrix moved = (positions_ - first_positions_).leftCols(n_moments + 1).cwiseAbs();
   return (contacts_.largest.transpose() * moved).maxCoeff();
+}
+
+std::vector<std::size_t> MomentStep::acting() const {
+  std::vector<std::size_t> some;
+  for (const std::size_t c : list_)
+    if (courses_[c].changes() || moments_.row(static_cast<Index>(c)).any())
+      some.push_back(c);
+  return some;
 }
 
 std::optional<double> MomentStep::attempt(double h, const MomentTables &tables) {
@@ -258,7 +281,7 @@ std::optional<double> MomentStep::attempt(double h, const MomentTables &tables) 
     if (i > 0 && (change == 0 || rate / (1 - rate) * change < share_of_sweeps * scale) &&
         rate < 1 && i > 1) {
       slack_ = room_for_way * way();
-      return error(tables.back(), rate) / scale;
+      return std::max(error(tables[n_moments], rate) / scale, gap_error(tables.back()));
     }
     if (i >= sweeps_to_judge && rate > slowest_rate)
       return {};
@@ -285,10 +308,64 @@ double MomentStep::error(const MomentTable &end, double rate) const {
   return std::max(norm(phase_->columns() * response), unseen * rate / (2 * n_moments));
 }
 
+// Penetration, of the step and before; at a first touch what the speed leads to within the shortest
+// time scale [m].
+double MomentStep::deepest() const {
+  double depth = deepest_;
+  for (const std::size_t c : acting()) {
+    const auto &gap = courses_[c].curve().coefficients();
+    depth = std::max(depth, -std::min(gap.front(), gap.back()));
+    if (courses_[c].changes() && fastest_ > 0)
+      depth = std::max(depth, std::abs(start_rates_[static_cast<Index>(c)]) / fastest_);
+  }
+  return depth;
+}
+
+// Over what is allowed.
+double MomentStep::gap_error(const MomentTable &middle) {
+  constexpr double x = 0.5, share = 10;
+  const Index n = equations_.layout().n;
+  const double allowed = share * tolerance_ * deepest();
+  if (allowed == 0)
+    return 0;
+  Vector coordinates;
+  flow_->move(middle, start_, loads_, coordinates);
+  const Vector rows = phase_->columns() * coordinates;
+  const GapCurve::Coefficients polynomials = bernstein_polynomials(x);
+  constexpr double m = n_moments;
+  constexpr double twice = (2 / ((2 * m + 1) * (2 * m + 3)) + 2 / ((2 * m + 1) * (2 * m - 1))) / 4;
+  double largest = 0;
+  for (const std::size_t c : acting()) {
+    const auto row = static_cast<Index>(c);
+    const double lacking =
+        h_ * h_ * twice * std::abs(moments_(row, n_moments - 1)) * contacts_.flexibilities[row];
+    double gap = contacts_.clearances[row] + contacts_.rows.row(row).dot(rows.head(n));
+    for (Index s = 0; s < contacts_.base.cols(); ++s)
+      gap += contacts_.base(row, s) * rows[2 * n + 3 * s];
+    largest = std::max(largest, lacking + std::abs(gap - courses_[c].curve().at(polynomials).gap));
+  }
+  return largest / allowed;
+}
+
+// Within the step the motion under the true forces deviates from that under their polynomials: to
+// first order by what the difference of the two makes of free masses.
 Vector MomentStep::rows_at(double x) const {
   Vector coordinates;
   flow_->move(flow_->table(h_, x), start_, loads_, coordinates);
-  return phase_->columns() * coordinates;
+  Vector rows = phase_->columns() * coordinates;
+  const Index n = equations_.layout().n;
+  for (const std::size_t c : list_) {
+    if (!courses_[c].changes())
+      continue;
+    const auto row = static_cast<Index>(c);
+    const auto lacking = courses_[c].lacking(*equations_.contacts().pairs()[c].law,
+                                             moments_.row(row).data(), x, response_);
+    const Vector response =
+        contacts_.rows.row(row).transpose().cwiseQuotient(equations_.model().mass());
+    rows.head(n) += h_ * h_ * lacking[1] * response;
+    rows.segment(n, n) += h_ * lacking[0] * response;
+  }
+  return rows;
 }
 
 } // namespace vibroimpact::motion

@@ -12,7 +12,14 @@
 // that change what the last coefficient does to the gap within the step, which the moments do not
 // see:
 //   e1 = |h J_m L W^T a_(m-1)|,   e2 = h |W^T a_(m-1)|_changing rho / (2 m),
-// rho the rate at which the sweeps converge.
+// rho the rate at which the sweeps converge. A third is that of the gaps of contacts with a force,
+// over ten times the tolerance of the deepest penetration so far, since light parts of a body show
+// there first: how far the polynomial misses the motion in the middle of the step, and what the
+// force that is lacking makes of the gap by itself,
+//
+//   h^2 |a_(m-1)| W M^-1 W^T max|integral of the integral of P_m(2 x - 1)|,
+//
+// the last factor being at most (2 / ((2 m + 1) (2 m + 3)) + 2 / ((2 m + 1) (2 m - 1))) / 4.
 #pragma once
 
 #include "motion/moments/contact_course.h"
@@ -26,8 +33,8 @@
 
 namespace vibroimpact::motion {
 
-/// The tables of a step: of the nodes, then of the end.
-using MomentTables = std::array<MomentTable, n_moments + 1>;
+/// The tables of a step: of the nodes, then of the end and of the middle.
+using MomentTables = std::array<MomentTable, n_moments + 2>;
 
 class MomentStep {
 public:
@@ -56,6 +63,8 @@ public:
 
   /// Of the last attempt; contacts that stayed open throughout are not among them.
   const std::vector<std::size_t> &listed() const { return list_; }
+  /// Those with a force at some instant.
+  std::vector<std::size_t> acting() const;
   const ContactCourse &course(std::size_t contact) const { return courses_[contact]; }
   /// y and sources, r = columns x, at a part of the step (phase/exact_phase.h).
   Vector rows_at(double x) const;
@@ -75,9 +84,11 @@ private:
   void choose_list();
   double way() const;
   double error(const MomentTable &end, double rate) const;
+  double gap_error(const MomentTable &middle);
+  double deepest() const;
 
   Equations &equations_;
-  double tolerance_;
+  double tolerance_, fastest_; ///< highest frequency [rad/s]
   ContactRows contacts_;
   std::unique_ptr<ExactPhase> phase_;
   std::unique_ptr<MomentFlow> flow_;
@@ -87,13 +98,14 @@ private:
   std::vector<std::size_t> all_, list_;
   Vector start_; ///< coordinates
   Vector start_gaps_, start_rates_;
-  Matrix loads_;                           ///< coordinates x n_moments
-  std::array<Vector, n_moments + 1> ends_; ///< coordinates at the nodes and the end
-  Matrix positions_, first_positions_;     ///< q there and v at the end; of the first sweep
-  Matrix sources_;                         ///< s, s', s'' of each there
-  ContactRows::RowMatrix gaps_;            ///< listed contacts x the same
-  double h_ = 0, largest_ = 0, slack_ = 0;
-  contact::LawResponse response_;
+  double gap_rounding_ = 0, rate_rounding_ = 0; ///< of these
+  Matrix loads_;                                ///< coordinates x n_moments
+  std::array<Vector, n_moments + 1> ends_;      ///< coordinates at the nodes and the end
+  Matrix positions_, first_positions_;          ///< q there and v at the end; of the first sweep
+  Matrix sources_;                              ///< s, s', s'' of each there
+  ContactRows::RowMatrix gaps_;                 ///< listed contacts x the same
+  double h_ = 0, largest_ = 0, slack_ = 0, deepest_ = 0;
+  mutable contact::LawResponse response_;
 };
 
 } // namespace vibroimpact::motion

@@ -14,14 +14,14 @@ MomentViews::MomentViews(Equations &equations, const MomentStep &step, double to
     : equations_(equations), step_(step), tolerance_(tolerance) {}
 
 void MomentViews::add_forces(double x, bool before, Vector &force) const {
-  for (const std::size_t c : step_.listed()) {
+  const GapCurve::Coefficients polynomials = bernstein_polynomials(x);
+  for (const std::size_t c : acting_) {
     const ContactCourse &course = step_.course(c);
     const contact::ContactPair &pair = equations_.contacts().pairs()[c];
     const int mode = course.mode_at(x, before);
     if (MomentStep::forceless(pair.law->modes()[static_cast<std::size_t>(mode)]))
       continue;
-    pair.law->evaluate(mode, {.gap = course.curve().gap(x), .gap_rate = course.curve().rate(x)},
-                       response_);
+    pair.law->evaluate(mode, course.curve().at(polynomials), response_);
     force += response_.force * pair.gap.row.transpose();
   }
 }
@@ -75,7 +75,8 @@ void MomentViews::halve(double time, double from, const EndPoint &start, double 
   EndPoint middle;
   middle.state = start.state;
   fill(time, x, false, middle);
-  if (depth == 0 || missed(start, middle, end) <= tolerance_ * step_.largest_norm()) {
+  const bool shortest = !(middle.time > start.time && middle.time < end.time);
+  if (depth == 0 || shortest || missed(start, middle, end) <= tolerance_ * step_.largest_norm()) {
     show(start, end);
     return;
   }

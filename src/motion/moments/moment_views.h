@@ -16,6 +16,8 @@ public:
   /// Keeps references. tolerance: relative.
   MomentViews(Equations &equations, const MomentStep &step, double tolerance);
 
+  /// The step is another one.
+  void begin() { acting_ = step_.acting(); }
   /// What is known at the part x of the step, which begins at `time`; at a contact change just
   /// before it or just after it. The integrals in the state stay.
   void fill(double time, double x, bool before, EndPoint &point) const;
@@ -34,6 +36,7 @@ private:
   Equations &equations_;
   const MomentStep &step_;
   double tolerance_;
+  std::vector<std::size_t> acting_;
   mutable contact::LawResponse response_;
 };
 
