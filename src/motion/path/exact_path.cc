@@ -340,7 +340,7 @@ void ExactPath::renew_inputs(const ExactPhase &phase, double time, double *ampli
 bool ExactPath::change_phase(double limit, long &most_events) {
   const double time = origin_ + march_.time + march_.to_guard;
   const auto passed = static_cast<std::size_t>(march_.guard);
-  if (time - last_event_ <= time_tolerance(time) || progress_.slow())
+  if (time - last_event_ <= time_tolerance(time) || progress_.slow() || exact_phases_.crowded())
     return false;
   Transition *next = transition(passed);
   if (!next) {

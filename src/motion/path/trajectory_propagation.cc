@@ -36,7 +36,7 @@ bool Trajectory::propagate(double limit, Observer &observer) {
         change_mode(when, contact, guard, changed, observer);
       }};
   const bool observed = path_observer.monitor || path_observer.steps;
-  if (moments_)
+  if (moments_ && (settings_.method == "moments" || steppers_.exact()->phases().crowded()))
     return propagate_by_moments(limit, observed ? &path_observer : nullptr);
   const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - before.events
                                                         : std::numeric_limits<long>::max();

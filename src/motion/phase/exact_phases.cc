@@ -25,6 +25,20 @@ double longest_piece(const model::Model &model) {
   return std::isfinite(slowest) ? 8 / slowest : whole;
 }
 
+// Of the tables of some eight lengths for every guard, and of the decomposition; per entry, by
+// trial on the machine that the benchmarks were made on.
+double cost_of(const LinearPhase &phase) {
+  constexpr double tables = 8 * 8 * 90, decomposition = 4; // [ns]
+  const auto n = static_cast<double>(phase.system().size());
+  return tables * static_cast<double>(phase.forms().guards().size()) * n +
+         decomposition * n * n * n;
+}
+
+// Of a contact change within steps over many of them: what is shown of the motion there.
+double cost_of_change(const model::Model &model) {
+  return 2e4 + 2.5e3 * static_cast<double>(model.size()); // [ns], by trial
+}
+
 } // namespace
 
 LinearPhase::LinearPhase(const Equations &equations, const Settings &settings, double longest_piece,
@@ -67,8 +81,8 @@ std::size_t LinearPhase::bytes() const {
 }
 
 ExactPhases::ExactPhases(const Equations &equations, const Settings &settings)
-    : equations_(equations), settings_(settings), longest_piece_(longest_piece(equations.model())) {
-}
+    : equations_(equations), settings_(settings), longest_piece_(longest_piece(equations.model())),
+      change_cost_(cost_of_change(equations.model())) {}
 
 bool ExactPhases::take_sources(double time) {
   sources_.clear();
@@ -113,6 +127,9 @@ std::size_t ExactPhases::bytes() const {
 
 void ExactPhases::enter(LinearPhase &phase) {
   phase.entered_ = ++entries_;
+  ++changes_;
+  if (!std::exchange(phase.taught_->met, true))
+    spent_ += cost_of(phase);
   if (!std::exchange(check_, false))
     return;
   std::size_t sum = bytes();
@@ -138,9 +155,12 @@ void ExactPhases::drop(const LinearPhase &phase) {
 // Of phases that have been dropped nothing is left.
 void ExactPhases::forget() {
   check_ = true;
+  spent_ = 0;
+  changes_ = 0;
   std::erase_if(phases_, [](const auto &at) { return at.second.taught && !at.second.phase; });
   for (const auto &[modes, known] : phases_)
     if (known.taught) {
+      known.taught->met = false;
       known.taught->lengths.hints.fill(-1);
       for (const auto &[guard, contact] : known.taught->contacts)
         contact->forget();

@@ -1,7 +1,13 @@
 // The linear phases of a model: one for each combination of contact modes that came up, with all
 // that was made for it, under one excitation.
 //
-// Many contacts come up in ever new combinations. What is prepared has a bound (Settings), beyond
+// Many contacts come up in ever new combinations. Others may take over (moments/) where making
+// phases costs more than it brings: where the phases made have cost, beyond a budget for those that
+// come up again, twice what steps over all contact changes would have. That is counted in
+// operations and for the phases that a motion meets, whoever made them, so that results depend on
+// neither the machine nor the motions before.
+//
+// What is prepared has a bound (Settings), beyond
 // which whole phases are dropped, those that the motion left longest ago first. What motions have
 // taught about a phase stays until the next motion begins, so that results are the same to the
 // byte.
@@ -13,6 +19,7 @@
 #include "motion/phase/work_integrals.h"
 #include "motion/settings.h"
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <vector>
@@ -24,6 +31,7 @@ struct TaughtContact;
 
 /// What the motion so far has taught about a phase.
 struct TaughtPhase {
+  bool met = false; ///< by this motion
   TaughtLengths lengths{};
   std::map<std::size_t, std::shared_ptr<TaughtContact>> contacts{}; ///< by the guards passed
 };
@@ -95,10 +103,17 @@ public:
   /// The motion goes on in a phase: where a phase was made since, or a motion began, the others are
   /// dropped that are too many.
   void enter(LinearPhase &phase);
+  /// New combinations come up so often that steps would cost less, since forget().
+  bool crowded() const {
+    return spent_ > budget_ + 2 * static_cast<double>(changes_) * change_cost_;
+  }
   /// Forgets what earlier motions taught.
   void forget();
   /// What is prepared.
   std::size_t bytes() const;
+
+  /// Somebody can take over from crowded phases.
+  void allow_crowded() { budget_ = 1e9; }
 
 private:
   struct Known {
@@ -112,7 +127,10 @@ private:
   double longest_piece_;
   std::map<std::vector<int>, Known> phases_;
   long entries_ = 0;
-  bool check_ = false; ///< the bytes at the next entry
+  double budget_ = std::numeric_limits<double>::infinity(); ///< nominal [ns]
+  long changes_ = 0;                                        ///< of phases, since forget()
+  double spent_ = 0, change_cost_ = 0;                      ///< nominal [ns]
+  bool check_ = false;                                      ///< the bytes at the next entry
   std::vector<model::ExponentialForm> sources_;
   Excitation excitation_;
 };
