@@ -64,7 +64,7 @@ std::size_t ExactPath::KnownPhase::bytes() const {
   std::size_t sum = bytes_of(transitions);
   for (const auto &transition : transitions)
     sum += transition ? transition->bytes() : 0;
-  for (const auto *part : {&monitored, &monitored_before})
+  for (const auto *part : {&observed, &observed_before})
     sum +=
         *part && (*part)->outputs ? bytes_of((*part)->forms.rows) + (*part)->outputs->bytes() : 0;
   return sum;
@@ -200,25 +200,25 @@ bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
 }
 
 // Makes what it takes to observe a phase, the modes of the equations being its.
-void ExactPath::prepare_monitoring(KnownPhase &known) {
-  if (!observer_->monitor)
-    return;
-  const long monitor = observer_->monitor->identity();
-  if (!known.monitored || known.monitored->monitor != monitor)
-    std::swap(known.monitored, known.monitored_before);
+void ExactPath::prepare_observation(KnownPhase &known) {
+  const Observers &observers = observer_->observers;
+  if (!known.observed || known.observed->observers != observers.identity())
+    std::swap(known.observed, known.observed_before);
   const long excitation = exact_phases_.excitation().generation();
-  if (!known.monitored || known.monitored->monitor != monitor) {
-    std::vector<MonitoredForm> forms;
-    observer_->monitor->add_forms(equations_, forms);
-    known.monitored = std::make_unique<MonitoredOutputs>(
-        MonitoredOutputs{.monitor = monitor, .forms = MonitoredForms(forms)});
-    if (!known.monitored->forms.ranges.empty())
-      known.monitored->outputs =
-          std::make_unique<ExactOutputs>(known.monitored->forms, known.phase());
-  } else if (known.monitored->outputs && known.monitored->excitation != excitation) {
-    known.monitored->outputs->renew();
+  if (!known.observed || known.observed->observers != observers.identity()) {
+    known.observed =
+        std::make_unique<ObservedPhase>(ObservedPhase{.observers = observers.identity(),
+                                                      .in_steps = observers.in_steps(equations_),
+                                                      .as_whole = observers.as_whole(equations_),
+                                                      .forms = {}});
+    ObservedPhase &observed = *known.observed;
+    observed.forms = LinearOutputs(observed.as_whole.outputs, equations_);
+    if (!observed.forms.ranges.empty())
+      observed.outputs = std::make_unique<ExactOutputs>(observed.forms, known.phase());
+  } else if (known.observed->outputs && known.observed->excitation != excitation) {
+    known.observed->outputs->renew();
   }
-  known.monitored->excitation = excitation;
+  known.observed->excitation = excitation;
 }
 
 // A part of a phase is reported as a whole, and is not longer than its work integrals stay exact.
@@ -226,7 +226,7 @@ void ExactPath::begin_part(double time) {
   part_limit_ = std::numeric_limits<double>::infinity();
   if (!observer_)
     return;
-  prepare_monitoring(*known_);
+  prepare_observation(*known_);
   if (observer_->integrals)
     part_limit_ = time + known_->linear.work(equations_).longest();
   part_ = start_.data();
@@ -235,23 +235,22 @@ void ExactPath::begin_part(double time) {
     part_ = part_copy_.data();
   }
   part_start_ = time;
-  if (observer_->monitor)
-    observer_->monitor->part_begins(equations_, time, state_);
+  part_state_ = state_;
 }
 
 // The modes of the equations are those of the part. Leaves its state at the end.
 void ExactPath::end_part(double time, const double *amplitudes) {
   const bool part = observer_ && time > part_start_;
-  if (part && observer_->steps)
+  if (part && !known_->observed->in_steps.list.empty())
     show_steps(time, amplitudes);
   else if (part && observer_->integrals)
     known_->linear.work(equations_).add(part_, amplitudes, time - part_start_, state_);
   known_->phase().state(amplitudes, state_.data());
-  if (!part || !observer_->monitor)
+  if (!part)
     return;
-  if (known_->monitored->outputs)
-    known_->monitored->outputs->include(part_, amplitudes, time - part_start_);
-  observer_->monitor->part_done(equations_, part_start_, time, state_);
+  if (known_->observed->outputs)
+    known_->observed->outputs->include(part_, amplitudes, time - part_start_);
+  known_->observed->as_whole.show(Interval(equations_, part_start_, part_state_, time, state_));
 }
 
 // The part from part_start_ on as steps whose polynomials keep the tolerance, all of them from the
@@ -280,7 +279,7 @@ void ExactPath::show_steps(double time, const double *amplitudes) {
     end_point_.state = start_point_.state;
     work.add(step_start_.data(), step_end_.data(), to - from, end_point_.state);
     segment.fill(to, step_end_.data(), end_point_);
-    observer_->steps->step(StepView(equations_, start_point_, end_point_));
+    known_->observed->in_steps.show(StepView(equations_, start_point_, end_point_));
     ++counts_.steps;
     std::swap(start_point_, end_point_);
     step_start_.swap(step_end_);
@@ -412,7 +411,7 @@ void ExactPath::stand(double time, const double *amplitudes) {
 }
 
 bool ExactPath::advance(double &time, const Vector &state, double limit, long most_events,
-                        std::span<const ZeroGuard> zero, const PathObserver *observer) {
+                        std::span<const ZeroGuard> zero, const PathObservers *observer) {
   observer_ = observer;
   state_ = state;
   pending_.reset();

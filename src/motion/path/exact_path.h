@@ -1,7 +1,7 @@
 // A motion through linear phases, over any number of contact changes, in closed form.
 //
-// Who observes it sees the extreme values of linear forms of the motion or its parts as steps, and
-// every contact change.
+// Who observes it sees parts of it with the extreme values over them, or steps, and every contact
+// change.
 //
 // Where the kernel cannot prove what happens, where contacts change together or at once again, it
 // stops before and leaves the rest to the steps that every motion can take. At a change into a
@@ -28,13 +28,11 @@
 
 namespace vibroimpact::motion {
 
-/// Who observes, and does what a contact change takes: `state` is that just before, with its work
+/// Who observes, and what a contact change takes: `state` is that just before, with its work
 /// integrals, in the modes before; the change is that of `contact` through `guard`.
-struct PathObserver {
-  OutputMonitor *monitor = nullptr; ///< none: nobody wants extreme values
-  Observer *steps = nullptr;        ///< none: nobody must see steps
-  Observer *everyone = nullptr;     ///< sees steps through contacts that somebody must see so
-  bool integrals = true;            ///< of work and impulses are to be kept
+struct PathObservers {
+  const Observers &observers;
+  bool integrals = true; ///< of work and impulses are to be kept
   std::function<void(double time, std::size_t contact, std::size_t guard, Vector &state)> change;
 };
 
@@ -64,7 +62,7 @@ public:
   /// then tells whether a contact changes there, and state() where it stands. Where nobody
   /// wants them the work integrals stay as they are.
   bool advance(double &time, const Vector &state, double limit, long most_events,
-               std::span<const ZeroGuard> zero = {}, const PathObserver *observer = nullptr);
+               std::span<const ZeroGuard> zero = {}, const PathObservers *observer = nullptr);
   const Vector &state() const { return state_; }
   const std::optional<PendingChange> &pending() const { return pending_; }
   /// False: nothing can be proven from where the motion stands, and a step must find out.
@@ -73,17 +71,19 @@ public:
 
 private:
   struct KnownPhase;
-  // What an observer monitors of a contact that is solved as a whole.
-  struct MonitoredContact {
-    long monitor = -1;
-    MonitoredForms forms;
-    std::unique_ptr<ContactOutputs> outputs{};
+  // What is observed of a contact that is solved as a whole.
+  struct ObservedContact {
+    long observers = -1; ///< their identity
+    Audience all;
+    bool in_steps = false; ///< somebody must see it so
+    LinearOutputs forms{};
+    std::unique_ptr<ContactOutputs> outputs{}; ///< once asked for
   };
   struct ContactEpisodePart {
     std::unique_ptr<PhaseEpisode> contact;
     std::unique_ptr<ContactWork> work{}; ///< none until the integrals are asked for
-    /// By the present observer and by the one before.
-    std::unique_ptr<MonitoredContact> monitored{}, monitored_before{};
+    /// By the present observers and by those before.
+    std::unique_ptr<ObservedContact> observed{}, observed_before{};
 
     std::size_t bytes() const;
   };
@@ -100,10 +100,11 @@ private:
     /// The linear phase behind a contact, by the mode that it ends in.
     std::map<int, std::unique_ptr<Transition>> behind{};
   };
-  // What an observer monitors of a phase.
-  struct MonitoredOutputs {
-    long monitor = -1;
-    MonitoredForms forms;
+  // What is observed of a phase.
+  struct ObservedPhase {
+    long observers = -1; ///< their identity
+    Audience in_steps, as_whole;
+    LinearOutputs forms;                     ///< of those who see it as a whole
     std::unique_ptr<ExactOutputs> outputs{}; ///< none where there are no forms
     long excitation = -1;                    ///< that these are for
   };
@@ -115,9 +116,9 @@ private:
 
     LinearPhase &linear;
     std::vector<std::unique_ptr<Transition>> transitions;
-    /// By the present observer and by the one before: a search for the steady motion and the
+    /// By the present observers and by those before: a search for the steady motion and the
     /// recorders of a window take turns.
-    std::unique_ptr<MonitoredOutputs> monitored{}, monitored_before{};
+    std::unique_ptr<ObservedPhase> observed{}, observed_before{};
 
     const std::vector<PhaseGuard> &guards() const { return linear.forms().guards(); }
     ExactPhase &phase() const { return linear.phase(); }
@@ -130,7 +131,7 @@ private:
   Transition *transition(std::size_t guard);
   Transition find_transition(const PhaseGuard &passed);
   bool start_from(double time, std::span<const ZeroGuard> zero);
-  void prepare_monitoring(KnownPhase &known);
+  void prepare_observation(KnownPhase &known);
   void begin_part(double time);
   void end_part(double time, const double *amplitudes);
   void part_the_phase(double time);
@@ -143,8 +144,8 @@ private:
   Transition *phase_behind(std::size_t passed, const PhaseEpisode &contact);
   bool enter_behind(Transition *behind, const PhaseEpisode &contact);
   void report_contact(ContactEpisodePart &part, double time);
-  void monitor_contact(ContactEpisodePart &part, double time);
-  ContactOutputs &outputs_of(ContactEpisodePart &part);
+  void show_whole(ContactEpisodePart &part, ObservedContact &observed, double time);
+  ObservedContact &observation_of(ContactEpisodePart &part);
   void renew_inputs(const ExactPhase &phase, double time, double *amplitudes);
   /// Of a guard in the phase to come, by its derivatives there: what its value is known to.
   using KnownTo = std::function<double(std::size_t guard, const double *derivatives)>;
@@ -176,11 +177,12 @@ private:
   double last_event_;
   bool running_ = false;
   std::optional<PendingChange> pending_;
-  const PathObserver *observer_ = nullptr; ///< of the present call
+  const PathObservers *observer_ = nullptr; ///< of the present call
   Vector state_;
   Amplitudes start_;             ///< when the walk began
   const double *part_ = nullptr; ///< at the start of the part that is not reported yet
   Amplitudes part_copy_;         ///< if that is not when the walk began
+  Vector part_state_;            ///< at its start, with the work integrals
   double part_start_ = 0, part_limit_ = 0;
   Amplitudes step_start_, step_end_;
   EndPoint start_point_, end_point_; ///< of a step that is shown

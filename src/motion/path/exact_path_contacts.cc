@@ -15,8 +15,8 @@ constexpr double shortest = 16;
 
 std::size_t ExactPath::ContactEpisodePart::bytes() const {
   std::size_t sum = contact->bytes() + (work ? work->bytes() : 0);
-  for (const auto *part : {&monitored, &monitored_before})
-    sum += *part ? (*part)->outputs->bytes() : 0;
+  for (const auto *part : {&observed, &observed_before})
+    sum += *part && (*part)->outputs ? (*part)->outputs->bytes() : 0;
   return sum;
 }
 
@@ -80,35 +80,35 @@ bool ExactPath::enter_behind(Transition *behind, const PhaseEpisode &contact) {
   return begin_guards(phase, contact.contact(), next_, next_rounding_, std::ref(known_to)) && rises;
 }
 
-// The forms are those of the monitor in the modes of the contact.
-ContactOutputs &ExactPath::outputs_of(ContactEpisodePart &part) {
-  const long monitor = observer_->monitor->identity();
-  if (!part.monitored || part.monitored->monitor != monitor)
-    std::swap(part.monitored, part.monitored_before);
-  if (!part.monitored || part.monitored->monitor != monitor) {
-    std::vector<MonitoredForm> forms;
-    observer_->monitor->add_forms(equations_, forms);
-    part.monitored = std::make_unique<MonitoredContact>(
-        MonitoredContact{.monitor = monitor, .forms = MonitoredForms(forms)});
-    part.monitored->outputs =
-        std::make_unique<ContactOutputs>(part.monitored->forms, *part.contact, tolerance_);
+// In the modes of the contact.
+ExactPath::ObservedContact &ExactPath::observation_of(ContactEpisodePart &part) {
+  const Observers &observers = observer_->observers;
+  if (!part.observed || part.observed->observers != observers.identity())
+    std::swap(part.observed, part.observed_before);
+  if (!part.observed || part.observed->observers != observers.identity()) {
+    Audience all{.list = observers.list()};
+    all.ask(equations_);
+    const bool in_steps = !observers.in_steps(equations_).list.empty();
+    part.observed = std::make_unique<ObservedContact>(ObservedContact{
+        .observers = observers.identity(), .all = std::move(all), .in_steps = in_steps});
   }
-  return *part.monitored->outputs;
+  return *part.observed;
 }
 
 // As one part of the motion.
-void ExactPath::monitor_contact(ContactEpisodePart &part, double time) {
+void ExactPath::show_whole(ContactEpisodePart &part, ObservedContact &observed, double time) {
   const PhaseEpisode &contact = *part.contact;
-  if (observer_->monitor)
-    observer_->monitor->part_begins(equations_, time, state_);
+  part_state_ = state_;
   if (observer_->integrals)
     part.work->add(time, state_);
   const ConstVectorView after(contact.after().data(), contact.state_rows().cols());
   state_.head(contact.state_rows().rows()).noalias() = contact.state_rows() * after;
-  if (!observer_->monitor)
-    return;
-  outputs_of(part).include();
-  observer_->monitor->part_done(equations_, time, time + contact.duration(), state_);
+  if (!observed.outputs) {
+    observed.forms = LinearOutputs(observed.all.outputs, equations_);
+    observed.outputs = std::make_unique<ContactOutputs>(observed.forms, contact, tolerance_);
+  }
+  observed.outputs->include();
+  observed.all.show(Interval(equations_, time, part_state_, time + contact.duration(), state_));
 }
 
 void ExactPath::report_contact(ContactEpisodePart &part, double time) {
@@ -117,15 +117,12 @@ void ExactPath::report_contact(ContactEpisodePart &part, double time) {
     part.work = std::make_unique<ContactWork>(known_->linear.powers(equations_), contact,
                                               equations_, tolerance_);
   report_change(time);
-  const bool in_steps =
-      observer_->steps || (observer_->monitor && !(observer_->monitor->takes_contacts() &&
-                                                   ContactOutputs::possible(contact)));
-  if (in_steps)
-    counts_.steps +=
-        contact_steps_.show(contact, time, observer_->integrals ? part.work.get() : nullptr, state_,
-                            *observer_->everyone);
+  ObservedContact &observed = observation_of(part);
+  if (observed.in_steps || !ContactOutputs::possible(contact))
+    counts_.steps += contact_steps_.show(
+        contact, time, observer_->integrals ? part.work.get() : nullptr, state_, observed.all);
   else
-    monitor_contact(part, time);
+    show_whole(part, observed, time);
   observer_->change(time + contact.duration(), contact.contact(), contact.release(), state_);
 }
 
