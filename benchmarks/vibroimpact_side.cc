@@ -16,27 +16,26 @@ using reduction::ReducedBody;
 constexpr double event_tolerance = 1e-12; // the program's default
 
 // Counts the contacts and keeps the extreme values of one displacement.
-class Record : public Observer, private OutputMonitor {
+class Record : public Observer {
 public:
-  explicit Record(const Problem &problem) : problem_(problem), begun_(problem.contacts.size(), 0) {}
-  void step(const StepView &view) override {
-    extent_.include(view.displacement(problem_.recorded));
+  explicit Record(const Problem &problem)
+      : problem_(problem), recorded_(PointForm{problem.recorded}),
+        begun_(problem.contacts.size(), 0) {}
+  void outputs(const Equations & /*equations*/, std::vector<Output> &list) override {
+    list.push_back({&recorded_, &extent_});
   }
+  bool sees_steps(const Equations & /*equations*/) const override { return false; }
   void event(const ContactEvent &event) override {
     const std::vector<contact::Mode> &modes = problem_.contacts.pairs()[event.contact].law->modes();
     begun_[event.contact] += !modes[static_cast<std::size_t>(event.from)].in_contact &&
                              modes[static_cast<std::size_t>(event.to)].in_contact;
   }
-  OutputMonitor *output_monitor() override { return this; }
   const std::vector<long> &begun() const { return begun_; }
   double excursion() const { return extent_.peak_to_peak(); }
 
 private:
-  void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override {
-    forms.push_back(monitored_displacement(equations, problem_.recorded, extent_));
-  }
-
   const Problem &problem_;
+  OutputForm recorded_;
   std::vector<long> begun_;
   ValueRange extent_;
 };

@@ -53,7 +53,7 @@ double EventPattern::longest_stay(double weight_of_contact) const {
   return instant < length ? instant : instant - length;
 }
 
-// The modes of a phase are known with its first step; several events may lead into it.
+// The modes of a phase are known with its first interval; several events may lead into it.
 void PatternObserver::see(const motion::Equations &equations) {
   std::vector<int> modes = equations.modes();
   bool closed = false;

@@ -50,24 +50,17 @@ private:
 };
 
 /// Notes the pattern of the motion that it observes.
-class PatternObserver : public motion::Observer, private motion::OutputMonitor {
+class PatternObserver : public motion::Observer {
 public:
   PatternObserver(const contact::ContactSet &contacts, double start)
       : contacts_(contacts), start_(start) {}
-  void step(const motion::StepView &view) override { see(view.equations()); }
-  /// Parts in closed form need not be seen step by step.
-  motion::OutputMonitor *output_monitor() override { return this; }
+  bool sees_steps(const motion::Equations & /*equations*/) const override { return false; }
+  void interval(const motion::Interval &interval) override { see(interval.equations()); }
   bool wants_integrals() const override { return false; }
   void event(const motion::ContactEvent &event) override;
   EventPattern pattern(double end) const;
 
 private:
-  void add_forms(const motion::Equations & /*equations*/,
-                 std::vector<motion::MonitoredForm> & /*forms*/) override {}
-  void part_done(const motion::Equations &equations, double /*start*/, double /*end*/,
-                 const Vector & /*state*/) override {
-    see(equations);
-  }
   void see(const motion::Equations &equations);
   bool in_contact(std::size_t contact, int mode) const {
     return contacts_.pairs()[contact].law->modes()[static_cast<std::size_t>(mode)].in_contact;

@@ -53,7 +53,6 @@ struct Oscillator {
 // Counts the impacts of the recorded window.
 class Impacts : public motion::Observer {
 public:
-  void step(const motion::StepView & /*view*/) override {}
   void event(const motion::ContactEvent &event) override { count += event.onset ? 1 : 0; }
   long count = 0;
 };

@@ -59,9 +59,8 @@ Recorded record(const System &system, double frequency, bool by_steps) {
        [](const System &s) { return std::make_unique<Impacts>(s); }},
       system);
   testing::Nobody nobody;
-  Observers flying({});
-  Observer &also = by_steps ? static_cast<Observer &>(nobody) : flying;
-  recording.run(periods_window(5 * period, period, 6), trajectory, also);
+  recording.run(periods_window(5 * period, period, 6), trajectory,
+                by_steps ? std::vector<Observer *>{&nobody} : std::vector<Observer *>());
   Recorded recorded{.result = {}, .accuracy = trajectory.accuracy(), .state = trajectory.state()};
   recording.add_fields(recorded.result);
   return recorded;
@@ -74,16 +73,16 @@ double step_error(const std::string &field) {
 
 void compare(const std::shared_ptr<const ContactLaw> &law, double frequency) {
   const System system = between_stops(law, frequency);
-  const Recorded part_done = record(system, frequency, false);
+  const Recorded whole = record(system, frequency, false);
   const Recorded stepped = record(system, frequency, true);
   const std::string where = law->name() + " at " + std::to_string(frequency) + " rad/s: ";
-  EXPECT_EQ(part_done.accuracy.events, stepped.accuracy.events) << where;
-  EXPECT_LT(part_done.accuracy.energy_residual, 1e-12) << where;
+  EXPECT_EQ(whole.accuracy.events, stepped.accuracy.events) << where;
+  EXPECT_LT(whole.accuracy.energy_residual, 1e-12) << where;
   EXPECT_LT(stepped.accuracy.energy_residual, 1e-10) << where;
 
-  ASSERT_EQ(part_done.result.fields.size(), stepped.result.fields.size()) << where;
-  for (std::size_t i = 0; i < part_done.result.fields.size(); ++i) {
-    const Field &one = part_done.result.fields[i];
+  ASSERT_EQ(whole.result.fields.size(), stepped.result.fields.size()) << where;
+  for (std::size_t i = 0; i < whole.result.fields.size(); ++i) {
+    const Field &one = whole.result.fields[i];
     const Field &other = stepped.result.fields[i];
     ASSERT_EQ(one.name(), other.name()) << where;
     if (std::isnan(other.values[0])) {
@@ -99,10 +98,10 @@ void compare(const std::shared_ptr<const ContactLaw> &law, double frequency) {
   const double turnover = stepped.state[layout.absolute_input_work()];
   for (Index entry = 0; entry < layout.size(); ++entry)
     if (entry != layout.absolute_input_work()) {
-      EXPECT_NEAR(part_done.state[entry], stepped.state[entry], 1e-12 * (1 + turnover))
+      EXPECT_NEAR(whole.state[entry], stepped.state[entry], 1e-12 * (1 + turnover))
           << where << "entry " << entry;
     }
-  EXPECT_LE(part_done.state[layout.absolute_input_work()], turnover * (1 + 1e-9)) << where;
+  EXPECT_LE(whole.state[layout.absolute_input_work()], turnover * (1 + 1e-9)) << where;
 }
 
 TEST(RecordedExactlyTest, AreTheSteppedOnes) {
@@ -118,7 +117,7 @@ TEST(RecordedExactlyTest, AreTheSteppedOnes) {
 }
 
 // Counts the steps it is shown with no contact closed; needs extreme values only.
-class StepsApart : public Observer, private OutputMonitor {
+class StepsApart : public Observer {
 public:
   void step(const StepView &view) override {
     const Equations &equations = view.equations();
@@ -128,13 +127,9 @@ public:
     count += apart ? 1 : 0;
   }
   void event(const ContactEvent & /*event*/) override { ++events; }
-  OutputMonitor *output_monitor() override { return this; }
+  bool sees_steps(const Equations & /*equations*/) const override { return false; }
 
   long count = 0, events = 0;
-
-private:
-  void add_forms(const Equations & /*equations*/, std::vector<MonitoredForm> & /*forms*/) override {
-  }
 };
 
 // Where a contact is not linear, exact propagation ends with its beginning and goes on behind it.
@@ -152,16 +147,45 @@ TEST(RecordedExactlyTest, ReachFromContactToContact) {
   }
 }
 
-// One recorder that must see steps makes them for all; recorders of extreme values need none.
-TEST(RecordedExactlyTest, OneRecorderThatNeedsStepsMakesThemForAll) {
-  const System system = between_stops(std::make_shared<LinearPenalty>(20), 1.2);
-  const ExtremeValues extremes(ObservedSelection{}, system);
-  Observers none({});
-  testing::Nobody nobody;
-  Observers one({&nobody});
-  EXPECT_EQ(none.step_observer(), nullptr);
-  EXPECT_EQ(one.output_monitor(), nullptr);
-  EXPECT_NE(one.step_observer(), nullptr);
+// Counts what it is shown while the contacts are affine, and elsewhere.
+class Parts : public Observer {
+public:
+  explicit Parts(bool in_steps) : in_steps_(in_steps) {}
+  bool sees_steps(const Equations & /*equations*/) const override { return in_steps_; }
+  void step(const StepView &view) override { ++(linear(view) ? steps : contact_steps); }
+  void interval(const Interval &interval) override { ++(linear(interval) ? wholes : contacts); }
+
+  long steps = 0, contact_steps = 0, wholes = 0, contacts = 0;
+
+private:
+  static bool linear(const Interval &interval) {
+    return interval.equations().mode(0).affine && interval.equations().mode(1).affine;
+  }
+  bool in_steps_;
+};
+
+// Who must see steps makes them for itself in linear phases, and for all in contacts that are
+// solved as a whole.
+TEST(RecordedExactlyTest, EachObserverSeesLinearPhasesAsItAsks) {
+  System system =
+      between_stops(std::make_shared<Hertz>(HertzConstants{.stiffness = 5e4, .exponent = 1.5}), 1.2);
+  system.integration.relative_tolerance = 1e-9; // contacts are solved as a whole
+  Parts alone(false), beside(false), stepped(true);
+  for (const Observers &observers : {Observers(alone), Observers({&beside, &stepped})}) {
+    Trajectory trajectory(system.model, system.contacts, system.integration);
+    trajectory.start(0, system.initial.displacement, system.initial.velocity);
+    trajectory.advance(100, observers);
+    EXPECT_GT(trajectory.accuracy().contact_episodes, 5);
+    EXPECT_EQ(trajectory.accuracy().stepped_contacts(), 0);
+  }
+  EXPECT_EQ(alone.steps + alone.contact_steps, 0);
+  EXPECT_GT(alone.contacts, 5);
+  EXPECT_EQ(beside.steps + beside.contacts, 0);
+  EXPECT_EQ(beside.wholes, alone.wholes);
+  EXPECT_GT(stepped.steps, 3 * beside.wholes);
+  EXPECT_EQ(beside.contact_steps, stepped.contact_steps);
+  EXPECT_GT(stepped.contact_steps, 3 * alone.contacts);
+  EXPECT_EQ(stepped.wholes + stepped.contacts, 0);
 }
 
 } // namespace recorded_exactly_tests

@@ -128,7 +128,6 @@ TEST(KelvinVoigtTest, ComesOnAgainInsideTheOverlap) {
     std::vector<int> entered;
     std::vector<double> force; ///< that the formula gives at each change
     double damping = 0;
-    void step(const StepView & /*view*/) override {}
     void event(const ContactEvent &event) override {
       if (event.contact != 0)
         return;

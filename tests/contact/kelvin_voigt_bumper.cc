@@ -58,7 +58,6 @@ TEST(KelvinVoigtBumperTest, IsHitAgainBeforeItHasRecovered) {
   Trajectory trajectory(model, contacts, Settings{});
   struct Touches : Observer {
     std::vector<double> distance, compression;
-    void step(const StepView & /*view*/) override {}
     void event(const ContactEvent &event) override {
       if (event.to != 1)
         return;

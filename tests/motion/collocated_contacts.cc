@@ -219,24 +219,20 @@ TEST(CollocatedContacts, LeaveToOthersWhatTheyCannotDo) {
 
 // Extreme values over each contact of what two masses do, and of the force between one and a stop:
 // as linear forms, or from the steps that are shown.
-class ContactExtremes : public Observer, private OutputMonitor {
+class ContactExtremes : public Observer {
 public:
   ContactExtremes(const Model &model, bool in_steps) : in_steps_(in_steps) {
     for (const std::size_t body : {0, 1})
-      seen_.push_back(model.displacement({.body = body, .point = 0}, Vector3::UnitX(), true));
+      for (const int order : {0, 1, 2})
+        forms_.emplace_back(PointForm{
+            model.displacement({.body = body, .point = 0}, Vector3::UnitX(), true), order});
+    forms_.emplace_back(GapForm{0});
+    forms_.emplace_back(ForceForm{0});
   }
-  OutputMonitor *output_monitor() override { return in_steps_ ? nullptr : this; }
-  void step(const StepView &view) override {
-    if (!inside_)
-      return;
-    auto range = ranges_.begin();
-    for (const Projection &point : seen_) {
-      (range++)->include(view.displacement(point));
-      (range++)->include(view.velocity(point));
-      (range++)->include(view.acceleration(point));
-    }
-    (range++)->include(view.gap(0));
-    range->include(peak_force(view, 0));
+  bool sees_steps(const Equations & /*equations*/) const override { return in_steps_; }
+  void outputs(const Equations &equations, std::vector<Output> &list) override {
+    for (std::size_t i = 0; i < forms_.size() && equations.mode(0).in_contact; ++i)
+      list.push_back({&forms_[i], &ranges_[i]});
   }
   void event(const ContactEvent &event) override {
     // A force that is cut off ends before the sides part.
@@ -250,21 +246,8 @@ public:
   std::vector<Ranges> contacts;
 
 private:
-  void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override {
-    if (!equations.mode(0).in_contact)
-      return;
-    auto range = ranges_.begin();
-    for (const Projection &point : seen_) {
-      forms.push_back(monitored_displacement(equations, point, *range++));
-      forms.push_back(monitored_velocity(equations, point, *range++));
-      forms.push_back(monitored_acceleration(equations, point, *range++));
-    }
-    forms.push_back(monitored_contact(equations, 0, {.gap = 1}, *range++));
-    forms.push_back(monitored_force(equations, 0, *range));
-  }
-
   bool in_steps_, inside_ = false;
-  std::vector<Projection> seen_;
+  std::vector<OutputForm> forms_;
   Ranges ranges_;
 };
 

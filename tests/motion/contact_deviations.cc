@@ -18,7 +18,6 @@ namespace contact_deviations_tests {
 // The motion from the first touch to the release.
 class FirstContact : public Observer {
 public:
-  void step(const StepView & /*view*/) override {}
   void event(const ContactEvent &event) override {
     if (part.from_event && !part.to_event) {
       part.end = event.time;

@@ -20,7 +20,6 @@ using testing::single_mass;
 class Onsets : public Observer {
 public:
   explicit Onsets(const ContactSet &contacts) : contacts_(contacts) {}
-  void step(const StepView &) override {}
   void event(const ContactEvent &event) override {
     const ContactLaw &law = *contacts_.pairs()[event.contact].law;
     count += event.onset && !law.modes()[static_cast<std::size_t>(event.to)].affine ? 1 : 0;

@@ -63,8 +63,6 @@ struct Moved {
 // Two motions one after the other, the first with its impacts.
 Moved moved(const Row &row, std::size_t prepared_bytes, bool in_steps) {
   class Steps : public Observer {
-  public:
-    void step(const StepView & /*view*/) override {}
   } steps;
   Settings settings;
   settings.prepared_bytes = prepared_bytes;
@@ -75,8 +73,7 @@ Moved moved(const Row &row, std::size_t prepared_bytes, bool in_steps) {
     trajectory.start(0, rest, rest);
     ImpactLog log(row.contacts, 0);
     trajectory.advance(12, log);
-    Observers both({&log, &steps});
-    trajectory.advance(24, in_steps ? static_cast<Observer &>(both) : log);
+    trajectory.advance(24, in_steps ? Observers({&log, &steps}) : Observers(log));
     result.impacts.clear();
     for (std::size_t c = 0; c < row.contacts.size(); ++c)
       result.impacts.insert(result.impacts.end(), log.impacts(c).begin(), log.impacts(c).end());

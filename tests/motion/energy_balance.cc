@@ -18,10 +18,7 @@ using namespace model;
 using testing::contact_along_x;
 using testing::single_mass;
 
-class Nobody : public Observer {
-public:
-  void step(const StepView & /*view*/) override {}
-};
+class Nobody : public Observer {};
 
 Accuracy shaken(const std::shared_ptr<const ContactLaw> &law, double relative_tolerance) {
   Model model({single_mass("block", 1, 100, 0.5)});

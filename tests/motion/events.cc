@@ -25,7 +25,6 @@ struct Change {
 
 class Changes : public Observer {
 public:
-  void step(const StepView & /*view*/) override {}
   void event(const ContactEvent &event) override {
     list.push_back({event.time, event.contact, event.to});
   }

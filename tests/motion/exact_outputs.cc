@@ -40,7 +40,7 @@ struct Output {
     return sum;
   }
 
-  MonitoredForm form(ValueRange &range) const {
+  LinearForm form() const {
     const Sum seen = sum();
     std::vector<double> row;
     for (std::size_t j = 0; j < exponents.size(); ++j) {
@@ -50,12 +50,11 @@ struct Output {
     }
     return {.row = {.row = Eigen::Map<RowVector>(row.data(), static_cast<Index>(row.size())),
                     .constant = constant},
-            .differentiated = differentiated,
-            .range = &range};
+            .differentiated = differentiated};
   }
 
   // The ranges of the forms grow.
-  void observe(const MonitoredForms &forms, double h, std::size_t outputs_of_all) const {
+  void observe(const LinearOutputs &forms, double h, std::size_t outputs_of_all) const {
     SumsPhase phase({sum()});
     ExactOutputs outputs(forms, *phase.phase);
     EXPECT_EQ(outputs.size(), outputs_of_all);
@@ -69,7 +68,9 @@ struct Output {
 
   ValueRange extent_over(double h) const {
     ValueRange range;
-    observe(MonitoredForms({form(range)}), h, 1);
+    LinearOutputs forms;
+    forms.add(form(), range);
+    observe(forms, h, 1);
     return range;
   }
 };
@@ -206,13 +207,16 @@ TEST(ExactOutputsTest, ParallelFormsAreOneOutput) {
   ValueRange turned;
   ValueRange wider{.minimum = -7, .maximum = 0.5};
   ValueRange rate;
-  MonitoredForm other = sum.form(turned);
+  LinearForm other = sum.form();
   other.row.row *= -2.5;
   other.row.constant = 0.5;
+  LinearOutputs forms;
+  forms.add(sum.form(), whole);
+  forms.add(other, turned);
+  forms.add(sum.form(), wider);
   sum.differentiated = true;
-  const MonitoredForm slope = sum.form(rate);
-  sum.differentiated = false;
-  sum.observe(MonitoredForms({sum.form(whole), other, sum.form(wider), slope}), 9.5, 2);
+  forms.add(sum.form(), rate);
+  sum.observe(forms, 9.5, 2);
   EXPECT_NEAR(whole.minimum, 0, 1e-14);
   EXPECT_NEAR(whole.maximum, 2, 1e-14);
   EXPECT_NEAR(turned.minimum, -2, 1e-14);
@@ -224,23 +228,23 @@ TEST(ExactOutputsTest, ParallelFormsAreOneOutput) {
 }
 
 // Displacement of one body.
-class Watch : public Observer, public OutputMonitor {
+class Watch : public Observer {
 public:
-  explicit Watch(Index body) : body_(body) {}
-  void step(const StepView & /*view*/) override {}
-  OutputMonitor *output_monitor() override { return this; }
-  void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override {
-    forms.push_back(monitored_state(equations, body_, 0, range));
+  Watch(const model::Model &model, std::size_t body)
+      : form_(PointForm{model.displacement({.body = body, .point = 0}, Vector3::UnitX(), false)}) {}
+  void outputs(const Equations & /*equations*/, std::vector<motion::Output> &list) override {
+    list.push_back({&form_, &range});
   }
+  bool sees_steps(const Equations & /*equations*/) const override { return false; }
   ValueRange range;
 
 private:
-  Index body_;
+  OutputForm form_;
 };
 
 // Two bodies vibrate with amplitudes 1 and 3: what one observer has asked for is not what the next
 // one sees.
-TEST(ExactOutputsTest, EachMonitorSeesItsOwnForms) {
+TEST(ExactOutputsTest, EachObserverSeesItsOwnOutputs) {
   const model::Model model(
       {testing::single_mass("a", 1, 4, 0), testing::single_mass("b", 1, 9, 0)});
   const contact::ContactSet none;
@@ -248,11 +252,12 @@ TEST(ExactOutputsTest, EachMonitorSeesItsOwnForms) {
   Vector start(2);
   start << 1, 3;
   trajectory.start(0, start, Vector::Zero(2));
-  for (const Index body : {0, 1}) {
-    Watch watch(body);
+  for (const std::size_t body : {0, 1}) {
+    Watch watch(model, body);
     trajectory.advance(trajectory.time() + 10, watch);
-    EXPECT_NEAR(watch.range.maximum, start[body], 1e-12) << body;
-    EXPECT_NEAR(watch.range.minimum, -start[body], 1e-12) << body;
+    const double amplitude = start[static_cast<Index>(body)];
+    EXPECT_NEAR(watch.range.maximum, amplitude, 1e-12) << body;
+    EXPECT_NEAR(watch.range.minimum, -amplitude, 1e-12) << body;
   }
 }
 
@@ -267,7 +272,7 @@ TEST(ExactOutputsTest, Resonance) {
   for (int turns = 2; turns < 12; ++turns)
     for (const double beyond : {0.1, 0.5, 0.9}) {
       trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
-      Watch watch(0);
+      Watch watch(model, 0);
       const double end = (turns + beyond) * pi / 2;
       trajectory.advance(end, watch);
       const double last = (std::sin(2 * end) - 2 * end * std::cos(2 * end)) / 8;

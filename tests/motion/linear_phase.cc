@@ -23,10 +23,7 @@ using namespace model;
 using testing::contact_along_x;
 using testing::single_mass;
 
-class NoObserver : public Observer {
-public:
-  void step(const StepView & /*view*/) override {}
-};
+class NoObserver : public Observer {};
 
 Model forced_mass(double mass, double stiffness, double damping, double amplitude, double omega) {
   Model model({single_mass("block", mass, stiffness, damping)});

@@ -18,10 +18,7 @@ using testing::plane_mass;
 using testing::put_rotor;
 using testing::rotation;
 
-class Silent : public Observer {
-public:
-  void step(const StepView & /*view*/) override {}
-};
+class Silent : public Observer {};
 
 // Free base_coefficients and free rotor: momentum of the common centre, moment of momentum and
 // energy stay.

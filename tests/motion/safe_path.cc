@@ -20,10 +20,7 @@ using testing::TrueForce;
 using testing::TrueMode;
 using testing::TrueMotion;
 
-class Nobody : public Observer {
-public:
-  void step(const StepView & /*view*/) override {}
-};
+class Nobody : public Observer {};
 
 Model forced(double stiffness, double damping, std::shared_ptr<const TimeFunction> force) {
   Model model({single_mass("block", 1, stiffness, damping)});

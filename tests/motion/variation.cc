@@ -29,15 +29,11 @@ using testing::single_mass;
 
 constexpr double tolerance = 1e-11;
 
-class Nothing : public Observer {
-public:
-  void step(const StepView & /*view*/) override {}
-};
+class Nothing : public Observer {};
 
 // Counts contact changes beside the variation.
 class Counter : public Observer {
 public:
-  void step(const StepView & /*view*/) override {}
   void event(const ContactEvent & /*event*/) override { ++events; }
   int events = 0;
 };

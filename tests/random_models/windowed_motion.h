@@ -13,7 +13,7 @@
 namespace vibroimpact::testing {
 
 /// The contact changes of a motion; sees no steps where it is known in closed form.
-class EventSequence : public motion::Observer, private motion::OutputMonitor {
+class EventSequence : public motion::Observer {
 public:
   struct Event {
     double time = 0;
@@ -22,17 +22,13 @@ public:
   };
 
   explicit EventSequence(const std::vector<contact::ContactPair> &pairs) : pairs_(pairs) {}
-  void step(const motion::StepView & /*view*/) override {}
+  bool sees_steps(const motion::Equations & /*equations*/) const override { return false; }
   void event(const motion::ContactEvent &event) override;
-  motion::OutputMonitor *output_monitor() override { return this; }
 
   std::vector<Event> list;
   std::set<std::string> laws, kinds;
 
 private:
-  void add_forms(const motion::Equations & /*equations*/,
-                 std::vector<motion::MonitoredForm> & /*forms*/) override {}
-
   const std::vector<contact::ContactPair> &pairs_;
 };
 

@@ -97,7 +97,6 @@ struct Ended {
 
 class Touches : public Observer {
 public:
-  void step(const StepView & /*view*/) override {}
   void event(const ContactEvent &event) override {
     if (event.onset)
       contacts.insert(event.contact);

@@ -145,7 +145,6 @@ public:
 private:
   class FirstEvent : public motion::Observer {
   public:
-    void step(const motion::StepView & /*view*/) override {}
     void event(const motion::ContactEvent &event) override {
       if (!time)
         time = event.time;

@@ -7,10 +7,7 @@
 
 namespace vibroimpact::testing {
 
-class Nobody : public motion::Observer {
-public:
-  void step(const motion::StepView & /*view*/) override {}
-};
+class Nobody : public motion::Observer {};
 
 /// Lets the motion settle, records `cycles` periods, and gives the state at the end.
 inline motion::MotionState record(const analyses::System &system, analyses::Recorder &recorder,

@@ -49,7 +49,6 @@ public:
     bool onset = false;
     double gap_rate = 0, gap_rate_after = 0, chatter_duration = 0;
   };
-  void step(const motion::StepView & /*view*/) override {}
   void event(const motion::ContactEvent &event) override {
     list.push_back({event.time, event.contact, event.from, event.to, event.onset, event.gap_rate,
                     event.gap_rate_after, event.chatter_duration});

@@ -23,7 +23,7 @@ std::vector<Signal> signals_of(const System &system, const TiedSystem &tied) {
                                         .kinds = {"displacement", "absolute_displacement"}};
   for (const Observable &observed : point_observables(system.model, displacements))
     signals.push_back({observed.path, observed.unit, observed.meaning,
-                       tied.form(std::get<PointForm>(observed.form).projection)});
+                       tied.form(std::get<motion::PointForm>(observed.form).projection)});
   return signals;
 }
 

@@ -64,7 +64,7 @@ void BalanceTable::add_points(const HarmonicMotion &motion, const LeftOut &left,
   const ObservedSelection displacements{.points = {},
                                         .kinds = {"displacement", "absolute_displacement"}};
   for (const Observable &observed : point_observables(system_.system().model, displacements)) {
-    const model::Projection &projection = std::get<PointForm>(observed.form).projection;
+    const model::Projection &projection = std::get<motion::PointForm>(observed.form).projection;
     add_observed(observed, system_.balance().observed(projection, motion.coordinates),
                  projection.row * left.coordinates, row);
   }

@@ -9,7 +9,7 @@
 namespace vibroimpact::analyses {
 
 using motion::Equations;
-using motion::MonitoredForm;
+using motion::LinearForm;
 
 namespace {
 
@@ -52,7 +52,7 @@ FormTangents::FormTangents(const System &system,
 }
 
 Tangent FormTangents::linear(const FormMaker &make, const TangentPoint &at) {
-  const MonitoredForm own = make(0, at.equations());
+  const LinearForm own = make(0, at.equations());
   const Vector &values = own.differentiated ? at.rates() : at.values();
   const Vector &change = own.differentiated ? at.change_of_rates() : at.change();
   const Vector &rates = own.differentiated ? at.second_rates() : at.rates();
@@ -65,7 +65,7 @@ Tangent FormTangents::linear(const FormMaker &make, const TangentPoint &at) {
     for (std::size_t c = 0; c < equations.modes().size(); ++c)
       if (equations.modes()[c] != at.equations().modes()[c])
         equations.set_mode(c, at.equations().modes()[c]);
-    const MonitoredForm other = make(i + 1, equations);
+    const LinearForm other = make(i + 1, equations);
     tangent.change += near_[i]->weight *
                       ((other.row.row - row).dot(values) + (other.row.constant - own.row.constant));
   }
@@ -73,16 +73,15 @@ Tangent FormTangents::linear(const FormMaker &make, const TangentPoint &at) {
 }
 
 TangentOf FormTangents::of(const Observable &observed) {
-  if (const auto *form = std::get_if<ForceForm>(&observed.form))
+  if (const auto *form = std::get_if<motion::ForceForm>(&observed.form))
     return [this, c = form->contact](const TangentPoint &at) { return force(c, at); };
   std::vector<Observable> all{observed}; // of the system and its neighbours
   for (const auto &near : near_)
     all.push_back(same_in(near->observables, observed));
   return [this, all = std::move(all)](const TangentPoint &at) {
-    motion::ValueRange unused;
     return linear(
         [&](std::size_t system, const Equations &equations) {
-          return monitored(all[system], equations, unused);
+          return linear_form(all[system].form, equations);
         },
         at);
   };
@@ -92,7 +91,7 @@ Tangent FormTangents::contact_form(std::size_t contact, const FormOfLaw &form,
                                    const TangentPoint &at) {
   return linear(
       [&](std::size_t, const Equations &of) {
-        return MonitoredForm{.row = motion::linear_row(of, contact, form(law_of(of, contact)))};
+        return LinearForm{.row = motion::linear_row(of, contact, form(law_of(of, contact)))};
       },
       at);
 }

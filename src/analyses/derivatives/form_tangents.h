@@ -33,7 +33,7 @@ using TangentOf = std::function<Tangent(const TangentPoint &)>;
 
 /// A form in the present modes of the equations, of the system (0) or one of its neighbours (1...).
 using FormMaker =
-    std::function<motion::MonitoredForm(std::size_t system, const motion::Equations &equations)>;
+    std::function<motion::LinearForm(std::size_t system, const motion::Equations &equations)>;
 
 /// An affine form of the local state of a contact, by its law.
 using FormOfLaw = std::function<contact::AffineForm(const contact::ContactLaw &law)>;

@@ -15,8 +15,11 @@ public:
       : trajectory_(trajectory), variation_(variation), key_(key), forms_(forms), visitor_(visitor),
         before_(trajectory.equations()), after_(trajectory.equations()) {}
 
+  bool sees_steps(const motion::Equations &equations) const override {
+    return variation_.sees_steps(equations);
+  }
   void step(const motion::StepView &view) override { variation_.step(view); }
-  motion::OutputMonitor *output_monitor() override { return variation_.output_monitor(); }
+  void interval(const motion::Interval &interval) override { variation_.interval(interval); }
   bool wants_integrals() const override { return false; }
   void event(const motion::ContactEvent &event) override;
   Vector change() { return variation_.columns().col(0) + variation_.key_columns().col(0); }
@@ -110,7 +113,7 @@ PointResult measure_tangents(const RecordedOrbit &motion, periodic::ForcedKey &k
   recording.keep_extrema();
   SmoothIntervals intervals;
   forced.trajectory().start(window.start);
-  recording.run({.start = start, .end = window.end}, forced.trajectory(), intervals);
+  recording.run({.start = start, .end = window.end}, forced.trajectory(), {&intervals});
   PointResult result;
   if (recording.empty() || (intervals.breaks && key.tangent.sources().break_rate() != 0))
     return result;

@@ -3,7 +3,6 @@
 #include "analyses/derivatives/tangent_motion.h"
 #include "analyses/results/fields.h"
 #include "common/scalar.h"
-#include "motion/event/impact_log.h"
 
 #include <cmath>
 
@@ -76,33 +75,26 @@ void ExtremeValues::begin(const Window & /*window*/, const motion::Trajectory & 
   std::fill(extrema_.begin(), extrema_.end(), Extrema{});
 }
 
-void ExtremeValues::step(const motion::StepView &view) {
+void ExtremeValues::outputs(const motion::Equations &equations, std::vector<motion::Output> &list) {
   for (std::size_t i = 0; i < observables_.size(); ++i)
-    if (!is_seen(observables_[i], view.equations()))
-      continue;
-    else if (!extrema_.empty())
+    if (extrema_.empty() && is_seen(observables_[i], equations))
+      list.push_back({&observables_[i].form, &ranges_[i]});
+}
+
+void ExtremeValues::step(const motion::StepView &view) {
+  for (std::size_t i = 0; i < extrema_.size(); ++i)
+    if (is_seen(observables_[i], view.equations()))
       include(extrema_[i], observables_[i], view);
-    else if (const auto *force = std::get_if<ForceForm>(&observables_[i].form))
-      ranges_[i].include(motion::peak_force(view, force->contact));
-    else
-      ranges_[i].include(curve(observables_[i], view));
 }
 
 void ExtremeValues::include(Extrema &extrema, const Observable &observed,
                             const motion::StepView &view) const {
-  if (const auto *force = std::get_if<ForceForm>(&observed.form))
+  if (const auto *force = std::get_if<motion::ForceForm>(&observed.form))
     return extrema.largest.include_force(view, force->contact);
-  motion::Bernstein along_step = curve(observed, view);
+  motion::Bernstein along_step = curve(observed.form, view);
   extrema.largest.include(view, along_step);
   along_step *= -1;
   extrema.smallest.include(view, along_step);
-}
-
-void ExtremeValues::add_forms(const motion::Equations &equations,
-                              std::vector<motion::MonitoredForm> &forms) {
-  for (std::size_t i = 0; i < observables_.size(); ++i)
-    if (is_seen(observables_[i], equations))
-      forms.push_back(monitored(observables_[i], equations, ranges_[i]));
 }
 
 void ExtremeValues::add_fields(const FieldWriter &result) const {

@@ -21,7 +21,7 @@ struct ExtremeValueLabels {
 void add_range(const FieldWriter &result, const ExtremeValueLabels &labels,
                const motion::ValueRange &range);
 
-class ExtremeValues : public Recorder, private motion::OutputMonitor {
+class ExtremeValues : public Recorder {
 public:
   ExtremeValues(const ObservedSelection &selection, const System &system);
 
@@ -29,11 +29,12 @@ public:
   static RecorderFactory create(const parameters::Values &analysis);
 
   void begin(const Window &window, const motion::Trajectory &trajectory) override;
-  void step(const motion::StepView &view) override;
-  /// None where something that is observed is not linear in the motion, or extrema are kept.
-  motion::OutputMonitor *output_monitor() override {
-    return linear_ && extrema_.empty() ? this : nullptr;
+  void outputs(const motion::Equations &equations, std::vector<motion::Output> &list) override;
+  /// Where something that is observed is not linear in the motion, or extrema are kept.
+  bool sees_steps(const motion::Equations & /*equations*/) const override {
+    return !linear_ || !extrema_.empty();
   }
+  void step(const motion::StepView &view) override;
   /// Extreme values of every quantity observed; of gaps only minimum and maximum, of contact forces
   /// only the maximum. Internal states that belong to an impact are NaN without one.
   void add_fields(const FieldWriter &result) const override;
@@ -47,8 +48,6 @@ private:
     motion::Extremum largest, smallest; ///< the smallest one of the reversed sign
   };
   void include(Extrema &extrema, const Observable &observed, const motion::StepView &view) const;
-  void add_forms(const motion::Equations &equations,
-                 std::vector<motion::MonitoredForm> &forms) override;
 
   std::vector<Observable> observables_;
   std::vector<ExtremeValueLabels> labels_;

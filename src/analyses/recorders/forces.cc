@@ -91,7 +91,7 @@ void Forces::add_ratios_of_forces(const Model &model) {
   const Projection applied = history_of(source, model);
   for (Observable &force : base_forces(model))
     ratios_.push_back({.label = ratio_label(force.path, "force on the base over the applied force"),
-                       .output = std::get<CurveForm>(force.form),
+                       .output = std::get<motion::CurveForm>(force.form),
                        .input = [applied](const StepView &v) { return v.displacement(applied); }});
 }
 
@@ -112,7 +112,7 @@ void Forces::begin(const Window & /*window*/, const motion::Trajectory & /*traje
 
 void Forces::step(const StepView &view) {
   for (ObservedForce &force : forces_) {
-    const motion::Bernstein along_step = curve(force.quantity, view);
+    const motion::Bernstein along_step = curve(force.quantity.form, view);
     force.range.include(along_step);
     force.average.add(along_step, view.length());
   }

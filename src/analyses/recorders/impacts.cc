@@ -104,22 +104,18 @@ void Impacts::begin(const Window &window, const motion::Trajectory & /*trajector
 
 void Impacts::step(const motion::StepView &view) {
   log_.step(view);
-  for (std::size_t c = 0; c < contacts_.size(); ++c)
-    if (in_contact(view, c))
-      time_in_contact_[c] += view.length();
+  note_contacts(view);
 }
 
-void Impacts::add_forms(const motion::Equations &equations,
-                        std::vector<motion::MonitoredForm> &forms) {
-  log_.output_monitor()->add_forms(equations, forms);
+void Impacts::interval(const motion::Interval &interval) {
+  log_.interval(interval);
+  note_contacts(interval);
 }
 
-void Impacts::part_done(const motion::Equations &equations, double start, double end,
-                        const Vector &state) {
-  log_.output_monitor()->part_done(equations, start, end, state);
+void Impacts::note_contacts(const motion::Interval &interval) {
   for (std::size_t c = 0; c < contacts_.size(); ++c)
-    if (equations.mode(c).in_contact)
-      time_in_contact_[c] += end - start;
+    if (interval.equations().mode(c).in_contact)
+      time_in_contact_[c] += interval.length();
 }
 
 void Impacts::event(const motion::ContactEvent &event) {

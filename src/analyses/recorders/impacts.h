@@ -19,7 +19,7 @@ struct RangeLabels {
   Label mean, minimum, maximum;
 };
 
-class Impacts : public Recorder, private motion::OutputMonitor {
+class Impacts : public Recorder {
 public:
   explicit Impacts(const System &system);
 
@@ -27,12 +27,16 @@ public:
   static RecorderFactory create(const parameters::Values &analysis);
 
   void begin(const Window &window, const motion::Trajectory &trajectory) override;
+  void outputs(const motion::Equations &equations, std::vector<motion::Output> &list) override {
+    log_.outputs(equations, list);
+  }
+  bool sees_steps(const motion::Equations &equations) const override {
+    return log_.sees_steps(equations);
+  }
   void step(const motion::StepView &view) override;
+  void interval(const motion::Interval &interval) override;
   void event(const motion::ContactEvent &event) override;
   void end(const motion::Trajectory &trajectory) override;
-  motion::OutputMonitor *output_monitor() override {
-    return log_.output_monitor() == nullptr ? nullptr : this;
-  }
   /// For every contact C: contact/C/impacts, /unfinished, /impacts_per_period (where the window has
   /// periods), /contact_fraction, /chatters, and mean, minimum and maximum of /approach_speed,
   /// /impulse, /peak_force, /contact_duration, /penetration; these are NaN without an impact.
@@ -49,10 +53,7 @@ private:
     Label impacts, unfinished, impacts_per_period, contact_fraction, chatters;
     RangeLabels approach_speed, impulse, peak_force, contact_duration, penetration;
   };
-  void add_forms(const motion::Equations &equations,
-                 std::vector<motion::MonitoredForm> &forms) override;
-  void part_done(const motion::Equations &equations, double start, double end,
-                 const Vector &state) override;
+  void note_contacts(const motion::Interval &interval);
 
   const contact::ContactSet &contacts_;
   std::vector<Labels> labels_;

@@ -8,25 +8,17 @@ namespace vibroimpact::analyses {
 
 /// Watches a window of a motion that is a part of the work at a point, and notes the share that is
 /// done from `first` at the window's start to `last` at its end. Lets the motion fly.
-class MotionProgress : public motion::Observer, private motion::OutputMonitor {
+class MotionProgress : public motion::Observer {
 public:
   MotionProgress(LineContext &context, double start, double end, double first = 0, double last = 1)
       : context_(context), start_(start), end_(end), first_(first), last_(last) {}
 
-  void step(const motion::StepView &view) override { note(view.end()); }
-  motion::OutputMonitor *output_monitor() override { return this; }
+  bool sees_steps(const motion::Equations & /*equations*/) const override { return false; }
+  void interval(const motion::Interval &interval) override {
+    context_.note_progress(first_ + (last_ - first_) * (interval.end() - start_) / (end_ - start_));
+  }
 
 private:
-  void add_forms(const motion::Equations & /*equations*/,
-                 std::vector<motion::MonitoredForm> & /*forms*/) override {}
-  void part_done(const motion::Equations & /*equations*/, double /*start*/, double end,
-                 const Vector & /*state*/) override {
-    note(end);
-  }
-  void note(double time) {
-    context_.note_progress(first_ + (last_ - first_) * (time - start_) / (end_ - start_));
-  }
-
   LineContext &context_;
   double start_, end_; ///< [s]
   double first_, last_;

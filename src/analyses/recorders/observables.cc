@@ -8,14 +8,11 @@
 namespace vibroimpact::analyses {
 
 using motion::Bernstein;
-using motion::Equations;
-using motion::MonitoredForm;
+using motion::ForceForm;
+using motion::StateForm;
 using motion::StepView;
-using motion::ValueRange;
 
 namespace {
-
-template <class... Cases> struct Overloaded : Cases... { using Cases::operator()...; };
 
 bool contains(const std::vector<std::string> &list, const std::string &name) {
   return std::find(list.begin(), list.end(), name) != list.end();
@@ -25,7 +22,7 @@ void add_channel(const Channel &channel, bool fixed, std::vector<Observable> &li
   const auto add = [&](const char *kind, const char *unit, const char *meaning,
                        const model::Projection &projection, int order) {
     list.push_back({"point/" + channel.point + "/" + kind + "_" + channel.axis, kind, unit, meaning,
-                    PointForm{projection, order}, std::string(" along ") + channel.axis});
+                    motion::PointForm{projection, order}, std::string(" along ") + channel.axis});
   };
   add("displacement", "m", "displacement relative to the base", channel.relative, 0);
   if (fixed || channel.carried())
@@ -42,10 +39,10 @@ void add_contact(const contact::ContactSet &contacts, std::size_t c,
   list.push_back(normal_force(contacts, c));
   Index place = pair.internal_offset;
   for (const contact::InternalState &state : pair.law->internal_states()) {
-    StateForm form{place, 0};
+    list.push_back(
+        {base + "internal/" + state.name, "stop", state.unit, state.description, StateForm{place}});
     if (state.name == "approach_speed")
-      form.impact_of = c;
-    list.push_back({base + "internal/" + state.name, "stop", state.unit, state.description, form});
+      list.back().impact_of = c;
     if (state.name == "stop_deformation")
       list.push_back({base + "stop_position", "stop", "m",
                       "distance of the stop's end from the undeformed other side",
@@ -55,7 +52,8 @@ void add_contact(const contact::ContactSet &contacts, std::size_t c,
 }
 
 void add_rotor(const model::Rotor &rotor, std::vector<Observable> &list) {
-  const auto add = [&](const char *name, const char *unit, const char *meaning, CurveForm form) {
+  const auto add = [&](const char *name, const char *unit, const char *meaning,
+                       motion::CurveForm form) {
     list.push_back({"rotor/" + rotor.name + "/" + name, "rotor", unit, meaning, std::move(form)});
   };
   add("speed", "rad/s", "angular velocity", [angle = rotor.angle](const StepView &view) {
@@ -109,7 +107,7 @@ Observable gap_of(const contact::ContactSet &contacts, std::size_t contact) {
           "gap",
           "m",
           "gap",
-          GapForm{contact},
+          motion::GapForm{contact},
           ", > 0 open"};
 }
 
@@ -131,30 +129,10 @@ bool in_contact(const StepView &view, std::size_t contact) {
   return view.equations().mode(contact).in_contact;
 }
 
-bool is_seen(const Observable &observable, const Equations &equations) {
+bool is_seen(const Observable &observable, const motion::Equations &equations) {
   if (const auto *force = std::get_if<ForceForm>(&observable.form))
     return equations.mode(force->contact).in_contact;
-  const auto *state = std::get_if<StateForm>(&observable.form);
-  return state == nullptr || !state->impact_of || equations.mode(*state->impact_of).in_contact;
-}
-
-Bernstein curve(const Observable &observable, const StepView &view) {
-  return std::visit(Overloaded{[&](const PointForm &form) {
-                                 return form.order == 0   ? view.displacement(form.projection)
-                                        : form.order == 1 ? view.velocity(form.projection)
-                                                          : view.acceleration(form.projection);
-                               },
-                               [&](const GapForm &form) { return view.gap(form.contact); },
-                               [&](const StateForm &form) {
-                                 Bernstein state = view.internal(form.place);
-                                 state += form.constant;
-                                 return state;
-                               },
-                               [&](const CurveForm &form) { return form(view); },
-                               [&](const ForceForm & /*form*/) -> Bernstein {
-                                 throw std::logic_error("a contact force is no polynomial");
-                               }},
-                    observable.form);
+  return !observable.impact_of || equations.mode(*observable.impact_of).in_contact;
 }
 
 StepFunction along(const Observable &observable, const StepView &view) {
@@ -164,32 +142,7 @@ StepFunction along(const Observable &observable, const StepView &view) {
     return [view, c = force->contact, curves = view.contact_curves(force->contact)](double tau) {
       return view.force(c, curves, tau);
     };
-  return curve(observable, view);
-}
-
-MonitoredForm monitored(const Observable &observable, const Equations &equations,
-                        ValueRange &range) {
-  return std::visit(
-      Overloaded{[&](const PointForm &form) {
-                   const auto make = form.order == 0   ? motion::monitored_displacement
-                                     : form.order == 1 ? motion::monitored_velocity
-                                                       : motion::monitored_acceleration;
-                   return make(equations, form.projection, range);
-                 },
-                 [&](const GapForm &form) {
-                   return motion::monitored_contact(equations, form.contact, {.gap = 1}, range);
-                 },
-                 [&](const StateForm &form) {
-                   return motion::monitored_state(
-                       equations, equations.layout().internal() + form.place, form.constant, range);
-                 },
-                 [&](const ForceForm &form) {
-                   return motion::monitored_force(equations, form.contact, range);
-                 },
-                 [&](const CurveForm & /*form*/) -> MonitoredForm {
-                   throw std::logic_error(observable.path + " is not linear in the motion");
-                 }},
-      observable.form);
+  return curve(observable.form, view);
 }
 
 namespace {

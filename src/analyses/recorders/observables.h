@@ -7,62 +7,35 @@
 #pragma once
 
 #include "analyses/run/system.h"
-#include "motion/interval/observer.h"
+#include "motion/interval/output.h"
 
 #include <functional>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace vibroimpact::analyses {
-
-/// A displacement, or its first or second derivative by time.
-struct PointForm {
-  model::Projection projection;
-  int order = 0;
-};
-struct GapForm {
-  std::size_t contact = 0;
-};
-/// An internal state of a law plus a constant.
-struct StateForm {
-  Index place = 0;
-  double constant = 0;
-  std::optional<std::size_t> impact_of{}; ///< of this contact: it says nothing before the first one
-};
-/// The normal force of a contact, which is no polynomial along a step.
-struct ForceForm {
-  std::size_t contact = 0;
-};
-/// What is not linear in the motion.
-using CurveForm = std::function<motion::Bernstein(const motion::StepView &view)>;
-using OutputForm = std::variant<PointForm, GapForm, StateForm, ForceForm, CurveForm>;
 
 struct Observable {
   std::string path; ///< of its fields: "point/frame.head/displacement_x"
   std::string kind; ///< as in the key Quantities: "displacement"
   std::string unit;
   std::string meaning; ///< "displacement relative to the base"
-  OutputForm form;
-  std::string supplement{}; ///< " along x"
+  motion::OutputForm form;
+  std::string supplement{};               ///< " along x"
+  std::optional<std::size_t> impact_of{}; ///< of this contact: it says nothing before the first one
 
   std::string description() const { return meaning + supplement; }
-  bool is_force() const { return std::holds_alternative<ForceForm>(form); }
+  bool is_force() const { return std::holds_alternative<motion::ForceForm>(form); }
   /// Is it known in closed form where the motion is?
-  bool is_linear() const { return !std::holds_alternative<CurveForm>(form); }
+  bool is_linear() const { return !std::holds_alternative<motion::CurveForm>(form); }
 };
 
 /// False: it says nothing in the present modes, as what belongs to an impact between impacts.
 bool is_seen(const Observable &observable, const motion::Equations &equations);
-/// Along a step; not of forces.
-motion::Bernstein curve(const Observable &observable, const motion::StepView &view);
 /// A quantity along one step; tau = 0 ... 1.
 using StepFunction = std::function<double(double tau)>;
 StepFunction along(const Observable &observable, const motion::StepView &view);
-/// In the present modes; of what is linear in the motion, and of the force of a contact that lasts.
-motion::MonitoredForm monitored(const Observable &observable, const motion::Equations &equations,
-                                motion::ValueRange &range);
 
 /// What is observed, by name; empty lists mean everything.
 struct ObservedSelection {

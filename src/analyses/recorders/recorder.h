@@ -43,8 +43,6 @@ struct TangentMotion;
 
 class Recorder : public motion::Observer {
 public:
-  void step(const motion::StepView & /*view*/) override {}
-
   /// A window begins: the trajectory stands at its start. A recorder serves many windows one after
   /// the other and forgets the one before here.
   virtual void begin(const Window & /*window*/, const motion::Trajectory & /*trajectory*/) {}

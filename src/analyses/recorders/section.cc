@@ -32,7 +32,7 @@ SectionRecorder::SectionRecorder(const System &system, SectionSettings settings)
                                                  "at an extremum of the gap of " + name)});
   }
   for (std::size_t k = 0; settings_.extrema && k < observables_.size(); ++k) {
-    if (std::get<PointForm>(observables_[k].form).order > 0)
+    if (std::get<motion::PointForm>(observables_[k].form).order > 0)
       continue;
     const std::string name = observables_[k].path.substr(std::string("point/").size());
     const std::string flat = boost::replace_last_copy(name, "/displacement_", "_");
@@ -104,7 +104,7 @@ void SectionRecorder::add_state(Samples &samples, double time, const Vector &sta
     return;
   samples.time.push_back(time);
   for (std::size_t k = 0; k < observables_.size(); ++k) {
-    const auto &form = std::get<PointForm>(observables_[k].form);
+    const auto &form = std::get<motion::PointForm>(observables_[k].form);
     const Index first = form.order == 0 ? 0 : layout_.velocity();
     samples.values[k].push_back(form.projection.row.dot(state.segment(first, layout_.n)));
   }
@@ -115,7 +115,7 @@ void SectionRecorder::add_point(Samples &samples, const StepView &view, double t
     return;
   samples.time.push_back(view.start() + tau * view.length());
   for (std::size_t k = 0; k < observables_.size(); ++k)
-    samples.values[k].push_back(curve(observables_[k], view)(tau));
+    samples.values[k].push_back(curve(observables_[k].form, view)(tau));
 }
 
 void SectionRecorder::begin(const Window &window, const motion::Trajectory &trajectory) {
@@ -143,7 +143,7 @@ void SectionRecorder::step(const StepView &view) {
   for (std::size_t i = 0; i < gap_rates_.size(); ++i)
     add_zeros(gap_rates_[i], view, view.gap_rate(settings_.gap_extrema[i]));
   for (RateSection &section : displacement_rates_)
-    add_zeros(section, view, curve(observables_[section.displacement], view).derivative());
+    add_zeros(section, view, curve(observables_[section.displacement].form, view).derivative());
 }
 
 void SectionRecorder::event(const motion::ContactEvent &event) {

@@ -9,11 +9,10 @@ WindowRecording::WindowRecording(const std::vector<RecorderFactory> &factories,
                                  const System &system) {
   for (const RecorderFactory &factory : factories)
     recorders_.push_back(factory(system));
-  together_ = std::make_unique<motion::Observers>(observers());
+  together_ = observers({});
 }
 
-std::vector<Observer *> WindowRecording::observers() const {
-  std::vector<Observer *> list;
+motion::Observers WindowRecording::observers(std::vector<Observer *> list) const {
   for (const auto &recorder : recorders_)
     list.push_back(recorder.get());
   return list;
@@ -21,17 +20,16 @@ std::vector<Observer *> WindowRecording::observers() const {
 
 void WindowRecording::run(const Window &window, Trajectory &trajectory,
                           const std::function<void(long period)> &after_period) {
-  watch(window, trajectory, *together_, after_period);
+  watch(window, trajectory, together_, after_period);
 }
 
-void WindowRecording::run(const Window &window, Trajectory &trajectory, Observer &also) {
-  std::vector<Observer *> watching = observers();
-  watching.insert(watching.begin(), &also);
-  motion::Observers all(watching);
-  watch(window, trajectory, all, {});
+void WindowRecording::run(const Window &window, Trajectory &trajectory,
+                          const std::vector<Observer *> &also) {
+  watch(window, trajectory, observers(also), {});
 }
 
-void WindowRecording::watch(const Window &window, Trajectory &trajectory, Observer &all,
+void WindowRecording::watch(const Window &window, Trajectory &trajectory,
+                            const motion::Observers &all,
                             const std::function<void(long period)> &after_period) {
   for (const auto &recorder : recorders_)
     recorder->begin(window, trajectory);
@@ -53,7 +51,7 @@ void WindowRecording::watch(const Window &window, Trajectory &trajectory, Observ
 
 void WindowRecording::keep_extrema() {
   std::erase_if(recorders_, [](const auto &recorder) { return !recorder->keeps_extrema(); });
-  together_ = std::make_unique<motion::Observers>(observers());
+  together_ = observers({});
 }
 
 std::vector<ObservedExtremum> WindowRecording::extrema() const {

@@ -22,7 +22,8 @@ public:
   /// NumericalError.
   void run(const Window &window, motion::Trajectory &trajectory,
            const std::function<void(long period)> &after_period = {});
-  void run(const Window &window, motion::Trajectory &trajectory, motion::Observer &also);
+  void run(const Window &window, motion::Trajectory &trajectory,
+           const std::vector<motion::Observer *> &also);
 
   bool empty() const { return recorders_.empty(); }
   /// Before the first window: leaves those recorders alone that have derivatives of their own.
@@ -34,13 +35,14 @@ public:
   void add_fields(const FieldWriter &result) const;
 
 private:
-  std::vector<motion::Observer *> observers() const;
-  void watch(const Window &window, motion::Trajectory &trajectory, motion::Observer &all,
+  /// These, then the recorders.
+  motion::Observers observers(std::vector<motion::Observer *> list) const;
+  void watch(const Window &window, motion::Trajectory &trajectory, const motion::Observers &all,
              const std::function<void(long period)> &after_period);
 
   std::vector<std::unique_ptr<Recorder>> recorders_;
-  std::unique_ptr<motion::Observers>
-      together_; ///< the same for all windows, so that it is asked once
+  motion::Observers together_{
+      std::vector<motion::Observer *>()}; ///< the same for all windows, so that it is asked once
 };
 
 /// A window of `cycles` periods that begins at `start`.

@@ -24,7 +24,7 @@ constexpr const char *frequency_response_section = "Frequency response";
 std::complex<double> amplitude(const LinearResponse &response, const Observable &quantity,
                                const ComplexAmplitudes &at) {
   const std::complex<double> rate(0, at.angular_frequency);
-  const auto &form = std::get<PointForm>(quantity.form);
+  const auto &form = std::get<motion::PointForm>(quantity.form);
   std::complex<double> value = response.observed(form.projection, at);
   for (int k = 0; k < form.order; ++k)
     value *= rate;

@@ -121,7 +121,7 @@ PointResult SteadyState::compute(const System &system, LineContext &context) con
   const SettledMotion settled = settle_motion(system, trajectory, cycle, share, context);
   const Window recorded = window(trajectory.time(), cycle);
   MotionProgress progress(context, recorded.start, recorded.end, share);
-  recording.run(recorded, trajectory, progress);
+  recording.run(recorded, trajectory, {&progress});
 
   PointResult result;
   recording.add_fields(result);

@@ -129,12 +129,12 @@ PointResult Transient::compute(const System &system, LineContext &context) const
   FrameRecorder pictures(system, instants(settings_.frames));
   FrameRecorder stresses(system, instants(settings_.stress_instants));
   MotionProgress progress(context, 0, settings_.duration);
-  motion::Observers observers({&log, &recorder, &pictures, &stresses, &progress});
   WindowRecording recording(settings_.recorders, system);
   PointResult result;
   try {
     trajectory.start(0, system.initial.displacement, system.initial.velocity);
-    recording.run({.start = 0, .end = settings_.duration}, trajectory, observers);
+    recording.run({.start = 0, .end = settings_.duration}, trajectory,
+                  {&log, &recorder, &pictures, &stresses, &progress});
     recording.add_fields({result, "recorded/"});
     log.end_record(trajectory.time(), trajectory.state(), trajectory.layout());
   } catch (const NumericalError &error) {

@@ -33,7 +33,7 @@ double polynomial(const double *coefficients, int terms, int order, double s) {
 
 } // namespace
 
-ContactOutputs::ContactOutputs(const MonitoredForms &forms, const PhaseEpisode &contact,
+ContactOutputs::ContactOutputs(const LinearOutputs &forms, const PhaseEpisode &contact,
                                double tolerance)
     : forms_(forms), contact_(contact), inner_points_(ContactSteps::inner_points(tolerance)) {}
 
@@ -79,7 +79,7 @@ void ContactOutputs::include() {
     output.form.require(contact_.solution().terms());
     include(output);
   }
-  for (const MonitoredForms::Force &force : forms_.forces)
+  for (const LinearOutputs::Force &force : forms_.forces)
     if (force.contact == contact_.contact()) {
       require_integrals();
       include_force(*force.range);

@@ -16,7 +16,7 @@
 #pragma once
 
 #include "motion/episode/phase_episode.h"
-#include "motion/interval/output_monitor.h"
+#include "motion/interval/output.h"
 
 #include <vector>
 
@@ -29,7 +29,7 @@ public:
   static bool possible(const PhaseEpisode &contact);
 
   /// Keeps references to both. `tolerance`: relative, of the polynomials.
-  ContactOutputs(const MonitoredForms &forms, const PhaseEpisode &contact, double tolerance);
+  ContactOutputs(const LinearOutputs &forms, const PhaseEpisode &contact, double tolerance);
 
   std::size_t bytes() const;
   /// The ranges grow by the contact that was passed last.
@@ -60,7 +60,7 @@ private:
   std::optional<double> stationary(Index instant, const Bernstein &rest, double by_force) const;
   double length(Index instant) const { return times_[instant + 1] - times_[instant]; }
 
-  const MonitoredForms &forms_;
+  const LinearOutputs &forms_;
   const PhaseEpisode &contact_;
   const int inner_points_;
   long version_ = -1;

@@ -127,12 +127,12 @@ void ContactSteps::set_integrals(double time, const Vector &state, ContactWork *
 }
 
 int ContactSteps::show(const PhaseEpisode &contact, double time, ContactWork *work, Vector &state,
-                       Observer &observer) {
+                       const Audience &audience) {
   find_points(contact, time, state);
   smooth_positions();
   set_integrals(time, state, work);
   for (std::size_t i = 1; i < points_.size(); ++i)
-    observer.step(StepView(equations_, points_[i - 1], points_[i]));
+    audience.show(StepView(equations_, points_[i - 1], points_[i]));
   state = points_.back().state;
   return static_cast<int>(points_.size()) - 1;
 }

@@ -24,7 +24,7 @@ public:
   /// integrals then, and at the end of the contact afterwards. `work`: none where nobody wants
   /// these integrals. Returns how many steps.
   int show(const PhaseEpisode &contact, double time, ContactWork *work, Vector &state,
-           Observer &observer);
+           const Audience &audience);
 
 private:
   void fill(const PhaseEpisode &contact, double time, const double *amplitudes, EndPoint &point);

@@ -36,18 +36,20 @@ struct Pulses {
   std::vector<double> gap;   ///< [m]
 };
 
-class ImpactLog : public Observer, private OutputMonitor {
+class ImpactLog : public Observer {
 public:
   /// Keeps the force samples of the first `pulses` impacts of each contact and, where `instants`,
   /// the instant of the largest force of all.
   ImpactLog(const contact::ContactSet &contacts, std::size_t pulses, bool instants = false);
 
-  void step(const StepView &view) override;
-  void event(const ContactEvent &event) override;
-  /// None while force samples, instants or extrema are to be kept.
-  OutputMonitor *output_monitor() override {
-    return pulse_limit_ == 0 && !instants_ && !extrema_ ? this : nullptr;
+  void outputs(const Equations &equations, std::vector<Output> &list) override;
+  /// For force samples, instants and extrema.
+  bool sees_steps(const Equations & /*equations*/) const override {
+    return pulse_limit_ > 0 || instants_ || extrema_;
   }
+  void step(const StepView &view) override;
+  void interval(const Interval &interval) override;
+  void event(const ContactEvent &event) override;
   /// From now on of all impacts.
   void keep_extrema() { extrema_ = true; }
   /// The record ends here: impacts that last are listed behind the finished ones, as far as they
@@ -73,15 +75,15 @@ private:
     std::size_t pulses_begun = 0;
     bool complete = false; ///< its beginning was seen
     Impact current;
-    ValueRange force, gap; ///< of the present impact, in closed form
+    ValueRange force, gap; ///< of the present impact
   };
-  void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override;
-  void part_done(const Equations &equations, double start, double end,
-                 const Vector &state) override;
+  struct Forms {
+    OutputForm force, gap;
+  };
   bool in_contact(std::size_t contact, int mode) const;
   void begin(Track &track, const ContactEvent &event) const;
   void finish(Track &track, const ContactEvent &event) const;
-  void note_peak(Impact &impact, const StepView &view, std::size_t contact) const;
+  void note_step(Track &track, const StepView &view, std::size_t contact) const;
   void record_pulse(Track &track, const StepView &view, std::size_t contact) const;
 
   const contact::ContactSet &contacts_;
@@ -89,9 +91,7 @@ private:
   bool instants_;
   bool extrema_ = false;
   std::vector<Track> tracks_;
+  std::vector<Forms> forms_; ///< of each contact
 };
-
-/// Largest normal force of a contact within a step.
-double peak_force(const StepView &view, std::size_t contact);
 
 } // namespace vibroimpact::motion

@@ -1,7 +1,7 @@
 // The force that holds a contact's gap, along one step.
 #pragma once
 
-#include "motion/interval/observer.h"
+#include "motion/interval/step_view.h"
 
 namespace vibroimpact::motion {
 

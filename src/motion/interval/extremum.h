@@ -2,7 +2,7 @@
 // it has a kink or a jump and the side counts.
 #pragma once
 
-#include "motion/interval/observer.h"
+#include "motion/interval/step_view.h"
 
 #include <cmath>
 #include <limits>

@@ -1,231 +1,50 @@
 #include "motion/interval/observer.h"
 
-#include "motion/interval/constraint_force.h"
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <atomic>
 #include <utility>
 
 namespace vibroimpact::motion {
 
-using model::Projection;
-
-namespace {
-
-// Value and derivatives at one end of a step.
-struct EndValues {
-  std::array<double, 5> values{};
-  std::size_t count = 3;
-  std::span<const double> list() const { return {values.data(), count}; }
-};
-
-EndValues end_values(const Projection &projection, const StateLayout &layout,
-                     const EndPoint &point) {
-  const Index n = layout.n;
-  const Index v = layout.velocity();
-  EndValues end;
-  end.values = {projection.row.dot(point.state.head(n)),
-                projection.row.dot(point.state.segment(v, n)),
-                projection.row.dot(point.rates.segment(v, n))};
-  for (Index m = 0; m < point.higher.cols(); ++m)
-    end.values[end.count++] = projection.row.dot(point.higher.col(m).segment(v, n));
-  for (std::size_t k = 0; k < projection.base_coefficients.size(); ++k)
-    if (projection.base_coefficients[k] != 0)
-      for (std::size_t m = 0; m < end.count; ++m)
-        end.values[m] += projection.base_coefficients[k] * point.sources[k][m];
-  return end;
+void Audience::ask(const Equations &equations) {
+  outputs.clear();
+  for (Observer *observer : list)
+    observer->outputs(equations, outputs);
 }
 
-// Of one entry of the state; those of a velocity are further derivatives of its coordinate.
-void add_derivatives(const EndPoint &point, Index entry, EndValues &end) {
-  end.values[end.count++] = point.state[entry];
-  end.values[end.count++] = point.rates[entry];
-  for (Index m = 0; m < point.higher.cols(); ++m)
-    end.values[end.count++] = point.higher(entry, m);
+void Audience::show(const StepView &view) const {
+  for (const Output &output : outputs)
+    output.include(view);
+  for (Observer *observer : list)
+    observer->step(view);
 }
 
-} // namespace
-
-Bernstein StepView::displacement(const Projection &projection) const {
-  const StateLayout &layout = equations_->layout();
-  return Bernstein::hermite(length(), end_values(projection, layout, *start_).list(),
-                            end_values(projection, layout, *end_).list());
-}
-
-namespace {
-
-// What differences of values as large as these lose in rounding.
-double lost(double a, double b) {
-  return 64 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
-}
-
-// Where errors of two Hermite polynomials or their derivatives do not vanish.
-bool differ(const Bernstein &a, const Bernstein &b, double by) {
-  return std::abs(a(0.25) - b(0.25)) > by;
-}
-
-} // namespace
-
-// Over a short step differences of positions are rounding alone; then the velocities at the ends
-// say more: where the two differ by no more than that rounding.
-Bernstein StepView::velocity(const Projection &projection) const {
-  const EndValues start = end_values(projection, equations_->layout(), *start_);
-  const EndValues end = end_values(projection, equations_->layout(), *end_);
-  const double h = length();
-  const Bernstein by_positions = Bernstein::hermite_rate(h, start.list(), end.list());
-  const Bernstein by_rates = Bernstein::hermite(h, start.list().subspan(1), end.list().subspan(1));
-  return differ(by_positions, by_rates, lost(start.values[0], end.values[0]) / h) ? by_positions
-                                                                                  : by_rates;
-}
-
-// Likewise by the positions, the velocities, or at last the accelerations at the ends alone. Third
-// derivatives at the ends that change the acceleration by far more than it is are left out: a force
-// like u^(1/4) begins and ends with an infinite one. Where a step resolves the motion,
-// h |third| = |change of the acceleration| is twice as large as that at most.
-Bernstein StepView::acceleration(const Projection &projection) const {
-  EndValues start = end_values(projection, equations_->layout(), *start_);
-  EndValues end = end_values(projection, equations_->layout(), *end_);
-  const double h = length();
-  constexpr std::size_t third = 3;
-  constexpr double most = 8;
-  if (start.count > third &&
-      h * std::max(std::abs(start.values[third]), std::abs(end.values[third])) >
-          most * std::max(std::abs(start.values[2]), std::abs(end.values[2])))
-    start.count = end.count = third;
-  Bernstein by_positions =
-      Bernstein::hermite(h, start.list(), end.list()).derivative().derivative();
-  by_positions *= 1 / (h * h);
-  Bernstein by_rates =
-      Bernstein::hermite(h, start.list().subspan(1), end.list().subspan(1)).derivative();
-  by_rates *= 1 / h;
-  if (differ(by_positions, by_rates, lost(start.values[0], end.values[0]) / (h * h)))
-    return by_positions;
-  const Bernstein by_ends = Bernstein::hermite(h, start.list().subspan(2), end.list().subspan(2));
-  return differ(by_rates, by_ends, lost(start.values[1], end.values[1]) / h) ? by_rates : by_ends;
-}
-
-Bernstein StepView::coordinate(Index j) const {
-  const Index v = equations_->layout().velocity() + j;
-  EndValues start{.values = {start_->state[j]}, .count = 1};
-  EndValues end{.values = {end_->state[j]}, .count = 1};
-  add_derivatives(*start_, v, start);
-  add_derivatives(*end_, v, end);
-  return Bernstein::hermite(length(), start.list(), end.list());
-}
-
-Bernstein StepView::gap(std::size_t contact) const {
-  const contact::ContactPair &pair = equations_->contacts().pairs()[contact];
-  Bernstein gap = displacement(pair.gap);
-  gap += pair.clearance;
-  return gap;
-}
-
-Bernstein StepView::gap_rate(std::size_t contact) const {
-  return velocity(equations_->contacts().pairs()[contact].gap);
-}
-
-Bernstein StepView::first_order_state(Index place) const {
-  EndValues start{.values = {}, .count = 0};
-  EndValues end{.values = {}, .count = 0};
-  add_derivatives(*start_, place, start);
-  add_derivatives(*end_, place, end);
-  return Bernstein::hermite(length(), start.list(), end.list());
-}
-
-Bernstein StepView::internal(Index i) const {
-  return first_order_state(equations_->layout().internal() + i);
-}
-
-Bernstein StepView::drive(Index i) const {
-  return first_order_state(equations_->layout().drive() + i);
-}
-
-Bernstein StepView::constraint_force(std::size_t contact) const {
-  return motion::constraint_force(*this, contact);
-}
-
-Bernstein StepView::indicator(std::size_t contact, const contact::AffineForm &form) const {
-  Bernstein sum;
-  if (form.gap != 0) {
-    sum = gap(contact);
-    sum *= form.gap;
-  }
-  if (form.gap_rate != 0) {
-    Bernstein rate = gap_rate(contact);
-    rate *= form.gap_rate;
-    sum += rate;
-  }
-  sum += form.constant;
-  const Index first = equations_->contacts().pairs()[contact].internal_offset;
-  for (std::size_t i = 0; i < form.internal.size(); ++i)
-    if (form.internal[i] != 0) {
-      Bernstein term = internal(first + static_cast<Index>(i));
-      term *= form.internal[i];
-      sum += term;
-    }
-  if (form.normal_force != 0) {
-    Bernstein force = constraint_force(contact);
-    force *= form.normal_force;
-    sum += force;
-  }
-  return sum;
-}
-
-ContactCurves StepView::contact_curves(std::size_t contact) const {
-  const contact::ContactPair &pair = equations_->contacts().pairs()[contact];
-  ContactCurves curves{.gap = gap(contact),
-                       .gap_rate = gap_rate(contact),
-                       .internal = {},
-                       .normal_force = constraint_force(contact)};
-  for (int i = 0; i < pair.n_internal(); ++i)
-    curves.internal.push_back(internal(pair.internal_offset + i));
-  return curves;
-}
-
-double StepView::force(std::size_t contact, const ContactCurves &curves, double tau) const {
-  std::vector<double> internal_values;
-  for (const Bernstein &curve : curves.internal)
-    internal_values.push_back(curve(tau));
-  return equations_->force(contact, equations_->modes()[contact],
-                           {.gap = curves.gap(tau),
-                            .gap_rate = curves.gap_rate(tau),
-                            .internal = internal_values,
-                            .normal_force = curves.normal_force(tau)});
-}
-
-double StepView::force(std::size_t contact, double tau) const {
-  return force(contact, contact_curves(contact), tau);
+void Audience::show(const Interval &interval) const {
+  for (Observer *observer : list)
+    observer->interval(interval);
 }
 
 Observers::Observers(std::vector<Observer *> list) : list_(std::move(list)) {
-  for (Observer *observer : list_) {
-    if (OutputMonitor *const monitor = observer->output_monitor())
-      monitors_.push_back(monitor);
-    if (Observer *const stepped = observer->step_observer())
-      stepped_.list.push_back(stepped);
-  }
+  static std::atomic<long> made = 0;
+  identity_ = made++;
 }
 
-void Observers::add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) {
-  for (OutputMonitor *monitor : monitors_)
-    monitor->add_forms(equations, forms);
+bool Observers::want_integrals() const {
+  return std::any_of(list_.begin(), list_.end(),
+                     [](const Observer *observer) { return observer->wants_integrals(); });
 }
 
-void Observers::part_begins(const Equations &equations, double start, const Vector &state) {
-  for (OutputMonitor *monitor : monitors_)
-    monitor->part_begins(equations, start, state);
+void Observers::event(const ContactEvent &event) const {
+  for (Observer *observer : list_)
+    observer->event(event);
 }
 
-void Observers::part_done(const Equations &equations, double start, double end,
-                          const Vector &state) {
-  for (OutputMonitor *monitor : monitors_)
-    monitor->part_done(equations, start, end, state);
-}
-
-bool Observers::takes_contacts() const {
-  return std::all_of(monitors_.begin(), monitors_.end(),
-                     [](const OutputMonitor *monitor) { return monitor->takes_contacts(); });
+Audience Observers::those(bool in_steps, const Equations &equations) const {
+  Audience audience;
+  std::copy_if(list_.begin(), list_.end(), std::back_inserter(audience.list),
+               [&](const Observer *one) { return one->sees_steps(equations) == in_steps; });
+  audience.ask(equations);
+  return audience;
 }
 
 } // namespace vibroimpact::motion

@@ -1,69 +1,16 @@
-// What a motion shows while it is integrated: smooth steps with dense output, and contact changes.
+// What a motion shows while it is integrated: its smooth parts, each once it is over, and contact
+// changes.
+//
+// Where the motion is known in closed form (linear phases, contacts that are solved as a whole) a
+// part can be long, and the extreme values over it are known too. An observer that must look into
+// it asks for steps; elsewhere there are steps alone.
 #pragma once
 
-#include "motion/interval/bernstein.h"
-#include "motion/interval/output_monitor.h"
-#include "motion/system/equations.h"
+#include "motion/interval/output.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace vibroimpact::motion {
-
-/// What a contact's law sees during a step.
-struct ContactCurves {
-  Bernstein gap;
-  Bernstein gap_rate;
-  std::vector<Bernstein> internal;
-  Bernstein normal_force; ///< in modes that hold the gap
-};
-
-/// One accepted step, smooth inside. Valid only during the call.
-class StepView {
-public:
-  StepView(const Equations &equations, const EndPoint &start, const EndPoint &end)
-      : equations_(&equations), start_(&start), end_(&end) {}
-
-  double start() const { return start_->time; }
-  double end() const { return end_->time; }
-  double length() const { return end_->time - start_->time; }
-  const Equations &equations() const { return *equations_; }
-  const Vector &start_state() const { return start_->state; }
-  const Vector &end_state() const { return end_->state; }
-
-  /// Displacement seen by a projection, as a polynomial in tau = (t - start)/length: a quintic, or
-  /// of degree 9 where the method knows higher derivatives at the ends.
-  Bernstein displacement(const model::Projection &projection) const;
-  /// Its time derivative, exact at both ends.
-  Bernstein velocity(const model::Projection &projection) const;
-  /// Its second time derivative, from the equations at both ends and the displacement between.
-  Bernstein acceleration(const model::Projection &projection) const;
-  /// One coordinate.
-  Bernstein coordinate(Index j) const;
-
-  Bernstein gap(std::size_t contact) const;
-  /// Time derivative of the gap.
-  Bernstein gap_rate(std::size_t contact) const;
-  Bernstein internal(Index i) const;
-  /// Torque of a motor.
-  Bernstein drive(Index i) const;
-  /// The force that holds a contact's gap in its present mode; zero in other modes.
-  Bernstein constraint_force(std::size_t contact) const;
-  Bernstein indicator(std::size_t contact, const contact::AffineForm &form) const;
-
-  ContactCurves contact_curves(std::size_t contact) const;
-  /// Normal force at tau in the mode that holds during the step.
-  double force(std::size_t contact, const ContactCurves &curves, double tau) const;
-  /// Normal force at tau in the mode that holds during the step.
-  double force(std::size_t contact, double tau) const;
-
-private:
-  Bernstein first_order_state(Index place) const;
-
-  const Equations *equations_;
-  const EndPoint *start_;
-  const EndPoint *end_;
-};
 
 /// A jump of the velocities by impulses of rigid contacts, for those who need more of it than one
 /// contact sees.
@@ -99,54 +46,56 @@ struct ContactEvent {
 class Observer {
 public:
   virtual ~Observer() = default;
-  virtual void step(const StepView &view) = 0;
+  /// Adds ranges that are to grow by the motion in the present modes of the equations, always
+  /// before the part by which they grow is shown.
+  virtual void outputs(const Equations & /*equations*/, std::vector<Output> & /*list*/) {}
+  /// Must it see steps in the present modes where the motion is known in closed form? Then its
+  /// ranges grow by their polynomials, too. In a contact that is solved as a whole all see steps
+  /// as soon as one does.
+  virtual bool sees_steps(const Equations & /*equations*/) const { return true; }
+  virtual void step(const StepView &view) { interval(view); }
+  /// A part that is not shown in steps.
+  virtual void interval(const Interval & /*interval*/) {}
   virtual void event(const ContactEvent & /*event*/) {}
-  /// Where a motion is known in closed form, some can do with extreme values and events instead of
-  /// steps: what they want to see there. None: it must see steps there too.
-  virtual OutputMonitor *output_monitor() { return nullptr; }
-  /// Who must see steps where a motion is known in closed form; nullptr: nobody.
-  virtual Observer *step_observer() { return output_monitor() ? nullptr : this; }
   /// False: the integrals of work and impulses in the state do not matter to it.
   virtual bool wants_integrals() const { return true; }
 };
 
-/// Passes everything on to several observers.
-class Observers : public Observer, private OutputMonitor {
+/// Some of the observers of a motion, and the ranges that they want to grow.
+struct Audience {
+  std::vector<Observer *> list{};
+  std::vector<Output> outputs{};
+
+  /// In the present modes of the equations.
+  void ask(const Equations &equations);
+  /// The ranges grow by it first.
+  void show(const StepView &view) const;
+  /// By which the ranges have grown.
+  void show(const Interval &interval) const;
+};
+
+/// All who observe a motion. What they ask for in a phase is asked once and holds for all motions
+/// that the same object, or a copy, observes.
+class Observers {
 public:
-  explicit Observers(std::vector<Observer *> list);
-  void step(const StepView &view) override {
-    for (Observer *observer : list_)
-      observer->step(view);
-  }
-  void event(const ContactEvent &event) override {
-    for (Observer *observer : list_)
-      observer->event(event);
-  }
-  OutputMonitor *output_monitor() override { return monitors_.empty() ? nullptr : this; }
-  Observer *step_observer() override { return stepped_.list.empty() ? nullptr : &stepped_; }
-  bool wants_integrals() const override {
-    return std::any_of(list_.begin(), list_.end(),
-                       [](const Observer *observer) { return observer->wants_integrals(); });
-  }
+  Observers(std::vector<Observer *> list);
+  Observers(Observer &only) : Observers(std::vector{&only}) {}
+
+  bool empty() const { return list_.empty(); }
+  const std::vector<Observer *> &list() const { return list_; }
+  /// No two have the same.
+  long identity() const { return identity_; }
+  bool want_integrals() const;
+  void event(const ContactEvent &event) const;
+  /// Those that see steps in the present modes of the equations, or do not; asked.
+  Audience in_steps(const Equations &equations) const { return those(true, equations); }
+  Audience as_whole(const Equations &equations) const { return those(false, equations); }
 
 private:
-  class Stepped : public Observer {
-  public:
-    void step(const StepView &view) override {
-      for (Observer *observer : list)
-        observer->step(view);
-    }
-    std::vector<Observer *> list;
-  };
-  void add_forms(const Equations &equations, std::vector<MonitoredForm> &forms) override;
-  void part_begins(const Equations &equations, double start, const Vector &state) override;
-  void part_done(const Equations &equations, double start, double end,
-                 const Vector &state) override;
-  bool takes_contacts() const override;
+  Audience those(bool in_steps, const Equations &equations) const;
 
   std::vector<Observer *> list_;
-  std::vector<OutputMonitor *> monitors_;
-  Stepped stepped_;
+  long identity_;
 };
 
 } // namespace vibroimpact::motion

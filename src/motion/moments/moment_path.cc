@@ -70,8 +70,7 @@ bool MomentPath::refuse(std::optional<double> error, double h) {
   return length_of(rung_) > shortest * unit_;
 }
 
-bool MomentPath::advance(double &time, const Vector &state, double limit,
-                         const PathObserver *observer) {
+bool MomentPath::advance(double &time, const Vector &state, double limit, const Report *report) {
   state_ = state;
   if (!running_ && !start(time, state))
     return false;
@@ -89,7 +88,7 @@ bool MomentPath::advance(double &time, const Vector &state, double limit,
       running_ = false;
       break;
     }
-    accept(time, *error, on_ladder, observer);
+    accept(time, *error, on_ladder, report);
     time = h == limit - time ? limit : time + h;
     step_.go_on(phases_.excitation(), time);
   }
@@ -98,11 +97,11 @@ bool MomentPath::advance(double &time, const Vector &state, double limit,
   return time > from;
 }
 
-void MomentPath::accept(double time, double error, bool on_ladder, const PathObserver *observer) {
+void MomentPath::accept(double time, double error, bool on_ladder, const Report *report) {
   ++counts_.steps;
   list_changes();
-  if (observer)
-    report(time, *observer);
+  if (report)
+    show(time, *report);
   else
     skip_changes();
   if (on_ladder && error < std::exp2(-(n_moments + 1.0) / rungs_per_octave))
@@ -195,16 +194,16 @@ void MomentPath::note_residual(const Change &change) {
         std::max(counts_.event_residual, std::abs((gap - seen.gap) / seen.gap_rate));
 }
 
-// The change itself belongs to who observes.
-void MomentPath::pass(double time, const Change &change, const PathObserver &observer) {
+// The change itself belongs to who is told.
+void MomentPath::pass(double time, const Change &change, const Report &report) {
   const CourseStretch &stretch = step_.course(change.contact).stretches()[change.stretch];
   note_residual(change);
-  if (observer.integrals)
+  if (report.integrals)
     add_integrals(time, change.contact, stretch);
-  observer.change(time + change.x * step_.length(), change.contact, *stretch.guard, state_);
+  report.change(time + change.x * step_.length(), change.contact, *stretch.guard, state_);
 }
 
-void MomentPath::report(double time, const PathObserver &observer) {
+void MomentPath::show(double time, const Report &report) {
   start_point_.state = state_;
   double from = 0;
   views_.begin();
@@ -216,20 +215,20 @@ void MomentPath::report(double time, const PathObserver &observer) {
       views_.fill(time, to, true, end_point_);
       views_.show(time, from, start_point_, to, end_point_,
                   [&](const EndPoint &a, const EndPoint &b) {
-                    if (observer.integrals)
+                    if (report.integrals)
                       add_power(a, b);
-                    observer.everyone->step(StepView(equations_, a, b));
+                    report.show(StepView(equations_, a, b));
                   });
       state_.head(end_point_.rates.size()) = end_point_.state.head(end_point_.rates.size());
     }
     from = to;
     if (next == changes_.size())
       break;
-    pass(time, changes_[next], observer);
+    pass(time, changes_[next], report);
     start_point_.state = state_;
     views_.fill(time, to, false, start_point_);
   }
-  if (observer.integrals)
+  if (report.integrals)
     for (const std::size_t c : step_.acting())
       add_integrals(time, c, step_.course(c).stretches().back());
 }

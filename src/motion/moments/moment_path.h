@@ -6,7 +6,6 @@
 
 #include "motion/moments/moment_views.h"
 #include "motion/path/accuracy.h"
-#include "motion/path/exact_path.h"
 #include "motion/phase/exact_phases.h"
 #include "motion/settings.h"
 
@@ -20,6 +19,14 @@ public:
   /// Keeps references.
   MomentPath(Equations &equations, ExactPhases &phases, const Settings &settings, Accuracy &counts);
 
+  /// To whom the motion is shown, if to anybody: steps, and contact changes, each with the state
+  /// just before it, in the modes before.
+  struct Report {
+    std::function<void(const StepView &)> show;
+    bool integrals = true; ///< of work and impulses are to be kept
+    std::function<void(double time, std::size_t contact, std::size_t guard, Vector &state)> change;
+  };
+
   /// Another motion begins, which must not depend on those before; the excitation may be another.
   void begin();
   /// The motion was moved on or changed by somebody else.
@@ -28,7 +35,7 @@ public:
   /// Goes on from (time, state) in the present modes of the equations to `limit`, no later than the
   /// next break of the sources. True when that moved the motion on, as far as `time`; state() is
   /// where it stands. Short of the limit such steps cannot go on.
-  bool advance(double &time, const Vector &state, double limit, const PathObserver *observer);
+  bool advance(double &time, const Vector &state, double limit, const Report *report);
   const Vector &state() const { return state_; }
 
 private:
@@ -42,14 +49,14 @@ private:
   const MomentTables &tables_of(int rung);
   double length_of(int rung) const;
   bool refuse(std::optional<double> error, double h);
-  void accept(double time, double error, bool on_ladder, const PathObserver *observer);
+  void accept(double time, double error, bool on_ladder, const Report *report);
   void list_changes();
   void skip_changes();
-  void report(double time, const PathObserver &observer);
+  void show(double time, const Report &report);
   void add_integrals(double time, std::size_t contact, const CourseStretch &stretch);
   void add_power(const EndPoint &start, const EndPoint &end);
   void note_residual(const Change &change);
-  void pass(double time, const Change &change, const PathObserver &observer);
+  void pass(double time, const Change &change, const Report &report);
 
   Equations &equations_;
   ExactPhases &phases_;

@@ -4,7 +4,7 @@
 // meet the motion in the middle to the tolerance, in the energy norm; others are halved.
 #pragma once
 
-#include "motion/interval/observer.h"
+#include "motion/interval/step_view.h"
 #include "motion/moments/moment_step.h"
 
 #include <functional>

@@ -23,7 +23,7 @@ double proportion(const RowVector &row, const RowVector &other) {
 
 } // namespace
 
-ExactOutputs::ExactOutputs(const MonitoredForms &forms, const ExactPhase &phase)
+ExactOutputs::ExactOutputs(const LinearOutputs &forms, const ExactPhase &phase)
     : forms_(forms), phase_(phase) {
   for (std::size_t form = 0; form < forms.ranges.size(); ++form)
     share_output(form);

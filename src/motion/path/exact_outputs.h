@@ -3,7 +3,7 @@
 // output, searched once.
 #pragma once
 
-#include "motion/interval/output_monitor.h"
+#include "motion/interval/output.h"
 #include "motion/phase/exact_phase.h"
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace vibroimpact::motion {
 class ExactOutputs {
 public:
   /// Keeps references to both.
-  ExactOutputs(const MonitoredForms &forms, const ExactPhase &phase);
+  ExactOutputs(const LinearOutputs &forms, const ExactPhase &phase);
 
   /// The inputs of the phase are others.
   void renew();
@@ -44,7 +44,7 @@ private:
   double seen(std::size_t output, Index coordinate) const;
   void store(std::size_t output, std::size_t j, Index order, double real, double imaginary);
 
-  const MonitoredForms &forms_;
+  const LinearOutputs &forms_;
   const ExactPhase &phase_;
   std::vector<std::size_t> leaders_; ///< of each output, a form
   std::vector<Share> shares_;        ///< of all forms

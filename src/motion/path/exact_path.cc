@@ -1,7 +1,6 @@
 #include "motion/path/exact_path.h"
 
 #include "common/error.h"
-#include "common/memory.h"
 #include "common/signals.h"
 
 #include <algorithm>
@@ -12,37 +11,16 @@
 
 namespace vibroimpact::motion {
 
-namespace {
-
-constexpr double rounding_unit = std::numeric_limits<double>::epsilon();
-
-// Value of a guard of the next phase for each value of the guard passed, where the two are
-// proportional (up to the sign); 0 where they are not.
-double proportion(const LinearRow &form, const LinearRow &passed) {
-  const double constant = form.constant * form.constant;
-  const double square = passed.row.squaredNorm() + passed.constant * passed.constant;
-  const double product = form.row.dot(passed.row) + form.constant * passed.constant;
-  const double size = form.row.squaredNorm() + constant;
-  const bool parallel = product * product >= (1 - 64 * rounding_unit) * size * square;
-  return parallel && square > 0 ? std::abs(product) / square : 0;
-}
-
-const contact::AffineForm &indicator(const Equations &equations, const PhaseGuard &guard) {
-  const contact::ContactLaw &law = *equations.contacts().pairs()[guard.contact].law;
-  const auto mode = static_cast<std::size_t>(equations.modes()[guard.contact]);
-  return law.modes()[mode].guards[guard.guard].indicator;
-}
-
-} // namespace
-
 ExactPath::ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings,
                      StallBound &progress, Accuracy &counts)
-    : equations_(equations), exact_phases_(phases), progress_(progress), counts_(counts),
-      kernel_(kernel()), event_tolerance_(settings.event_tolerance),
-      tolerance_(settings.relative_tolerance),
-      longest_step_(settings.maximum_step > 0 ? settings.maximum_step
-                                              : std::numeric_limits<double>::infinity()),
-      contact_steps_(equations, settings.relative_tolerance),
+    : equations_(equations), exact_phases_(phases), progress_(progress),
+      counts_(counts), limits_{.event_tolerance = settings.event_tolerance,
+                               .tolerance = settings.relative_tolerance,
+                               .longest_step = settings.maximum_step > 0
+                                                   ? settings.maximum_step
+                                                   : std::numeric_limits<double>::infinity()},
+      phases_(equations, phases, settings.relative_tolerance),
+      observation_(equations, phases, settings.relative_tolerance, counts),
       last_event_(-std::numeric_limits<double>::infinity()) {}
 
 void ExactPath::begin() {
@@ -53,106 +31,70 @@ void ExactPath::begin() {
   exact_phases_.forget();
 }
 
-std::size_t ExactPath::Transition::bytes() const {
-  std::size_t sum = bytes_of(proportion) + (change ? change->bytes() : 0);
-  for (const auto &[mode, transition] : behind)
-    sum += transition->bytes();
-  return sum + (contact ? contact->bytes() : 0);
+void ExactPath::Buffers::resize(std::size_t largest) {
+  for (AlignedArray *buffer : {&present, &turned, &next, &origin})
+    buffer->resize(std::max(buffer->size(), 2 * largest));
+  for (AlignedArray *buffer : {&magnitudes, &reach})
+    buffer->resize(std::max(buffer->size(), largest));
 }
 
-std::size_t ExactPath::KnownPhase::bytes() const {
-  std::size_t sum = bytes_of(transitions);
-  for (const auto &transition : transitions)
-    sum += transition ? transition->bytes() : 0;
-  for (const auto *part : {&monitored, &monitored_before})
-    sum +=
-        *part && (*part)->outputs ? bytes_of((*part)->forms.rows) + (*part)->outputs->bytes() : 0;
-  return sum;
+void ExactPath::Buffers::take_next(MarchState &march) {
+  double *const before = march.amplitudes;
+  march.amplitudes = next.data();
+  (before == present.data() ? present : turned).swap(next);
 }
 
-void ExactPath::KnownPhase::forget(const LinearPhase &other) {
-  const auto leads_there = [&](const std::unique_ptr<Transition> &transition) {
-    return transition && transition->target && &transition->target->linear == &other;
-  };
-  for (std::unique_ptr<Transition> &transition : transitions)
-    if (leads_there(transition))
-      transition.reset();
-    else if (transition)
-      std::erase_if(transition->behind, [&](const auto &at) { return leads_there(at.second); });
+void ExactPath::Inputs::take(const Excitation &excitation, double time) {
+  changes = 0;
+  values.resize(static_cast<std::size_t>(excitation.size()));
+  excitation.coordinates(time, values.data());
+}
+
+void ExactPath::Inputs::renew(const Excitation &excitation, const ExactPhase &phase, double time,
+                              double *amplitudes) {
+  constexpr int carried_changes = 32;
+  if (++changes <= carried_changes)
+    return;
+  take(excitation, time);
+  const auto first = static_cast<std::size_t>(phase.n_modes());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    amplitudes[phase.places()[first + k]] = values[k];
 }
 
 double ExactPath::time_tolerance(double time) const {
-  return std::max(event_tolerance_, 8 * rounding_unit * std::abs(time));
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  return std::max(limits_.event_tolerance, rounding * std::abs(time));
 }
 
-void ExactPath::set_modes(const std::vector<int> &modes) {
-  for (std::size_t c = 0; c < modes.size(); ++c)
-    equations_.set_mode(c, modes[c]);
-}
-
-// Of the present modes of the equations, under the present excitation.
-ExactPath::KnownPhase *ExactPath::known_phase() {
-  LinearPhase *const linear = exact_phases_.present();
-  return linear ? &linear->part<KnownPhase>() : nullptr;
-}
-
-// Under the present excitation.
-void ExactPath::renew(Transition &transition, const std::vector<PhaseForms::Reset> &resets) {
-  const long excitation = exact_phases_.excitation().generation();
-  if (transition.excitation == excitation)
-    return;
-  transition.excitation = excitation;
-  transition.target->phase().take(exact_phases_.excitation());
-  if (transition.change)
-    transition.change->renew();
-  else
-    transition.change =
-        std::make_unique<ExactChange>(known_->phase(), resets, transition.target->phase());
-}
-
-// To the phase beyond a guard of the present one. None where it is left to others: impacts and rest
-// are for several contacts together.
-ExactPath::Transition *ExactPath::transition(std::size_t guard) {
-  std::unique_ptr<Transition> &known = known_->transitions[guard];
-  if (!known)
-    known = std::make_unique<Transition>(find_transition(known_->guards()[guard]));
-  if (!known->target)
-    return nullptr;
-  renew(*known, known_->linear.forms().resets(guard));
-  return known.get();
-}
-
-ExactPath::Transition ExactPath::find_transition(const PhaseGuard &passed) {
-  if (equations_.contacts().pairs()[passed.contact].law->rigid())
-    return {};
-  set_modes(known_->linear.forms().contact_modes());
-  const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
-  equations_.set_mode(passed.contact, passed.target);
-  Transition transition{.target = known_phase(), .proportion = {}};
-  if (transition.target)
-    for (const PhaseGuard &other : transition.target->guards())
-      transition.proportion.push_back(
-          proportion(linear_row(equations_, other.contact, indicator(equations_, other)), form));
-  set_modes(known_->linear.forms().contact_modes());
-  return transition;
-}
-
-// What rounding may hide of a guard.
-double ExactPath::hidden(const PhaseView &view, std::size_t guard, const double *amplitudes) const {
-  return guard_rounding * kernel_.guard_size(view, static_cast<int>(guard), amplitudes) +
-         noise_[guard];
-}
-
-// From march_.amplitudes on, in the phase known_.
-void ExactPath::start_walk(KnownPhase &known) {
-  std::copy_n(march_.amplitudes, known.phase().n_amplitudes(), start_.begin());
-  march_.origin = start_.data();
-  march_.noise = noise_.data();
-  march_.order = order_.data();
+// From march_.amplitudes on.
+void ExactPath::start_walk(KnownPhase &known, double time) {
+  std::copy_n(march_.amplitudes, known.phase().n_amplitudes(), buffers_.origin.begin());
+  march_.origin = buffers_.origin.data();
+  march_.noise = guards_.noise();
+  march_.order = guards_.order().data();
   march_.time = 0;
   march_.pieces_of_phase = 0;
+  origin_ = time;
   known_ = &known;
   exact_phases_.enter(known.linear);
+}
+
+// The amplitudes of the state, under the sources from `time` on.
+KnownPhase &ExactPath::prepare_start(double time) {
+  KnownPhase &known = *phases_.present();
+  inputs_.take(exact_phases_.excitation(), time);
+  const auto largest = static_cast<std::size_t>(equations_.layout().physical_size()) +
+                       inputs_.values.size() + group_block;
+  buffers_.resize(largest);
+  guards_.begin(largest);
+  buffers_.physical = state().head(known.phase().n_modes());
+  known.phase().amplitudes(buffers_.physical, inputs_.values.data(), buffers_.first);
+  std::copy(buffers_.first.begin(), buffers_.first.end(), buffers_.present.begin());
+  march_.amplitudes = buffers_.present.data();
+  march_.turned = buffers_.turned.data();
+  march_.magnitudes = buffers_.magnitudes.data();
+  march_.reach = buffers_.reach.data();
+  return known;
 }
 
 // A guard that has just been passed is zero within what its location has left. False: it falls at
@@ -160,25 +102,7 @@ void ExactPath::start_walk(KnownPhase &known) {
 bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
   if (!exact_phases_.linear() || !exact_phases_.take_sources(time))
     return false;
-  KnownPhase &known = *known_phase();
-  inputs_.resize(static_cast<std::size_t>(exact_phases_.excitation().size()));
-  exact_phases_.excitation().coordinates(time, inputs_.data());
-  const auto largest =
-      static_cast<std::size_t>(equations_.layout().physical_size()) + inputs_.size() + group_block;
-  for (AlignedArray *buffer :
-       {&amplitudes_, &turned_, &next_, &part_copy_, &step_start_, &step_end_, &start_})
-    buffer->resize(std::max(buffer->size(), 2 * largest));
-  for (AlignedArray *buffer : {&magnitudes_, &reach_, &next_rounding_})
-    buffer->resize(std::max(buffer->size(), largest));
-  physical_ = state_.head(known.phase().n_modes());
-  known.phase().amplitudes(physical_, inputs_.data(), first_);
-  rounding_.assign(largest,
-                   0); // it changes places with that of the next phase, which may be larger
-  std::copy(first_.begin(), first_.end(), amplitudes_.begin());
-  march_.amplitudes = amplitudes_.data();
-  march_.turned = turned_.data();
-  march_.magnitudes = magnitudes_.data();
-  march_.reach = reach_.data();
+  KnownPhase &known = prepare_start(time);
   const auto was_zero = [&](std::size_t g) {
     return std::any_of(zero.begin(), zero.end(), [&](const ZeroGuard &passed) {
       return passed.contact == known.guards()[g].contact && passed.guard == known.guards()[g].guard;
@@ -186,154 +110,45 @@ bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
   };
   const auto known_to = [&](std::size_t g, const double * /*f*/) {
     return was_zero(g) ? std::numeric_limits<double>::infinity()
-                       : hidden(known.view(), g, amplitudes_.data());
+                       : guards_.hidden(known.view(), g, march_.amplitudes);
   };
-  if (!begin_guards(known, {}, amplitudes_, rounding_, std::ref(known_to)))
+  if (!guards_.enter(known, {}, march_.amplitudes, guards_.rounding(), std::ref(known_to)))
     return false;
-  for (std::size_t g = 0; g < order_.size(); ++g)
-    if (order_[g] > 0 && !was_zero(g))
+  for (std::size_t g = 0; g < guards_.order().size(); ++g)
+    if (guards_.order()[g] > 0 && !was_zero(g))
       return false;
-  changes_ = 0;
-  origin_ = time;
-  start_walk(known);
+  start_walk(known, time);
   return true;
 }
 
-// Makes what it takes to observe a phase, the modes of the equations being its.
-void ExactPath::prepare_monitoring(KnownPhase &known) {
-  if (!observer_->monitor)
-    return;
-  const long monitor = observer_->monitor->identity();
-  if (!known.monitored || known.monitored->monitor != monitor)
-    std::swap(known.monitored, known.monitored_before);
-  const long excitation = exact_phases_.excitation().generation();
-  if (!known.monitored || known.monitored->monitor != monitor) {
-    std::vector<MonitoredForm> forms;
-    observer_->monitor->add_forms(equations_, forms);
-    known.monitored = std::make_unique<MonitoredOutputs>(
-        MonitoredOutputs{.monitor = monitor, .forms = MonitoredForms(forms)});
-    if (!known.monitored->forms.ranges.empty())
-      known.monitored->outputs =
-          std::make_unique<ExactOutputs>(known.monitored->forms, known.phase());
-  } else if (known.monitored->outputs && known.monitored->excitation != excitation) {
-    known.monitored->outputs->renew();
-  }
-  known.monitored->excitation = excitation;
-}
-
-// A part of a phase is reported as a whole, and is not longer than its work integrals stay exact.
 void ExactPath::begin_part(double time) {
-  part_limit_ = std::numeric_limits<double>::infinity();
-  if (!observer_)
-    return;
-  prepare_monitoring(*known_);
-  if (observer_->integrals)
-    part_limit_ = time + known_->linear.work(equations_).longest();
-  part_ = start_.data();
-  if (march_.time > 0) {
-    std::copy_n(march_.amplitudes, known_->phase().n_amplitudes(), part_copy_.begin());
-    part_ = part_copy_.data();
-  }
-  part_start_ = time;
-  if (observer_->monitor)
-    observer_->monitor->part_begins(equations_, time, state_);
-}
-
-// The modes of the equations are those of the part. Leaves its state at the end.
-void ExactPath::end_part(double time, const double *amplitudes) {
-  const bool part = observer_ && time > part_start_;
-  if (part && observer_->steps)
-    show_steps(time, amplitudes);
-  else if (part && observer_->integrals)
-    known_->linear.work(equations_).add(part_, amplitudes, time - part_start_, state_);
-  known_->phase().state(amplitudes, state_.data());
-  if (!part || !observer_->monitor)
-    return;
-  if (known_->monitored->outputs)
-    known_->monitored->outputs->include(part_, amplitudes, time - part_start_);
-  observer_->monitor->part_done(equations_, part_start_, time, state_);
-}
-
-// The part from part_start_ on as steps whose polynomials keep the tolerance, all of them from the
-// amplitudes at its start. Two halves rather than a step and a sliver.
-void ExactPath::show_steps(double time, const double *amplitudes) {
-  ExactSegment &segment = known_->linear.segment(equations_);
-  WorkIntegrals &work = known_->linear.work(equations_);
-  std::copy_n(part_, known_->phase().n_amplitudes(), step_start_.begin());
-  start_point_.state = state_;
-  segment.fill(part_start_, step_start_.data(), start_point_);
-  segment.begin(step_start_.data(), part_start_ == origin_);
-  while (start_point_.time < time) {
-    leave_if_stopped();
-    const double from = start_point_.time;
-    const double wanted = segment.step(step_start_.data());
-    const double rest = time - from;
-    if (!(from + wanted > from))
-      throw NumericalError("the motion is too fast for any step, at t = " + std::to_string(from) +
-                           " s");
-    const bool last = rest <= wanted * (1 + 1e-9);
-    const double to = last ? time : from + (rest < 2 * wanted ? 0.5 * rest : wanted);
-    if (last)
-      std::copy_n(amplitudes, known_->phase().n_amplitudes(), step_end_.begin());
-    else
-      kernel_.turn(known_->view(), part_, to - part_start_, step_end_.data());
-    end_point_.state = start_point_.state;
-    work.add(step_start_.data(), step_end_.data(), to - from, end_point_.state);
-    segment.fill(to, step_end_.data(), end_point_);
-    observer_->steps->step(StepView(equations_, start_point_, end_point_));
-    ++counts_.steps;
-    std::swap(start_point_, end_point_);
-    step_start_.swap(step_end_);
-  }
-  state_ = start_point_.state;
+  const bool at_origin = !(march_.time > 0);
+  observation_.begin_part(*known_, {.time = time,
+                                    .amplitudes = at_origin ? march_.origin : march_.amplitudes,
+                                    .stays = at_origin,
+                                    .enters_phase = time == origin_});
 }
 
 // Another part of the same phase.
 void ExactPath::part_the_phase(double time) {
-  end_part(time, march_.amplitudes);
+  observation_.end_part(time, march_.amplitudes);
   begin_part(time);
 }
 
-// Reports a contact change, which takes the equations to the modes after it.
-void ExactPath::report_change(double time) {
-  const PhaseGuard &passed = known_->guards()[static_cast<std::size_t>(march_.guard)];
-  end_part(time, march_.turned);
-  observer_->change(time, passed.contact, passed.guard, state_);
-}
-
-// Guards of the contact that changed, or of all, may be zero in the phase to come and must rise
-// then; what those of other contacts do, the kernel sees. False: one falls at once.
-bool ExactPath::begin_guards(const KnownPhase &phase, std::optional<std::size_t> contact,
-                             const Amplitudes &amplitudes, const AlignedArray &rounding,
-                             const KnownTo &known_to) {
-  const std::vector<PhaseGuard> &guards = phase.guards();
-  noise_.resize(guards.size());
-  order_.assign(guards.size(), 0);
-  kernel_.guard_noise(phase.view(), rounding.data(), noise_.data());
-  for (std::size_t g = 0; g < guards.size(); ++g) {
-    if (contact && guards[g].contact != *contact)
-      continue;
-    double f[4];
-    kernel_.derivatives(phase.view(), static_cast<int>(g), amplitudes.data(), f);
-    const double noise = known_to(g, f);
-    if (f[0] < -noise || (f[0] <= noise && !(f[1] > 0)))
-      return false;
-    order_[g] = f[0] <= noise ? 1 : 0;
-  }
-  return true;
-}
-
-// Rounding turns the inputs that are carried along from phase to phase, so that they are taken from
-// their closed form again and again.
-void ExactPath::renew_inputs(const ExactPhase &phase, double time, double *amplitudes) {
-  constexpr int carried_changes = 32;
-  if (++changes_ <= carried_changes)
-    return;
-  changes_ = 0;
-  exact_phases_.excitation().coordinates(time, inputs_.data());
-  const auto first = static_cast<std::size_t>(phase.n_modes());
-  for (std::size_t k = 0; k < inputs_.size(); ++k)
-    amplitudes[phase.places()[first + k]] = inputs_[k];
+// To the phase beyond the guard that is passed. False: one of its guards falls at once.
+bool ExactPath::enter_phase(const Transition &next, std::size_t contact, double time) {
+  double *const amplitudes = buffers_.next.data();
+  kernel().change(next.change->view(), march_.turned, amplitudes, guards_.next_rounding().data());
+  inputs_.renew(exact_phases_.excitation(), next.target->phase(), time, amplitudes);
+  note_residual();
+  const double uncertain =
+      2 * std::max(time_tolerance(origin_), std::abs(march_.value / march_.slope));
+  const auto known_to = [&](std::size_t g, const double *f) {
+    return std::max({guards_.hidden(next.target->view(), g, amplitudes), uncertain * std::abs(f[1]),
+                     next.proportion[g] * std::abs(march_.value)});
+  };
+  return guards_.enter(*next.target, contact, amplitudes, guards_.next_rounding(),
+                       std::ref(known_to));
 }
 
 // False: the change is left to others; the motion stands before it.
@@ -342,7 +157,7 @@ bool ExactPath::change_phase(double limit, long &most_events) {
   const auto passed = static_cast<std::size_t>(march_.guard);
   if (time - last_event_ <= time_tolerance(time) || progress_.slow() || exact_phases_.crowded())
     return false;
-  Transition *next = transition(passed);
+  Transition *next = phases_.transition(*known_, passed);
   if (!next) {
     const std::optional<StepReason> left =
         most_events > 0 ? pass_contact(time, passed, limit) : StepReason::interrupted;
@@ -352,41 +167,27 @@ bool ExactPath::change_phase(double limit, long &most_events) {
       --most_events;
     return !left;
   }
-  kernel_.change(next->change->view(), march_.turned, next_.data(), next_rounding_.data());
-  renew_inputs(next->target->phase(), time, next_.data());
-  note_residual();
-  const double uncertain =
-      2 * std::max(time_tolerance(origin_), std::abs(march_.value / march_.slope));
-  const auto known_to = [&](std::size_t g, const double *f) {
-    return std::max({hidden(next->target->view(), g, next_.data()), uncertain * std::abs(f[1]),
-                     next->proportion[g] * std::abs(march_.value)});
-  };
-  if (!begin_guards(*next->target, known_->guards()[passed].contact, next_, next_rounding_,
-                    std::ref(known_to))) {
-    kernel_.guard_noise(known_->view(), rounding_.data(), noise_.data());
+  if (!enter_phase(*next, passed_guard().contact, time)) {
+    guards_.stay(*known_);
     running_ = false;
     return false;
   }
-  progress_.note(known_->guards()[passed].contact, time, known_->view().fastest,
-                 time_tolerance(time));
-  if (observer_)
-    report_change(time);
+  progress_.note(passed_guard().contact, time, known_->view().fastest, time_tolerance(time));
+  if (observation_.observed())
+    observation_.report_change(time, passed_guard(), march_.turned);
   else
     ++counts_.events;
-  last_event_ = origin_ = time;
-  std::swap(rounding_, next_rounding_);
-  double *const before = march_.amplitudes;
-  march_.amplitudes = next_.data();
-  (before == amplitudes_.data() ? amplitudes_ : turned_).swap(next_);
-  start_walk(*next->target);
+  last_event_ = time;
+  guards_.take_next_rounding();
+  buffers_.take_next(march_);
+  start_walk(*next->target, time);
   begin_part(time);
   return true;
 }
 
 void ExactPath::note_pending(StepReason reason) {
-  const PhaseGuard &guard = known_->guards()[static_cast<std::size_t>(march_.guard)];
-  pending_ = {.contact = guard.contact,
-              .guard = guard.guard,
+  pending_ = {.contact = passed_guard().contact,
+              .guard = passed_guard().guard,
               .residual = std::abs(march_.value),
               .rate = march_.slope,
               .reason = reason};
@@ -398,23 +199,22 @@ void ExactPath::note_residual() {
   const double residual = std::abs(march_.value / march_.slope);
   if (residual > counts_.event_residual &&
       std::abs(march_.value) >
-          hidden(known_->view(), static_cast<std::size_t>(march_.guard), march_.turned))
+          guards_.hidden(known_->view(), static_cast<std::size_t>(march_.guard), march_.turned))
     counts_.event_residual = residual;
 }
 
 // Where nobody observes, the equations need the modes of the last phase only.
 void ExactPath::stand(double time, const double *amplitudes) {
-  if (!observer_)
-    set_modes(known_->linear.forms().contact_modes());
-  end_part(time, amplitudes);
-  if (!state_.allFinite())
+  if (!observation_.observed())
+    phases_.set_modes_of(*known_);
+  observation_.end_part(time, amplitudes);
+  if (!state().allFinite())
     throw NumericalError("the state is no longer finite at t = " + std::to_string(time) + " s");
 }
 
 bool ExactPath::advance(double &time, const Vector &state, double limit, long most_events,
-                        std::span<const ZeroGuard> zero, const PathObserver *observer) {
-  observer_ = observer;
-  state_ = state;
+                        std::span<const ZeroGuard> zero, const PathObservers *observers) {
+  observation_.begin(observers, state);
   pending_.reset();
   if (!running_ && !start_from(time, zero))
     return false;
@@ -425,8 +225,8 @@ bool ExactPath::advance(double &time, const Vector &state, double limit, long mo
   while (moving) {
     const long before = march_.pieces;
     const long undecided = march_.undecided;
-    const double until = std::min(limit, part_limit_);
-    end = kernel_.advance(known_->view(), march_, until - origin_);
+    const double until = std::min(limit, observation_.part_limit());
+    end = kernel().advance(known_->view(), march_, until - origin_);
     counts_.steps += march_.pieces - before;
     counts_.undecided_events += march_.undecided - undecided;
     leave_if_stopped();

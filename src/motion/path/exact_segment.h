@@ -1,7 +1,7 @@
 // A motion within a linear phase as polynomials, between any two of its instants.
 //
 // Amplitudes are known at every instant to the last digits, and with them all derivatives. Between
-// two instants observers see Hermite polynomials (observer.h), whose error is chosen: with p
+// two instants observers see Hermite polynomials (step_view.h), whose error is chosen: with p
 // derivatives known at both ends of a step of length h,
 //
 //   |f - P| <= max|f^(2p)| / (2p)! max (t (h - t))^p

@@ -311,31 +311,38 @@ StepReason Trajectory::reason_for_steps() const {
   return steppers_.present().exact() ? StepReason::undecided : StepReason::system;
 }
 
-void Trajectory::advance(double end, Observer &observer) {
-  const bool wanted = observer.wants_integrals();
+void Trajectory::advance(double end, const Observers &observers) {
+  const bool wanted = observers.want_integrals();
   if (wanted && !balance_.integrals)
     begin_balance();
   balance_.integrals = wanted;
-  integrate(end, observer);
+  audience_.list = observers.list();
+  audience_modes_.reset();
+  integrate(end, observers);
 }
 
-void Trajectory::advance(double end) {
-  Observers nobody({});
-  advance(end, nobody);
-}
+void Trajectory::advance(double end) { advance(end, Observers({})); }
 
-void Trajectory::integrate(double end, Observer &observer) {
+void Trajectory::integrate(double end, const Observers &observers) {
   if (!ts_) {
-    move(end, observer);
+    move(end, observers);
     return;
   }
   ts_->step(time(), state(), end, [&]() -> const Vector & {
-    move(end, observer);
+    move(end, observers);
     return state();
   });
 }
 
-void Trajectory::move(double end, Observer &observer) {
+void Trajectory::show(const StepView &step) {
+  if (audience_modes_ != equations_.modes()) {
+    audience_modes_ = equations_.modes();
+    audience_.ask(equations_);
+  }
+  audience_.show(step);
+}
+
+void Trajectory::move(double end, const Observers &observers) {
   while (steppers_.present().time() < end) {
     leave_if_stopped();
     progress_.pass(time(), time_tolerance());
@@ -349,7 +356,7 @@ void Trajectory::move(double end, Observer &observer) {
       throw NumericalError("more than " + std::to_string(settings_.maximum_steps) +
                            " steps (Maximum steps)");
     const double limit = std::min(end, equations_.source_break());
-    if (!progress_.slow() && propagate(limit, observer))
+    if (!progress_.slow() && propagate(limit, observers))
       continue;
     if (steps_outdated_)
       take_over();
@@ -360,11 +367,11 @@ void Trajectory::move(double end, Observer &observer) {
     steppers_.present().accept(balance_.integrals);
     balance_.exact = balance_.exact && steppers_.present().exact();
     if (steppers_.present().time() > steppers_.present().previous_time())
-      observer.step(view());
+      show(view());
     scales_.note(time(), state());
     if (changes) {
       crossing.reason = reason_for_steps();
-      change_modes(crossing, observer);
+      change_modes(crossing, observers);
       continue;
     }
     if (!zero_at_start_.empty())

@@ -19,13 +19,13 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace vibroimpact::motion {
 
 class ExactPath;
 class MomentPath;
-struct PathObserver;
 
 /// Where a motion stands, to start another one from.
 struct MotionState {
@@ -49,7 +49,7 @@ public:
 
   /// Integrates up to `end` exactly. NumericalError when that fails, Interrupted when the run is to
   /// stop.
-  void advance(double end, Observer &observer);
+  void advance(double end, const Observers &observers);
   /// The same without being observed, which some methods do faster. Where nobody wants the
   /// integrals, the energy balance is not kept: it begins anew with the next motion in which
   /// somebody does.
@@ -111,10 +111,10 @@ private:
   void forget_grown_guards();
   Bernstein indicator(const StepView &view, std::size_t contact, std::size_t guard) const;
   void begin_phase(double time, const Vector &state);
-  void integrate(double end, Observer &observer);
-  void move(double end, Observer &observer);
-  bool propagate(double limit, Observer &observer);
-  bool propagate_by_moments(double limit, const PathObserver *observer);
+  void integrate(double end, const Observers &observers);
+  void move(double end, const Observers &observers);
+  bool propagate(double limit, const Observers &observers);
+  bool propagate_by_moments(double limit, const Observers &observers);
   void note_path_events();
   void take_over();
   void begin_balance();
@@ -132,8 +132,8 @@ private:
   void end_at_fall(Crossing &crossing);
   void end_at_start(Crossing &crossing);
   double event_uncertainty(const StepView &view, Crossing &crossing) const;
-  void change_modes(const Crossing &first, Observer &observer);
-  void collide(std::size_t first, Observer &observer);
+  void change_modes(const Crossing &first, const Observers &observers);
+  void collide(std::size_t first, const Observers &observers);
   void renew_zero_guards(const Vector &state);
   void note_zero_guards(const Vector &state);
   void note_zero_guards(std::size_t contact, const std::vector<KnownZero> &known, double delay,
@@ -141,12 +141,13 @@ private:
   std::vector<ZeroGuard>::const_iterator find_zero_guard(std::size_t contact,
                                                          std::size_t guard) const;
   std::vector<KnownZero> known_zeros(const Crossing &first, bool stuck) const;
-  void pass_guard(const Crossing &first, bool stuck, Observer &observer);
+  void pass_guard(const Crossing &first, bool stuck, const Observers &observers);
   void keep_modes();
   bool keeps_modes() const;
   void change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
-                   Observer &observer);
+                   const Observers &observers);
   StepView view() const;
+  void show(const StepView &step);
   double time_tolerance() const;
   double location_tolerance() const;
   void note_change(std::size_t contact, bool at_once);
@@ -171,6 +172,9 @@ private:
   /// Guards that were zero at the start of the phase and have not grown beyond that yet.
   std::vector<ZeroGuard> zero_at_start_;
   Vector before_; ///< the state before the last change of a mode
+  /// Who is shown steps, as asked in these modes of the contacts.
+  Audience audience_;
+  std::optional<std::vector<int>> audience_modes_;
 };
 
 } // namespace vibroimpact::motion

@@ -53,7 +53,7 @@ double proportion(const AffineForm &form, const AffineForm &other) {
 } // namespace
 
 void Trajectory::change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
-                             Observer &observer) {
+                             const Observers &observers) {
   const contact::Guard &passed = guard_of(contact, guard);
   const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
   before_ = state;
@@ -84,7 +84,7 @@ void Trajectory::change_mode(double instant, std::size_t contact, std::size_t gu
   if (balance_.integrals)
     state[layout().contact_work(static_cast<Index>(contact))] +=
         stored - equations_.contact_energy(contact, event.to, local);
-  observer.event(event);
+  observers.event(event);
   ++counts_.events;
 }
 
@@ -115,12 +115,12 @@ std::vector<Trajectory::KnownZero> Trajectory::known_zeros(const Crossing &first
   return zeros;
 }
 
-void Trajectory::pass_guard(const Crossing &first, bool stuck, Observer &observer) {
+void Trajectory::pass_guard(const Crossing &first, bool stuck, const Observers &observers) {
   progress_.note(first.contact, time(), steppers_.present().fastest(), time_tolerance());
   const std::vector<KnownZero> zeros = known_zeros(first, stuck);
   Vector state = steppers_.present().state();
   const bool apart = !equations_.mode(first.contact).in_contact;
-  change_mode(time(), first.contact, first.guard, state, observer);
+  change_mode(time(), first.contact, first.guard, state, observers);
   const contact::Mode &mode = equations_.mode(first.contact);
   if (apart && mode.in_contact && !mode.affine && !mode.holds_gap)
     ++counts_.step_reasons[static_cast<std::size_t>(first.reason)];
@@ -135,7 +135,7 @@ void Trajectory::pass_guard(const Crossing &first, bool stuck, Observer &observe
 
 // Several contacts may change at the same instant; each guard that is zero there starts the new
 // phase from an exact zero, so that rounding cannot fire it again.
-void Trajectory::change_modes(const Crossing &first, Observer &observer) {
+void Trajectory::change_modes(const Crossing &first, const Observers &observers) {
   const bool stuck = time() - last_.time <= time_tolerance();
   last_.events = stuck ? last_.events + 1 : 0;
   note_change(first.contact, stuck);
@@ -149,9 +149,9 @@ void Trajectory::change_modes(const Crossing &first, Observer &observer) {
   if (!stuck)
     last_.tried = {equations_.modes()};
   if (guard_of(first.contact, first.guard).action == contact::GuardAction::impact)
-    collide(first.contact, observer);
+    collide(first.contact, observers);
   else
-    pass_guard(first, stuck, observer);
+    pass_guard(first, stuck, observers);
   if (std::find(last_.tried.begin(), last_.tried.end(), equations_.modes()) != last_.tried.end())
     keep_modes();
   else

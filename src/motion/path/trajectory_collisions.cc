@@ -11,7 +11,7 @@ namespace {
 constexpr long maximum_impacts_at_once = 50;
 } // namespace
 
-void Trajectory::collide(std::size_t first, Observer &observer) {
+void Trajectory::collide(std::size_t first, const Observers &observers) {
   const Vector before = steppers_.present().state();
   Vector state = before;
   const contact::Guard &passed = *std::find_if(
@@ -21,20 +21,20 @@ void Trajectory::collide(std::size_t first, Observer &observer) {
       time(), time_tolerance(), first, last_.events >= maximum_impacts_at_once, state);
   const Collision *record = &outcome.record;
   for (const Collisions::Change &change : outcome.changes) {
-    observer.event({.time = time(),
-                    .contact = change.contact,
-                    .from = change.from,
-                    .to = change.to,
-                    .onset = change.onset,
-                    .gap = change.gap,
-                    .gap_rate = change.gap_rate,
-                    .gap_rate_after = change.gap_rate_after,
-                    .chatter_duration = change.chatter_duration,
-                    .state = &state,
-                    .before = &before,
-                    .guard = &passed,
-                    .layout = &layout(),
-                    .collision = record});
+    observers.event({.time = time(),
+                     .contact = change.contact,
+                     .from = change.from,
+                     .to = change.to,
+                     .onset = change.onset,
+                     .gap = change.gap,
+                     .gap_rate = change.gap_rate,
+                     .gap_rate_after = change.gap_rate_after,
+                     .chatter_duration = change.chatter_duration,
+                     .state = &state,
+                     .before = &before,
+                     .guard = &passed,
+                     .layout = &layout(),
+                     .collision = record});
     record = nullptr;
     progress_.note(change.contact, time(), 0, time_tolerance());
     counts_.chatters += change.chatter_duration > 0 ? 1 : 0;

@@ -9,39 +9,23 @@
 namespace vibroimpact::motion {
 
 // Goes on in closed form as far as that is clear. False: a step is next.
-bool Trajectory::propagate_by_moments(double limit, const PathObserver *observer) {
-  double instant = time();
-  const bool moved = moments_->advance(instant, state(), limit, observer);
-  balance_.exact = false;
-  if (!moved)
-    return false;
-  steppers_.place(instant, moments_->state());
-  steps_outdated_ = true;
-  zero_at_start_.clear();
-  path_->leave();
-  return instant == limit;
-}
-
-bool Trajectory::propagate(double limit, Observer &observer) {
+bool Trajectory::propagate(double limit, const Observers &observers) {
   if (!path_ || keeps_modes())
     return false;
+  if (moments_ && (settings_.method == "moments" || steppers_.exact()->phases().crowded()))
+    return propagate_by_moments(limit, observers);
   double instant = time();
   const Accuracy before = counts_;
-  const PathObserver path_observer{
-      .monitor = observer.output_monitor(),
-      .steps = observer.step_observer(),
-      .everyone = &observer,
+  const PathObservers path_observers{
+      .observers = observers,
       .integrals = balance_.integrals,
       .change = [&](double when, std::size_t contact, std::size_t guard, Vector &changed) {
-        change_mode(when, contact, guard, changed, observer);
+        change_mode(when, contact, guard, changed, observers);
       }};
-  const bool observed = path_observer.monitor || path_observer.steps;
-  if (moments_ && (settings_.method == "moments" || steppers_.exact()->phases().crowded()))
-    return propagate_by_moments(limit, observed ? &path_observer : nullptr);
   const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - before.events
                                                         : std::numeric_limits<long>::max();
   const bool moved = path_->advance(instant, state(), limit, most_events, zero_at_start_,
-                                    observed ? &path_observer : nullptr);
+                                    observers.empty() ? nullptr : &path_observers);
   balance_.exact = balance_.exact && counts_.contact_episodes == before.contact_episodes;
   if (counts_.events > before.events)
     note_path_events();
@@ -57,8 +41,28 @@ bool Trajectory::propagate(double limit, Observer &observer) {
                   .residual = pending->residual,
                   .rate = pending->rate,
                   .reason = pending->reason},
-                 observer);
+                 observers);
   return path_->clear();
+}
+
+// Through contact changes of any number. False: a step is next.
+bool Trajectory::propagate_by_moments(double limit, const Observers &observers) {
+  const MomentPath::Report report{
+      .show = [&](const StepView &step) { show(step); },
+      .integrals = balance_.integrals,
+      .change = [&](double when, std::size_t contact, std::size_t guard,
+                    Vector &changed) { change_mode(when, contact, guard, changed, observers); }};
+  double instant = time();
+  const bool moved =
+      moments_->advance(instant, state(), limit, observers.empty() ? nullptr : &report);
+  balance_.exact = false;
+  if (!moved)
+    return false;
+  steppers_.place(instant, moments_->state());
+  steps_outdated_ = true;
+  zero_at_start_.clear();
+  path_->leave();
+  return instant == limit;
 }
 
 // What is known of an earlier instant says nothing of this one.

@@ -168,7 +168,8 @@ RateScales scales_at(const Equations &equations, double time, const Vector &stat
 
 } // namespace
 
-RateScales rate_scales(const Interval &interval, const Equations &equations, const Vector &scale) {
+RateScales rate_scales(const JointInterval &interval, const Equations &equations,
+                       const Vector &scale) {
   const double slow = 10 / std::abs(interval.length());
   const RateScales first = scales_at(equations, interval.start, interval.state, scale, slow);
   const RateScales last = scales_at(equations, interval.far, interval.far_state, scale, slow);

@@ -17,7 +17,8 @@ struct RateScales {
   double radius = 0; ///< of the eigenvalues
   double decay = 0;  ///< of the fastest decay
 };
-RateScales rate_scales(const Interval &interval, const Equations &equations, const Vector &scale);
+RateScales rate_scales(const JointInterval &interval, const Equations &equations,
+                       const Vector &scale);
 
 /// Takes packed columns from s = 0 to 1; returns the integral of the divergence. `tolerance`: error
 /// of a step relative to the units of the rates. NumericalError where no step is short enough.

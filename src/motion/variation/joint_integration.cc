@@ -134,7 +134,7 @@ struct Integrated {
   Vector end_state; ///< with the work integrals of the start
 };
 
-Integrated integrate_all(const Joint &joint, const Interval &interval, double radius,
+Integrated integrate_all(const Joint &joint, const JointInterval &interval, double radius,
                          Matrix &columns) {
   JointRates rates(interval, joint.equations, joint.keys, joint.accuracy.scale, columns);
   ExplicitRates explicit_rates(rates);
@@ -153,7 +153,7 @@ Integrated integrate_all(const Joint &joint, const Interval &interval, double ra
 }
 
 // The last columns belong to the keys.
-Integrated integrate_explicitly(const Joint &joint, const Interval &interval, double radius,
+Integrated integrate_explicitly(const Joint &joint, const JointInterval &interval, double radius,
                                 Matrix &columns) {
   const auto n_keys = static_cast<Index>(joint.keys.size());
   const Index n = columns.cols() - n_keys;
@@ -172,7 +172,7 @@ Integrated integrate_explicitly(const Joint &joint, const Interval &interval, do
   return integrated;
 }
 
-double integrate_stiff(const Joint &joint, const Interval &interval, Matrix &columns) {
+double integrate_stiff(const Joint &joint, const JointInterval &interval, Matrix &columns) {
   JointRates rates(interval, joint.equations, joint.keys, joint.accuracy.scale, columns);
   Matrix packed = rates.pack(columns);
   const double divergence = integrate_implicitly(rates, joint.accuracy.tolerance, packed);
@@ -181,16 +181,16 @@ double integrate_stiff(const Joint &joint, const Interval &interval, Matrix &col
 }
 
 // Where the slope of a force is infinite at the start, the first instants are taken explicitly.
-double integrate(const Joint &joint, const Interval &interval, const RateScales &scales,
+double integrate(const Joint &joint, const JointInterval &interval, const RateScales &scales,
                  Matrix &columns) {
   if (scales.decay * interval.length() <= stiff_length)
     return integrate_explicitly(joint, interval, scales.radius, columns).divergence;
   if (!interval.steep)
     return integrate_stiff(joint, interval, columns);
-  Interval first = interval;
+  JointInterval first = interval;
   first.end = interval.start + stiff_length / scales.decay;
   Integrated begun = integrate_explicitly(joint, first, scales.radius, columns);
-  Interval rest = interval;
+  JointInterval rest = interval;
   rest.start = first.end;
   rest.state = std::move(begun.end_state);
   rest.steep.reset();
@@ -198,8 +198,8 @@ double integrate(const Joint &joint, const Interval &interval, const RateScales 
 }
 
 // From the end to the start: d(start) = P d(end) + g, solved for d(end).
-double integrate_from_end(const Joint &joint, const Interval &reversed, const RateScales &scales,
-                          Matrix &columns) {
+double integrate_from_end(const Joint &joint, const JointInterval &reversed,
+                          const RateScales &scales, Matrix &columns) {
   const Vector &scale = joint.accuracy.scale;
   const Index n = scale.size();
   const auto n_keys = static_cast<Index>(joint.keys.size());
@@ -217,22 +217,22 @@ double integrate_from_end(const Joint &joint, const Interval &reversed, const Ra
 // Where a gap vanishes at the end or soon after, the error of the state there is no small part of
 // the gap, and a slope that grows beyond all bounds sees it: the last part is integrated from the
 // end, whose gap is known.
-double integrate_part(const Joint &joint, const Interval &interval,
+double integrate_part(const Joint &joint, const JointInterval &interval,
                       const std::optional<ZeroOfGap> &zero_at_end, Matrix &columns) {
   const RateScales scales = rate_scales(interval, joint.equations, joint.accuracy.scale);
   if (!zero_at_end)
     return integrate(joint, interval, scales, columns);
   const double length = interval.length();
   const double last = std::min(0.5 * length, length_of_return / std::max(scales.decay, 1 / length));
-  Interval first = interval;
+  JointInterval first = interval;
   first.end = interval.end - last;
-  const Interval second{.start = interval.end,
-                        .end = first.end,
-                        .state = interval.far_state,
-                        .far = interval.start,
-                        .far_state = interval.state,
-                        .zero = zero_at_end->instant,
-                        .steep = zero_at_end->steep};
+  const JointInterval second{.start = interval.end,
+                             .end = first.end,
+                             .state = interval.far_state,
+                             .far = interval.start,
+                             .far_state = interval.state,
+                             .zero = zero_at_end->instant,
+                             .steep = zero_at_end->steep};
   const double divergence = integrate(joint, first, scales, columns);
   return divergence + integrate_from_end(joint, second, scales, columns);
 }
@@ -243,11 +243,11 @@ double integrate_beside(const SmoothPart &part, const Equations &equations,
                         const std::vector<KeyTangent *> &keys, const VariationAccuracy &accuracy,
                         LinearFlow *free, Matrix &columns) {
   const double h = part.length();
-  Interval interval{.start = part.start,
-                    .end = part.end,
-                    .state = part.start_state,
-                    .far = part.end,
-                    .far_state = part.end_state};
+  JointInterval interval{.start = part.start,
+                         .end = part.end,
+                         .state = part.start_state,
+                         .far = part.end,
+                         .far_state = part.end_state};
   if (const auto zero = zero_of_gap(equations, part.start, part.start_state, h, part.from_event)) {
     interval.zero = zero->instant;
     interval.steep = zero->steep;

@@ -22,7 +22,7 @@ constexpr double key_weight = 0.01;
 constexpr double least_effect = 1e-12;
 
 // Since the gap vanished.
-double mean_gap_rate(const Equations &equations, const Interval &interval) {
+double mean_gap_rate(const Equations &equations, const JointInterval &interval) {
   const contact::LocalState local =
       equations.local_state(*interval.steep, interval.start,
                             ConstVectorView(interval.state.data(), interval.state.size()));
@@ -32,7 +32,7 @@ double mean_gap_rate(const Equations &equations, const Interval &interval) {
 
 } // namespace
 
-JointRates::JointRates(const Interval &interval, const Equations &equations,
+JointRates::JointRates(const JointInterval &interval, const Equations &equations,
                        const std::vector<KeyTangent *> &keys, const Vector &scale,
                        const Matrix &columns)
     : interval_(interval), equations_(equations), keys_(keys), scale_(scale), n_(scale.size()),

@@ -23,7 +23,7 @@
 
 namespace vibroimpact::motion {
 
-struct Interval {
+struct JointInterval {
   double start = 0, end = 0;          ///< [s]; the end may be earlier
   Vector state;                       ///< at the start, with work integrals
   double far = 0;                     ///< another instant, at the end or beyond [s]
@@ -36,7 +36,7 @@ struct Interval {
 class JointRates {
 public:
   /// Keeps references. The last columns belong to `keys`.
-  JointRates(const Interval &interval, const Equations &equations,
+  JointRates(const JointInterval &interval, const Equations &equations,
              const std::vector<KeyTangent *> &keys, const Vector &scale, const Matrix &columns);
 
   Index n_rows() const { return n_; } ///< of the columns
@@ -79,7 +79,7 @@ private:
   double time_at(double s) const;
   double rate_at(double s) const;
 
-  const Interval &interval_;
+  const JointInterval &interval_;
   const Equations &equations_;
   const std::vector<KeyTangent *> &keys_;
   const Vector &scale_;

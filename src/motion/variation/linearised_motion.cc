@@ -11,12 +11,7 @@ LinearisedMotion Lineariser::operator()(const MotionState &start, double end,
     variation_.emplace(trajectory_, accuracy_.scale, accuracy_.tolerance, keys);
   const Index size = trajectory_.layout().physical_size();
   variation_->set_columns(Matrix::Identity(size, size));
-  if (also) {
-    Observers both({&*variation_, also});
-    trajectory_.advance(end, both);
-  } else {
-    trajectory_.advance(end, *variation_);
-  }
+  trajectory_.advance(end, also ? Observers({&*variation_, also}) : Observers(*variation_));
   Vector rates(trajectory_.layout().size());
   const Vector &state = trajectory_.state();
   trajectory_.equations().rates(end, ConstVectorView(state.data(), state.size()),

@@ -36,7 +36,7 @@ public:
       : trajectory_(trajectory), accuracy_(std::move(accuracy)) {}
 
   /// Starts the trajectory at `start` and advances it to `end` [s]. `also` may be an observer of
-  /// the same motion; it costs little when it wants no steps (Observer::step_observer).
+  /// the same motion; it costs little when it sees no steps.
   /// NumericalError when the motion or its variation fails, Interrupted when the run is to stop.
   LinearisedMotion operator()(const MotionState &start, double end,
                               const std::vector<KeyTangent *> &keys = {}, Observer *also = nullptr);

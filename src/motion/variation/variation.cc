@@ -175,6 +175,13 @@ void Variation::check(double time) const {
         "the variation of the motion is no longer finite at t = " + std::to_string(time) + " s");
 }
 
+bool Variation::sees_steps(const Equations &equations) const {
+  bool affine = true;
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+    affine = affine && equations.mode(c).affine;
+  return !keys_keep_linear() || !(affine || keys_.empty());
+}
+
 void Variation::step(const StepView &view) {
   follow(view.equations(), view.start(), view.start_state());
   if (pass_linear(view.start(), view.start_state(), view.length())) {
@@ -245,23 +252,17 @@ void Variation::forget_parts() {
   last_part_.reset();
 }
 
-void Variation::part_begins(const Equations & /*equations*/, double /*start*/,
-                            const Vector &state) {
-  part_state_ = state;
-}
-
-void Variation::part_done(const Equations &equations, double start, double end,
-                          const Vector &state) {
-  follow(equations, start, part_state_);
+void Variation::interval(const Interval &interval) {
+  follow(interval.equations(), interval.start(), interval.start_state());
   forget_parts();
-  if (pass_linear(start, part_state_, end - start))
-    check(end);
+  if (pass_linear(interval.start(), interval.start_state(), interval.length()))
+    check(interval.end());
   else
-    waiting_ = {.start = start,
-                .end = end,
-                .start_state = part_state_,
-                .end_state = state,
-                .from_event = same_instant(start, last_event_)};
+    waiting_ = {.start = interval.start(),
+                .end = interval.end(),
+                .start_state = interval.start_state(),
+                .end_state = interval.end_state(),
+                .from_event = same_instant(interval.start(), last_event_)};
 }
 
 // At one instant: do deviating motions have this event at another time than those before?

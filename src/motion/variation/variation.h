@@ -34,7 +34,7 @@ struct Determinant {
 
 /// Carries deviations of the physical state (coordinates, velocities, internal states, torques)
 /// along, column by column.
-class Variation : public Observer, private OutputMonitor {
+class Variation : public Observer {
 public:
   /// From where the trajectory stands, which must not have been moved since its start or be at a
   /// state to start from. Keeps references to the keys. `scale`: physical_size() factors that make
@@ -65,10 +65,12 @@ public:
   /// of k - 1; -infinity where a column depends on those before it, up to rounding.
   Vector orthonormalise();
 
+  /// Linear phases pass as a whole, unless a key makes them something else; through nonlinear
+  /// contacts keys ask for short parts.
+  bool sees_steps(const Equations &equations) const override;
   void step(const StepView &view) override;
+  void interval(const Interval &interval) override;
   void event(const ContactEvent &event) override;
-  /// Linear phases pass as a whole, unless a key makes them something else.
-  OutputMonitor *output_monitor() override { return keys_keep_linear() ? this : nullptr; }
   bool wants_integrals() const override { return false; }
 
   /// What deviations at the start were projected by, and what that gives to the derivatives.
@@ -97,14 +99,6 @@ private:
     double logarithm = 0; ///< of the determinant, at its start
   };
 
-  void add_forms(const Equations & /*equations*/, std::vector<MonitoredForm> & /*forms*/) override {
-  }
-  void part_begins(const Equations &equations, double start, const Vector &state) override;
-  void part_done(const Equations &equations, double start, double end,
-                 const Vector &state) override;
-  /// Keys ask for short parts of a contact.
-  bool takes_contacts() const override { return keys_.empty(); }
-
   bool keys_keep_linear() const;
   Index n_keys() const { return static_cast<Index>(keys_.size()); }
   void follow(const Equations &motion, double time, const Vector &state);
@@ -125,7 +119,6 @@ private:
   ExactPhases phases_;
   bool closed_forms_ = false; ///< of the sources up to their next break; asked for by keys alone
   double start_ = 0;          ///< of the motion [s]
-  Vector part_state_;         ///< at the start of a part
   std::optional<SmoothPart> waiting_; ///< steps that deviations have not been taken through
   int joined_ = 0;                    ///< how many
   std::optional<LastPart> last_part_; ///< none after an event

@@ -1,0 +1,45 @@
+#include "motion/path/guards_at_start.h"
+
+#include <algorithm>
+
+namespace vibroimpact::motion {
+
+// The rounding changes places with that of the next phase, which may be larger.
+void GuardsAtStart::begin(std::size_t largest) {
+  next_rounding_.resize(std::max(next_rounding_.size(), largest));
+  rounding_.assign(largest, 0);
+}
+
+bool GuardsAtStart::enter(const KnownPhase &phase, std::optional<std::size_t> contact,
+                          const double *amplitudes, const AlignedArray &rounding,
+                          const KnownTo &known_to) {
+  const std::vector<PhaseGuard> &guards = phase.guards();
+  noise_.resize(guards.size());
+  order_.assign(guards.size(), 0);
+  kernel().guard_noise(phase.view(), rounding.data(), noise_.data());
+  for (std::size_t g = 0; g < guards.size(); ++g) {
+    if (contact && guards[g].contact != *contact)
+      continue;
+    double f[4];
+    kernel().derivatives(phase.view(), static_cast<int>(g), amplitudes, f);
+    const double noise = known_to(g, f);
+    if (f[0] < -noise || (f[0] <= noise && !(f[1] > 0)))
+      return false;
+    order_[g] = f[0] <= noise ? 1 : 0;
+  }
+  return true;
+}
+
+void GuardsAtStart::stay(const KnownPhase &phase) {
+  noise_.resize(phase.guards().size());
+  order_.assign(phase.guards().size(), 0);
+  kernel().guard_noise(phase.view(), rounding_.data(), noise_.data());
+}
+
+double GuardsAtStart::hidden(const PhaseView &view, std::size_t guard,
+                             const double *amplitudes) const {
+  return guard_rounding * kernel().guard_size(view, static_cast<int>(guard), amplitudes) +
+         noise_[guard];
+}
+
+} // namespace vibroimpact::motion

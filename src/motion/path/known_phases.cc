@@ -1,0 +1,143 @@
+#include "motion/path/known_phases.h"
+
+#include "common/memory.h"
+
+#include <cmath>
+#include <limits>
+
+namespace vibroimpact::motion {
+
+namespace {
+
+constexpr double rounding_unit = std::numeric_limits<double>::epsilon();
+
+// Value of a guard of the next phase for each value of the guard passed, where the two are
+// proportional (up to the sign); 0 where they are not.
+double proportion(const LinearRow &form, const LinearRow &passed) {
+  const double constant = form.constant * form.constant;
+  const double square = passed.row.squaredNorm() + passed.constant * passed.constant;
+  const double product = form.row.dot(passed.row) + form.constant * passed.constant;
+  const double size = form.row.squaredNorm() + constant;
+  const bool parallel = product * product >= (1 - 64 * rounding_unit) * size * square;
+  return parallel && square > 0 ? std::abs(product) / square : 0;
+}
+
+const contact::AffineForm &indicator(const Equations &equations, const PhaseGuard &guard) {
+  const contact::ContactLaw &law = *equations.contacts().pairs()[guard.contact].law;
+  const auto mode = static_cast<std::size_t>(equations.modes()[guard.contact]);
+  return law.modes()[mode].guards[guard.guard].indicator;
+}
+
+} // namespace
+
+std::size_t ContactPart::bytes() const {
+  return contact->bytes() + (work ? work->bytes() : 0) + observed.bytes();
+}
+
+std::size_t Transition::bytes() const {
+  std::size_t sum = bytes_of(proportion) + (change ? change->bytes() : 0);
+  for (const auto &[mode, transition] : behind)
+    sum += transition->bytes();
+  return sum + (contact ? contact->bytes() : 0);
+}
+
+std::size_t KnownPhase::bytes() const {
+  std::size_t sum = bytes_of(transitions);
+  for (const auto &transition : transitions)
+    sum += transition ? transition->bytes() : 0;
+  return sum + observed.bytes();
+}
+
+void KnownPhase::forget(const LinearPhase &other) {
+  const auto leads_there = [&](const std::unique_ptr<Transition> &transition) {
+    return transition && transition->target && &transition->target->linear == &other;
+  };
+  for (std::unique_ptr<Transition> &transition : transitions)
+    if (leads_there(transition))
+      transition.reset();
+    else if (transition)
+      std::erase_if(transition->behind, [&](const auto &at) { return leads_there(at.second); });
+}
+
+void KnownPhases::set_modes(const std::vector<int> &modes) {
+  for (std::size_t c = 0; c < modes.size(); ++c)
+    equations_.set_mode(c, modes[c]);
+}
+
+KnownPhase *KnownPhases::present() {
+  LinearPhase *const linear = phases_.present();
+  return linear ? &linear->part<KnownPhase>() : nullptr;
+}
+
+// Under the present excitation.
+void KnownPhases::renew(KnownPhase &from, Transition &transition,
+                        const std::vector<PhaseForms::Reset> &resets) {
+  const long excitation = phases_.excitation().generation();
+  if (transition.excitation == excitation)
+    return;
+  transition.excitation = excitation;
+  transition.target->phase().take(phases_.excitation());
+  if (transition.change)
+    transition.change->renew();
+  else
+    transition.change =
+        std::make_unique<ExactChange>(from.phase(), resets, transition.target->phase());
+}
+
+Transition *KnownPhases::transition(KnownPhase &from, std::size_t guard) {
+  std::unique_ptr<Transition> &known = from.transitions[guard];
+  if (!known)
+    known = std::make_unique<Transition>(find_transition(from, from.guards()[guard]));
+  if (!known->target)
+    return nullptr;
+  renew(from, *known, from.linear.forms().resets(guard));
+  return known.get();
+}
+
+Transition KnownPhases::find_transition(const KnownPhase &from, const PhaseGuard &passed) {
+  if (equations_.contacts().pairs()[passed.contact].law->rigid())
+    return {};
+  set_modes_of(from);
+  const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
+  equations_.set_mode(passed.contact, passed.target);
+  Transition transition{.target = present(), .proportion = {}};
+  if (transition.target)
+    for (const PhaseGuard &other : transition.target->guards())
+      transition.proportion.push_back(
+          proportion(linear_row(equations_, other.contact, indicator(equations_, other)), form));
+  set_modes_of(from);
+  return transition;
+}
+
+ContactPart *KnownPhases::contact_beyond(KnownPhase &from, std::size_t guard) {
+  Transition &known = *from.transitions[guard];
+  if (!known.contact_known) {
+    known.contact_known = true;
+    set_modes_of(from);
+    std::shared_ptr<TaughtContact> &taught = from.linear.taught(guard);
+    if (!taught)
+      taught = std::make_shared<TaughtContact>();
+    if (auto contact = PhaseEpisode::create(equations_, from.linear, guard, tolerance_, taught))
+      known.contact = std::make_unique<ContactPart>(ContactPart{.contact = std::move(contact)});
+  }
+  return known.contact.get();
+}
+
+Transition *KnownPhases::behind(KnownPhase &from, std::size_t guard, const PhaseEpisode &contact) {
+  std::vector<int> modes = from.linear.forms().contact_modes();
+  if (contact.mode_after() == modes[contact.contact()])
+    return nullptr;
+  std::unique_ptr<Transition> &behind = from.transitions[guard]->behind[contact.mode_after()];
+  if (!behind) {
+    modes[contact.contact()] = contact.mode_after();
+    const std::vector<int> before = equations_.modes();
+    set_modes(modes);
+    behind = std::make_unique<Transition>(Transition{.target = present(), .proportion = {}});
+    set_modes(before);
+  }
+  static const std::vector<PhaseForms::Reset> none;
+  renew(from, *behind, none);
+  return behind.get();
+}
+
+} // namespace vibroimpact::motion
