@@ -26,6 +26,7 @@ MomentPath::MomentPath(Equations &equations, ExactPhases &phases, const Settings
       views_(equations, step_, settings.relative_tolerance),
       unit_(equations.model().highest_frequency() > 0 ? 1 / equations.model().highest_frequency()
                                                       : 1),
+      event_tolerance_(settings.event_tolerance),
       longest_(settings.maximum_step > 0 ? settings.maximum_step
                                          : std::numeric_limits<double>::infinity()) {}
 
@@ -53,7 +54,7 @@ bool MomentPath::start(double time, const Vector &state) {
     return false;
   if (step_.take(phases_.excitation()))
     tables_.clear();
-  step_.start(state, phases_.excitation(), time, equations_.modes());
+  step_.start(state, phases_.excitation(), time, equations_.modes(), event_tolerance_);
   return running_ = true;
 }
 
@@ -220,6 +221,8 @@ void MomentPath::show(double time, const Report &report) {
                     report.show(StepView(equations_, a, b));
                   });
       state_.head(end_point_.rates.size()) = end_point_.state.head(end_point_.rates.size());
+    } else {
+      end_point_ = start_point_;
     }
     from = to;
     if (next == changes_.size())

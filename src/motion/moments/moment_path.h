@@ -63,7 +63,7 @@ private:
   Accuracy &counts_;
   MomentStep step_;
   MomentViews views_;
-  double unit_, longest_;
+  double unit_, event_tolerance_, longest_;
   int rung_ = 0;
   bool running_ = false;
   std::map<int, MomentTables> tables_;

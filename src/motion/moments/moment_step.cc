@@ -34,7 +34,7 @@ bool MomentStep::forceless(const contact::Mode &mode) {
 
 bool MomentStep::holds(const Equations &equations) {
   const auto &pairs = equations.contacts().pairs();
-  return equations.model().linear() &&
+  return equations.model().linear() && !pairs.empty() &&
          std::all_of(pairs.begin(), pairs.end(), [](const contact::ContactPair &pair) {
            return pair.law->n_internal() == 0 && !pair.law->rigid() && free_mode(*pair.law) >= 0;
          });
@@ -81,7 +81,7 @@ bool MomentStep::take(const Excitation &excitation) {
 }
 
 void MomentStep::start(const Vector &state, const Excitation &excitation, double time,
-                       const std::vector<int> &modes) {
+                       const std::vector<int> &modes, double uncertainty) {
   modes_ = modes;
   std::vector<double> inputs(static_cast<std::size_t>(excitation.size()));
   excitation.coordinates(time, inputs.data());
@@ -94,6 +94,7 @@ void MomentStep::start(const Vector &state, const Excitation &excitation, double
   const Vector rows = phase_->columns() * start_;
   largest_ = std::max(largest_, norm(rows));
   find_start(rows);
+  gap_rounding_ += 2 * uncertainty * start_rates_.cwiseAbs().maxCoeff();
 }
 
 void MomentStep::find_start(const Vector &rows) {

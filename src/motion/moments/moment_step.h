@@ -51,9 +51,10 @@ public:
   void begin();
   /// Under the present excitation. True when tables made before mean nothing now.
   bool take(const Excitation &excitation);
-  /// The step begins there, with the contacts in these modes.
+  /// The step begins there, with the contacts in these modes, perhaps at a contact change whose
+  /// instant is known to `uncertainty` [s].
   void start(const Vector &state, const Excitation &excitation, double time,
-             const std::vector<int> &modes);
+             const std::vector<int> &modes, double uncertainty);
   /// The same where the last step ended.
   void go_on(const Excitation &excitation, double time);
 

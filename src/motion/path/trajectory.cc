@@ -26,9 +26,11 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
   if (settings.method == "moments" && !MomentStep::holds(equations_))
     throw InputError("Method = moments needs a linear model and contacts with finite forces and "
                      "without internal states.");
-  if (settings.method == "moments")
-    moments_ =
-        std::make_unique<MomentPath>(equations_, steppers_.exact()->phases(), settings, counts_);
+  if (path_ && MomentStep::holds(equations_))
+    moments_ = std::make_unique<MomentPath>(equations_, steppers_.exact()->phases(), settings,
+                                            counts_);
+  if (moments_ && settings.method == "exact")
+    steppers_.exact()->phases().allow_crowded();
 }
 
 Trajectory::~Trajectory() = default;
