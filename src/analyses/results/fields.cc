@@ -35,6 +35,8 @@ struct AccuracyLabels {
                  "infinite sequences of rigid impacts that were completed at once"};
   Label contact_episodes{"contact_episodes", "1",
                          "contacts with a nonlinear law that were solved as a whole"};
+  Label moment_steps{"moment_steps", "1",
+                     "steps over contact changes of any number, by the moments of the forces"};
   Label stepped_contacts{"stepped_contacts", "1",
                          "contacts with a nonlinear law that were integrated in steps"};
   std::array<Label, motion::n_step_reasons> reasons{
@@ -120,6 +122,8 @@ void add_accuracy(const FieldWriter &result, const motion::Accuracy &accuracy,
   listed.number(labels.chatters, static_cast<double>(accuracy.chatters));
   listed.number(labels.contact_episodes, static_cast<double>(accuracy.contact_episodes));
   listed.number(labels.stepped_contacts, static_cast<double>(accuracy.stepped_contacts()));
+  const auto by_moments = static_cast<double>(accuracy.moment_steps);
+  (by_moments > 0 ? listed : result).number(labels.moment_steps, by_moments);
   for (std::size_t i = 0; i < motion::n_step_reasons; ++i) {
     const auto count = static_cast<double>(accuracy.step_reasons[i]);
     (count > 0 ? listed : result).number(labels.reasons[i], count);

@@ -100,6 +100,7 @@ bool MomentPath::advance(double &time, const Vector &state, double limit, const 
 
 void MomentPath::accept(double time, double error, bool on_ladder, const Report *report) {
   ++counts_.steps;
+  ++counts_.moment_steps;
   list_changes();
   if (report)
     show(time, *report);

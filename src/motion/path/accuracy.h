@@ -22,6 +22,7 @@ struct Accuracy {
   long undecided_events = 0;
   long chatters = 0;          ///< infinite sequences of impacts that were completed at once
   long contact_episodes = 0;  ///< nonlinear ones that were solved as a whole
+  long moment_steps = 0;      ///< over contact changes of any number
   StepReasons step_reasons{}; ///< nonlinear ones that were integrated in steps
 
   long stepped_contacts() const {
