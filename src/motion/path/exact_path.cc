@@ -13,12 +13,12 @@ namespace vibroimpact::motion {
 
 ExactPath::ExactPath(Equations &equations, ExactPhases &phases, const Settings &settings,
                      StallBound &progress, Accuracy &counts)
-    : equations_(equations), exact_phases_(phases), progress_(progress),
-      counts_(counts), limits_{.event_tolerance = settings.event_tolerance,
-                               .tolerance = settings.relative_tolerance,
-                               .longest_step = settings.maximum_step > 0
-                                                   ? settings.maximum_step
-                                                   : std::numeric_limits<double>::infinity()},
+    : equations_(equations), exact_phases_(phases), progress_(progress), counts_(counts),
+      kernel_(kernel()), limits_{.event_tolerance = settings.event_tolerance,
+                                 .tolerance = settings.relative_tolerance,
+                                 .longest_step = settings.maximum_step > 0
+                                                     ? settings.maximum_step
+                                                     : std::numeric_limits<double>::infinity()},
       phases_(equations, phases, settings.relative_tolerance),
       observation_(equations, phases, settings.relative_tolerance, counts),
       last_event_(-std::numeric_limits<double>::infinity()) {}
@@ -138,7 +138,7 @@ void ExactPath::part_the_phase(double time) {
 // To the phase beyond the guard that is passed. False: one of its guards falls at once.
 bool ExactPath::enter_phase(const Transition &next, std::size_t contact, double time) {
   double *const amplitudes = buffers_.next.data();
-  kernel().change(next.change->view(), march_.turned, amplitudes, guards_.next_rounding().data());
+  kernel_.change(next.change->view(), march_.turned, amplitudes, guards_.next_rounding().data());
   inputs_.renew(exact_phases_.excitation(), next.target->phase(), time, amplitudes);
   note_residual();
   const double uncertain =
@@ -226,7 +226,7 @@ bool ExactPath::advance(double &time, const Vector &state, double limit, long mo
     const long before = march_.pieces;
     const long undecided = march_.undecided;
     const double until = std::min(limit, observation_.part_limit());
-    end = kernel().advance(known_->view(), march_, until - origin_);
+    end = kernel_.advance(known_->view(), march_, until - origin_);
     counts_.steps += march_.pieces - before;
     counts_.undecided_events += march_.undecided - undecided;
     leave_if_stopped();

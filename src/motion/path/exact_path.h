@@ -102,6 +102,7 @@ private:
   ExactPhases &exact_phases_;
   StallBound &progress_;
   Accuracy &counts_;
+  const Kernel &kernel_;
   Limits limits_;
   KnownPhases phases_;
   PathObservation observation_;

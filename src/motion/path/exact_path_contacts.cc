@@ -21,7 +21,7 @@ bool ExactPath::enter_behind(Transition *behind, const PhaseEpisode &contact) {
   rounding.assign(rounding.size(), 0);
   contact.add_rounding(rounding.data());
   if (behind)
-    kernel().change(behind->change->view(), contact.after().data(), amplitudes, rounding.data());
+    kernel_.change(behind->change->view(), contact.after().data(), amplitudes, rounding.data());
   else
     std::copy(contact.after().begin(), contact.after().end(), amplitudes);
   const KnownPhase &phase = behind ? *behind->target : *known_;

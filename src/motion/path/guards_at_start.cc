@@ -16,12 +16,12 @@ bool GuardsAtStart::enter(const KnownPhase &phase, std::optional<std::size_t> co
   const std::vector<PhaseGuard> &guards = phase.guards();
   noise_.resize(guards.size());
   order_.assign(guards.size(), 0);
-  kernel().guard_noise(phase.view(), rounding.data(), noise_.data());
+  kernel_.guard_noise(phase.view(), rounding.data(), noise_.data());
   for (std::size_t g = 0; g < guards.size(); ++g) {
     if (contact && guards[g].contact != *contact)
       continue;
     double f[4];
-    kernel().derivatives(phase.view(), static_cast<int>(g), amplitudes, f);
+    kernel_.derivatives(phase.view(), static_cast<int>(g), amplitudes, f);
     const double noise = known_to(g, f);
     if (f[0] < -noise || (f[0] <= noise && !(f[1] > 0)))
       return false;
@@ -33,12 +33,12 @@ bool GuardsAtStart::enter(const KnownPhase &phase, std::optional<std::size_t> co
 void GuardsAtStart::stay(const KnownPhase &phase) {
   noise_.resize(phase.guards().size());
   order_.assign(phase.guards().size(), 0);
-  kernel().guard_noise(phase.view(), rounding_.data(), noise_.data());
+  kernel_.guard_noise(phase.view(), rounding_.data(), noise_.data());
 }
 
 double GuardsAtStart::hidden(const PhaseView &view, std::size_t guard,
                              const double *amplitudes) const {
-  return guard_rounding * kernel().guard_size(view, static_cast<int>(guard), amplitudes) +
+  return guard_rounding * kernel_.guard_size(view, static_cast<int>(guard), amplitudes) +
          noise_[guard];
 }
 

@@ -35,6 +35,7 @@ public:
   std::vector<unsigned char> &order() { return order_; }
 
 private:
+  const Kernel &kernel_ = kernel();
   AlignedArray rounding_, next_rounding_, noise_;
   std::vector<unsigned char> order_;
 };
