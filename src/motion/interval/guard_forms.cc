@@ -36,6 +36,14 @@ LinearRow linear_row(const Equations &equations, std::size_t contact,
   return result;
 }
 
+contact::AffineForm force_along(const contact::Mode &mode, int direction) {
+  if (direction == 0)
+    return mode.affine->force;
+  return mode.holds(direction)
+             ? contact::AffineForm::force_along(direction)
+             : mode.affine->tangential_force[static_cast<std::size_t>(direction - 1)];
+}
+
 GuardForms guard_forms(const Equations &equations) {
   const auto n_sources = static_cast<Index>(equations.model().sources().size());
   GuardForms forms{.rows = Matrix(0, equations.layout().physical_size() + 3 * n_sources),

@@ -316,9 +316,12 @@ bool ExactPath::begin_guards(const KnownPhase &phase, std::optional<std::size_t>
     double f[4];
     kernel_.derivatives(phase.view(), static_cast<int>(g), amplitudes.data(), f);
     const double noise = known_to(g, f);
-    if (f[0] < -noise || (f[0] <= noise && !(f[1] > 0)))
+    if (f[0] > noise)
+      continue;
+    const int order = f[0] < -noise ? 0 : rising_order(phase, g, amplitudes.data(), f);
+    if (order == 0)
       return false;
-    order_[g] = f[0] <= noise ? 1 : 0;
+    order_[g] = static_cast<unsigned char>(order);
   }
   return true;
 }
@@ -336,12 +339,32 @@ void ExactPath::renew_inputs(const ExactPhase &phase, double time, double *ampli
     amplitudes[phase.places()[first + k]] = inputs_[k];
 }
 
+// The contact has changed and the motion stands in another phase, at the amplitudes next_.
+void ExactPath::enter(double time, KnownPhase &target) {
+  const auto passed = static_cast<std::size_t>(march_.guard);
+  progress_.note(known_->guards()[passed].contact, time, known_->view().fastest,
+                 time_tolerance(time));
+  if (observer_)
+    report_change(time);
+  else
+    ++counts_.events;
+  last_event_ = origin_ = time;
+  std::swap(rounding_, next_rounding_);
+  double *const before = march_.amplitudes;
+  march_.amplitudes = next_.data();
+  (before == amplitudes_.data() ? amplitudes_ : turned_).swap(next_);
+  start_walk(target);
+  begin_part(time);
+}
+
 // False: the change is left to others; the motion stands before it.
 bool ExactPath::change_phase(double limit, long &most_events) {
   const double time = origin_ + march_.time + march_.to_guard;
   const auto passed = static_cast<std::size_t>(march_.guard);
   if (time - last_event_ <= time_tolerance(time) || progress_.slow())
     return false;
+  if (!equations_.contacts().pairs()[known_->guards()[passed].contact].tangential.empty())
+    return change_friction(time, passed);
   Transition *next = transition(passed);
   if (!next) {
     const std::optional<StepReason> left =
@@ -367,19 +390,7 @@ bool ExactPath::change_phase(double limit, long &most_events) {
     running_ = false;
     return false;
   }
-  progress_.note(known_->guards()[passed].contact, time, known_->view().fastest,
-                 time_tolerance(time));
-  if (observer_)
-    report_change(time);
-  else
-    ++counts_.events;
-  last_event_ = origin_ = time;
-  std::swap(rounding_, next_rounding_);
-  double *const before = march_.amplitudes;
-  march_.amplitudes = next_.data();
-  (before == amplitudes_.data() ? amplitudes_ : turned_).swap(next_);
-  start_walk(*next->target);
-  begin_part(time);
+  enter(time, *next->target);
   return true;
 }
 

@@ -138,6 +138,8 @@ private:
   void report_change(double time);
   void start_walk(KnownPhase &known);
   bool change_phase(double limit, long &most_events);
+  bool change_friction(double time, std::size_t passed);
+  void enter(double time, KnownPhase &target);
   ContactEpisodePart *contact_beyond(std::size_t guard);
   std::optional<StepReason> pass_contact(double time, std::size_t passed, double limit);
   Transition *phase_behind(std::size_t passed, const PhaseEpisode &contact);
@@ -151,6 +153,8 @@ private:
   bool begin_guards(const KnownPhase &phase, std::optional<std::size_t> contact,
                     const Amplitudes &amplitudes, const AlignedArray &rounding,
                     const KnownTo &known_to);
+  int rising_order(const KnownPhase &phase, std::size_t guard, const double *amplitudes,
+                   const double *derivatives) const;
   double hidden(const PhaseView &view, std::size_t guard, const double *amplitudes) const;
   double time_tolerance(double time) const;
   void note_pending(StepReason reason);

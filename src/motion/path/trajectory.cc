@@ -2,6 +2,7 @@
 
 #include "common/error.h"
 #include "common/signals.h"
+#include "motion/event/mode_change.h"
 #include "motion/path/exact_path.h"
 
 #include <algorithm>
@@ -65,6 +66,7 @@ void Trajectory::start(const MotionState &from) {
   state.head(layout().physical_size()) = from.physical;
   choose_initial_modes(from.time, state);
   scales_.begin(from.time, state);
+  settle_friction(equations_, scales_, from.time, state);
   collisions_.settle(from.time, settings_.event_tolerance, state);
   if (path_)
     path_->begin();

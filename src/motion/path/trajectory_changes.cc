@@ -13,6 +13,7 @@
 #include "motion/path/trajectory.h"
 
 #include "common/error.h"
+#include "motion/event/mode_change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,12 +79,11 @@ void Trajectory::change_mode(double instant, std::size_t contact, std::size_t gu
                      .layout = &layout()};
   const double stored =
       balance_.integrals ? equations_.contact_energy(contact, event.from, local) : 0;
-  double *const internal = state.data() + layout().internal() + pair.internal_offset;
-  for (std::size_t i = 0; i < passed.reset.size(); ++i)
-    internal[i] = passed.reset[i](local);
-  local.internal = {internal, local.internal.size()};
   const bool apart = !equations_.mode(contact).in_contact;
-  equations_.set_mode(contact, passed.target);
+  motion::pass_guard(equations_, contact, passed, instant, state);
+  event.to = equations_.modes()[contact];
+  local.internal = {state.data() + layout().internal() + pair.internal_offset,
+                    local.internal.size()};
   event.onset = apart && equations_.mode(contact).in_contact;
   // What the new mode stores no more is lost at this instant.
   if (balance_.integrals)

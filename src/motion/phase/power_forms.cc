@@ -106,13 +106,8 @@ void PowerForms::add_contact(const Equations &equations, std::size_t contact) {
   const contact::ContactPair &pair = equations.contacts().pairs()[contact];
   add_dissipation(equations, contact, layout.contact_work(static_cast<Index>(contact)),
                   &contact::LawResponse::dissipated_power);
-  const contact::AffineLaw &law = *equations.mode(contact).affine;
   for (int d = 0; d < pair.n_directions(); ++d) {
-    const contact::AffineForm &of =
-        d == 0 ? law.force : law.tangential_force[static_cast<std::size_t>(d - 1)];
-    const LinearRow force = linear_row(
-        equations, contact,
-        d > 0 && equations.mode(contact).holds(d) ? contact::AffineForm::force_along(d) : of);
+    const LinearRow force = linear_row(equations, contact, force_along(equations.mode(contact), d));
     if (d == 0)
       add(layout.impulse(static_cast<Index>(contact)), force, constant_row(equations, 1));
     const contact::Direction along = pair.along(d);

@@ -33,8 +33,9 @@ HighOrderStepper::HighOrderStepper(const Equations &equations, const Settings &s
                                               : std::numeric_limits<double>::infinity()),
       event_tolerance_(settings.event_tolerance),
       measure_(equations, settings.relative_tolerance, settings.absolute_tolerance),
-      source_step_(equations), error_(Vector::Zero(equations.layout().size())),
-      dense_error_(equations.layout().n), stages_(equations.layout().size(), method::stages),
+      source_step_(equations, settings.relative_tolerance),
+      error_(Vector::Zero(equations.layout().size())), dense_error_(equations.layout().n),
+      stages_(equations.layout().size(), method::stages),
       stage_state_(Vector::Zero(equations.layout().size())) {}
 
 void HighOrderStepper::forget() {
