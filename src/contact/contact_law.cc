@@ -13,8 +13,78 @@ double AffineForm::operator()(const LocalState &state) const {
     value += normal_force * state.normal_force;
   for (std::size_t i = 0; i < internal.size(); ++i)
     value += internal[i] * state.internal[i];
+  for (std::size_t k = 0; k < most_tangential; ++k)
+    if (!tangential[k].zero())
+      value += tangential[k].position * state.tangential[k].slip +
+               tangential[k].rate * state.tangential[k].slip_rate +
+               tangential[k].force * state.tangential[k].force;
   return value;
 }
+
+AffineForm AffineForm::position_along(int direction) {
+  AffineForm form;
+  (direction == 0 ? form.gap : form.tangential[static_cast<std::size_t>(direction - 1)].position) =
+      1;
+  return form;
+}
+
+AffineForm AffineForm::rate_along(int direction) {
+  AffineForm form;
+  (direction == 0 ? form.gap_rate : form.tangential[static_cast<std::size_t>(direction - 1)].rate) =
+      1;
+  return form;
+}
+
+AffineForm AffineForm::force_along(int direction) {
+  AffineForm form;
+  (direction == 0 ? form.normal_force
+                  : form.tangential[static_cast<std::size_t>(direction - 1)].force) = 1;
+  return form;
+}
+
+bool AffineForm::zero() const {
+  const auto is_zero = [](double c) { return c == 0; };
+  return constant == 0 && gap == 0 && gap_rate == 0 && normal_force == 0 &&
+         std::all_of(internal.begin(), internal.end(), is_zero) &&
+         std::all_of(tangential.begin(), tangential.end(),
+                     [](const DirectionForm &form) { return form.zero(); });
+}
+
+bool AffineForm::sees_forces() const {
+  return normal_force != 0 ||
+         std::any_of(tangential.begin(), tangential.end(),
+                     [](const DirectionForm &form) { return form.force != 0; });
+}
+
+AffineForm &AffineForm::operator+=(const AffineForm &other) {
+  constant += other.constant;
+  gap += other.gap;
+  gap_rate += other.gap_rate;
+  normal_force += other.normal_force;
+  internal.resize(std::max(internal.size(), other.internal.size()), 0.0);
+  for (std::size_t i = 0; i < other.internal.size(); ++i)
+    internal[i] += other.internal[i];
+  for (std::size_t k = 0; k < most_tangential; ++k) {
+    tangential[k].position += other.tangential[k].position;
+    tangential[k].rate += other.tangential[k].rate;
+    tangential[k].force += other.tangential[k].force;
+  }
+  return *this;
+}
+
+AffineForm &AffineForm::operator*=(double factor) {
+  for (double *c : {&constant, &gap, &gap_rate, &normal_force})
+    *c *= factor;
+  for (double &c : internal)
+    c *= factor;
+  for (DirectionForm &form : tangential)
+    for (double *c : {&form.position, &form.rate, &form.force})
+      *c *= factor;
+  return *this;
+}
+
+AffineForm operator*(double factor, AffineForm form) { return form *= factor; }
+AffineForm operator+(AffineForm form, const AffineForm &other) { return form += other; }
 
 ContactLaw::ContactLaw(std::vector<Mode> modes, std::vector<double> initial_internal)
     : modes_(std::move(modes)), initial_internal_(std::move(initial_internal)) {}
@@ -24,6 +94,11 @@ bool ContactLaw::rigid() const {
     return std::any_of(mode.guards.begin(), mode.guards.end(),
                        [](const Guard &guard) { return guard.action == GuardAction::impact; });
   });
+}
+
+bool ContactLaw::always_in_contact() const {
+  return std::all_of(modes_.begin(), modes_.end(),
+                     [](const Mode &mode) { return mode.in_contact; });
 }
 
 std::optional<ElasticForce> ContactLaw::elastic_force() const {

@@ -11,10 +11,15 @@
 // is positive while the mode holds and falls through zero when it ends. Because guards are affine,
 // an integrator can isolate their zeros safely without knowing which law it serves.
 //
+// Along tangential directions the two sides may slide on each other. What a law sees there is the
+// slip of side b on side a; the tangential force acts on the coordinates as the normal one does. A
+// mode may hold the slip rate at zero (the sides stick), by whatever force that takes.
+//
 // Rigid laws give no finite force. A guard may end its mode by an impact, in which the velocities
 // jump; a mode may hold the gap, so that the force is whatever keeps the gap rate at zero.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -23,23 +28,60 @@
 
 namespace vibroimpact::contact {
 
+/// Directions in which two sides can slide on each other, at most.
+constexpr std::size_t most_tangential = 2;
+
+struct TangentialState {
+  double slip = 0;      ///< displacement of side b relative to side a [m]
+  double slip_rate = 0; ///< of the two surfaces: its time derivative and their own speed [m/s]
+  double force = 0;     ///< in modes that hold the slip rate: the force that does it [N]
+};
+
 struct LocalState {
   double gap = 0;      ///< [m]
   double gap_rate = 0; ///< [m/s]
   std::span<const double> internal{};
   double normal_force = 0; ///< in modes that hold the gap: the force that does it [N]
+  std::array<TangentialState, most_tangential> tangential{};
 };
 
-/// constant + gap g + gap_rate g' + internal . z + normal_force F
+/// What an affine form has of one direction: position u + rate u' + force F.
+struct DirectionForm {
+  double position = 0;
+  double rate = 0;
+  double force = 0; ///< of modes that hold the rate of that direction
+
+  bool zero() const { return position == 0 && rate == 0 && force == 0; }
+};
+
+/// constant + gap g + gap_rate g' + internal . z + normal_force F + the same of tangential
+/// directions
 struct AffineForm {
   double constant = 0;
   double gap = 0;
   double gap_rate = 0;
   std::vector<double> internal{}; ///< empty: all zero
   double normal_force = 0;        ///< of modes that hold the gap
+  std::array<DirectionForm, most_tangential> tangential{};
 
   double operator()(const LocalState &state) const;
+  /// Of direction 0, the normal, or of the tangential directions 1, 2.
+  DirectionForm along(int direction) const {
+    return direction == 0 ? DirectionForm{.position = gap, .rate = gap_rate, .force = normal_force}
+                          : tangential[static_cast<std::size_t>(direction - 1)];
+  }
+  /// Of the position, the rate or the held force along a direction alone.
+  static AffineForm position_along(int direction);
+  static AffineForm rate_along(int direction);
+  static AffineForm force_along(int direction);
+  bool zero() const;
+  /// Does it have the force of a mode that holds something?
+  bool sees_forces() const;
+  AffineForm &operator+=(const AffineForm &other);
+  AffineForm &operator*=(double factor);
 };
+AffineForm operator*(double factor, AffineForm form);
+AffineForm operator+(AffineForm form, const AffineForm &other);
 
 enum class GuardAction {
   change_mode, ///< the target is entered, positions and velocities stay
@@ -52,12 +94,23 @@ struct Guard {
   /// New internal states at that instant, as affine forms of the local state; empty: unchanged.
   std::vector<AffineForm> reset{};
   GuardAction action = GuardAction::change_mode;
+  /// The friction begins: ContactLaw::mode_by_slip says which mode takes the place of the target.
+  bool by_slip = false;
 };
 
 /// Force and internal rates as affine forms, for modes in which the law is linear.
 struct AffineLaw {
   AffineForm force;
   std::vector<AffineForm> internal_rate{};
+  std::array<AffineForm, most_tangential> tangential_force{};
+  AffineForm sliding_speed{}; ///< LawResponse::sliding_speed
+};
+
+/// What the two sides do along the tangential directions.
+enum class Friction {
+  none, ///< no friction acts
+  stick,
+  slip,
 };
 
 struct Mode {
@@ -66,6 +119,20 @@ struct Mode {
   std::vector<Guard> guards{};       ///< in order of priority
   std::optional<AffineLaw> affine{}; ///< present where the law is affine in this mode
   bool holds_gap = false;            ///< the gap rate stays zero, by a force the law does not know
+  bool holds_slip = false;           ///< the slip rates stay zero, likewise
+  Friction friction = Friction::none;
+
+  bool holds() const { return holds_gap || holds_slip; }
+  /// Of direction 0, the normal, or of a tangential one.
+  bool holds(int direction) const { return direction == 0 ? holds_gap : holds_slip; }
+};
+
+/// Along one tangential direction.
+struct TangentialResponse {
+  double force = 0; ///< [N]; 0 in modes that hold the slip rate
+  AffineForm by{};  ///< its partial derivatives, as the coefficients of a form
+  /// Of the internal rates by the slip rate, n_internal() entries; empty: all zero.
+  std::vector<double> internal_rate_by_slip_rate{};
 };
 
 /// Values and partial derivatives of a law at one local state; arrays have n_internal() entries.
@@ -80,6 +147,10 @@ struct LawResponse {
   std::vector<double> internal_rate_by_gap{};
   std::vector<double> internal_rate_by_gap_rate{};
   std::vector<double> internal_rate_by_internal{}; ///< row-major n x n
+  // Of laws with friction:
+  std::array<TangentialResponse, most_tangential> tangential{};
+  double friction_power = 0; ///< the part of dissipated_power that friction takes [W]
+  double sliding_speed = 0;  ///< of the surfaces on each other, >= 0, no elastic part in it [m/s]
 };
 
 /// What an internal state is, for the results.
@@ -140,11 +211,19 @@ public:
   /// Force, internal rates, derivatives and energies. `response` keeps its storage between calls.
   virtual void evaluate(int mode, const LocalState &state, LawResponse &response) const = 0;
 
+  /// Tangential directions that the law sees.
+  virtual int n_tangential() const { return 0; }
+  /// The mode in place of `mode` by what the sides slide at: where friction begins, and where an
+  /// impact has changed the velocities.
+  virtual int mode_by_slip(int mode, const LocalState & /*state*/) const { return mode; }
+
   /// Separation speed over approach speed of an impact; for laws whose guards have that action.
   virtual double restitution(double /*approach_speed*/) const { return 0; }
 
   /// True when some guard is an impact: the sides cannot overlap.
   bool rigid() const;
+  /// True when the sides never part: there is no gap that could close.
+  bool always_in_contact() const;
 
   /// For laws of that form; nothing for all others.
   virtual std::optional<PowerLaw> power_law() const { return std::nullopt; }

@@ -2,11 +2,20 @@
 
 namespace vibroimpact::contact {
 
+Direction ContactPair::along(int direction) const {
+  if (direction == 0)
+    return {.projection = &gap, .offset = clearance};
+  const TangentialDirection &t = tangential[static_cast<std::size_t>(direction - 1)];
+  return {.projection = &t.slip, .speed = t.surface_speed};
+}
+
 ContactSet::ContactSet(std::vector<ContactPair> pairs, std::vector<ContactGroup> groups)
     : pairs_(std::move(pairs)), groups_(std::move(groups)) {
   for (ContactPair &pair : pairs_) {
     pair.internal_offset = n_internal_;
     n_internal_ += pair.n_internal();
+    if (!pair.tangential.empty())
+      pair.sliding_place = n_sliding_++;
   }
 }
 
@@ -18,8 +27,9 @@ Vector ContactSet::initial_internal() const {
   return internal;
 }
 
-double ContactSet::effective_mass(std::size_t pair, const model::Model &model) const {
-  const RowVector &row = pairs_.at(pair).gap.row;
+double ContactSet::effective_mass(std::size_t pair, const model::Model &model,
+                                  int direction) const {
+  const RowVector &row = pairs_.at(pair).along(direction).projection->row;
   return 1 / (row.cwiseAbs2() * model.mass().cwiseInverse()).value();
 }
 

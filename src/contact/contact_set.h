@@ -14,6 +14,21 @@
 
 namespace vibroimpact::contact {
 
+/// A direction in which the sides can slide on each other.
+struct TangentialDirection {
+  model::Projection slip;              ///< of u_b - u_a
+  double surface_speed = 0;            ///< of side b along it, as of a belt [m/s]
+  Vector3 direction = Vector3::Zero(); ///< t
+};
+
+/// One direction of a contact, the normal or a tangential one: position = offset + projection, its
+/// rate that of the projection + speed.
+struct Direction {
+  const model::Projection *projection = nullptr;
+  double offset = 0; ///< [m]
+  double speed = 0;  ///< [m/s]
+};
+
 struct ContactPair {
   std::string name;
   std::string side_a, side_b; ///< "body.point"; side_b is "stop" or "base" for a stop
@@ -24,11 +39,17 @@ struct ContactPair {
   std::string origin;        ///< where the parameter file declares it, for messages
   Index internal_offset = 0; ///< first internal state among those of all contacts
   std::string group{};       ///< the section whose pairing found it; empty for a contact by itself
-  Vector3 normal = Vector3::Zero();   ///< n
-  double least_flexibility_share = 0; ///< below it the check of the kept modes warns
-  double largest_impact_error = 0;    ///< above it too
+  Vector3 normal = Vector3::Zero();              ///< n
+  double least_flexibility_share = 0;            ///< below it the check of the kept modes warns
+  double largest_impact_error = 0;               ///< above it too
+  std::vector<TangentialDirection> tangential{}; ///< as many as the law sees
+  Index sliding_place = -1;                      ///< among the contacts with tangential directions
 
   int n_internal() const { return law->n_internal(); }
+  /// Directions 0, the normal, and 1, 2: all that affine forms of the local state see of the
+  /// motion.
+  int n_directions() const { return 1 + static_cast<int>(tangential.size()); }
+  Direction along(int direction) const;
 };
 
 /// The contacts that a section with a pairing stands for, one behind the other.
@@ -51,14 +72,18 @@ public:
   /// Internal states of all contacts together, and their values before the first contact.
   Index n_internal() const { return n_internal_; }
   Vector initial_internal() const;
+  /// Contacts with tangential directions.
+  Index n_sliding() const { return n_sliding_; }
 
-  /// 1 / (gap_row M^-1 gap_row^T): the mass that meets at the contact [kg].
-  double effective_mass(std::size_t pair, const model::Model &model) const;
+  /// 1 / (row M^-1 row^T): the mass that meets at the contact along a direction [kg]; infinite
+  /// where nothing can move.
+  double effective_mass(std::size_t pair, const model::Model &model, int direction = 0) const;
 
 private:
   std::vector<ContactPair> pairs_;
   std::vector<ContactGroup> groups_;
   Index n_internal_ = 0;
+  Index n_sliding_ = 0;
 };
 
 void declare_contacts(parameters::Section &root);

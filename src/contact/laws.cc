@@ -1,6 +1,8 @@
 #include "contact/laws.h"
 
+#include "contact/friction/tangential_laws.h"
 #include "contact/laws/bilinear_stop.h"
+#include "contact/laws/constant_force.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
@@ -27,6 +29,7 @@ struct LawEntry {
   /// Of laws with a key Effective mass: with this one unless the section gives another.
   std::shared_ptr<const ContactLaw> (*create_of_mass)(const parameters::Values &contact,
                                                       double effective_mass) = nullptr;
+  bool always_in_contact = false;
 };
 
 constexpr LawEntry laws[] = {
@@ -44,6 +47,8 @@ constexpr LawEntry laws[] = {
     {"kuwabara-kono", "Kuwabara-Kono", KuwabaraKono::declare, KuwabaraKono::create},
     {"newton restitution", "Newton restitution", NewtonRestitution::declare,
      NewtonRestitution::create},
+    {"constant force", "Constant force", ConstantForce::declare, ConstantForce::create, nullptr,
+     nullptr, true},
 };
 
 const LawEntry &chosen_law(const parameters::Values &contact) {
@@ -87,6 +92,10 @@ std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &c
   return law.create_with(contact, stiffness);
 }
 
+bool has_clearance(const parameters::Values &contact) {
+  return !chosen_law(contact).always_in_contact;
+}
+
 std::vector<std::string> unused_law_sections(const parameters::Values &contact) {
   const LawEntry &chosen = chosen_law(contact);
   std::vector<std::string> warnings;
@@ -94,6 +103,8 @@ std::vector<std::string> unused_law_sections(const parameters::Values &contact) 
     if (&law != &chosen && contact.subsection_given(law.section))
       warnings.push_back(contact.locate("Law") + ": the section " + law.section +
                          " is not used; it belongs to Law = " + law.name + ".");
+  for (std::string &warning : unused_friction_sections(contact))
+    warnings.push_back(std::move(warning));
   return warnings;
 }
 

@@ -23,6 +23,9 @@ std::shared_ptr<const ContactLaw> create_contact_law_of_mass(const parameters::V
 std::shared_ptr<const ContactLaw> create_contact_law(const parameters::Values &contact,
                                                      double stiffness);
 
+/// Has the chosen law a gap that can open? Else a contact needs no clearance.
+bool has_clearance(const parameters::Values &contact);
+
 /// One warning for each section of another law than the chosen one that the contact has.
 std::vector<std::string> unused_law_sections(const parameters::Values &contact);
 

@@ -2,10 +2,14 @@
 #include "contact/contact_group.h"
 #include "contact/contact_sections.h"
 #include "contact/contact_set.h"
+#include "contact/friction/frictional_law.h"
+#include "contact/friction/tangential_laws.h"
 #include "contact/laws.h"
 #include "contact/local_flexibility.h"
 #include "model/direction.h"
 #include "model/side.h"
+
+#include <cmath>
 
 namespace vibroimpact::contact {
 
@@ -16,6 +20,8 @@ using model::side_base;
 using parameters::Values;
 
 double read_clearance(const Values &contact) {
+  if (!has_clearance(contact) && !contact.has("Clearance"))
+    return 0;
   contact.require("Clearance");
   const double clearance = contact.quantity("Clearance");
   if (clearance < 0 && !contact.boolean("Prestressed"))
@@ -52,12 +58,54 @@ std::optional<double> lumped_mass(const Meeting &meeting, const model::Projectio
   return 1 / inverse;
 }
 
+/// The friction of one section.
+class FrictionMaker {
+public:
+  FrictionMaker(const Values &contact, const Model &model)
+      : friction_(contact.subsection("Friction")), model_(model) {
+    if (!has_friction(contact))
+      return;
+    law_ = create_tangential_law(contact);
+    friction_.require("Direction");
+    direction_ = model::read_direction(friction_, "Direction");
+    if (!model.rotors().empty())
+      friction_.reject("Law", "Law must be none in models with rotors.");
+  }
+
+  /// A pair with its normal law, and now with friction too.
+  void add(ContactPair &pair, const Meeting &meeting, const std::string &fixed) const {
+    if (!law_)
+      return;
+    if (const std::string reason = why_no_friction(*pair.law, *law_); !reason.empty())
+      friction_.reject("Law", "Law must be none with " + reason +
+                                  ", which Law = " + pair.law->name() + " of the contact has.");
+    constexpr double right_angle = 1e-9;
+    if (std::abs(direction_.dot(pair.normal)) > right_angle)
+      friction_.reject("Direction",
+                       "Direction must be at a right angle to the normal of the contact.");
+    pair.tangential.push_back({.slip = model::relative_displacement(
+                                   meeting.a, meeting.b, fixed != side_base, direction_, model_),
+                               .surface_speed = friction_.quantity("Surface speed"),
+                               .direction = direction_});
+    if (pair.tangential.front().slip.row.isZero(0))
+      friction_.reject("Direction", "Direction must be a direction along which at least one of the "
+                                    "two sides can move.");
+    pair.law = std::make_shared<FrictionalLaw>(pair.law, law_);
+  }
+
+private:
+  Values friction_;
+  const Model &model_;
+  std::shared_ptr<const TangentialLaw> law_; ///< none: no friction
+  Vector3 direction_ = Vector3::Zero();
+};
+
 /// Makes the contacts of one section; those without a stiffness fraction share one law.
 class ContactMaker {
 public:
   ContactMaker(const Values &contact, const Model &model,
                const std::optional<double> &effective_mass = {})
-      : contact_(contact), model_(model) {
+      : contact_(contact), model_(model), friction_(contact, model) {
     if (!contact.has("Stiffness fraction"))
       law_ = effective_mass ? create_contact_law_of_mass(contact, *effective_mass)
                             : create_contact_law(contact);
@@ -65,24 +113,28 @@ public:
 
   ContactPair pair(const std::string &name, const Meeting &meeting,
                    const std::string &fixed) const {
-    return {.name = name,
-            .side_a = model_.point_name(meeting.a),
-            .side_b = meeting.b ? model_.point_name(*meeting.b) : fixed,
-            .clearance = meeting.clearance,
-            .gap = model::relative_displacement(meeting.a, meeting.b, fixed != side_base,
-                                                meeting.normal, model_),
-            .law = law_ ? law_ : law_by_fraction(contact_, name, meeting, model_),
-            .accept_initial_penetration = contact_.choice("Initial penetration") == "accept" ||
-                                          contact_.boolean("Prestressed"),
-            .origin = contact_.locate("Clearance"),
-            .normal = meeting.normal,
-            .least_flexibility_share = contact_.quantity("Least flexibility share"),
-            .largest_impact_error = contact_.quantity("Largest impact error")};
+    ContactPair made{.name = name,
+                     .side_a = model_.point_name(meeting.a),
+                     .side_b = meeting.b ? model_.point_name(*meeting.b) : fixed,
+                     .clearance = meeting.clearance,
+                     .gap = model::relative_displacement(meeting.a, meeting.b, fixed != side_base,
+                                                         meeting.normal, model_),
+                     .law = law_ ? law_ : law_by_fraction(contact_, name, meeting, model_),
+                     .accept_initial_penetration =
+                         contact_.choice("Initial penetration") == "accept" ||
+                         contact_.boolean("Prestressed"),
+                     .origin = contact_.locate("Clearance"),
+                     .normal = meeting.normal,
+                     .least_flexibility_share = contact_.quantity("Least flexibility share"),
+                     .largest_impact_error = contact_.quantity("Largest impact error")};
+    friction_.add(made, meeting, fixed);
+    return made;
   }
 
 private:
   const Values &contact_;
   const Model &model_;
+  FrictionMaker friction_;
   std::shared_ptr<const ContactLaw> law_;
 };
 
@@ -112,7 +164,7 @@ ContactPair read_contact(const ContactSection &section, const std::string &name,
       model::relative_displacement(meeting.a, meeting.b, fixed != side_base, meeting.normal, model);
   ContactPair pair =
       ContactMaker(contact, model, lumped_mass(meeting, gap, model)).pair(name, meeting, fixed);
-  if (pair.gap.row.isZero(0))
+  if (pair.gap.row.isZero(0) && !pair.law->always_in_contact())
     contact.reject(
         "Direction",
         "Direction must be a direction along which at least one of the two sides can move.");
@@ -129,7 +181,7 @@ ContactGroup read_group(const Values &contact, const std::string &name, const Mo
   for (const Meeting &meeting : meetings.list) {
     const model::Projection gap = model::relative_displacement(
         meeting.a, meeting.b, meetings.fixed != side_base, meeting.normal, model);
-    if (gap.row.isZero(0)) {
+    if (gap.row.isZero(0) && has_clearance(contact)) {
       ++group.held;
       continue;
     }
@@ -184,6 +236,7 @@ void declare_contacts(parameters::Section &root) {
                 "short impact, or the impulse between rigid sides, too large by more than this "
                 "share.");
   declare_contact_laws(contact);
+  declare_friction(contact);
 }
 
 ContactSet read_contacts(const parameters::Values &root, const std::vector<std::string> &names,

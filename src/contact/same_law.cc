@@ -14,7 +14,7 @@ bool near(double a, double b) {
 
 bool same_guards(const Mode &a, const Mode &b, const LocalState &state) {
   if (a.guards.size() != b.guards.size() || a.in_contact != b.in_contact ||
-      a.holds_gap != b.holds_gap)
+      a.holds_gap != b.holds_gap || a.holds_slip != b.holds_slip)
     return false;
   for (std::size_t g = 0; g < a.guards.size(); ++g) {
     const Guard &one = a.guards[g], &other = b.guards[g];
@@ -33,6 +33,10 @@ bool same_response(const ContactLaw &a, const ContactLaw &b, int mode, const Loc
   LawResponse one, other;
   a.evaluate(mode, state, one);
   b.evaluate(mode, state, other);
+  for (int k = 0; k < a.n_tangential(); ++k)
+    if (const auto place = static_cast<std::size_t>(k);
+        !near(one.tangential[place].force, other.tangential[place].force))
+      return false;
   return near(one.force, other.force) &&
          std::equal(one.internal_rate.begin(), one.internal_rate.end(), other.internal_rate.begin(),
                     other.internal_rate.end(), near);
@@ -42,7 +46,7 @@ bool same_response(const ContactLaw &a, const ContactLaw &b, int mode, const Loc
 
 bool same_law(const ContactLaw &a, const ContactLaw &b, double size) {
   if (a.name() != b.name() || a.modes().size() != b.modes().size() ||
-      a.initial_internal() != b.initial_internal())
+      a.initial_internal() != b.initial_internal() || a.n_tangential() != b.n_tangential())
     return false;
   std::mt19937_64 generator(20); // NOLINT(cert-msc51-cpp): the same states in every run
   const auto random = [&] { return static_cast<double>(generator() >> 11) * 0x1p-52 - 1; };
@@ -50,8 +54,10 @@ bool same_law(const ContactLaw &a, const ContactLaw &b, double size) {
     std::vector<double> internal(a.initial_internal().size());
     for (double &value : internal)
       value = size * random();
-    const LocalState state{
-        .gap = size * random(), .gap_rate = size * random(), .internal = internal};
+    LocalState state{.gap = size * random(), .gap_rate = size * random(), .internal = internal};
+    for (int k = 0; k < a.n_tangential(); ++k)
+      state.tangential[static_cast<std::size_t>(k)] = {
+          .slip = size * random(), .slip_rate = size * random(), .force = random()};
     for (std::size_t mode = 0; mode < a.modes().size(); ++mode)
       if (!same_guards(a.modes()[mode], b.modes()[mode], state) ||
           !same_response(a, b, static_cast<int>(mode), state))

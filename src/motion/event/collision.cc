@@ -2,6 +2,7 @@
 
 #include "common/decompositions.h"
 #include "contact/impulses.h"
+#include "motion/event/mode_change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -311,6 +312,11 @@ Collisions::Outcome Collisions::report(const Instant &instant, std::size_t first
     if (change.onset || change.from != change.to)
       outcome.changes.insert(c == first ? outcome.changes.begin() : outcome.changes.end(), change);
   }
+  for (std::size_t c = 0; c < instant.modes.size(); ++c)
+    if (!equations_.contacts().pairs()[c].tangential.empty() &&
+        equations_.modes()[c] != instant.modes[c])
+      outcome.changes.push_back(
+          {.contact = c, .from = instant.modes[c], .to = equations_.modes()[c]});
   Collision &record = outcome.record;
   record.rows = gap_rows(equations_.contacts(), record.contacts, equations_.layout().n);
   record.response.resize(equations_.layout().n, static_cast<Index>(struck.size()));
@@ -333,6 +339,7 @@ Collisions::Outcome Collisions::resolve(double time, double time_tolerance, std:
   complete_chatter(instant, state);
   apply(instant, state);
   choose_modes(instant, state, std::vector<char>(instant.contacts.size(), 0));
+  renew_friction(equations_, scales_, time, state);
   return report(instant, first);
 }
 

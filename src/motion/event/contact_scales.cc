@@ -49,17 +49,26 @@ void ContactScales::note(double time, const Vector &state, bool with_forces) {
 ContactScales::Sizes ContactScales::terms(std::size_t contact, double time, const Vector &state,
                                           double elapsed) const {
   const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
+  Sizes largest{};
+  for (int d = 0; d < pair.n_directions(); ++d)
+    largest.include(terms(pair.along(d), time, state, elapsed));
+  return largest;
+}
+
+ContactScales::Sizes ContactScales::terms(const contact::Direction &along, double time,
+                                          const Vector &state, double elapsed) const {
   const StateLayout &layout = equations_.layout();
-  Sizes terms{.gap = std::abs(pair.clearance)};
+  const model::Projection &projection = *along.projection;
+  Sizes terms{.gap = std::abs(along.offset), .gap_rate = std::abs(along.speed)};
   for (Index j = 0; j < layout.n; ++j) {
-    const double row = std::abs(pair.gap.row[j]);
+    const double row = std::abs(projection.row[j]);
     const double q = std::abs(state[j]);
     const double v = std::abs(state[layout.velocity() + j]);
     terms.gap += row * (q + v * std::min(elapsed, turning_time_[j]));
     terms.gap_rate += row * (v + q / turning_time_[j]);
   }
-  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k) {
-    const double factor = pair.gap.base_coefficients[k];
+  for (std::size_t k = 0; k < projection.base_coefficients.size(); ++k) {
+    const double factor = projection.base_coefficients[k];
     if (factor == 0)
       continue;
     const model::TimeFunction &function = *equations_.model().sources()[k].function;
@@ -70,8 +79,10 @@ ContactScales::Sizes ContactScales::terms(std::size_t contact, double time, cons
 }
 
 void ContactScales::include_forces(std::size_t contact, double time, const Vector &state) {
-  acceleration_ = std::max(acceleration_, equations_.acceleration_rounding(contact, time, state) /
-                                              rounding_factor);
+  const int directions = equations_.contacts().pairs()[contact].n_directions();
+  for (int d = 0; d < directions; ++d)
+    acceleration_ = std::max(
+        acceleration_, equations_.acceleration_rounding(contact, time, state, d) / rounding_factor);
   if (highest_ > 0 && std::isfinite(acceleration_))
     largest_.include(
         {.gap = acceleration_ / (highest_ * highest_), .gap_rate = acceleration_ / highest_});
@@ -90,20 +101,32 @@ double ContactScales::speed(std::size_t contact) const {
 }
 
 double ContactScales::error(std::size_t contact, const contact::AffineForm &form) const {
-  double sum = std::abs(form.gap) * length(contact) + std::abs(form.gap_rate) * speed(contact);
+  double sum = 0;
+  const int directions = equations_.contacts().pairs()[contact].n_directions();
+  for (int d = 0; d < directions; ++d) {
+    const contact::DirectionForm of = form.along(d);
+    sum += std::abs(of.position) * length(contact) + std::abs(of.rate) * speed(contact);
+  }
   for (const double coefficient : form.internal)
     sum += std::abs(coefficient) * length(contact);
-  if (form.normal_force != 0)
-    sum += std::abs(form.normal_force) *
-           equations_.contacts().effective_mass(contact, equations_.model()) *
-           (share * acceleration_ + absolute_speed_ * highest_);
+  for (int d = 0; d < directions; ++d)
+    if (const double factor = form.along(d).force; factor != 0)
+      sum += std::abs(factor) *
+             equations_.contacts().effective_mass(contact, equations_.model(), d) *
+             (share * acceleration_ + absolute_speed_ * highest_);
   return sum;
 }
 
 double ContactScales::error_of_step(std::size_t contact, const contact::AffineForm &form,
                                     double end, const Vector &state) const {
-  const Sizes sizes = terms(contact, end, state, 0);
-  return share * (std::abs(form.gap) * sizes.gap + std::abs(form.gap_rate) * sizes.gap_rate);
+  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
+  double sum = 0;
+  for (int d = 0; d < pair.n_directions(); ++d) {
+    const Sizes sizes = terms(pair.along(d), end, state, 0);
+    const contact::DirectionForm of = form.along(d);
+    sum += share * (std::abs(of.position) * sizes.gap + std::abs(of.rate) * sizes.gap_rate);
+  }
+  return sum;
 }
 
 } // namespace vibroimpact::motion

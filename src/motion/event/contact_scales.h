@@ -31,11 +31,11 @@ public:
   /// The motion has come to `time`. `with_forces`: those count too, which takes longer.
   void note(double time, const Vector &state, bool with_forces = false);
 
-  /// Error of a contact's gap [m].
+  /// Error of a contact's gap, and of its slips [m].
   double length(std::size_t contact) const;
   /// The part of it that is rounding [m].
   double rounding(std::size_t contact) const;
-  /// Error of its gap rate [m/s].
+  /// Error of their rates [m/s].
   double speed(std::size_t contact) const;
   /// Error of an affine form of its local state.
   double error(std::size_t contact, const contact::AffineForm &form) const;
@@ -50,6 +50,8 @@ private:
     void include(const Sizes &other);
   };
   Sizes terms(std::size_t contact, double time, const Vector &state, double elapsed) const;
+  Sizes terms(const contact::Direction &along, double time, const Vector &state,
+              double elapsed) const;
   void include_forces(std::size_t contact, double time, const Vector &state);
 
   const Equations &equations_;

@@ -62,16 +62,16 @@ private:
   std::vector<Bernstein> coordinates_, velocities_, others_;
 };
 
-double force_at(const StepView &view, std::size_t contact, double time, const Vector &state) {
-  return view.equations()
-      .local_state(contact, time, ConstVectorView(state.data(), state.size()))
-      .normal_force;
+double force_at(const StepView &view, std::size_t contact, int direction, double time,
+                const Vector &state) {
+  return contact::AffineForm::force_along(direction)(
+      view.equations().local_state(contact, time, ConstVectorView(state.data(), state.size())));
 }
 
 } // namespace
 
-Bernstein constraint_force(const StepView &view, std::size_t contact) {
-  if (!view.equations().mode(contact).holds_gap)
+Bernstein constraint_force(const StepView &view, std::size_t contact, int direction) {
+  if (!view.equations().mode(contact).holds(direction))
     return Bernstein(0);
   static const Matrix to_coefficients = coefficients_from_values();
   const DenseState motion(view);
@@ -79,10 +79,10 @@ Bernstein constraint_force(const StepView &view, std::size_t contact) {
   Vector state;
   for (Index i = 1; i < degree; ++i) {
     motion.at(node(i), state);
-    values[i] = force_at(view, contact, view.start() + node(i) * view.length(), state);
+    values[i] = force_at(view, contact, direction, view.start() + node(i) * view.length(), state);
   }
-  values[0] = force_at(view, contact, view.start(), view.start_state());
-  values[degree] = force_at(view, contact, view.end(), view.end_state());
+  values[0] = force_at(view, contact, direction, view.start(), view.start_state());
+  values[degree] = force_at(view, contact, direction, view.end(), view.end_state());
   Vector coefficients = to_coefficients * values;
   coefficients[0] = values[0];
   coefficients[degree] = values[degree];

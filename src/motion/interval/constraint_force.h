@@ -1,4 +1,4 @@
-// The force that holds a contact's gap, along one step.
+// The force that holds a direction of a contact, along one step.
 #pragma once
 
 #include "motion/interval/step_view.h"
@@ -6,7 +6,7 @@
 namespace vibroimpact::motion {
 
 /// Polynomial of degree 9 through the forces that the equations give for the dense states of the
-/// step at its ends, exactly, and at eight instants between. Zero of a contact that is not held.
-Bernstein constraint_force(const StepView &view, std::size_t contact);
+/// step at its ends, exactly, and at eight instants between. Zero of a direction that is not held.
+Bernstein constraint_force(const StepView &view, std::size_t contact, int direction);
 
 } // namespace vibroimpact::motion

@@ -1,7 +1,5 @@
 #include "motion/interval/guard_forms.h"
 
-#include <algorithm>
-
 namespace vibroimpact::motion {
 
 LinearRow linear_row(const Equations &equations, std::size_t contact,
@@ -10,25 +8,40 @@ LinearRow linear_row(const Equations &equations, std::size_t contact,
   const StateLayout &layout = equations.layout();
   const auto n_sources = static_cast<Index>(equations.model().sources().size());
   LinearRow result{.row = RowVector::Zero(layout.physical_size() + 3 * n_sources),
-                   .constant = form.constant + form.gap * pair.clearance};
+                   .constant = form.constant};
   RowVector &row = result.row;
-  row.head(layout.n) = form.gap * pair.gap.row;
-  row.segment(layout.velocity(), layout.n) = form.gap_rate * pair.gap.row;
+  for (int d = 0; d < pair.n_directions(); ++d) {
+    const contact::DirectionForm of = form.along(d);
+    const contact::Direction along = pair.along(d);
+    const std::vector<double> &base = along.projection->base_coefficients;
+    row.head(layout.n) += of.position * along.projection->row;
+    row.segment(layout.velocity(), layout.n) += of.rate * along.projection->row;
+    result.constant += of.position * along.offset + of.rate * along.speed;
+    for (std::size_t k = 0; k < base.size(); ++k) {
+      const Index source = layout.physical_size() + 3 * static_cast<Index>(k);
+      row[source] += of.position * base[k];
+      row[source + 1] += of.rate * base[k];
+    }
+  }
   for (std::size_t i = 0; i < form.internal.size(); ++i)
     row[layout.internal() + pair.internal_offset + static_cast<Index>(i)] = form.internal[i];
-  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k) {
-    const Index source = layout.physical_size() + 3 * static_cast<Index>(k);
-    row[source] = form.gap * pair.gap.base_coefficients[k];
-    row[source + 1] = form.gap_rate * pair.gap.base_coefficients[k];
-  }
-  if (form.normal_force == 0 || !equations.mode(contact).holds_gap)
+  if (!form.sees_forces() || !equations.mode(contact).holds())
     return result;
   const LinearSystem::ConstraintForces held = LinearSystem::constraint_forces(equations);
-  const auto place = std::find(held.contacts.begin(), held.contacts.end(), contact);
-  const Index k = place - held.contacts.begin();
-  row += form.normal_force * held.rows.row(k);
-  result.constant += form.normal_force * held.constants[k];
+  for (int d = 0; d < pair.n_directions(); ++d)
+    if (const Index k = equations.holding().place(contact, d); k < held.rows.rows()) {
+      row += form.along(d).force * held.rows.row(k);
+      result.constant += form.along(d).force * held.constants[k];
+    }
   return result;
+}
+
+contact::AffineForm force_along(const contact::Mode &mode, int direction) {
+  if (direction == 0)
+    return mode.affine->force;
+  return mode.holds(direction)
+             ? contact::AffineForm::force_along(direction)
+             : mode.affine->tangential_force[static_cast<std::size_t>(direction - 1)];
 }
 
 GuardForms guard_forms(const Equations &equations) {

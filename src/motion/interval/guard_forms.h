@@ -15,6 +15,9 @@ struct LinearRow {
 LinearRow linear_row(const Equations &equations, std::size_t contact,
                      const contact::AffineForm &form);
 
+/// The force along a direction in a mode that is affine: that of the law, or the one that holds it.
+contact::AffineForm force_along(const contact::Mode &mode, int direction);
+
 /// The guards of the contacts' present modes: constants + rows * [y, sources].
 struct GuardForms {
   Matrix rows;      ///< guards x (physical size + 3 sources)

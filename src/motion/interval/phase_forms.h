@@ -61,7 +61,9 @@ private:
   void add_loads(const Equations &equations);
   void add_damping(const Equations &equations);
   void add_contact(const Equations &equations, std::size_t contact);
-  void add_dissipation(const Equations &equations, std::size_t contact);
+  void add_friction(const Equations &equations, std::size_t contact);
+  void add_dissipation(const Equations &equations, std::size_t contact, Index entry,
+                       double contact::LawResponse::*power);
 
   std::vector<Index> entries_;
   Matrix rows_;

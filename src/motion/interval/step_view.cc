@@ -114,15 +114,18 @@ Bernstein StepView::coordinate(Index j) const {
   return Bernstein::hermite(length(), start.list(), end.list());
 }
 
-Bernstein StepView::gap(std::size_t contact) const {
-  const contact::ContactPair &pair = equations().contacts().pairs()[contact];
-  Bernstein gap = displacement(pair.gap);
-  gap += pair.clearance;
-  return gap;
+Bernstein StepView::position(std::size_t contact, int direction) const {
+  const contact::Direction along = equations().contacts().pairs()[contact].along(direction);
+  Bernstein position = displacement(*along.projection);
+  position += along.offset;
+  return position;
 }
 
-Bernstein StepView::gap_rate(std::size_t contact) const {
-  return velocity(equations().contacts().pairs()[contact].gap);
+Bernstein StepView::rate(std::size_t contact, int direction) const {
+  const contact::Direction along = equations().contacts().pairs()[contact].along(direction);
+  Bernstein rate = velocity(*along.projection);
+  rate += along.speed;
+  return rate;
 }
 
 Bernstein StepView::first_order_state(Index place) const {
@@ -141,34 +144,34 @@ Bernstein StepView::drive(Index i) const {
   return first_order_state(equations().layout().drive() + i);
 }
 
-Bernstein StepView::constraint_force(std::size_t contact) const {
-  return motion::constraint_force(*this, contact);
+Bernstein StepView::constraint_force(std::size_t contact, int direction) const {
+  return motion::constraint_force(*this, contact, direction);
 }
 
 Bernstein StepView::indicator(std::size_t contact, const contact::AffineForm &form) const {
+  const contact::ContactPair &pair = equations().contacts().pairs()[contact];
   Bernstein sum;
-  if (form.gap != 0) {
-    sum = gap(contact);
-    sum *= form.gap;
-  }
-  if (form.gap_rate != 0) {
-    Bernstein rate = gap_rate(contact);
-    rate *= form.gap_rate;
-    sum += rate;
+  const auto add = [&sum](double factor, Bernstein curve) {
+    curve *= factor;
+    if (sum.degree() == 0 && sum.start() == 0)
+      sum = curve;
+    else
+      sum += curve;
+  };
+  for (int d = 0; d < pair.n_directions(); ++d) {
+    const contact::DirectionForm of = form.along(d);
+    if (of.position != 0)
+      add(of.position, position(contact, d));
+    if (of.rate != 0)
+      add(of.rate, rate(contact, d));
   }
   sum += form.constant;
-  const Index first = equations().contacts().pairs()[contact].internal_offset;
   for (std::size_t i = 0; i < form.internal.size(); ++i)
-    if (form.internal[i] != 0) {
-      Bernstein term = internal(first + static_cast<Index>(i));
-      term *= form.internal[i];
-      sum += term;
-    }
-  if (form.normal_force != 0) {
-    Bernstein force = constraint_force(contact);
-    force *= form.normal_force;
-    sum += force;
-  }
+    if (form.internal[i] != 0)
+      add(form.internal[i], internal(pair.internal_offset + static_cast<Index>(i)));
+  for (int d = 0; d < pair.n_directions(); ++d)
+    if (form.along(d).force != 0)
+      add(form.along(d).force, constraint_force(contact, d));
   return sum;
 }
 

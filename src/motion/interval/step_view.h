@@ -58,14 +58,17 @@ public:
   /// One coordinate.
   Bernstein coordinate(Index j) const;
 
-  Bernstein gap(std::size_t contact) const;
+  Bernstein gap(std::size_t contact) const { return position(contact, 0); }
   /// Time derivative of the gap.
-  Bernstein gap_rate(std::size_t contact) const;
+  Bernstein gap_rate(std::size_t contact) const { return rate(contact, 0); }
+  /// Along a direction of a contact: the gap (0) or a slip, and its rate.
+  Bernstein position(std::size_t contact, int direction) const;
+  Bernstein rate(std::size_t contact, int direction) const;
   Bernstein internal(Index i) const;
   /// Torque of a motor.
   Bernstein drive(Index i) const;
-  /// The force that holds a contact's gap in its present mode; zero in other modes.
-  Bernstein constraint_force(std::size_t contact) const;
+  /// The force that holds a direction of a contact in its present mode; zero in other modes.
+  Bernstein constraint_force(std::size_t contact, int direction = 0) const;
   Bernstein indicator(std::size_t contact, const contact::AffineForm &form) const;
 
   ContactCurves contact_curves(std::size_t contact) const;

@@ -36,7 +36,8 @@ bool MomentStep::holds(const Equations &equations) {
   const auto &pairs = equations.contacts().pairs();
   return equations.model().linear() && !pairs.empty() &&
          std::all_of(pairs.begin(), pairs.end(), [](const contact::ContactPair &pair) {
-           return pair.law->n_internal() == 0 && !pair.law->rigid() && free_mode(*pair.law) >= 0;
+           return pair.tangential.empty() && pair.law->n_internal() == 0 && !pair.law->rigid() &&
+                  free_mode(*pair.law) >= 0;
          });
 }
 

@@ -112,7 +112,11 @@ bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
     return was_zero(g) ? std::numeric_limits<double>::infinity()
                        : guards_.hidden(known.view(), g, march_.amplitudes);
   };
-  if (!guards_.enter(known, {}, march_.amplitudes, guards_.rounding(), std::ref(known_to)))
+  const auto order = [&](std::size_t g, const double *f) {
+    return rising_order(known, g, march_.amplitudes, f);
+  };
+  if (!guards_.enter(known, {}, march_.amplitudes, guards_.rounding(), std::ref(known_to),
+                     std::ref(order)))
     return false;
   for (std::size_t g = 0; g < guards_.order().size(); ++g)
     if (guards_.order()[g] > 0 && !was_zero(g))
@@ -151,12 +155,28 @@ bool ExactPath::enter_phase(const Transition &next, std::size_t contact, double 
                        std::ref(known_to));
 }
 
+// The contact has changed and the motion stands in another phase, at the amplitudes `next`.
+void ExactPath::enter(double time, KnownPhase &target) {
+  progress_.note(passed_guard().contact, time, known_->view().fastest, time_tolerance(time));
+  if (observation_.observed())
+    observation_.report_change(time, passed_guard(), march_.turned);
+  else
+    ++counts_.events;
+  last_event_ = time;
+  guards_.take_next_rounding();
+  buffers_.take_next(march_);
+  start_walk(target, time);
+  begin_part(time);
+}
+
 // False: the change is left to others; the motion stands before it.
 bool ExactPath::change_phase(double limit, long &most_events) {
   const double time = origin_ + march_.time + march_.to_guard;
   const auto passed = static_cast<std::size_t>(march_.guard);
   if (time - last_event_ <= time_tolerance(time) || progress_.slow() || exact_phases_.crowded())
     return false;
+  if (!equations_.contacts().pairs()[passed_guard().contact].tangential.empty())
+    return change_friction(time);
   Transition *next = phases_.transition(*known_, passed);
   if (!next) {
     const std::optional<StepReason> left =
@@ -172,16 +192,7 @@ bool ExactPath::change_phase(double limit, long &most_events) {
     running_ = false;
     return false;
   }
-  progress_.note(passed_guard().contact, time, known_->view().fastest, time_tolerance(time));
-  if (observation_.observed())
-    observation_.report_change(time, passed_guard(), march_.turned);
-  else
-    ++counts_.events;
-  last_event_ = time;
-  guards_.take_next_rounding();
-  buffers_.take_next(march_);
-  start_walk(*next->target, time);
-  begin_part(time);
+  enter(time, *next->target);
   return true;
 }
 

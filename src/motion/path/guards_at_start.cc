@@ -12,7 +12,7 @@ void GuardsAtStart::begin(std::size_t largest) {
 
 bool GuardsAtStart::enter(const KnownPhase &phase, std::optional<std::size_t> contact,
                           const double *amplitudes, const AlignedArray &rounding,
-                          const KnownTo &known_to) {
+                          const KnownTo &known_to, const Order &order) {
   const std::vector<PhaseGuard> &guards = phase.guards();
   noise_.resize(guards.size());
   order_.assign(guards.size(), 0);
@@ -23,9 +23,12 @@ bool GuardsAtStart::enter(const KnownPhase &phase, std::optional<std::size_t> co
     double f[4];
     kernel_.derivatives(phase.view(), static_cast<int>(g), amplitudes, f);
     const double noise = known_to(g, f);
-    if (f[0] < -noise || (f[0] <= noise && !(f[1] > 0)))
+    if (f[0] > noise)
+      continue;
+    const int rises = f[0] < -noise ? 0 : order(g, f);
+    if (rises == 0)
       return false;
-    order_[g] = f[0] <= noise ? 1 : 0;
+    order_[g] = static_cast<unsigned char>(rises);
   }
   return true;
 }

@@ -1,6 +1,7 @@
 #include "motion/path/known_phases.h"
 
 #include "common/memory.h"
+#include "motion/event/mode_change.h"
 
 #include <cmath>
 #include <limits>
@@ -138,6 +139,16 @@ Transition *KnownPhases::behind(KnownPhase &from, std::size_t guard, const Phase
   static const std::vector<PhaseForms::Reset> none;
   renew(from, *behind, none);
   return behind.get();
+}
+
+KnownPhase *KnownPhases::behind_friction(const KnownPhase &from, const PhaseGuard &passed,
+                                         double time, Vector &state) {
+  set_modes_of(from);
+  pass_guard(equations_, passed.contact, equations_.mode(passed.contact).guards[passed.guard], time,
+             state);
+  KnownPhase *const target = present();
+  set_modes_of(from);
+  return target;
 }
 
 } // namespace vibroimpact::motion

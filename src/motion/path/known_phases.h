@@ -112,6 +112,10 @@ public:
   /// Where the law cuts its force off while the sides still overlap, the phase behind the contact
   /// is another one than that before. nullptr: the same.
   Transition *behind(KnownPhase &from, std::size_t guard, const PhaseEpisode &contact);
+  /// The phase that a contact with friction comes to through a guard (event/mode_change.h), where
+  /// `state` changes with it; nullptr: not linear. Leaves the equations in the modes of `from`.
+  KnownPhase *behind_friction(const KnownPhase &from, const PhaseGuard &passed, double time,
+                              Vector &state);
   /// The equations take the modes of a phase.
   void set_modes_of(const KnownPhase &phase) { set_modes(phase.linear.forms().contact_modes()); }
 

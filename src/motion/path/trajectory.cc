@@ -2,6 +2,7 @@
 
 #include "common/error.h"
 #include "common/signals.h"
+#include "motion/event/mode_change.h"
 #include "motion/moments/moment_path.h"
 #include "motion/path/exact_path.h"
 
@@ -27,8 +28,8 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
     throw InputError("Method = moments needs a linear model and contacts with finite forces and "
                      "without internal states.");
   if (path_ && MomentStep::holds(equations_))
-    moments_ = std::make_unique<MomentPath>(equations_, steppers_.exact()->phases(), settings,
-                                            counts_);
+    moments_ =
+        std::make_unique<MomentPath>(equations_, steppers_.exact()->phases(), settings, counts_);
   if (moments_ && settings.method == "exact")
     steppers_.exact()->phases().allow_crowded();
 }
@@ -66,6 +67,7 @@ void Trajectory::start(const MotionState &from) {
   state.head(layout().physical_size()) = from.physical;
   choose_initial_modes(from.time, state);
   scales_.begin(from.time, state);
+  settle_friction(equations_, scales_, from.time, state);
   collisions_.settle(from.time, settings_.event_tolerance, state);
   if (path_)
     path_->begin();

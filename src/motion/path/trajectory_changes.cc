@@ -13,6 +13,7 @@
 #include "motion/path/trajectory.h"
 
 #include "common/error.h"
+#include "motion/event/mode_change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +33,14 @@ constexpr long maximum_events_at_once = 100;
 // |factor| for which form = factor * other; 0 when there is none.
 double proportion(const AffineForm &form, const AffineForm &other) {
   const auto coefficients = [](const AffineForm &from, std::size_t n_internal) {
-    std::vector<double> list = {from.constant, from.gap, from.gap_rate, from.normal_force};
+    std::vector<double> list = {from.constant};
+    for (int d = 0; d <= static_cast<int>(contact::most_tangential); ++d) {
+      const contact::DirectionForm along = from.along(d);
+      list.insert(list.end(), {along.position, along.rate, along.force});
+    }
+    const std::size_t size = list.size() + n_internal;
     list.insert(list.end(), from.internal.begin(), from.internal.end());
-    list.resize(4 + n_internal, 0.0);
+    list.resize(size, 0.0);
     return list;
   };
   const std::size_t n_internal = std::max(form.internal.size(), other.internal.size());
@@ -73,12 +79,11 @@ void Trajectory::change_mode(double instant, std::size_t contact, std::size_t gu
                      .layout = &layout()};
   const double stored =
       balance_.integrals ? equations_.contact_energy(contact, event.from, local) : 0;
-  double *const internal = state.data() + layout().internal() + pair.internal_offset;
-  for (std::size_t i = 0; i < passed.reset.size(); ++i)
-    internal[i] = passed.reset[i](local);
-  local.internal = {internal, local.internal.size()};
   const bool apart = !equations_.mode(contact).in_contact;
-  equations_.set_mode(contact, passed.target);
+  motion::pass_guard(equations_, contact, passed, instant, state);
+  event.to = equations_.modes()[contact];
+  local.internal = {state.data() + layout().internal() + pair.internal_offset,
+                    local.internal.size()};
   event.onset = apart && equations_.mode(contact).in_contact;
   // What the new mode stores no more is lost at this instant.
   if (balance_.integrals)
@@ -105,9 +110,12 @@ std::vector<Trajectory::KnownZero> Trajectory::known_zeros(const Crossing &first
   const bool rounded = left <= negligible(contact, passed.indicator);
   zeros.push_back({.form = passed.indicator,
                    .size = rounded ? std::max(first.residual, left) : first.residual});
-  // A gap that was held is zero, whatever error of the integration it has.
+  // A gap that was held is zero, whatever error of the integration it has, and so is a slip rate.
   if (equations_.mode(contact).holds_gap)
     add({.gap = 1});
+  if (equations_.mode(contact).holds_slip)
+    for (int d = 1; d < equations_.contacts().pairs()[contact].n_directions(); ++d)
+      add(AffineForm::rate_along(d));
   if (stuck)
     for (const ZeroGuard &zero : zero_at_start_)
       if (zero.contact == contact)
@@ -213,14 +221,9 @@ void Trajectory::note_zero_guards(std::size_t contact, const std::vector<KnownZe
   const LocalState local =
       equations_.local_state(contact, time(), ConstVectorView(state.data(), state.size()));
   // The rate of an affine form is the form of the rates.
-  const LocalState rates{
-      .gap = local.gap_rate,
-      .gap_rate = equations_.gap_acceleration(
-          contact, time(),
-          ConstVectorView(rates_at_start.data() + layout().velocity(), layout().n)),
-      .internal = {rates_at_start.data() + layout().internal() +
-                       equations_.contacts().pairs()[contact].internal_offset,
-                   local.internal.size()}};
+  const LocalState rates =
+      equations_.local_rates(contact, time(), ConstVectorView(state.data(), state.size()),
+                             ConstVectorView(rates_at_start.data(), rates_at_start.size()));
   for (std::size_t g = 0; g < equations_.mode(contact).guards.size(); ++g) {
     if (find_zero_guard(contact, g) != zero_at_start_.end())
       continue;
@@ -231,7 +234,7 @@ void Trajectory::note_zero_guards(std::size_t contact, const std::vector<KnownZe
     for (const KnownZero &zero : known)
       noise = std::max(noise, proportion(form, zero.form) * zero.size);
     // Gaps are held, and forces hold them, with the error of the integration.
-    if (form.normal_force != 0 || guard_of(contact, g).action == contact::GuardAction::impact)
+    if (form.sees_forces() || guard_of(contact, g).action == contact::GuardAction::impact)
       noise = std::max(noise, negligible(contact, form));
     if (std::abs(form(local)) <= noise)
       zero_at_start_.push_back(

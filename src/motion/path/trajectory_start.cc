@@ -11,6 +11,8 @@ namespace vibroimpact::motion {
 void Trajectory::refuse_penetration(double time, const Vector &state) const {
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
     const contact::ContactPair &pair = equations_.contacts().pairs()[c];
+    if (pair.law->always_in_contact())
+      continue;
     const contact::LocalState local =
         equations_.local_state(c, time, ConstVectorView(state.data(), state.size()));
     constexpr double digits_of_input = 1e-9;

@@ -9,25 +9,35 @@ namespace vibroimpact::motion {
 
 namespace {
 
-// Local state of a contact as a vector: gap, its rate, internal states, the force that holds it.
-contact::LocalState local_state(const Vector &x, std::size_t n_internal) {
-  return {.gap = x[0],
-          .gap_rate = x[1],
-          .internal = {x.data() + 2, n_internal},
-          .normal_force = x[2 + static_cast<Index>(n_internal)]};
+// The forms that make up the local state of a contact: gap, its rate, internal states, the force
+// that holds it, and for each tangential direction slip, slip rate and the force that holds it.
+std::vector<contact::AffineForm> local_forms(const contact::ContactPair &pair) {
+  using contact::AffineForm;
+  const auto n_internal = static_cast<std::size_t>(pair.n_internal());
+  std::vector<AffineForm> forms = {AffineForm::position_along(0), AffineForm::rate_along(0)};
+  for (std::size_t i = 0; i < n_internal; ++i) {
+    forms.push_back({.internal = std::vector<double>(n_internal, 0.0)});
+    forms.back().internal[i] = 1;
+  }
+  forms.push_back(AffineForm::force_along(0));
+  for (int d = 1; d < pair.n_directions(); ++d)
+    forms.insert(forms.end(), {AffineForm::position_along(d), AffineForm::rate_along(d),
+                               AffineForm::force_along(d)});
+  return forms;
 }
 
-std::vector<LinearRow> local_rows(const Equations &equations, std::size_t contact,
-                                  std::size_t n_internal) {
-  std::vector<LinearRow> rows = {linear_row(equations, contact, {.gap = 1}),
-                                 linear_row(equations, contact, {.gap_rate = 1})};
-  for (std::size_t i = 0; i < n_internal; ++i) {
-    contact::AffineForm form{.internal = std::vector<double>(n_internal, 0.0)};
-    form.internal[i] = 1;
-    rows.push_back(linear_row(equations, contact, form));
-  }
-  rows.push_back(linear_row(equations, contact, {.normal_force = 1}));
-  return rows;
+// The local state with these values of local_forms().
+contact::LocalState local_state(const Vector &x, const contact::ContactPair &pair) {
+  const auto n_internal = static_cast<std::size_t>(pair.n_internal());
+  const double *next = x.data() + 2 + n_internal;
+  contact::LocalState state{.gap = x[0],
+                            .gap_rate = x[1],
+                            .internal = {x.data() + 2, n_internal},
+                            .normal_force = *next++};
+  for (int d = 1; d < pair.n_directions(); ++d, next += 3)
+    state.tangential[static_cast<std::size_t>(d - 1)] = {
+        .slip = next[0], .slip_rate = next[1], .force = next[2]};
+  return state;
 }
 
 LinearRow constant_row(const Equations &equations, double constant) {
@@ -92,28 +102,48 @@ void PowerForms::add_damping(const Equations &equations) {
 }
 
 void PowerForms::add_contact(const Equations &equations, std::size_t contact) {
-  add_dissipation(equations, contact);
   const StateLayout &layout = equations.layout();
   const contact::ContactPair &pair = equations.contacts().pairs()[contact];
-  const LinearRow force = linear_row(equations, contact, equations.mode(contact).affine->force);
-  add(layout.impulse(static_cast<Index>(contact)), force, constant_row(equations, 1));
-  LinearRow carried = constant_row(equations, 0);
-  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k)
-    carried.row[layout.physical_size() + 3 * static_cast<Index>(k) + 1] =
-        -pair.gap.base_coefficients[k];
-  add(layout.input_work(), force, carried);
+  add_dissipation(equations, contact, layout.contact_work(static_cast<Index>(contact)),
+                  &contact::LawResponse::dissipated_power);
+  for (int d = 0; d < pair.n_directions(); ++d) {
+    const LinearRow force = linear_row(equations, contact, force_along(equations.mode(contact), d));
+    if (d == 0)
+      add(layout.impulse(static_cast<Index>(contact)), force, constant_row(equations, 1));
+    const contact::Direction along = pair.along(d);
+    LinearRow carried = constant_row(equations, -along.speed);
+    for (std::size_t k = 0; k < along.projection->base_coefficients.size(); ++k)
+      carried.row[layout.physical_size() + 3 * static_cast<Index>(k) + 1] =
+          -along.projection->base_coefficients[k];
+    add(layout.input_work(), force, carried);
+  }
+  if (!pair.tangential.empty())
+    add_friction(equations, contact);
 }
 
-void PowerForms::add_dissipation(const Equations &equations, std::size_t contact) {
+void PowerForms::add_friction(const Equations &equations, std::size_t contact) {
+  const StateLayout &layout = equations.layout();
+  const contact::ContactPair &pair = equations.contacts().pairs()[contact];
+  const contact::AffineLaw &law = *equations.mode(contact).affine;
+  add_dissipation(equations, contact, layout.friction_work(pair.sliding_place),
+                  &contact::LawResponse::friction_power);
+  const LinearRow speed = linear_row(equations, contact, law.sliding_speed);
+  add(layout.sliding_way(pair.sliding_place), speed, constant_row(equations, 1));
+  add(layout.wear_work(pair.sliding_place), linear_row(equations, contact, law.force), speed);
+}
+
+void PowerForms::add_dissipation(const Equations &equations, std::size_t contact, Index entry,
+                                 double contact::LawResponse::*power) {
   const contact::ContactPair &pair = equations.contacts().pairs()[contact];
   const int mode = equations.modes()[contact];
-  const auto n_internal = static_cast<std::size_t>(pair.n_internal());
-  std::vector<LinearRow> rows = local_rows(equations, contact, n_internal);
+  std::vector<LinearRow> rows;
+  for (const contact::AffineForm &form : local_forms(pair))
+    rows.push_back(linear_row(equations, contact, form));
   contact::LawResponse response;
   const std::optional<Matrix> dissipated = quadratic_form(
       [&](const Vector &x) {
-        pair.law->evaluate(mode, local_state(x, n_internal), response);
-        return response.dissipated_power;
+        pair.law->evaluate(mode, local_state(x, pair), response);
+        return response.*power;
       },
       static_cast<Index>(rows.size()));
   if (!dissipated)
@@ -127,7 +157,7 @@ void PowerForms::add_dissipation(const Equations &equations, std::size_t contact
       force.row += factor * rows[j].row;
       force.constant += factor * rows[j].constant;
     }
-    add(equations.layout().contact_work(static_cast<Index>(contact)), rows[i], force);
+    add(entry, rows[i], force);
   }
 }
 

@@ -33,8 +33,9 @@ HighOrderStepper::HighOrderStepper(const Equations &equations, const Settings &s
                                               : std::numeric_limits<double>::infinity()),
       event_tolerance_(settings.event_tolerance),
       measure_(equations, settings.relative_tolerance, settings.absolute_tolerance),
-      source_step_(equations), error_(Vector::Zero(equations.layout().size())),
-      dense_error_(equations.layout().n), stages_(equations.layout().size(), method::stages),
+      source_step_(equations, settings.relative_tolerance),
+      error_(Vector::Zero(equations.layout().size())), dense_error_(equations.layout().n),
+      stages_(equations.layout().size(), method::stages),
       stage_state_(Vector::Zero(equations.layout().size())) {}
 
 void HighOrderStepper::forget() {
@@ -255,8 +256,29 @@ void HighOrderStepper::add_higher(EndPoint &point) {
       point.higher(first + i, 0) = second;
     }
     third += force * pair.gap.row.transpose();
+    if (!pair.tangential.empty())
+      add_friction(c, point);
   }
   third.array() /= model.mass().array();
+}
+
+// The rates of the tangential forces are their partial derivatives times the rates of the local
+// state; the law has been evaluated.
+void HighOrderStepper::add_friction(std::size_t c, EndPoint &point) const {
+  const contact::ContactPair &pair = equations_.contacts().pairs()[c];
+  const StateLayout &layout = equations_.layout();
+  const LocalState rates = equations_.local_rates(
+      c, point.time, view_of(point.state), ConstVectorView(point.rates.data(), point.rates.size()));
+  for (int d = 1; d < pair.n_directions(); ++d) {
+    const contact::TangentialResponse &response =
+        response_.tangential[static_cast<std::size_t>(d - 1)];
+    point.higher.col(0).segment(layout.velocity(), layout.n) +=
+        response.by(rates) * pair.along(d).projection->row.transpose();
+    for (std::size_t i = 0; i < response.internal_rate_by_slip_rate.size(); ++i)
+      point.higher(layout.internal() + pair.internal_offset + static_cast<Index>(i), 0) +=
+          response.internal_rate_by_slip_rate[i] *
+          rates.tangential[static_cast<std::size_t>(d - 1)].slip_rate;
+  }
 }
 
 bool HighOrderStepper::opening() const {

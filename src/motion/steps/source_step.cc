@@ -19,15 +19,25 @@ double third_derivative(const ExponentialForm &form, double time) {
   return sum;
 }
 
-SourceStep::SourceStep(const Equations &equations) : equations_(equations) {
+SourceStep::SourceStep(const Equations &equations, double relative)
+    : equations_(equations), relative_(relative) {
   for (std::size_t k = 0; k < equations.model().sources().size(); ++k) {
     const auto moved_by = [k](const contact::ContactPair &pair) {
-      return k < pair.gap.base_coefficients.size() && pair.gap.base_coefficients[k] != 0;
+      return !pair.tangential.empty() ||
+             (k < pair.gap.base_coefficients.size() && pair.gap.base_coefficients[k] != 0);
     };
     const std::vector<contact::ContactPair> &pairs = equations.contacts().pairs();
     if (std::any_of(pairs.begin(), pairs.end(), moved_by))
       moving_.push_back(k);
   }
+}
+
+bool SourceStep::sticks() const {
+  const ActiveConstraints &holding = equations_.holding();
+  for (Index k = 0; k < holding.size(); ++k)
+    if (holding.held(k).direction > 0)
+      return true;
+  return false;
 }
 
 double SourceStep::error(double time, double length, const Vector &tolerances) const {
@@ -47,7 +57,9 @@ double SourceStep::error(double time, double length, const Vector &tolerances) c
                         std::abs(rate[1]) + std::abs(bend[0]) + std::abs(bend[1]);
     const double missed = std::abs(middle - function.value(at(time + length / 2)));
     constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-    const double allowed = tolerances[static_cast<Index>(k)] + rounding * size;
+    double allowed = tolerances[static_cast<Index>(k)] + rounding * size;
+    if (sticks())
+      allowed = std::min(allowed, relative_ * size + rounding * size);
     largest = std::max(largest, missed > 0 ? missed / allowed : 0);
   }
   return largest;

@@ -76,7 +76,7 @@ TsStepper::TsStepper(Equations &equations, const Settings &settings, const std::
       maximum_step_(settings.maximum_step > 0 ? settings.maximum_step
                                               : std::numeric_limits<double>::infinity()),
       measure_(equations, settings.relative_tolerance, negligible_length(settings)),
-      source_step_(equations) {
+      source_step_(equations, settings.relative_tolerance) {
   const PetscInt size = static_cast<PetscInt>(equations.layout().size());
   check_petsc(VecCreateSeq(PETSC_COMM_SELF, size, &solution_), "VecCreateSeq");
   check_petsc(TSCreate(PETSC_COMM_SELF, &ts_), "TSCreate");

@@ -1,13 +1,15 @@
-// The contacts whose present mode holds the gap, as constraints of the equations of motion.
+// What the present modes of the contacts hold, as constraints of the equations of motion: gaps, and
+// the slip rates of contacts that stick.
 //
-// With q'' = q''_free + M^-1 W^T F, row k of W the gap row of the k-th held contact, the forces F
-// follow from
+// With q'' = q''_free + M^-1 W^T F, row k of W that of the k-th held direction of a contact, the
+// forces F follow from
 //
 //   gap'' + (a + b) gap' + a b gap = 0        a, b > 0 two rates of the contact [1/s]
+//   slip'' + a slip' = 0                      sides that stick do so where they are
 //
 // A motion that starts with gap = gap' = 0 keeps both at zero, whatever a and b are; they make what
 // rounding leaves die out instead of grow, and the two being different keeps the equations
-// diagonalizable. Forces of contacts that hold the same gap twice are shared equally.
+// diagonalizable. Forces of contacts that hold the same direction twice are shared equally.
 #pragma once
 
 #include "common/decompositions.h"
@@ -19,6 +21,12 @@
 
 namespace vibroimpact::motion {
 
+/// A direction of a contact: 0 the normal, 1, 2 tangential.
+struct HeldDirection {
+  std::size_t contact = 0;
+  int direction = 0;
+};
+
 class ActiveConstraints {
 public:
   ActiveConstraints() = default;
@@ -26,28 +34,29 @@ public:
   ActiveConstraints(const model::Model &model, const contact::ContactSet &contacts,
                     const std::vector<int> &modes);
 
-  bool empty() const { return contacts_.empty(); }
-  Index size() const { return static_cast<Index>(contacts_.size()); }
-  /// Index of the held contact k among all contacts.
-  std::size_t contact(Index k) const { return contacts_[static_cast<std::size_t>(k)]; }
+  bool empty() const { return held_.empty(); }
+  Index size() const { return static_cast<Index>(held_.size()); }
+  const HeldDirection &held(Index k) const { return held_[static_cast<std::size_t>(k)]; }
   bool holds(std::size_t contact) const;
+  /// The place of a direction among those that are held; size(): it is not.
+  Index place(std::size_t contact, int direction) const;
 
   const Matrix &rows() const { return rows_; }         ///< W
   const Matrix &response() const { return response_; } ///< M^-1 W^T
   /// Where rotors change the mass matrix with the position.
   void set_response(const Matrix &response);
 
-  double by_gap_rate(Index k) const { return rates_(k, 0) + rates_(k, 1); } ///< a + b [1/s]
-  double by_gap(Index k) const { return rates_(k, 0) * rates_(k, 1); }      ///< a b [1/s^2]
+  double by_rate(Index k) const { return rates_(k, 0) + rates_(k, 1); }     ///< a + b [1/s]
+  double by_position(Index k) const { return rates_(k, 0) * rates_(k, 1); } ///< a b [1/s^2]
 
-  /// Forces for which the gaps' accelerations change by `missing`, column by column:
+  /// Forces for which the accelerations along what is held change by `missing`, column by column:
   /// (W M^-1 W^T)^-1 missing.
   Matrix forces(const Matrix &missing) const;
 
 private:
-  std::vector<std::size_t> contacts_;
+  std::vector<HeldDirection> held_;
   Matrix rows_, response_;
-  Matrix rates_;                            ///< held contacts x 2
+  Matrix rates_;                            ///< held directions x 2; b = 0: held where it is
   std::shared_ptr<const LeastNorm> factor_; ///< of W M^-1 W^T
 };
 

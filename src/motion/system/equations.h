@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace vibroimpact::motion {
@@ -22,6 +23,7 @@ struct StateLayout {
   Index n_internal = 0; ///< internal states of all contacts
   Index n_drive = 0;    ///< torques of motors
   Index n_contacts = 0;
+  Index n_sliding = 0; ///< contacts with tangential directions
 
   Index velocity() const { return n; }
   Index internal() const { return 2 * n; }
@@ -32,8 +34,14 @@ struct StateLayout {
   Index damping_work() const { return integrals() + 2; }        ///< dissipated by C [J]
   Index impulse(Index contact) const { return integrals() + 3 + contact; }          ///< [N s]
   Index contact_work(Index contact) const { return impulse(contact) + n_contacts; } ///< dissipated
+  /// Of the contact at this place among those with tangential directions: energy that friction has
+  /// taken [J], integral of normal force times sliding speed [J], way of the surfaces on each other
+  /// [m].
+  Index friction_work(Index sliding) const { return integrals() + 3 + 2 * n_contacts + sliding; }
+  Index wear_work(Index sliding) const { return friction_work(sliding) + n_sliding; }
+  Index sliding_way(Index sliding) const { return wear_work(sliding) + n_sliding; }
   Index physical_size() const { return integrals(); }
-  Index size() const { return integrals() + 3 + 2 * n_contacts; }
+  Index size() const { return integrals() + 3 + 2 * n_contacts + 3 * n_sliding; }
 };
 
 class Equations {
@@ -49,7 +57,7 @@ public:
   const std::vector<int> &modes() const { return modes_; }
   void set_mode(std::size_t contact, int mode);
   const contact::Mode &mode(std::size_t contact) const;
-  /// The contacts whose gap is held in the present modes.
+  /// What is held in the present modes.
   const ActiveConstraints &holding() const { return constraints_; }
 
   /// The phase ends at `instant`, a break of the sources (+infinity: none). There they have the
@@ -65,7 +73,7 @@ public:
   /// In its present mode the contact has neither force nor internal states.
   bool inactive(std::size_t contact) const;
 
-  /// Gap, its rate, and the force that holds it; the internal states refer into `x`.
+  /// Gap, slips, their rates, and the forces that hold them; the internal states refer into `x`.
   contact::LocalState local_state(std::size_t contact, double time, ConstVectorView x) const;
 
   /// dx/dt
@@ -73,11 +81,21 @@ public:
   /// d(dx/dt)/dx, row by row: size x size.
   void jacobian(double time, ConstVectorView x, Matrix &jacobian) const;
 
-  /// Second derivative of a contact's gap from given accelerations.
-  double gap_acceleration(std::size_t contact, double time, ConstVectorView acceleration) const;
+  /// Second derivative of a contact's gap, or of the slip along a tangential direction, from given
+  /// accelerations.
+  double gap_acceleration(std::size_t contact, double time, ConstVectorView acceleration,
+                          int direction = 0) const;
+  /// The derivative of the local state by time, that of held forces left out; the internal rates
+  /// refer into `rates`, dx/dt at x.
+  contact::LocalState local_rates(std::size_t contact, double time, ConstVectorView x,
+                                  ConstVectorView rates) const;
 
-  /// Bound of the rounding error of that.
-  double acceleration_rounding(std::size_t contact, double time, const Vector &x) const;
+  /// Takes what is left of the slip rates that the present modes hold off the velocities.
+  void stop_slip(double time, Vector &x) const;
+
+  /// Bound of the rounding error of an acceleration.
+  double acceleration_rounding(std::size_t contact, double time, const Vector &x,
+                               int direction = 0) const;
 
   /// What a force along each row does: M^-1 rows^T at a position, n x rows.
   Matrix response_to(const Matrix &rows, double time, ConstVectorView x) const;
@@ -109,11 +127,26 @@ private:
     std::size_t source = 0;
     double factor = 0; ///< not zero
   };
+  /// A direction of a contact.
+  struct Component {
+    contact::Direction along;
+    std::vector<BaseCoefficient> base_coefficients; ///< that move it
+  };
+  const Component &component(std::size_t contact, int direction) const {
+    return components_[first_component_[contact] + static_cast<std::size_t>(direction)];
+  }
+  std::pair<double, double> motion_along(const Component &component, double time,
+                                         ConstVectorView x) const;
+  contact::LocalState local_motion(std::size_t contact, double time, ConstVectorView x) const;
+  double base_rate(const Component &component, double time) const;
   void list_acting();
   double add_contact(const Acting &acting, double time, ConstVectorView x, VectorView dxdt) const;
+  double add_friction(std::size_t contact, double time, VectorView dxdt) const;
+  void add_contact(std::size_t contact, double time, ConstVectorView x, Matrix &jacobian) const;
+  void add_friction(std::size_t contact, Matrix &jacobian) const;
   double hold(double time, ConstVectorView x, VectorView dxdt) const;
   void hold(Matrix &jacobian) const;
-  double force_magnitude(std::size_t contact, double time, const Vector &x) const;
+  double force_magnitude(std::size_t contact, int direction, double time, const Vector &x) const;
   double add_nonlinear_forces(double time, ConstVectorView x, VectorView dxdt) const;
   void add_cubic_stiffness(double time, ConstVectorView x, Matrix &jacobian) const;
   void couple_rotors(double time, ConstVectorView x, Matrix &jacobian) const;
@@ -127,11 +160,12 @@ private:
   double last_source_time_ = std::numeric_limits<double>::infinity();
   std::vector<std::vector<char>> inactive_; ///< per contact and mode: no force, no internal states
   std::vector<Acting> acting_;
-  std::vector<std::vector<BaseCoefficient>> base_coefficients_; ///< of each contact's gap
+  std::vector<Component> components_;        ///< of all contacts
+  std::vector<std::size_t> first_component_; ///< of each
   mutable ActiveConstraints
       constraints_; ///< its response follows the position where there are rotors
   mutable contact::LawResponse response_;
-  mutable Vector load_, elastic_, damping_, held_rates_;
+  mutable Vector load_, elastic_, damping_, held_rates_, held_forces_;
 };
 
 } // namespace vibroimpact::motion

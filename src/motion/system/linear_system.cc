@@ -80,15 +80,17 @@ void LinearSystem::hold(const Equations &equations) {
     missing.col(size() + 3 * s + 2) = w * load.acceleration.segment(n, n);
   }
   for (Index k = 0; k < holding.size(); ++k) {
-    const ContactPair &pair = equations.contacts().pairs()[holding.contact(k)];
-    missing.row(k).head(n) += holding.by_gap(k) * w.row(k);
-    missing.row(k).segment(n, n) += holding.by_gap_rate(k) * w.row(k);
-    missing(k, missing.cols() - 1) += holding.by_gap(k) * pair.clearance;
-    for (std::size_t s = 0; s < pair.gap.base_coefficients.size(); ++s)
+    const HeldDirection &held = holding.held(k);
+    const contact::Direction along =
+        equations.contacts().pairs()[held.contact].along(held.direction);
+    const std::vector<double> &base = along.projection->base_coefficients;
+    missing.row(k).head(n) += holding.by_position(k) * w.row(k);
+    missing.row(k).segment(n, n) += holding.by_rate(k) * w.row(k);
+    missing(k, missing.cols() - 1) +=
+        holding.by_position(k) * along.offset + holding.by_rate(k) * along.speed;
+    for (std::size_t s = 0; s < base.size(); ++s)
       missing.row(k).segment(size() + 3 * static_cast<Index>(s), 3) +=
-          pair.gap.base_coefficients[s] *
-          Eigen::RowVector3d(holding.by_gap(k), holding.by_gap_rate(k), 1);
-    constraint_forces_.contacts.push_back(holding.contact(k));
+          base[s] * Eigen::RowVector3d(holding.by_position(k), holding.by_rate(k), 1);
   }
   const Matrix forces = -holding.forces(missing);
   constraint_forces_.rows = forces.leftCols(forces.cols() - 1);
@@ -108,31 +110,40 @@ void LinearSystem::add_contact(const Equations &equations, std::size_t contact) 
   const ContactPair &pair = equations.contacts().pairs()[contact];
   const StateLayout &layout = equations.layout();
   const contact::AffineLaw &law = *affine_law(equations, contact);
-  Vector into = Vector::Zero(size());
-  into.segment(layout.n, layout.n) =
-      equations.model().mass().cwiseInverse().cwiseProduct(pair.gap.row.transpose());
-  add_form(equations, contact, law.force, into);
+  for (int d = 0; d < pair.n_directions(); ++d) {
+    Vector into = Vector::Zero(size());
+    into.segment(layout.n, layout.n) = equations.model().mass().cwiseInverse().cwiseProduct(
+        pair.along(d).projection->row.transpose());
+    add_form(equations, contact,
+             d == 0 ? law.force : law.tangential_force[static_cast<std::size_t>(d - 1)], into);
+  }
   for (std::size_t i = 0; i < law.internal_rate.size(); ++i)
     add_form(
         equations, contact, law.internal_rate[i],
         Vector::Unit(size(), layout.internal() + pair.internal_offset + static_cast<Index>(i)));
 }
 
-// y' += into * form(gap, gap rate, internal states)
+// y' += into * form(positions, rates, internal states)
 void LinearSystem::add_form(const Equations &equations, std::size_t contact,
                             const contact::AffineForm &form, const Vector &into) {
   const ContactPair &pair = equations.contacts().pairs()[contact];
   const StateLayout &layout = equations.layout();
-  matrix_.leftCols(layout.n) += form.gap * into * pair.gap.row;
-  matrix_.middleCols(layout.n, layout.n) += form.gap_rate * into * pair.gap.row;
+  double constant = form.constant;
+  for (int d = 0; d < pair.n_directions(); ++d) {
+    const contact::DirectionForm of = form.along(d);
+    const contact::Direction along = pair.along(d);
+    matrix_.leftCols(layout.n) += of.position * into * along.projection->row;
+    matrix_.middleCols(layout.n, layout.n) += of.rate * into * along.projection->row;
+    constant += of.position * along.offset + of.rate * along.speed;
+    for (std::size_t k = 0; k < along.projection->base_coefficients.size(); ++k) {
+      loads_[k].value += of.position * along.projection->base_coefficients[k] * into;
+      loads_[k].rate += of.rate * along.projection->base_coefficients[k] * into;
+    }
+  }
   for (std::size_t i = 0; i < form.internal.size(); ++i)
     matrix_.col(layout.internal() + pair.internal_offset + static_cast<Index>(i)) +=
         form.internal[i] * into;
-  constant_ += (form.constant + form.gap * pair.clearance) * into;
-  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k) {
-    loads_[k].value += form.gap * pair.gap.base_coefficients[k] * into;
-    loads_[k].rate += form.gap_rate * pair.gap.base_coefficients[k] * into;
-  }
+  constant_ += constant * into;
 }
 
 void LinearSystem::differentiate(Matrix &rows) const {

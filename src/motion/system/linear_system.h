@@ -20,12 +20,11 @@ public:
   struct Load {
     Vector value, rate, acceleration; ///< size() entries each: what s, s', s'' are multiplied by
   };
-  /// Forces of the contacts whose gap is held: constants + rows * [y, then s, s', s'' of each
-  /// source]
+  /// The forces of Equations::holding(), in its order: constants + rows * [y, then s, s', s'' of
+  /// each source]
   struct ConstraintForces {
-    std::vector<std::size_t> contacts;
-    Matrix rows;      ///< held contacts x (size + 3 sources)
-    Vector constants; ///< held contacts
+    Matrix rows;      ///< held directions x (size + 3 sources)
+    Vector constants; ///< held directions
   };
 
   Index size() const { return matrix_.rows(); }

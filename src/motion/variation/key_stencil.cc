@@ -19,6 +19,9 @@ constexpr double smooth = 3e-5;
 void append(const contact::AffineForm &form, std::vector<double> &list) {
   list.insert(list.end(), {form.constant, form.gap, form.gap_rate, form.normal_force});
   list.insert(list.end(), form.internal.begin(), form.internal.end());
+  for (const contact::DirectionForm &of : form.tangential)
+    if (!of.zero())
+      list.insert(list.end(), {of.position, of.rate, of.force});
 }
 
 Eigen::Map<const Vector> numbers_of(const ModelData &data) {
@@ -88,8 +91,12 @@ ModelData data_of(const model::Model &model, const contact::ContactSet &contacts
     for (const Vector *load : {&source.load, &source.rate_load, &source.inertial_load})
       add(*load);
   for (const contact::ContactPair &pair : contacts.pairs()) {
-    add(pair.gap.row);
-    add(Eigen::Map<const Vector>(&pair.clearance, 1));
+    for (int d = 0; d < pair.n_directions(); ++d) {
+      const contact::Direction along = pair.along(d);
+      add(along.projection->row);
+      const double place = along.offset + along.speed; // one of them is zero
+      add(Eigen::Map<const Vector>(&place, 1));
+    }
     for (const contact::Mode &mode : pair.law->modes())
       for (const contact::Guard &guard : mode.guards) {
         append(guard.indicator, numbers);

@@ -103,21 +103,26 @@ void KeyTangent::check_smoothness() const {
                          ": the motion has no derivative by it");
 }
 
-double KeyTangent::gap(std::size_t contact, double time, const Vector &state) const {
-  const GapTangent &tangent = data_->gaps()[contact];
-  return tangent.clearance + tangent.gap.row.dot(state.head(model_.size())) +
-         gap_by_sources(contact, time, 0);
+double KeyTangent::gap(std::size_t contact, double time, const Vector &state, int direction) const {
+  const DirectionTangent &tangent = data_->along(contact, direction);
+  return tangent.offset + tangent.projection.row.dot(state.head(model_.size())) +
+         gap_by_sources(contact, time, 0, direction);
 }
 
-double KeyTangent::gap_rate(std::size_t contact, double time, const Vector &state) const {
-  return data_->gaps()[contact].gap.row.dot(velocities(state, model_.size())) +
-         gap_by_sources(contact, time, 1);
+double KeyTangent::gap_rate(std::size_t contact, double time, const Vector &state,
+                            int direction) const {
+  const DirectionTangent &tangent = data_->along(contact, direction);
+  return tangent.projection.row.dot(velocities(state, model_.size())) + tangent.speed +
+         gap_by_sources(contact, time, 1, direction);
 }
 
-// Of the gap's derivative by time of the given order, through moving bases.
-double KeyTangent::gap_by_sources(std::size_t contact, double time, std::size_t order) const {
-  const std::vector<double> &own = contacts_.pairs()[contact].gap.base_coefficients;
-  const std::vector<double> &tangent = data_->gaps()[contact].gap.base_coefficients;
+// Of its derivative by time of the given order, through moving bases.
+double KeyTangent::gap_by_sources(std::size_t contact, double time, std::size_t order,
+                                  int direction) const {
+  const std::vector<double> &own =
+      contacts_.pairs()[contact].along(direction).projection->base_coefficients;
+  const std::vector<double> &tangent =
+      data_->along(contact, direction).projection.base_coefficients;
   double change = 0;
   for (std::size_t k = 0; k < own.size(); ++k) {
     if (own[k] != 0)
@@ -136,10 +141,13 @@ double KeyTangent::form(const Equations &equations, std::size_t contact, const P
   double change = 0;
   for (const Near &near : near_)
     change += near.weight * (pick(*near.data.contacts->pairs()[contact].law)(local) - value);
-  if (own.gap != 0)
-    change += own.gap * gap(contact, time, state);
-  if (own.gap_rate != 0)
-    change += own.gap_rate * gap_rate(contact, time, state);
+  for (int d = 0; d < contacts_.pairs()[contact].n_directions(); ++d) {
+    const contact::DirectionForm of = own.along(d);
+    if (of.position != 0)
+      change += of.position * gap(contact, time, state, d);
+    if (of.rate != 0)
+      change += of.rate * gap_rate(contact, time, state, d);
+  }
   return change;
 }
 
@@ -276,15 +284,19 @@ void KeyTangent::hold(const Equations &equations, double time, const Vector &sta
   auto accelerations = change.segment(n, n);
   Vector missing = -holding.rows() * accelerations;
   for (Index k = 0; k < holding.size(); ++k) {
-    const std::size_t c = holding.contact(k);
-    missing[k] -= data_->gaps()[c].gap.row.dot(velocities(rates, n)) + gap_by_sources(c, time, 2);
-    missing[k] -=
-        holding.by_gap_rate(k) * gap_rate(c, time, state) + holding.by_gap(k) * gap(c, time, state);
+    const auto [c, direction] = holding.held(k);
+    missing[k] -= data_->along(c, direction).projection.row.dot(velocities(rates, n)) +
+                  gap_by_sources(c, time, 2, direction);
+    missing[k] -= holding.by_rate(k) * gap_rate(c, time, state, direction) +
+                  holding.by_position(k) * gap(c, time, state, direction);
   }
   accelerations += holding.response() * holding.forces(missing);
 }
 
 Vector KeyTangent::rates(const Equations &equations, double time, const Vector &state) const {
+  if (equations.layout().n_sliding > 0)
+    throw NumericalError("contacts with friction have no known derivative by keys in models that "
+                         "are not linear between contact changes");
   const StateLayout &layout = equations.layout();
   const Index n = layout.n;
   Vector rates(layout.size());

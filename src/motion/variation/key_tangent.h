@@ -60,9 +60,9 @@ public:
 
   /// d(dx/dt)/dp of the physical state in the present modes of `equations`.
   Vector rates(const Equations &equations, double time, const Vector &state) const;
-  /// d(gap, gap rate)/dp of a contact.
-  double gap(std::size_t contact, double time, const Vector &state) const;
-  double gap_rate(std::size_t contact, double time, const Vector &state) const;
+  /// d(gap, gap rate)/dp of a contact, or of the slip along a tangential direction.
+  double gap(std::size_t contact, double time, const Vector &state, int direction = 0) const;
+  double gap_rate(std::size_t contact, double time, const Vector &state, int direction = 0) const;
 
   /// Picks an affine form of a law.
   using Pick = std::function<const contact::AffineForm &(const contact::ContactLaw &)>;
@@ -112,7 +112,7 @@ private:
   void add_rates_with_rotors(const Equations &equations, double time, const Vector &state,
                              const std::vector<SourceValues> &sources, const Vector &contact_forces,
                              const Vector &rates, Vector &change) const;
-  double gap_by_sources(std::size_t contact, double time, std::size_t order) const;
+  double gap_by_sources(std::size_t contact, double time, std::size_t order, int direction) const;
   Vector force_of_sources(const Equations &equations, double time, const Vector &state,
                           const std::vector<SourceValues> &sources) const;
   void hold(const Equations &equations, double time, const Vector &state, const Vector &rates,

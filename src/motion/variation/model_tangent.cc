@@ -62,7 +62,7 @@ ModelTangent::ModelTangent(const model::Model &model, const contact::ContactSet 
           [](const model::Model &of) -> const model::LinearForm & { return of.damping(); })) {
   take_loads(neighbours);
   take_springs(neighbours);
-  take_gaps(contacts, neighbours);
+  take_directions(contacts, neighbours);
 }
 
 void ModelTangent::take_loads(const Neighbours &neighbours) {
@@ -97,18 +97,22 @@ void ModelTangent::take_springs(const Neighbours &neighbours) {
   }
 }
 
-void ModelTangent::take_gaps(const contact::ContactSet &contacts, const Neighbours &neighbours) {
+void ModelTangent::take_directions(const contact::ContactSet &contacts,
+                                   const Neighbours &neighbours) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const contact::ContactPair &present = contacts.pairs()[c];
-    const auto of = [&](const WeightedModel &near) -> const contact::ContactPair & {
-      return near.contacts->pairs()[c];
-    };
-    gaps_.push_back(
-        {.clearance =
-             derivative<double>(present.clearance, neighbours,
-                                [&](const WeightedModel &near) { return of(near).clearance; }),
-         .gap = derivative_of_projection(present.gap, neighbours,
-                                         [&](const WeightedModel &near) { return of(near).gap; })});
+    std::vector<DirectionTangent> &directions = directions_.emplace_back();
+    for (int d = 0; d < contacts.pairs()[c].n_directions(); ++d) {
+      const contact::Direction present = contacts.pairs()[c].along(d);
+      const auto of = [&](const WeightedModel &near) { return near.contacts->pairs()[c].along(d); };
+      directions.push_back(
+          {.offset = derivative<double>(present.offset, neighbours,
+                                        [&](const WeightedModel &near) { return of(near).offset; }),
+           .speed = derivative<double>(present.speed, neighbours,
+                                       [&](const WeightedModel &near) { return of(near).speed; }),
+           .projection = derivative_of_projection(
+               *present.projection, neighbours,
+               [&](const WeightedModel &near) { return *of(near).projection; })});
+    }
   }
 }
 
@@ -141,9 +145,9 @@ Vector ModelTangent::force(ConstVectorView q, ConstVectorView velocity,
     force += sources[k][0] * loads_[k].load + sources[k][1] * loads_[k].rate_load +
              sources[k][2] * loads_[k].inertial_load;
   force -= cubic_forces(q, sources);
-  for (std::size_t c = 0; c < gaps_.size(); ++c)
+  for (std::size_t c = 0; c < directions_.size(); ++c)
     if (contact_forces[static_cast<Index>(c)] != 0)
-      force += contact_forces[static_cast<Index>(c)] * gaps_[c].gap.row.transpose();
+      force += contact_forces[static_cast<Index>(c)] * along(c, 0).projection.row.transpose();
   return force;
 }
 

@@ -23,10 +23,11 @@ struct WeightedModel {
   double weight = 0;
 };
 
-/// Of a contact: gap = clearance + row q + base_coefficients s.
-struct GapTangent {
-  double clearance = 0;
-  model::Projection gap;
+/// Of a direction of a contact (contact::Direction).
+struct DirectionTangent {
+  double offset = 0;
+  double speed = 0;
+  model::Projection projection;
 };
 
 class ModelTangent {
@@ -35,7 +36,9 @@ public:
   ModelTangent(const model::Model &model, const contact::ContactSet &contacts,
                const std::vector<WeightedModel> &neighbours);
 
-  const std::vector<GapTangent> &gaps() const { return gaps_; }
+  const DirectionTangent &along(std::size_t contact, int direction) const {
+    return directions_[contact][static_cast<std::size_t>(direction)];
+  }
 
   /// What the accelerations at a fixed state, fixed values of the sources and fixed contact forces
   /// [N] change by, as a force: dF/dp - dM/dp a. Rotors are left out.
@@ -54,7 +57,8 @@ private:
   };
   void take_loads(const std::vector<WeightedModel> &neighbours);
   void take_springs(const std::vector<WeightedModel> &neighbours);
-  void take_gaps(const contact::ContactSet &contacts, const std::vector<WeightedModel> &neighbours);
+  void take_directions(const contact::ContactSet &contacts,
+                       const std::vector<WeightedModel> &neighbours);
   Vector cubic_forces(ConstVectorView q, const std::vector<SourceValues> &sources) const;
 
   const model::Model &model_;
@@ -62,7 +66,7 @@ private:
   Matrix stiffness_, damping_; ///< 0 x 0: unchanged
   std::vector<Loads> loads_;   ///< per source
   std::vector<CubicSpring> springs_;
-  std::vector<GapTangent> gaps_; ///< per contact
+  std::vector<std::vector<DirectionTangent>> directions_; ///< per contact
 };
 
 } // namespace vibroimpact::motion

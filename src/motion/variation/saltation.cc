@@ -64,7 +64,8 @@ Vector Saltations::rates(double time, const Vector &state) const {
 Vector Saltations::rates_at_guard(const ContactEvent &event, const Vector &state) const {
   Vector rates = this->rates(event.time, state);
   const AffineForm &guard = event.guard->indicator;
-  const bool is_gap = guard.constant == 0 && guard.gap_rate == 0 && guard.internal.empty();
+  const bool is_gap = guard.constant == 0 && guard.gap_rate == 0 && guard.internal.empty() &&
+                      guard.tangential[0].zero() && guard.tangential[1].zero();
   if (!is_gap || equations_.mode(event.contact).holds_gap || equations_.inactive(event.contact))
     return rates;
   const contact::ContactPair &pair = equations_.contacts().pairs()[event.contact];
@@ -90,17 +91,13 @@ RowVector Saltations::gradient(std::size_t contact, const AffineForm &form) cons
 
 double Saltations::rate_along(std::size_t contact, const AffineForm &form,
                               const ContactEvent &event, const Vector &rates) const {
-  const StateLayout &layout = equations_.layout();
-  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
-  double rate = form.gap * event.gap_rate;
-  if (form.gap_rate != 0)
-    rate += form.gap_rate *
-            equations_.gap_acceleration(
-                contact, event.time, ConstVectorView(rates.data() + layout.velocity(), layout.n));
-  for (std::size_t i = 0; i < form.internal.size(); ++i)
-    rate +=
-        form.internal[i] * rates[layout.internal() + pair.internal_offset + static_cast<Index>(i)];
-  return rate;
+  contact::LocalState change = equations_.local_rates(
+      contact, event.time, ConstVectorView(event.before->data(), event.before->size()),
+      ConstVectorView(rates.data(), rates.size()));
+  change.gap = event.gap_rate;
+  AffineForm slope = form;
+  slope.constant = 0;
+  return slope(change);
 }
 
 Saltations::Crossing Saltations::crossing(const ContactEvent &event, const Vector &before) const {

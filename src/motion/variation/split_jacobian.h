@@ -19,7 +19,8 @@ public:
 
   /// The two conditions.
   static bool is_possible(const Equations &equations) {
-    return equations.model().linear() && equations.holding().empty();
+    return equations.model().linear() && equations.holding().empty() &&
+           equations.layout().n_sliding == 0;
   }
 
   /// product = J columns at a state with its integrals. Returns the trace of J.

@@ -32,18 +32,24 @@ void hold(const Equations &equations, const std::vector<KeyTangent *> &keys, dou
   const ActiveConstraints &holding = equations.holding();
   const StateLayout &layout = equations.layout();
   const auto n_keys = static_cast<Index>(keys.size());
-  Matrix gaps(holding.size(), n_keys);
+  Matrix gaps = Matrix::Zero(holding.size(), n_keys);
   Matrix gap_rates(holding.size(), n_keys);
-  for (Index k = 0; k < n_keys; ++k)
-    for (Index i = 0; i < holding.size(); ++i) {
+  Matrix rows = holding.rows(); // of the positions that are held
+  for (Index i = 0; i < holding.size(); ++i) {
+    const HeldDirection &held = holding.held(i);
+    if (held.direction > 0)
+      rows.row(i).setZero();
+    for (Index k = 0; k < n_keys; ++k) {
       KeyTangent &key = *keys[static_cast<std::size_t>(k)];
-      gaps(i, k) = key.gap(holding.contact(i), time, state);
-      gap_rates(i, k) = key.gap_rate(holding.contact(i), time, state);
+      if (held.direction == 0)
+        gaps(i, k) = key.gap(held.contact, time, state);
+      gap_rates(i, k) = key.gap_rate(held.contact, time, state, held.direction);
     }
+  }
   const Matrix &response = holding.response();
-  const Matrix projection = response * holding.forces(holding.rows());
-  map.by_state.block(0, 0, layout.n, layout.n) -= projection;
-  map.by_state.block(layout.velocity(), layout.velocity(), layout.n, layout.n) -= projection;
+  map.by_state.block(0, 0, layout.n, layout.n) -= response * holding.forces(rows);
+  map.by_state.block(layout.velocity(), layout.velocity(), layout.n, layout.n) -=
+      response * holding.forces(holding.rows());
   map.by_key.topRows(layout.n) -= response * holding.forces(gaps);
   map.by_key.middleRows(layout.velocity(), layout.n) -= response * holding.forces(gap_rates);
 }

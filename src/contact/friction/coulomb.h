@@ -1,0 +1,34 @@
+// Coulomb's friction with true stick, and a static coefficient that may be larger than the kinetic
+// one (Den Hartog 1930; Shaw 1986):
+//
+//   slip   F = -sigma mu N, sigma the sign of the slip rate v, until v = 0
+//   stick  v = 0, held by a force F, until |F| = mu_s N
+#pragma once
+
+#include "contact/friction/tangential_law.h"
+#include "parameters/values.h"
+
+#include <memory>
+
+namespace vibroimpact::contact {
+
+class Coulomb : public TangentialLaw {
+public:
+  /// 0 < coefficient <= static_coefficient
+  Coulomb(double coefficient, double static_coefficient)
+      : coefficient_(coefficient), static_coefficient_(static_coefficient) {}
+
+  static void declare(parameters::Section &friction);
+  static std::shared_ptr<const TangentialLaw> create(const parameters::Values &friction);
+
+  std::string name() const override { return "coulomb"; }
+  std::vector<TangentialMode> modes(const AffineForm &normal_force,
+                                    std::size_t first_internal) const override;
+  int mode_by_slip(int mode, double slip_rate) const override;
+
+private:
+  double coefficient_;
+  double static_coefficient_;
+};
+
+} // namespace vibroimpact::contact

@@ -1,0 +1,73 @@
+#include "contact/friction/tangential_laws.h"
+
+#include "contact/friction/coulomb.h"
+#include "contact/friction/spring_slider.h"
+#include "contact/friction/viscous.h"
+
+#include <stdexcept>
+
+namespace vibroimpact::contact {
+
+namespace {
+
+constexpr const char *none = "none";
+
+struct TangentialEntry {
+  const char *name;
+  const char *section; ///< with its constants
+  void (*declare)(parameters::Section &friction);
+  std::shared_ptr<const TangentialLaw> (*create)(const parameters::Values &friction);
+};
+
+constexpr TangentialEntry tangential_laws[] = {
+    {"coulomb", "Coulomb", Coulomb::declare, Coulomb::create},
+    {"spring-slider", "Spring-slider", SpringSlider::declare, SpringSlider::create},
+    {"viscous", "Viscous", Viscous::declare, Viscous::create},
+};
+
+} // namespace
+
+void declare_friction(parameters::Section &contact) {
+  using namespace parameters;
+  std::vector<std::string> names = {none};
+  for (const TangentialEntry &law : tangential_laws)
+    names.emplace_back(law.name);
+  Section &friction = contact.subsection(
+      "Friction", "Forces along a direction across the contact normal, while the sides touch. The "
+                  "slip is that of the second side on the first.");
+  friction.choice("Law", none, names, "Law of friction; its constants stand in its own section.")
+      .text("Direction", "",
+            "Tangential direction, at a right angle to the contact normal: x, -y or three numbers.")
+      .required("Law is not none")
+      .quantity("Surface speed", "0 m/s", dimension::velocity, range::any, "V",
+                "Speed of the second side's surface along the direction, as of a belt or of a disc "
+                "that turns; it adds to the slip rate.");
+  for (const TangentialEntry &law : tangential_laws)
+    law.declare(friction);
+}
+
+bool has_friction(const parameters::Values &contact) {
+  return contact.subsection("Friction").choice("Law") != none;
+}
+
+std::shared_ptr<const TangentialLaw> create_tangential_law(const parameters::Values &contact) {
+  const parameters::Values friction = contact.subsection("Friction");
+  const std::string chosen = friction.choice("Law");
+  for (const TangentialEntry &law : tangential_laws)
+    if (chosen == law.name)
+      return law.create(friction);
+  throw std::logic_error("tangential law without an entry: " + chosen);
+}
+
+std::vector<std::string> unused_friction_sections(const parameters::Values &contact) {
+  const parameters::Values friction = contact.subsection("Friction");
+  const std::string chosen = friction.choice("Law");
+  std::vector<std::string> warnings;
+  for (const TangentialEntry &law : tangential_laws)
+    if (chosen != law.name && friction.subsection_given(law.section))
+      warnings.push_back(friction.locate("Law") + ": the section " + law.section +
+                         " is not used; it belongs to Law = " + law.name + ".");
+  return warnings;
+}
+
+} // namespace vibroimpact::contact

@@ -1,0 +1,117 @@
+#include "motion/event/mode_change.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibroimpact::motion {
+
+using contact::Guard;
+using contact::LocalState;
+
+namespace {
+
+ConstVectorView view_of(const Vector &state) { return {state.data(), state.size()}; }
+
+void reset(const Equations &equations, std::size_t contact, const Guard &guard, double time,
+           Vector &state) {
+  if (guard.reset.empty())
+    return;
+  const Vector before = state;
+  const LocalState local = equations.local_state(contact, time, view_of(before));
+  double *const internal = state.data() + equations.layout().internal() +
+                           equations.contacts().pairs()[contact].internal_offset;
+  for (std::size_t i = 0; i < guard.reset.size(); ++i)
+    internal[i] = guard.reset[i](local);
+}
+
+// The guard by which sides that are to stick do not: it is below zero by more than rounding.
+const Guard *no_stick(const Equations &equations, std::size_t contact, double time,
+                      const Vector &state) {
+  const LocalState local = equations.local_state(contact, time, view_of(state));
+  const std::vector<Guard> &guards = equations.mode(contact).guards;
+  const auto fallen = std::find_if(guards.begin(), guards.end(), [&](const Guard &guard) {
+    return guard.indicator(local) < -equations.rounding(contact, guard.indicator, time, state);
+  });
+  return fallen == guards.end() ? nullptr : &*fallen;
+}
+
+// Each mode is entered once at most; a law whose guards contradict each other stays where it is.
+bool stick_or_slip(Equations &equations, std::size_t contact, double time, Vector &state) {
+  const std::size_t most = equations.contacts().pairs()[contact].law->modes().size();
+  bool changed = false;
+  for (std::size_t i = 0; i < most && equations.mode(contact).holds_slip; ++i) {
+    equations.stop_slip(time, state);
+    const Guard *const fallen = no_stick(equations, contact, time, state);
+    if (!fallen)
+      break;
+    reset(equations, contact, *fallen, time, state);
+    equations.set_mode(contact, fallen->target);
+    changed = true;
+  }
+  return changed;
+}
+
+// Slip rates that count as none are none.
+LocalState sliding_state(const Equations &equations, std::size_t contact, double time,
+                         const Vector &state, double slow) {
+  LocalState local = equations.local_state(contact, time, view_of(state));
+  for (contact::TangentialState &of : local.tangential)
+    if (std::abs(of.slip_rate) <= slow)
+      of.slip_rate = 0;
+  return local;
+}
+
+bool slides(const LocalState &local) {
+  return std::any_of(local.tangential.begin(), local.tangential.end(),
+                     [](const contact::TangentialState &of) { return of.slip_rate != 0; });
+}
+
+bool has_friction(const Equations &equations, std::size_t contact) {
+  return !equations.contacts().pairs()[contact].tangential.empty();
+}
+
+} // namespace
+
+void pass_guard(Equations &equations, std::size_t contact, const Guard &guard, double time,
+                Vector &state) {
+  reset(equations, contact, guard, time, state);
+  int target = guard.target;
+  if (guard.by_slip)
+    target = equations.contacts().pairs()[contact].law->mode_by_slip(
+        target, sliding_state(
+                    equations, contact, time, state,
+                    equations.rounding(contact, contact::AffineForm::rate_along(1), time, state)));
+  equations.set_mode(contact, target);
+  if (has_friction(equations, contact))
+    stick_or_slip(equations, contact, time, state);
+}
+
+void settle_friction(Equations &equations, const ContactScales &scales, double time,
+                     Vector &state) {
+  const std::size_t count = equations.contacts().size();
+  for (std::size_t c = 0; c < count; ++c)
+    if (has_friction(equations, c))
+      equations.set_mode(
+          c, equations.contacts().pairs()[c].law->mode_by_slip(
+                 equations.modes()[c], sliding_state(equations, c, time, state, scales.speed(c))));
+  // One that slips is a load on the others; each comes to slip once at most.
+  bool changed = true;
+  for (std::size_t i = 0; i <= count && changed; ++i) {
+    changed = false;
+    for (std::size_t c = 0; c < count; ++c)
+      changed = (has_friction(equations, c) && stick_or_slip(equations, c, time, state)) || changed;
+  }
+}
+
+void renew_friction(Equations &equations, const ContactScales &scales, double time, Vector &state) {
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c) {
+    if (!has_friction(equations, c))
+      continue;
+    const LocalState local = sliding_state(equations, c, time, state, scales.speed(c));
+    if (slides(local))
+      equations.set_mode(
+          c, equations.contacts().pairs()[c].law->mode_by_slip(equations.modes()[c], local));
+  }
+}
+
+} // namespace vibroimpact::motion

@@ -1,0 +1,306 @@
+// What the equations have of contacts: local states, forces along each of their directions, and how
+// exactly all that is evaluated.
+#include "motion/system/equations.h"
+
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace vibroimpact::motion {
+
+using contact::ContactPair;
+using contact::LocalState;
+using model::TimeFunction;
+
+namespace {
+
+// sum += |A| |x|
+void add_magnitudes(const model::LinearForm &form, const double *values, Vector &sum) {
+  const auto x = ConstVectorView(values, sum.size()).cwiseAbs();
+  sum += form.diagonal.cwiseAbs().cwiseProduct(x);
+  if (form.coupling.size() > 0)
+    sum.noalias() += form.coupling.cwiseAbs() * x;
+}
+
+} // namespace
+
+// Position and rate.
+std::pair<double, double> Equations::motion_along(const Component &component, double time,
+                                                  ConstVectorView x) const {
+  const double *row = component.along.projection->row.data();
+  const double *q = x.data();
+  const double *velocity = q + layout_.velocity();
+  double position = component.along.offset;
+  double rate = component.along.speed;
+  for (Index j = 0; j < layout_.n; ++j) {
+    position += row[j] * q[j];
+    rate += row[j] * velocity[j];
+  }
+  for (const BaseCoefficient &base : component.base_coefficients) {
+    const TimeFunction &function = *model_.sources()[base.source].function;
+    position += base.factor * function.value(source_time(time));
+    rate += base.factor * function.rate(source_time(time));
+  }
+  return {position, rate};
+}
+
+// Without the forces that hold it.
+LocalState Equations::local_motion(std::size_t contact, double time, ConstVectorView x) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  LocalState state{.internal = {x.data() + layout_.internal() + pair.internal_offset,
+                                static_cast<std::size_t>(pair.n_internal())}};
+  std::tie(state.gap, state.gap_rate) = motion_along(component(contact, 0), time, x);
+  for (int d = 1; d < pair.n_directions(); ++d) {
+    contact::TangentialState &of = state.tangential[static_cast<std::size_t>(d - 1)];
+    std::tie(of.slip, of.slip_rate) = motion_along(component(contact, d), time, x);
+  }
+  return state;
+}
+
+LocalState Equations::local_state(std::size_t contact, double time, ConstVectorView x) const {
+  LocalState state = local_motion(contact, time, x);
+  if (constraints_.empty() || !constraints_.holds(contact))
+    return state;
+  held_rates_.resize(layout_.size());
+  rates(time, x, VectorView(held_rates_.data(), held_rates_.size()));
+  for (Index k = 0; k < constraints_.size(); ++k) {
+    const HeldDirection &held = constraints_.held(k);
+    if (held.contact != contact)
+      continue;
+    (held.direction == 0 ? state.normal_force
+                         : state.tangential[static_cast<std::size_t>(held.direction - 1)].force) =
+        held_forces_[k];
+  }
+  return state;
+}
+
+double Equations::gap_acceleration(std::size_t contact, double time, ConstVectorView acceleration,
+                                   int direction) const {
+  const Component &component = this->component(contact, direction);
+  double value = component.along.projection->row.dot(acceleration);
+  for (const BaseCoefficient &base : component.base_coefficients)
+    value += base.factor * model_.sources()[base.source].function->acceleration(source_time(time));
+  return value;
+}
+
+LocalState Equations::local_rates(std::size_t contact, double time, ConstVectorView x,
+                                  ConstVectorView rates) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  const LocalState local = local_motion(contact, time, x);
+  const ConstVectorView acceleration(rates.data() + layout_.velocity(), layout_.n);
+  LocalState change{.gap = local.gap_rate,
+                    .gap_rate = gap_acceleration(contact, time, acceleration),
+                    .internal = {rates.data() + layout_.internal() + pair.internal_offset,
+                                 local.internal.size()}};
+  for (int d = 1; d < pair.n_directions(); ++d) {
+    const auto k = static_cast<std::size_t>(d - 1);
+    change.tangential[k] = {.slip = local.tangential[k].slip_rate - pair.along(d).speed,
+                            .slip_rate = gap_acceleration(contact, time, acceleration, d)};
+  }
+  return change;
+}
+
+double Equations::magnitude(std::size_t contact, const contact::AffineForm &form, double time,
+                            const Vector &x) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  double sum = std::abs(form.constant);
+  for (int d = 0; d < pair.n_directions(); ++d) {
+    const Component &component = this->component(contact, d);
+    const contact::DirectionForm along = form.along(d);
+    const auto of_row = [&](Index first) {
+      return component.along.projection->row.cwiseAbs().dot(x.segment(first, layout_.n).cwiseAbs());
+    };
+    double position = std::abs(component.along.offset) + of_row(0);
+    double rate = std::abs(component.along.speed) + of_row(layout_.velocity());
+    for (const BaseCoefficient &base : component.base_coefficients) {
+      const TimeFunction &function = *model_.sources()[base.source].function;
+      position += std::abs(base.factor * function.value(source_time(time)));
+      rate += std::abs(base.factor * function.rate(source_time(time)));
+    }
+    sum += std::abs(along.position) * position + std::abs(along.rate) * rate;
+  }
+  for (std::size_t i = 0; i < form.internal.size(); ++i)
+    sum += std::abs(form.internal[i] *
+                    x[layout_.internal() + pair.internal_offset + static_cast<Index>(i)]);
+  for (int d = 0; d < pair.n_directions(); ++d)
+    if (const double factor = form.along(d).force; factor != 0 && mode(contact).holds(d))
+      sum += std::abs(factor) * force_magnitude(contact, d, time, x);
+  return sum;
+}
+
+double Equations::rounding(std::size_t contact, const contact::AffineForm &form, double time,
+                           const Vector &x) const {
+  return 64 * std::numeric_limits<double>::epsilon() * magnitude(contact, form, time, x);
+}
+
+double Equations::acceleration_rounding(std::size_t contact, double time, const Vector &x,
+                                        int direction) const {
+  const Component &component = this->component(contact, direction);
+  if (component.along.projection->row.isZero(0))
+    return 0;
+  double sum = force_magnitude(contact, direction, time, x) /
+               contacts_.effective_mass(contact, model_, direction);
+  for (const BaseCoefficient &base : component.base_coefficients)
+    sum += std::abs(base.factor *
+                    model_.sources()[base.source].function->acceleration(source_time(time)));
+  return 64 * std::numeric_limits<double>::epsilon() * sum;
+}
+
+// Adds its force, before the division by the mass. Returns the power that moving bases put into it.
+double Equations::add_contact(const Acting &acting, double time, ConstVectorView x,
+                              VectorView dxdt) const {
+  const ContactPair &pair = *acting.pair;
+  const auto contact = static_cast<Index>(acting.contact);
+  pair.law->evaluate(modes_[acting.contact], local_motion(acting.contact, time, x), response_);
+  double *acceleration = dxdt.data() + layout_.velocity();
+  for (Index j = 0; j < layout_.n; ++j)
+    acceleration[j] += response_.force * pair.gap.row[j];
+  for (int i = 0; i < pair.n_internal(); ++i)
+    dxdt[layout_.internal() + pair.internal_offset + i] = response_.internal_rate[i];
+  dxdt[layout_.impulse(contact)] = response_.force;
+  dxdt[layout_.contact_work(contact)] = response_.dissipated_power;
+  double power = 0;
+  for (const BaseCoefficient &base : component(acting.contact, 0).base_coefficients)
+    power -= response_.force * base.factor *
+             model_.sources()[base.source].function->rate(source_time(time));
+  return pair.tangential.empty() ? power : power + add_friction(acting.contact, time, dxdt);
+}
+
+// The speed that a direction has by moving bases and surfaces.
+double Equations::base_rate(const Component &component, double time) const {
+  double rate = component.along.speed;
+  for (const BaseCoefficient &base : component.base_coefficients)
+    rate += base.factor * model_.sources()[base.source].function->rate(source_time(time));
+  return rate;
+}
+
+// Likewise, the law having been evaluated.
+double Equations::add_friction(std::size_t contact, double time, VectorView dxdt) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  VectorView acceleration(dxdt.data() + layout_.velocity(), layout_.n);
+  double power = 0;
+  for (int d = 1; d < pair.n_directions(); ++d) {
+    const double force = response_.tangential[static_cast<std::size_t>(d - 1)].force;
+    const Component &component = this->component(contact, d);
+    acceleration += force * component.along.projection->row.transpose();
+    power -= force * base_rate(component, time);
+  }
+  dxdt[layout_.friction_work(pair.sliding_place)] = response_.friction_power;
+  dxdt[layout_.wear_work(pair.sliding_place)] = response_.force * response_.sliding_speed;
+  dxdt[layout_.sliding_way(pair.sliding_place)] = response_.sliding_speed;
+  return power;
+}
+
+// By impulses along what is held: v -= M^-1 W^T (W M^-1 W^T)^-1 slip_rate.
+void Equations::stop_slip(double time, Vector &x) const {
+  Vector rates = Vector::Zero(constraints_.size());
+  for (Index k = 0; k < rates.size(); ++k)
+    if (const auto [contact, direction] = constraints_.held(k); direction > 0)
+      rates[k] =
+          motion_along(component(contact, direction), time, ConstVectorView(x.data(), x.size()))
+              .second;
+  x.segment(layout_.velocity(), layout_.n) -= constraints_.response() * constraints_.forces(rates);
+}
+
+// Adds the forces that hold gaps and slip rates. Returns the power that moving bases and surfaces
+// put into them.
+double Equations::hold(double time, ConstVectorView x, VectorView dxdt) const {
+  VectorView acceleration(dxdt.data() + layout_.velocity(), layout_.n);
+  if (!model_.rotors().empty())
+    constraints_.set_response(response_to(constraints_.rows(), time, x));
+  Vector missing(constraints_.size());
+  Vector carried(constraints_.size());
+  Vector rate(constraints_.size());
+  for (Index k = 0; k < constraints_.size(); ++k) {
+    const HeldDirection &held = constraints_.held(k);
+    const Component &component = this->component(held.contact, held.direction);
+    const RowVector &row = component.along.projection->row;
+    double position = component.along.offset + row.dot(x.head(layout_.n));
+    carried[k] = component.along.speed;
+    for (const BaseCoefficient &base : component.base_coefficients) {
+      const TimeFunction &function = *model_.sources()[base.source].function;
+      position += base.factor * function.value(source_time(time));
+      carried[k] += base.factor * function.rate(source_time(time));
+    }
+    rate[k] = row.dot(x.segment(layout_.velocity(), layout_.n)) + carried[k];
+    missing[k] =
+        -gap_acceleration(held.contact, time, ConstVectorView(acceleration.data(), layout_.n),
+                          held.direction) -
+        constraints_.by_rate(k) * rate[k] - constraints_.by_position(k) * position;
+  }
+  const Vector forces = constraints_.forces(missing);
+  acceleration += constraints_.response() * forces;
+  for (Index k = 0; k < constraints_.size(); ++k) {
+    const auto contact = static_cast<Index>(constraints_.held(k).contact);
+    if (constraints_.held(k).direction == 0)
+      dxdt[layout_.impulse(contact)] = forces[k];
+    dxdt[layout_.contact_work(contact)] += -forces[k] * rate[k];
+  }
+  held_forces_ = forces;
+  return -forces.dot(carried);
+}
+
+// Sum of the sizes of all that the force which holds a direction is made of.
+double Equations::force_magnitude(std::size_t contact, int direction, double time,
+                                  const Vector &x) const {
+  const Index n = layout_.n;
+  model_.load(source_time(time), load_);
+  Vector &forces = elastic_;
+  forces = load_.cwiseAbs();
+  add_magnitudes(model_.stiffness(), x.data(), forces);
+  add_magnitudes(model_.damping(), x.data() + layout_.velocity(), forces);
+  const RowVector &row = component(contact, direction).along.projection->row;
+  double sum = 0;
+  for (Index j = 0; j < n; ++j)
+    sum += std::abs(row[j]) * forces[j] / model_.mass()[j];
+  return sum * contacts_.effective_mass(contact, model_, direction);
+}
+
+// Before the division by the mass.
+void Equations::add_contact(std::size_t c, double time, ConstVectorView x, Matrix &jacobian) const {
+  const Index n = layout_.n;
+  const ContactPair &pair = contacts_.pairs()[c];
+  pair.law->evaluate(modes_[c], local_motion(c, time, x), response_);
+  const RowVector &row = pair.gap.row;
+  const Index impulse = layout_.impulse(static_cast<Index>(c));
+  jacobian.row(impulse).head(n) = response_.force_by_gap * row;
+  jacobian.row(impulse).segment(n, n) = response_.force_by_gap_rate * row;
+  jacobian.block(n, 0, n, n) += response_.force_by_gap * row.transpose() * row;
+  jacobian.block(n, n, n, n) += response_.force_by_gap_rate * row.transpose() * row;
+  const Index first = layout_.internal() + pair.internal_offset;
+  for (int i = 0; i < pair.n_internal(); ++i) {
+    jacobian.col(first + i).segment(n, n) += response_.force_by_internal[i] * row.transpose();
+    jacobian.row(first + i).head(n) = response_.internal_rate_by_gap[i] * row;
+    jacobian.row(first + i).segment(n, n) = response_.internal_rate_by_gap_rate[i] * row;
+    for (int j = 0; j < pair.n_internal(); ++j)
+      jacobian(first + i, first + j) =
+          response_.internal_rate_by_internal[i * pair.n_internal() + j];
+  }
+  if (!pair.tangential.empty())
+    add_friction(c, jacobian);
+}
+
+// The law having been evaluated.
+void Equations::add_friction(std::size_t c, Matrix &jacobian) const {
+  const Index n = layout_.n;
+  const ContactPair &pair = contacts_.pairs()[c];
+  const Index first = layout_.internal() + pair.internal_offset;
+  for (int d = 1; d < pair.n_directions(); ++d) {
+    const contact::TangentialResponse &response =
+        response_.tangential[static_cast<std::size_t>(d - 1)];
+    const RowVector &row = pair.along(d).projection->row;
+    for (int by = 0; by < pair.n_directions(); ++by) {
+      const RowVector &seen = pair.along(by).projection->row;
+      jacobian.block(n, 0, n, n) += response.by.along(by).position * row.transpose() * seen;
+      jacobian.block(n, n, n, n) += response.by.along(by).rate * row.transpose() * seen;
+    }
+    for (std::size_t i = 0; i < response.by.internal.size(); ++i)
+      jacobian.col(first + static_cast<Index>(i)).segment(n, n) +=
+          response.by.internal[i] * row.transpose();
+    for (std::size_t i = 0; i < response.internal_rate_by_slip_rate.size(); ++i)
+      jacobian.row(first + static_cast<Index>(i)).segment(n, n) +=
+          response.internal_rate_by_slip_rate[i] * row;
+  }
+}
+
+} // namespace vibroimpact::motion
