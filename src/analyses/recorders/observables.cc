@@ -1,6 +1,7 @@
 #include "analyses/recorders/observables.h"
 
 #include "analyses/recorders/channels.h"
+#include "motion/interval/guard_forms.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -34,12 +35,27 @@ void add_channel(const Channel &channel, bool fixed, std::vector<Observable> &li
   add("acceleration", "m/s^2", "absolute acceleration", channel.absolute, 2);
 }
 
+void add_friction(const contact::ContactSet &contacts, std::size_t c,
+                  std::vector<Observable> &list) {
+  const std::string base = "contact/" + contacts.pairs()[c].name + "/";
+  list.push_back(
+      {base + "slip", "slip", "m", "slip of the second side on the first", SlipForm{.contact = c}});
+  list.push_back({base + "slip_rate", "slip", "m/s",
+                  "slip rate of the second side's surface on the first",
+                  SlipForm{.contact = c, .rate = true}});
+  list.push_back({base + "friction_force", "friction_force", "N", "friction force",
+                  FrictionForm{.contact = c},
+                  " on the second side along the direction of friction"});
+}
+
 void add_contact(const contact::ContactSet &contacts, std::size_t c,
                  std::vector<Observable> &list) {
   const contact::ContactPair &pair = contacts.pairs()[c];
   const std::string base = "contact/" + pair.name + "/";
   list.push_back(gap_of(contacts, c));
   list.push_back(normal_force(contacts, c));
+  if (!pair.tangential.empty())
+    add_friction(contacts, c, list);
   Index place = pair.internal_offset;
   for (const contact::InternalState &state : pair.law->internal_states()) {
     StateForm form{place, 0};
@@ -138,6 +154,15 @@ bool is_seen(const Observable &observable, const Equations &equations) {
   return state == nullptr || !state->impact_of || equations.mode(*state->impact_of).in_contact;
 }
 
+namespace {
+
+// Contacts with friction are affine in all their modes.
+contact::AffineForm force_of(const FrictionForm &form, const Equations &equations) {
+  return motion::force_along(equations.mode(form.contact), form.direction);
+}
+
+} // namespace
+
 Bernstein curve(const Observable &observable, const StepView &view) {
   return std::visit(Overloaded{[&](const PointForm &form) {
                                  return form.order == 0   ? view.displacement(form.projection)
@@ -149,6 +174,14 @@ Bernstein curve(const Observable &observable, const StepView &view) {
                                  Bernstein state = view.internal(form.place);
                                  state += form.constant;
                                  return state;
+                               },
+                               [&](const SlipForm &form) {
+                                 return form.rate ? view.rate(form.contact, form.direction)
+                                                  : view.position(form.contact, form.direction);
+                               },
+                               [&](const FrictionForm &form) {
+                                 return view.indicator(form.contact,
+                                                       force_of(form, view.equations()));
                                },
                                [&](const CurveForm &form) { return form(view); },
                                [&](const ForceForm & /*form*/) -> Bernstein {
@@ -186,6 +219,17 @@ MonitoredForm monitored(const Observable &observable, const Equations &equations
                  [&](const ForceForm &form) {
                    return motion::monitored_force(equations, form.contact, range);
                  },
+                 [&](const SlipForm &form) {
+                   return motion::monitored_contact(
+                       equations, form.contact,
+                       form.rate ? contact::AffineForm::rate_along(form.direction)
+                                 : contact::AffineForm::position_along(form.direction),
+                       range);
+                 },
+                 [&](const FrictionForm &form) {
+                   return motion::monitored_contact(equations, form.contact,
+                                                    force_of(form, equations), range);
+                 },
                  [&](const CurveForm & /*form*/) -> MonitoredForm {
                    throw std::logic_error(observable.path + " is not linear in the motion");
                  }},
@@ -195,8 +239,8 @@ MonitoredForm monitored(const Observable &observable, const Equations &equations
 namespace {
 
 const std::vector<std::string> quantity_kinds = {
-    "displacement", "absolute_displacement", "velocity", "acceleration",
-    "gap",          "normal_force",          "stop",     "rotor"};
+    "displacement", "absolute_displacement", "velocity", "acceleration", "gap", "normal_force",
+    "slip",         "friction_force",        "stop",     "rotor"};
 
 // An empty list means all.
 std::vector<std::string> without_all(std::vector<std::string> names) {
