@@ -90,10 +90,14 @@ void check_harmonic(const model::Model &model, const contact::ContactSet &contac
   if (!model.rotors().empty())
     throw InputError(refusal + std::string("the model has a rotor: its speed is a second "
                                            "frequency, so that the motion has no period."));
-  for (const contact::ContactPair &pair : contacts.pairs())
+  for (const contact::ContactPair &pair : contacts.pairs()) {
     if (pair.law->rigid())
       throw InputError(refusal + ("the contact " + pair.name) + " is rigid (Law = " +
                        pair.law->name() + "): its force is no function of time.");
+    if (!pair.tangential.empty())
+      throw InputError(refusal + ("the contact " + pair.name) +
+                       " has friction, for which it is not built.");
+  }
   if (contacts.size() == 0 && model.linear())
     throw InputError(refusal + std::string("the model has no contact and no cubic spring; its "
                                            "linear response is Type = frequency response."));

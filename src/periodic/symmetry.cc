@@ -168,7 +168,8 @@ bool Symmetry::holds(ForcedSystem &system, const Vector &scale, double size) con
 }
 
 std::optional<Symmetry> Symmetry::find(ForcedSystem &system, const Vector &scale, double size) {
-  if (!forcing_is_odd(system))
+  // Friction would have to be paired in its modes as well.
+  if (!forcing_is_odd(system) || system.contacts().n_sliding() > 0)
     return std::nullopt;
   const std::vector<Exchange> exchanges = exchanges_of(system.model());
   for (const Exchange &from : exchanges)

@@ -154,7 +154,8 @@ void Energy::add_fields(const FieldWriter &result) const {
   const motion::StateLayout layout{.n = system_.model.size(),
                                    .n_internal = system_.contacts.n_internal(),
                                    .n_drive = system_.model.n_drive(),
-                                   .n_contacts = static_cast<Index>(system_.contacts.size())};
+                                   .n_contacts = static_cast<Index>(system_.contacts.size()),
+                                   .n_sliding = system_.contacts.n_sliding()};
   const Vector change = last_state_ - first_state_;
   const double input = change[layout.input_work()] + base_work_;
   const double damping = total(by_body_) + total(by_connection_);

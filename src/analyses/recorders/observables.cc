@@ -1,6 +1,7 @@
 #include "analyses/recorders/observables.h"
 
 #include "analyses/recorders/channels.h"
+#include "motion/interval/guard_forms.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -31,12 +32,27 @@ void add_channel(const Channel &channel, bool fixed, std::vector<Observable> &li
   add("acceleration", "m/s^2", "absolute acceleration", channel.absolute, 2);
 }
 
+void add_friction(const contact::ContactSet &contacts, std::size_t c,
+                  std::vector<Observable> &list) {
+  const std::string base = "contact/" + contacts.pairs()[c].name + "/";
+  list.push_back({base + "slip", "slip", "m", "slip of the second side on the first",
+                  motion::SlipForm{.contact = c}});
+  list.push_back({base + "slip_rate", "slip", "m/s",
+                  "slip rate of the second side's surface on the first",
+                  motion::SlipForm{.contact = c, .rate = true}});
+  list.push_back({base + "friction_force", "friction_force", "N", "friction force",
+                  motion::FrictionForm{.contact = c},
+                  " on the second side along the direction of friction"});
+}
+
 void add_contact(const contact::ContactSet &contacts, std::size_t c,
                  std::vector<Observable> &list) {
   const contact::ContactPair &pair = contacts.pairs()[c];
   const std::string base = "contact/" + pair.name + "/";
   list.push_back(gap_of(contacts, c));
   list.push_back(normal_force(contacts, c));
+  if (!pair.tangential.empty())
+    add_friction(contacts, c, list);
   Index place = pair.internal_offset;
   for (const contact::InternalState &state : pair.law->internal_states()) {
     list.push_back(
@@ -148,8 +164,8 @@ StepFunction along(const Observable &observable, const StepView &view) {
 namespace {
 
 const std::vector<std::string> quantity_kinds = {
-    "displacement", "absolute_displacement", "velocity", "acceleration",
-    "gap",          "normal_force",          "stop",     "rotor"};
+    "displacement", "absolute_displacement", "velocity", "acceleration", "gap", "normal_force",
+    "slip",         "friction_force",        "stop",     "rotor"};
 
 // An empty list means all.
 std::vector<std::string> without_all(std::vector<std::string> names) {

@@ -3,6 +3,7 @@
 #include "analyses/recorders/energy.h"
 #include "analyses/recorders/extreme_values.h"
 #include "analyses/recorders/forces.h"
+#include "analyses/recorders/friction.h"
 #include "analyses/recorders/history.h"
 #include "analyses/recorders/impacts.h"
 #include "analyses/recorders/lyapunov.h"
@@ -29,6 +30,8 @@ constexpr RecorderKind recorder_kinds[] = {
     {"energy", "works and losses", Energy::declare, Energy::create},
     {"forces", "forces in connections and on the base, transmissibility", Forces::declare,
      Forces::create},
+    {"friction", "work, wear and ways of friction, sticking and slipping",
+     FrictionRecorder::declare, FrictionRecorder::create},
     {"quasi static", "static displacement under the frozen excitation", QuasiStatic::declare,
      QuasiStatic::create},
     {"history", "sampled time histories", History::declare, History::create},

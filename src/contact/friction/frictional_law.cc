@@ -187,12 +187,13 @@ void FrictionalLaw::evaluate(int mode, const LocalState &state, LawResponse &res
   tangential.force = tangential.by(state);
   tangential.by.constant = 0;
   response.sliding_speed = law.sliding_speed(state);
-  response.friction_power = -tangential.force * state.tangential[0].slip_rate;
+  double sliding = state.tangential[0].slip_rate; // less the rate of what deforms
   tangential.internal_rate_by_slip_rate.assign(n, 0);
   response.force_by_internal.resize(n, 0);
   response.internal_rate.resize(n, 0);
   response.internal_rate_by_gap.resize(n, 0);
   response.internal_rate_by_gap_rate.resize(n, 0);
+  double damping = 0;
   std::vector<double> by_internal(n * n, 0.0);
   for (std::size_t i = 0; i < n_normal; ++i)
     std::copy_n(response.internal_rate_by_internal.data() + i * n_normal, n_normal,
@@ -207,8 +208,11 @@ void FrictionalLaw::evaluate(int mode, const LocalState &state, LawResponse &res
     tangential.internal_rate_by_slip_rate[i] = rate.tangential[0].rate;
     const double pull = tangential_->stiffness() * state.internal[i];
     response.stored_energy += 0.5 * pull * state.internal[i];
-    response.friction_power -= pull * response.internal_rate[i];
+    sliding -= response.internal_rate[i];
+    damping +=
+        tangential_->damping_constant() * response.internal_rate[i] * response.internal_rate[i];
   }
+  response.friction_power = damping - tangential.force * sliding;
   response.internal_rate_by_internal = std::move(by_internal);
   response.dissipated_power += response.friction_power;
 }

@@ -31,6 +31,7 @@ public:
   int mode_by_slip(int mode, double slip_rate) const override;
   std::vector<InternalState> internal_states() const override;
   double stiffness() const override { return stiffness_; }
+  double damping_constant() const override { return damping_constant_; }
   bool follows_normal_rate() const override { return damping_constant_ == 0; }
 
 private:

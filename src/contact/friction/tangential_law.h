@@ -39,6 +39,8 @@ public:
   virtual std::vector<InternalState> internal_states() const { return {}; }
   /// k of the stored energy k z^2 / 2, z the only internal state [N/m]; 0: none is stored.
   virtual double stiffness() const { return 0; }
+  /// c of what a dashpot beside that spring takes, c z'^2 [N s/m].
+  virtual double damping_constant() const { return 0; }
   /// Does the law ask for the rate of the normal force?
   virtual bool follows_normal_rate() const { return false; }
 };

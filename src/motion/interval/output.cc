@@ -42,6 +42,16 @@ LinearForm linear_form_of_force(const ForceForm &form, const Equations &equation
   return {.row = linear_row(equations, form.contact, mode.affine->force)};
 }
 
+contact::AffineForm affine_form(const SlipForm &form) {
+  return form.rate ? contact::AffineForm::rate_along(form.direction)
+                   : contact::AffineForm::position_along(form.direction);
+}
+
+// Contacts with friction are affine in all their modes.
+contact::AffineForm affine_form(const FrictionForm &form, const Equations &equations) {
+  return force_along(equations.mode(form.contact), form.direction);
+}
+
 } // namespace
 
 LinearForm linear_form(const OutputForm &form, const Equations &equations) {
@@ -52,6 +62,13 @@ LinearForm linear_form(const OutputForm &form, const Equations &equations) {
                  },
                  [&](const StateForm &state) { return linear_form_of_state(state, equations); },
                  [&](const ForceForm &force) { return linear_form_of_force(force, equations); },
+                 [&](const SlipForm &slip) {
+                   return LinearForm{.row = linear_row(equations, slip.contact, affine_form(slip))};
+                 },
+                 [&](const FrictionForm &friction) {
+                   return LinearForm{.row = linear_row(equations, friction.contact,
+                                                       affine_form(friction, equations))};
+                 },
                  [](const CurveForm & /*curve*/) -> LinearForm {
                    throw std::logic_error("this output is not linear in the motion");
                  }},
@@ -72,6 +89,14 @@ Bernstein curve(const OutputForm &form, const StepView &view) {
                                },
                                [](const ForceForm & /*force*/) -> Bernstein {
                                  throw std::logic_error("a contact force is no polynomial");
+                               },
+                               [&](const SlipForm &slip) {
+                                 return slip.rate ? view.rate(slip.contact, slip.direction)
+                                                  : view.position(slip.contact, slip.direction);
+                               },
+                               [&](const FrictionForm &friction) {
+                                 return view.indicator(friction.contact,
+                                                       affine_form(friction, view.equations()));
                                },
                                [&](const CurveForm &along) { return along(view); }},
                     form);

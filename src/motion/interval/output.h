@@ -29,9 +29,21 @@ struct StateForm {
 struct ForceForm {
   std::size_t contact = 0;
 };
+/// Slip of a contact along a tangential direction, or its rate.
+struct SlipForm {
+  std::size_t contact = 0;
+  int direction = 1;
+  bool rate = false;
+};
+/// The tangential force of a contact, by the law or where sides stick the force that holds them.
+struct FrictionForm {
+  std::size_t contact = 0;
+  int direction = 1;
+};
 /// What is not linear in the motion.
 using CurveForm = std::function<Bernstein(const StepView &view)>;
-using OutputForm = std::variant<PointForm, GapForm, StateForm, ForceForm, CurveForm>;
+using OutputForm =
+    std::variant<PointForm, GapForm, StateForm, ForceForm, SlipForm, FrictionForm, CurveForm>;
 
 /// A range that grows by all values along the motion. Keeps pointers to both.
 struct Output {

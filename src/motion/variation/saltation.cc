@@ -2,6 +2,7 @@
 
 #include "common/error.h"
 #include "motion/interval/guard_forms.h"
+#include "motion/steps/source_step.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -97,7 +98,29 @@ double Saltations::rate_along(std::size_t contact, const AffineForm &form,
   change.gap = event.gap_rate;
   AffineForm slope = form;
   slope.constant = 0;
-  return slope(change);
+  return slope(change) + (form.sees_forces() ? rate_of_held(contact, form, event.time, rates) : 0);
+}
+
+// The part of such a rate that comes from the forces which hold a contact: rows of the state and
+// the sources.
+double Saltations::rate_of_held(std::size_t contact, const AffineForm &form, double time,
+                                const Vector &rates) const {
+  AffineForm held;
+  held.normal_force = form.normal_force;
+  for (std::size_t k = 0; k < contact::most_tangential; ++k)
+    held.tangential[k].force = form.tangential[k].force;
+  const RowVector row = linear_row(equations_, contact, held).row;
+  const Index size = equations_.layout().physical_size();
+  double rate = row.head(size).dot(rates.head(size));
+  std::vector<SourceValues> values;
+  equations_.source_values(time, values);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const auto form_then = equations_.model().sources()[k].function->exponential_form(time);
+    const auto of = row.segment(size + 3 * static_cast<Index>(k), 3);
+    rate += of[0] * values[k][1] + of[1] * values[k][2] +
+            (form_then ? of[2] * third_derivative(*form_then, time) : 0);
+  }
+  return rate;
 }
 
 Saltations::Crossing Saltations::crossing(const ContactEvent &event, const Vector &before) const {

@@ -6,7 +6,9 @@
 //   d+ = R_x d- + R_p + (f+ - R') (g_x d- + g_p) / g'     f  dx/dt before (-) and after (+)
 //                                                         ' total time derivatives along f-
 //
-// with d the derivative of the state by a key p; for deviations of the state alone g_p = R_p = 0.
+// with d the derivative of the state by a key p; for deviations of the state alone g_p = R_p = 0. A
+// change of a contact with friction through several modes at one instant is one such event, with f-
+// before the first of them, f+ after the last, and g the guard passed first.
 // Time-dependent gaps (moving bases) stand in g' and R'. A rigid impact resets the velocities, v+ =
 // v- + M^-1 W^T i with impulses i that are linear in the gap rates before it. A contact that is let
 // go from rest has no force at that instant: nothing jumps. At a break of the sources, whose
@@ -55,6 +57,8 @@ private:
   RowVector gradient(std::size_t contact, const contact::AffineForm &form) const;
   double rate_along(std::size_t contact, const contact::AffineForm &form, const ContactEvent &event,
                     const Vector &rates) const;
+  double rate_of_held(std::size_t contact, const contact::AffineForm &form, double time,
+                      const Vector &rates) const;
   Crossing crossing(const ContactEvent &event, const Vector &before) const;
   Reset no_reset(const Vector &before) const;
   Reset internal_reset(const ContactEvent &event, const Vector &before) const;

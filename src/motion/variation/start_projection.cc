@@ -21,10 +21,11 @@ const std::vector<AffineForm> *reset_into(const ContactLaw &law, int mode) {
   return found;
 }
 
-// z = a gap with z' = a gap_rate
-bool follows_gap(const AffineForm &reset, const AffineForm &rate) {
-  return reset.gap != 0 && reset.gap_rate == 0 && reset.internal.empty() && rate.gap == 0 &&
-         rate.constant == 0 && rate.internal.empty() && rate.gap_rate == reset.gap;
+// z = a gap + b with z' = a gap_rate; a = 0 for states of friction, which limits give.
+bool follows_gap(const AffineForm &reset, const AffineForm &rate, bool friction) {
+  return (reset.gap != 0 || friction) && reset.gap_rate == 0 && reset.internal.empty() &&
+         rate.gap == 0 && rate.constant == 0 && rate.internal.empty() &&
+         rate.gap_rate == reset.gap && rate.tangential[0].zero();
 }
 
 void hold(const Equations &equations, const std::vector<KeyTangent *> &keys, double time,
@@ -63,7 +64,7 @@ void slave(const Equations &equations, const std::vector<KeyTangent *> &keys, do
     return;
   const std::vector<AffineForm> &rates = equations.mode(c).affine->internal_rate;
   for (std::size_t i = 0; i < reset->size() && i < rates.size(); ++i) {
-    if (!follows_gap((*reset)[i], rates[i]))
+    if (!follows_gap((*reset)[i], rates[i], !pair.tangential.empty()))
       continue;
     const Index row = equations.layout().internal() + pair.internal_offset + static_cast<Index>(i);
     const Index n = equations.layout().n;

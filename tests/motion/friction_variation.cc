@@ -1,0 +1,121 @@
+// The derivative of motions with friction by their start, against closed multipliers.
+#include "common/decompositions.h"
+#include "contact/friction/spring_slider.h"
+#include "model/time_function.h"
+#include "motion/variation/linearised_motion.h"
+#include "support/friction_models.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vibroimpact::motion {
+namespace friction_variation_tests {
+
+using namespace model;
+using contact::ContactSet;
+using testing::Changes;
+using testing::constant_with;
+using testing::coulomb;
+using testing::settings_of;
+using testing::single_mass;
+using testing::sliding_along_x;
+using testing::vector_of;
+constexpr double pi = std::numbers::pi;
+
+// From where the trajectory stands.
+Matrix monodromy(Trajectory &trajectory, double period) {
+  const Index size = trajectory.layout().physical_size();
+  Variation variation(trajectory, Vector::Ones(size), 1e-11);
+  variation.set_columns(Matrix::Identity(size, size));
+  trajectory.advance(trajectory.time() + period, variation);
+  EXPECT_EQ(variation.tangential_events(), 0);
+  return variation.columns();
+}
+
+std::vector<Complex> multipliers(const Matrix &monodromy) {
+  const Eigen::VectorXcd values = eigenvalues(monodromy);
+  std::vector<Complex> list(values.begin(), values.end());
+  std::sort(list.begin(), list.end(), [](Complex a, Complex b) {
+    return std::pair(a.real(), a.imag()) < std::pair(b.real(), b.imag());
+  });
+  return list;
+}
+
+// Without stops: two turns per period, each a jump of the acceleration by 2 f.
+TEST(FrictionVariation, ForcedMotionWithoutStops) {
+  const double b = 1.2, f = 0.4;
+  const double v = 1 / (1 - b * b), u = std::sin(pi / b) / (b * (1 + std::cos(pi / b)));
+  const double a = std::sqrt(v * v - u * u * f * f);
+  const double s = (a * b * b - f) / (a * b * b + f), c = std::cos(pi / b);
+  Model model({single_mass("block", 1, 1, 0)});
+  model.add_force("force", std::make_shared<Harmonic>(Given::displacement, 1, b, pi / 2),
+                  {.body = 0, .point = 0}, Vector3::UnitX());
+  const ContactSet contacts({sliding_along_x(model, "block.head", "", coulomb(f, 1, 1))});
+  Trajectory trajectory(model, contacts, settings_of("exact"));
+  trajectory.start(0, vector_of({a}), vector_of({0}));
+  const double period = 2 * pi / b;
+  trajectory.advance(200.1 * period);
+  const std::vector<Complex> found = multipliers(monodromy(trajectory, period));
+  const Complex root = std::sqrt(Complex(c * c * (1 + s) * (1 + s) / 4 - s));
+  const Complex expected = std::pow(c * (1 + s) / 2 - root, 2);
+  EXPECT_NEAR(found[0].real(), expected.real(), 1e-11);
+  EXPECT_NEAR(std::abs(found[0].imag()), std::abs(expected.imag()), 1e-11);
+  EXPECT_NEAR(found[0].real(), .3969261601, 1e-10);
+  EXPECT_NEAR(std::abs(found[0].imag()), .6306157782, 1e-10);
+}
+
+// On a belt nothing says when the motion begins: 1; and sticking forgets all else: 0.
+TEST(FrictionVariation, StickSlipOnABelt) {
+  for (const double mu_s : {1.0, 0.5 + 1e-3}) {
+    const double mu = 0.5, belt = 0.2, drop = mu_s - mu;
+    const Model model({single_mass("block", 1, 1, 0)});
+    const ContactSet contacts(
+        {sliding_along_x(model, "block.head", "", coulomb(1, mu, mu_s), belt)});
+    Trajectory trajectory(model, contacts, settings_of("exact"));
+    trajectory.start(0, vector_of({0}), vector_of({belt}));
+    const double period = 2 * drop / belt + 2 * (pi - std::atan(drop / belt));
+    double slip = mu_s / belt; // the first one begins
+    while (slip < 20)
+      slip += period;
+    trajectory.advance(slip + 1);
+    const std::vector<Complex> found = multipliers(monodromy(trajectory, period));
+    EXPECT_NEAR(std::abs(found[0]), 0, 1e-10) << mu_s;
+    EXPECT_NEAR(std::abs(found[1] - 1.0), 0, 1e-10) << mu_s;
+  }
+}
+
+// The deformation of a spring that slides is slaved: as many multipliers less, against differences.
+TEST(FrictionVariation, SpringSliderAgainstDifferences) {
+  Model model({single_mass("block", 1, 1, 0.1)});
+  model.add_force("force", std::make_shared<Harmonic>(Given::displacement, 1, 0.8, 0.3),
+                  {.body = 0, .point = 0}, Vector3::UnitX());
+  const ContactSet contacts(
+      {sliding_along_x(model, "block.head", "",
+                       constant_with(1, std::make_shared<contact::SpringSlider>(5, 0.4, 0)))});
+  Trajectory trajectory(model, contacts, settings_of("exact"));
+  const auto image = [&](const Vector &from) {
+    trajectory.start({.time = 0, .physical = from});
+    trajectory.advance(9);
+    return trajectory.motion_state().physical;
+  };
+  const Vector start = vector_of({0.3, 0.5, 0.01});
+  trajectory.start({.time = 0, .physical = start});
+  Changes changes(contacts);
+  Variation variation(trajectory, Vector::Ones(3), 1e-11);
+  variation.set_columns(Matrix::Identity(3, 3));
+  Observers both({&variation, &changes});
+  trajectory.advance(9, both);
+  EXPECT_GE(changes.list.size(), 4u);
+  const Matrix columns = variation.columns();
+  for (Index j = 0; j < 3; ++j) {
+    const Vector step = 1e-5 * Vector::Unit(3, j);
+    const Vector difference = (image(start + step) - image(start - step)) / 2e-5;
+    EXPECT_LT((difference - columns.col(j)).cwiseAbs().maxCoeff(), 1e-8) << j;
+  }
+}
+
+} // namespace friction_variation_tests
+} // namespace vibroimpact::motion
