@@ -142,7 +142,7 @@ TEST(VtuPatches, ShellsHaveTheStressOfBothFacesAndTheLarger) {
   BodyShape shape{.recovery = &recovery, .motion = Vector::Zero(18)};
   shape.cell_stress = (Vector(6) << 3, 0, 0, 0, 0, 2).finished();
   Patches<2> patches;
-  add_cells(shape, shape.cell_data(), patches);
+  add_cells(shape, shape.cell_data(2), patches);
   const auto shear = static_cast<float>(2 * std::sqrt(3));
   for (unsigned corner = 0; corner < 3; ++corner)
     EXPECT_EQ(values(patches[0].data, 7, 3, corner), (Values{shear, 3, shear}));
