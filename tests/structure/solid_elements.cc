@@ -2,8 +2,10 @@
 // inertia, stress, bending of a brick in closed form; and blocks and their checks.
 #include "structure/block_mesh.h"
 #include "structure/cell_parts.h"
+#include "structure/frame_element.h"
 #include "structure/hexahedron.h"
 #include "structure/mesh_check.h"
+#include "structure/node_rotations.h"
 #include "structure/solid_body.h"
 #include "structure/solid_examples.h"
 
@@ -111,7 +113,7 @@ TEST(SolidElements, PatchTest) {
 TEST(SolidElements, ConstantStrainGivesItsStressEverywhere) {
   const double shear = 1e6 / 2.5;
   const double trace = 1.2e-3;
-  Vector6 expected;
+  Vector expected(6);
   expected << 1, -0.7, 0.9, 0.7, 0.7, -0.1; // xx, yy, zz, xy, yz, zx
   expected.head<3>() = 2e-3 * shear * expected.head<3>().array() + 2 * shear * 0.5 * trace;
   expected.tail<3>() *= 1e-3 * shear;
@@ -181,7 +183,12 @@ TEST(SolidElements, ABrickBendsExactly) {
     });
     const double second_moment = size[2] * std::pow(size[1], 3) / 12;
     const double energy = material.young_modulus * second_moment * length / 2;
-    EXPECT_NEAR(u.dot(brick.stiffness() * u) / 2, energy, 1e-12 * energy);
+    const Element &element = *brick.elements[0];
+    Vector own(24);
+    for (Index i = 0; i < 8; ++i)
+      own.segment<3>(3 * i) = u.segment<3>(3 * element.nodes()[static_cast<std::size_t>(i)]);
+    EXPECT_NEAR(own.dot(Vector(element.force(element.stiffness(), own))) / 2, energy,
+                1e-12 * energy);
   }
 }
 
@@ -262,4 +269,25 @@ TEST(SolidElements, DegenerateSolidsAreNamed) {
               generate_block(examples::block({1, 1, 0}, {1, 1, 1}));
             }).find("Block must have three edges"),
             std::string::npos);
+}
+
+// Where a beam stands at a node of a solid, that node turns; the others do not.
+TEST(SolidElements, NodesOfBeamsKeepTheirRotations) {
+  const SolidDefinition solid = examples::solid_block({1, 1, 1}, {1, 1, 1}, material);
+  BodyModel model = build_solid(solid);
+  for (const std::array<bool, 6> &fixed : model.fixed)
+    EXPECT_EQ(fixed, (std::array{false, false, false, true, true, true}));
+  model.mesh.nodes.emplace_back(2, 1, 1);
+  const PropertiesAlong properties =
+      properties_along({.width = 0.01, .thickness = 0.01}, material, 0, 0, 0);
+  const ElementFrame frame = element_frame({1, 1, 1}, {2, 1, 1}, std::nullopt);
+  model.elements.push_back(std::make_shared<FrameElement>(std::array{7, 8}, properties, frame));
+  const BodyParts parts{.supports = solid.supports,
+                        .points = solid.points,
+                        .interfaces = solid.interfaces,
+                        .loads = solid.loads};
+  add_parts(parts, model);
+  hold_idle_rotations(model, parts, {});
+  for (std::size_t node = 0; node < 9; ++node)
+    EXPECT_EQ(model.fixed[node][4], node < 7);
 }
