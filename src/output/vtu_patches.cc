@@ -139,7 +139,7 @@ Vector stress_of_cell(const BodyShape &shape, const PointData &data, std::size_t
 double largest_von_mises(const Eigen::Ref<const Vector> &stress, Index components) {
   double largest = 0;
   for (Index row = 0; row < stress.size(); row += components)
-    largest = std::max(largest, reduction::squared_von_mises(&stress[row], components));
+    largest = std::max(largest, reduction::squared_von_mises(stress.data() + row, components));
   return std::sqrt(largest);
 }
 
