@@ -284,9 +284,11 @@ void write_surfaces(BodyGroup &group, const Recovery &recovery) {
   for (const std::vector<int> &face : faces)
     for (std::size_t i = 0; i < 4; ++i)
       corners.push_back(i < face.size() ? face[i] : -1);
+  const bool solid = structure::cell_type(recovery.cells[0].shape).dimension == 3;
   group.array("surfaces", {"surface", "corner"}, corners, "1",
-              "corners around a shell element, as positions in nodes from 0; the last one of a "
-              "triangle is -1");
+              std::string("corners around ") +
+                  (solid ? "an outer face of solid elements" : "a shell element") +
+                  ", as positions in nodes from 0; the last one of a triangle is -1");
 }
 
 void write_recovery(BodyGroup &group, const Recovery &recovery) {

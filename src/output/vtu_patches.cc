@@ -42,16 +42,19 @@ private:
   unsigned row_ = 0;
 };
 
-/// Three rows for each place, of one cell.
+/// The rows of the places of one cell.
 Vector places_of(const CellStress &places, const Vector &stress, std::size_t cell) {
   const Index first = places.first[cell];
-  return stress.segment(3 * first, 3 * (places.first[cell + 1] - first));
+  return stress.segment(places.components * first,
+                        places.components * (places.first[cell + 1] - first));
 }
 
 double von_mises_along(const CellStress &places, const Vector &stress, std::size_t line, double t) {
   const Vector own = places_of(places, stress, line);
   const Index half = own.size() / 2;
-  return half == 0 ? not_known : largest_von_mises((1 - t) * own.head(half) + t * own.tail(half));
+  return half == 0
+             ? not_known
+             : largest_von_mises((1 - t) * own.head(half) + t * own.tail(half), places.components);
 }
 
 /// A middle of a line has no contact values but zeros.
@@ -98,7 +101,8 @@ void fill_line_point(const BodyShape &shape, const PointData &data, std::size_t 
                    : von_mises_along(shape.recovery->line_stress, shape.line_stress, line, t));
 }
 
-void fill_corner(const BodyShape &shape, const PointData &data, int node, const Vector3 &von_mises,
+/// `stress`: what stands behind the contact values.
+void fill_corner(const BodyShape &shape, const PointData &data, int node, const Vector &stress,
                  unsigned corner, dealii::Table<2, float> &table) {
   Column column(table, corner);
   column.add_all(shape.motion.segment<6>(Index{6} * node));
@@ -107,31 +111,35 @@ void fill_corner(const BodyShape &shape, const PointData &data, int node, const 
     column.add_all(shape.velocity.segment<3>(Index{6} * node));
   if (data.contact)
     column.add_all(shape.contact.col(node));
-  column.add_all(von_mises.head(data.von_mises));
+  column.add_all(stress);
 }
 
-/// The largest, that of the first face, that of the second.
-Vector3 von_mises_of(const BodyShape &shape, std::size_t cell) {
-  if (shape.cell_stress.size() == 0)
-    return Vector3::Constant(not_known);
-  const Vector own = places_of(shape.recovery->cell_stress, shape.cell_stress, cell);
-  if (own.size() != 6)
-    return Vector3::Constant(not_known);
-  const double first = largest_von_mises(own.head<3>());
-  const double second = largest_von_mises(own.tail<3>());
-  return {std::max(first, second), first, second};
+/// As PointData says: the largest von Mises stress, those of both faces of a surface, the
+/// components in a solid.
+Vector stress_of_cell(const BodyShape &shape, const PointData &data, std::size_t cell) {
+  Vector values =
+      Vector::Constant(data.von_mises + static_cast<Index>(data.stress.size()), not_known);
+  if (shape.cell_stress.size() == 0 || values.size() == 0)
+    return values;
+  const CellStress &places = shape.recovery->cell_stress;
+  const Vector own = places_of(places, shape.cell_stress, cell);
+  if (own.size() != (data.von_mises == 3 ? 2 : 1) * places.components)
+    return values;
+  values[0] = largest_von_mises(own, places.components);
+  for (Index face = 0; data.von_mises == 3 && face < 2; ++face)
+    values[1 + face] = largest_von_mises(own.segment(face * places.components, places.components),
+                                         places.components);
+  values.tail(static_cast<Index>(data.stress.size())) =
+      own.head(static_cast<Index>(data.stress.size()));
+  return values;
 }
 
 } // namespace
 
-double largest_von_mises(const Eigen::Ref<const Vector> &stress) {
+double largest_von_mises(const Eigen::Ref<const Vector> &stress, Index components) {
   double largest = 0;
-  for (Index row = 0; row < stress.size(); row += 3) {
-    const double a = stress[row];
-    const double b = stress[row + 1];
-    const double t = stress[row + 2];
-    largest = std::max(largest, a * a - a * b + b * b + 3 * t * t);
-  }
+  for (Index row = 0; row < stress.size(); row += components)
+    largest = std::max(largest, reduction::squared_von_mises(stress.data() + row, components));
   return std::sqrt(largest);
 }
 
@@ -141,10 +149,18 @@ PointData BodyShape::line_data() const {
           .von_mises = line_stress.size() > 0 ? 1U : 0U};
 }
 
-PointData BodyShape::cell_data() const {
-  return {.velocity = velocity.size() > 0,
-          .contact = contact.cols() > 0,
-          .von_mises = cell_stress.size() > 0 ? 3U : 0U};
+PointData BodyShape::cell_data(int dimension) const {
+  PointData data{.velocity = velocity.size() > 0, .contact = contact.cols() > 0};
+  const auto is_one = [&](const structure::Cell &cell) {
+    return structure::cell_type(cell.shape).dimension == dimension;
+  };
+  const auto cell = std::find_if(recovery->cells.begin(), recovery->cells.end(), is_one);
+  if (cell_stress.size() == 0 || cell == recovery->cells.end())
+    return data;
+  data.von_mises = dimension == 2 ? 3 : 1;
+  if (dimension == 3 && !largest_stress)
+    data.stress = structure::cell_type(cell->shape).stress;
+  return data;
 }
 
 void add_lines(const BodyShape &shape, const PointData &data, Patches<1> &patches) {
@@ -239,7 +255,7 @@ void add_cells(const BodyShape &shape, const PointData &data, Patches<dimension>
     const structure::Cell &cell = shape.recovery->cells[number];
     if (structure::cell_type(cell.shape).dimension != dimension)
       continue;
-    const Vector3 von_mises = von_mises_of(shape, number);
+    const Vector stress = stress_of_cell(shape, data, number);
     Patch<dimension, 3> patch;
     patch.reference_cell = reference_cell(dimension, static_cast<unsigned>(cell.shape));
     patch.patch_index = static_cast<unsigned>(patches.size());
@@ -248,13 +264,14 @@ void add_cells(const BodyShape &shape, const PointData &data, Patches<dimension>
       const unsigned corner = patch.reference_cell.is_hyper_cube() ? line_by_line[i] : i;
       const int node = cell.corners[i];
       patch.vertices[corner] = to_point(shape.recovery->nodes.col(node));
-      fill_corner(shape, data, node, von_mises, corner, patch.data);
+      fill_corner(shape, data, node, stress, corner, patch.data);
     }
     patches.push_back(std::move(patch));
   }
 }
 
 template void add_cells(const BodyShape &, const PointData &, Patches<2> &);
+template void add_cells(const BodyShape &, const PointData &, Patches<3> &);
 
 void add_point(const Vector3 &place, const Vector6 &motion, const Vector6 *velocity,
                std::size_t body_number, Patches<0> &patches) {
@@ -307,5 +324,6 @@ void write_patches(const std::filesystem::path &file, const PointData &data,
 template void write_patches(const std::filesystem::path &, const PointData &, const Patches<0> &);
 template void write_patches(const std::filesystem::path &, const PointData &, const Patches<1> &);
 template void write_patches(const std::filesystem::path &, const PointData &, const Patches<2> &);
+template void write_patches(const std::filesystem::path &, const PointData &, const Patches<3> &);
 
 } // namespace vibroimpact::output

@@ -21,12 +21,14 @@ struct BodyShape {
   Vector velocity{};      ///< 6N [m/s, rad/s]; empty when not known
   /// Around the cross-section of each of its lines, from the line [m]; empty: not drawn.
   std::vector<Matrix> outlines{};
-  ContactFields contact{}; ///< no columns when no contact touches a mesh
-  Vector line_stress{};    ///< [Pa], rows as in Recovery::line_stress; empty when not known
-  Vector cell_stress{};    ///< as in Recovery::cell_stress
+  ContactFields contact{};     ///< no columns when no contact touches a mesh
+  Vector line_stress{};        ///< [Pa], rows as in Recovery::line_stress; empty when not known
+  Vector cell_stress{};        ///< as in Recovery::cell_stress
+  bool largest_stress = false; ///< they only have the von Mises stress of StressEnvelope::as_stress
 
   PointData line_data() const;
-  PointData cell_data() const;
+  /// Of its cells of this dimension.
+  PointData cell_data(int dimension) const;
 };
 
 /// Beam elements with their cubic bending shape. Stress is linear between the nodes of an element
@@ -37,7 +39,8 @@ void add_lines(const BodyShape &shape, const PointData &data, Patches<1> &patche
 /// node to node. Points have no contact values.
 void add_sections(const BodyShape &shape, const PointData &data, Patches<2> &patches);
 
-/// Cells of this dimension by their corners, with one stress for an element.
+/// Cells of this dimension by their corners, with one stress for an element: of surfaces the von
+/// Mises stress of both faces, of solids all components too.
 template <int dimension>
 void add_cells(const BodyShape &shape, const PointData &data, Patches<dimension> &patches);
 
@@ -48,8 +51,8 @@ void add_point(const Vector3 &place, const Vector6 &motion, const Vector6 *veloc
 /// A square across the normal with sides of twice `half_side` [m].
 void add_stop(const StopFace &face, double half_side, Patches<2> &patches);
 
-/// sqrt(s1^2 - s1 s2 + s2^2 + 3 t^2), the largest of the places at three rows each [Pa].
-double largest_von_mises(const Eigen::Ref<const Vector> &stress);
+/// Of places of so many components each [Pa].
+double largest_von_mises(const Eigen::Ref<const Vector> &stress, Index components = 3);
 
 /// Throws std::runtime_error. There must be a patch.
 template <int dimension>

@@ -22,6 +22,8 @@ std::vector<Named> all_of(const PointData &data) {
                                              "von_mises_stress_second_face"};
   for (unsigned i = 0; i < data.von_mises; ++i)
     all.push_back({stresses[i], 1});
+  for (const char *component : data.stress)
+    all.push_back({std::string("stress_") + component, 1});
   return all;
 }
 

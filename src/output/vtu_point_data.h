@@ -5,6 +5,7 @@
 
 #include <deal.II/numerics/data_component_interpretation.h>
 
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -17,9 +18,13 @@ struct PointData {
   bool velocity = false;  ///< [m/s]
   bool contact = false;   ///< force [N], gap [m], peak force [N], state
   unsigned von_mises = 0; ///< [Pa]: the largest; with 3 also that of the first and second face
+  std::span<const char *const> stress{}; ///< components of the stress of a cell [Pa]
 
   /// Components of all of them.
-  unsigned size() const { return 7 + (velocity ? 3 : 0) + (contact ? 6 : 0) + von_mises; }
+  unsigned size() const {
+    return 7 + (velocity ? 3 : 0) + (contact ? 6 : 0) + von_mises +
+           static_cast<unsigned>(stress.size());
+  }
   /// A name for each component.
   std::vector<std::string> names() const;
   using Vectors =

@@ -63,18 +63,20 @@ double mode_scale(const Vector &mode, double body_size) {
   return only_twists ? mode_amplitude / rotation : mode_amplitude * body_size / displacement;
 }
 
-/// Lines and surfaces of the bodies at an instant.
+/// Lines, surfaces and solids of the bodies at an instant.
 struct Meshes {
   Patches<1> lines;
   Patches<2> surfaces;
   Patches<2> sections; ///< the sides of beams
-  PointData line_data, cell_data, section_data;
+  Patches<3> solids;
+  PointData line_data, surface_data, section_data, solid_data;
 };
 
 PointData both(PointData a, const PointData &b) {
   a.velocity = a.velocity || b.velocity;
   a.contact = a.contact || b.contact;
   a.von_mises = std::max(a.von_mises, b.von_mises);
+  a.stress = a.stress.empty() ? b.stress : a.stress;
   return a;
 }
 
@@ -82,31 +84,34 @@ Meshes meshes_of(const std::vector<BodyShape> &shapes) {
   Meshes meshes;
   for (const BodyShape &shape : shapes) {
     meshes.line_data = both(meshes.line_data, shape.line_data());
-    meshes.cell_data = both(meshes.cell_data, shape.cell_data());
+    meshes.surface_data = both(meshes.surface_data, shape.cell_data(2));
+    meshes.solid_data = both(meshes.solid_data, shape.cell_data(3));
   }
   meshes.section_data = meshes.line_data;
   meshes.section_data.contact = false;
   for (const BodyShape &shape : shapes) {
     add_lines(shape, meshes.line_data, meshes.lines);
-    add_cells(shape, meshes.cell_data, meshes.surfaces);
+    add_cells(shape, meshes.surface_data, meshes.surfaces);
+    add_cells(shape, meshes.solid_data, meshes.solids);
     add_sections(shape, meshes.section_data, meshes.sections);
   }
   return meshes;
 }
 
-/// Lines to NAME.vtu, or to NAME-lines.vtu when there are surfaces, which then take NAME.vtu; the
-/// names of the files.
+/// Solids, surfaces and lines: the first of these that there are to NAME.vtu, surfaces and lines
+/// behind them to NAME-surfaces.vtu and NAME-lines.vtu; the names of the files.
 std::vector<std::string> write_mesh(RunFolder &folder, const std::string &name,
                                     const Meshes &meshes) {
   std::vector<std::string> files;
-  if (!meshes.surfaces.empty()) {
-    files.push_back(name + ".vtu");
-    write_patches(folder.claim(files.back()), meshes.cell_data, meshes.surfaces);
-  }
-  if (!meshes.lines.empty()) {
-    files.push_back(name + (meshes.surfaces.empty() ? ".vtu" : "-lines.vtu"));
-    write_patches(folder.claim(files.back()), meshes.line_data, meshes.lines);
-  }
+  const auto write = [&](const std::string &kind, const PointData &data, const auto &patches) {
+    if (patches.empty())
+      return;
+    files.push_back(name + (files.empty() ? "" : kind) + ".vtu");
+    write_patches(folder.claim(files.back()), data, patches);
+  };
+  write("", meshes.solid_data, meshes.solids);
+  write("-surfaces", meshes.surface_data, meshes.surfaces);
+  write("-lines", meshes.line_data, meshes.lines);
   return files;
 }
 
@@ -295,7 +300,7 @@ struct StressOverTime {
       maximum = envelope.maximum();
       instant = envelope.instant;
     }
-    return envelope.as_stress();
+    return envelope.as_stress(places.components);
   }
 };
 
@@ -305,7 +310,8 @@ StressOverTime stress_over_time(const std::vector<ReducedBody> &bodies, const Mo
     if (const Recovery &recovery = bodies[b].recovery; !recovery.empty()) {
       BodyShape shape{.recovery = &recovery,
                       .number = b + 1,
-                      .motion = Vector::Zero(6 * recovery.nodes.cols())};
+                      .motion = Vector::Zero(6 * recovery.nodes.cols()),
+                      .largest_stress = true};
       shape.line_stress = stress.add(recovery.line_stress, motion.coordinates[b]);
       shape.cell_stress = stress.add(recovery.cell_stress, motion.coordinates[b]);
       stress.shapes.push_back(std::move(shape));

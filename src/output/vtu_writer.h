@@ -28,7 +28,8 @@ using Outlines = std::vector<std::vector<Matrix>>;
 ///   motion included. Displacement [m], rotation [rad], velocity [m/s] and the number of the body
 ///   ("body", from 1). Von Mises stress of the motion [Pa], that of static loads not included: of
 ///   shells in the middle of each element, the larger of both faces and each of them; of beams the
-///   largest of the extreme fibres. Where contacts touch a mesh, the force on each node
+///   largest of the extreme fibres; of solids in the middle of each element, with the components
+///   "stress_xx" to "stress_zx". Where contacts touch a mesh, the force on each node
 ///   ("contact_force", [N]), the gap ("contact_gap", [m]; 0 at nodes without a contact), the
 ///   largest force up to then ("peak_contact_force", [N]), and "contact_state": 0 at nodes without
 ///   a contact, 1 while no force acts, 2 while one does.
@@ -51,7 +52,8 @@ void write_motion_files(RunFolder &folder, const std::string &name,
 /// - NAME/stress-maximum.vtu: the meshes as in a frame, at the instant of the largest of all; and
 ///   NAME/stress-maximum-sections.vtu, the sides of beams then.
 ///
-/// With surfaces, lines are in files whose names end in -lines.vtu.
+/// With solids, surfaces are in files whose names end in -surfaces.vtu; with either, lines in those
+/// that end in -lines.vtu.
 void write_stress_files(RunFolder &folder, const std::string &name,
                         const std::vector<reduction::ReducedBody> &bodies, const Outlines &outlines,
                         const Motion &motion);

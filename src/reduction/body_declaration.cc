@@ -5,6 +5,7 @@
 #include "reduction/matrix_parameters.h"
 #include "reduction/modal_parameters.h"
 #include "reduction/shell_parameters.h"
+#include "reduction/solid_parameters.h"
 
 namespace vibroimpact::reduction {
 
@@ -18,11 +19,13 @@ namespace range = parameters::range;
 
 void declare_geometry(Section &body) {
   body.subsection("Geometry",
-                  "The line or mesh along which a beam runs, or the surfaces of a shell.")
+                  "The line or mesh along which a beam runs, the surfaces of a shell, or the "
+                  "hexahedra of a solid.")
       .text("Mesh", "",
             "Gmsh file (version 2.2 or 4.1, ASCII or binary) with lines for a beam, triangles and "
-            "quadrilaterals for a shell, relative to the folder of the parameter file. Instead of "
-            "it: Line for a beam, Plate or Cylinder for a shell. For matrices: the input deck of "
+            "quadrilaterals for a shell, hexahedra for a solid, relative to the folder of the "
+            "parameter file. Instead of it: Line for a beam, Plate or Cylinder for a shell, Block "
+            "for a solid. For matrices: the input deck of "
             "CalculiX or Abaqus (nodes, elements, sets of nodes), which says where the nodes are "
             "and what is seen of the body; its sets are places by their names in capitals.")
       .quantities("Line", "", dimension::length, range::any, "",
@@ -40,18 +43,20 @@ void declare_geometry(Section &body) {
                   "without it.",
                   3, 3);
   declare_shell_geometry(body.subsection("Geometry", ""));
+  declare_solid_geometry(body.subsection("Geometry", ""));
 }
 
 void declare_material(Section &body) {
-  body.subsection("Material", "The linear elastic material of a beam or shell.")
+  body.subsection("Material", "The linear elastic material of a beam, shell or solid.")
       .quantity("Young modulus", "", dimension::stress, range::positive, "E", "Of the material.")
-      .required("Type = beam, or shell with a section that has none")
-      .quantity("Poisson ratio", "0.3", dimension::none,
-                Range{.lower = -1, .upper = 0.5, .lower_open = true}, "\\nu",
-                "Counts for the torsion of beams and for shells.")
+      .required("Type = beam, or shell or solid with a section that has none")
+      .quantity(
+          "Poisson ratio", "0.3", dimension::none,
+          Range{.lower = -1, .upper = 0.5, .lower_open = true}, "\\nu",
+          "Counts for the torsion of beams, for shells and for solids, where it is less than 0.5.")
       .quantity("Density", "", dimension::density, range::non_negative, "\\rho",
                 "0 for a massless body between lumped masses.")
-      .required("Type = beam, or shell with a section that has none");
+      .required("Type = beam, or shell or solid with a section that has none");
 }
 
 void declare_support(Section &body) {
@@ -87,12 +92,13 @@ void declare_point(Section &body) {
 void declare_link(Section &body) {
   body.named_subsection(
           "Rigid link",
-          "Nodes of a beam or shell that move together like one rigid body. It is exact: their "
+          "Nodes of a beam, shell or solid that move together like one rigid body. It is exact: "
+          "their "
           "motion is eliminated, no large stiffness stands in for it. Elements between them do not "
           "deform, but their mass counts. Links that share a node are one.")
       .names("At", "",
              "Groups of nodes: start or end of a generated line; left, right, bottom, top or edges "
-             "of a plate or cylinder; physical groups of the mesh.")
+             "of a plate or cylinder; faces and edges of a block; physical groups of the mesh.")
       .names("Points", "", "Names of points of the body, whose nodes come in addition.")
       .names("Members", "",
              "Names of members of a beam: each connected part of their lines is rigid by itself.");
@@ -101,13 +107,14 @@ void declare_link(Section &body) {
 void declare_interface(Section &body) {
   body.named_subsection(
           "Interface",
-          "Nodes of a beam or shell at which it can touch: a Contact with a Pairing makes a "
+          "Nodes of a beam, shell or solid at which it can touch: a Contact with a Pairing makes a "
           "contact "
           "of each. They are called NAME.1, NAME.2... in the order of their coordinates (x first), "
           "or in that of Near or Grid.")
       .text("At", "all",
             "The nodes to choose from: start or end of a generated line; left, right, bottom, top "
-            "or edges of a plate or cylinder; the name of a physical group of the mesh; or all.")
+            "or edges of a plate or cylinder; a face or edge of a block; the name of a physical "
+            "group of the mesh; or all.")
       .quantities("Near", "", dimension::length, range::any, "",
                   "Coordinates, three for each position: only the nodes nearest to these. Without "
                   "Near and Grid: all nodes of At.",
@@ -124,9 +131,10 @@ void declare_interface(Section &body) {
 
 void declare_load(Section &body) {
   Section &load = body.named_subsection(
-      "Load", "What acts on a beam or shell in its static solution, which is part of the results "
-              "of every run (figures under static in the summary and in ParaView). All loads act "
-              "together. It does not act in any other analysis.");
+      "Load",
+      "What acts on a beam, shell or solid in its static solution, which is part of the results "
+      "of every run (figures under static in the summary and in ParaView). All loads act "
+      "together. It does not act in any other analysis.");
   declare_place(load, "Force or Moment is given, and Position, Near and Node are not");
   load.quantities("Force", "", dimension::force, range::any, "F", "On each node of the place.", 3,
                   3)
@@ -136,12 +144,16 @@ void declare_load(Section &body) {
                   "Of gravity: acts on all mass.", 3, 3)
       .quantity("Pressure", "0 Pa", dimension::stress, range::any, "p",
                 "Pushes along the normal of a shell, which follows the numbering of its cells by "
-                "the right-hand rule.")
-      .text("On", "all", "Group of surfaces under pressure.");
+                "the right-hand rule; against the outer faces of a solid.")
+      .text(
+          "On", "all",
+          "Group of surfaces under pressure; all: every surface of a shell, every outer face of a "
+          "solid.");
 }
 
 void declare_modes(Section &body) {
-  body.subsection("Modes", "Which normal modes of a beam or shell are kept, and their damping.")
+  body.subsection("Modes",
+                  "Which normal modes of a beam, shell or solid are kept, and their damping.")
       .integer("Number", "5", Range{.lower = 1, .upper = 1e5}, "n",
                "The lowest modes. Either this or Band.")
       .quantities("Band", "", dimension::frequency, range::non_negative, "",
@@ -230,14 +242,15 @@ void declare_rotor(Section &body) {
 
 void declare_body(Section &root) {
   Section &body = root.named_subsection("Body", "A deformable or lumped body with named points.");
-  body.choice("Type", "beam", {"beam", "shell", "matrices", "lumped", "rotor", "modes"},
+  body.choice("Type", "beam", {"beam", "shell", "solid", "matrices", "lumped", "rotor", "modes"},
               "beam: normal modes of a frame of beams; shell: normal modes of plates and "
-              "shells with their stiffeners; matrices: normal modes of stiffness and mass matrices "
+              "shells with their stiffeners; solid: normal modes of solids of hexahedra; matrices: "
+              "normal modes of stiffness and mass matrices "
               "of another program; lumped: masses, springs, dashpots; rotor: an "
               "unbalanced rotor with its motor on a point of another body; modes: known modes, "
               "from a test, another program or the results of a run.");
   body.choice("Planar", "no", {"no", "xy", "yz", "zx"},
-              "The plane in which a beam or shell moves: the displacement out of it and the "
+              "The plane in which a beam, shell or solid moves: the displacement out of it and the "
               "rotations that turn it out of the plane are held at all nodes. no: it moves in "
               "space.");
   declare_geometry(body);
@@ -249,6 +262,7 @@ void declare_body(Section &root) {
   declare_link(body);
   declare_interface(body);
   declare_shells(body);
+  declare_solids(body);
   declare_load(body);
   declare_modes(body);
   declare_modal_data(body);

@@ -5,7 +5,7 @@
 #include "reduction/attachment.h"
 #include "reduction/modal_definition.h"
 #include "structure/matrix_definition.h"
-#include "structure/shell_definition.h"
+#include "structure/solid_definition.h"
 
 #include <optional>
 #include <string>
@@ -46,12 +46,13 @@ struct RotorDefinition {
 };
 
 struct BodyDefinition {
-  enum class Type { beam, shell, matrices, lumped, rotor, modes };
+  enum class Type { beam, shell, solid, matrices, lumped, rotor, modes };
   enum class Reduction { free_interface, fixed_interface };
   std::string name;
   Type type = Type::beam;
   structure::BeamDefinition beam;
   structure::ShellDefinition shell;
+  structure::SolidDefinition solid;
   structure::MatrixDefinition matrices;
   modes::Selection selection; ///< of the modes of the body that is free or held at its attachments
   Reduction reduction = Reduction::free_interface;

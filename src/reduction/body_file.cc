@@ -19,9 +19,12 @@ static_assert(std::endian::native == std::endian::little, "the format is little-
 
 void members(auto &visit, As<BodyPoint> auto &point) {
   visit(point.name, point.interface, point.node, point.position, point.rows,
-        point.static_displacement, point.flexibility, point.inverse_mass, point.stress);
+        point.static_displacement, point.flexibility, point.inverse_mass, point.stress,
+        point.stress_components);
 }
-void members(auto &visit, As<CellStress> auto &stress) { visit(stress.rows, stress.first); }
+void members(auto &visit, As<CellStress> auto &stress) {
+  visit(stress.rows, stress.components, stress.first);
+}
 void members(auto &visit, As<Recovery> auto &recovery) {
   visit(recovery.nodes, recovery.lines, recovery.cells, recovery.shapes,
         recovery.static_displacement, recovery.line_stress, recovery.cell_stress);
@@ -34,7 +37,7 @@ void members(auto &visit, As<ReducedBody> auto &body) {
 
 namespace {
 
-const std::string title = "vibroimpact reduced body 7\n";
+const std::string title = "vibroimpact reduced body 8\n";
 
 } // namespace
 

@@ -5,6 +5,7 @@
 #include "reduction/matrix_parameters.h"
 #include "reduction/modal_parameters.h"
 #include "reduction/shell_parameters.h"
+#include "reduction/solid_parameters.h"
 
 #include <algorithm>
 
@@ -130,7 +131,7 @@ void read_beam(const Values &body, const std::string &folder, MPI_Comm communica
   if (!body.instances("Mass").empty())
     body.reject("Type",
                 "must not be beam when there is a subsection Mass; a Point can carry a mass");
-  refuse(body, {"Rotor", "Motor", "Matrices"}, {"Shell", "Stiffener"});
+  refuse(body, {"Rotor", "Motor", "Matrices"}, {"Shell", "Stiffener", "Solid"});
   refuse_modal_keys(body);
   refuse_shell_geometry(body);
   definition.beam = read_beam_definition(body, folder, communicator);
@@ -140,17 +141,27 @@ void read_beam(const Values &body, const std::string &folder, MPI_Comm communica
 
 void read_shell(const Values &body, const std::string &folder, MPI_Comm communicator,
                 BodyDefinition &definition) {
-  refuse(body, {"Section", "Rotor", "Motor", "Matrices"}, {"Mass", "Member", "Hinge"});
+  refuse(body, {"Section", "Rotor", "Motor", "Matrices"}, {"Mass", "Member", "Hinge", "Solid"});
   refuse_modal_keys(body);
   definition.shell = read_shell_definition(body, folder, communicator);
   definition.shell.plane_normal = read_plane(body);
   read_modes(body, definition);
 }
 
+void read_solid(const Values &body, const std::string &folder, MPI_Comm communicator,
+                BodyDefinition &definition) {
+  refuse(body, {"Section", "Rotor", "Motor", "Matrices"},
+         {"Mass", "Member", "Hinge", "Shell", "Stiffener"});
+  refuse_modal_keys(body);
+  definition.solid = read_solid_definition(body, folder, communicator);
+  definition.solid.plane_normal = read_plane(body);
+  read_modes(body, definition);
+}
+
 void read_matrices(const Values &body, const std::string &folder, MPI_Comm communicator,
                    BodyDefinition &definition) {
   refuse(body, {"Section", "Material", "Rotor", "Motor"},
-         {"Mass", "Member", "Hinge", "Shell", "Stiffener", "Rigid link"});
+         {"Mass", "Member", "Hinge", "Shell", "Stiffener", "Solid", "Rigid link"});
   refuse_modal_keys(body);
   definition.matrices = read_matrix_definition(body, folder, communicator);
   definition.matrices.plane_normal = read_plane(body);
@@ -176,7 +187,7 @@ void read_rotor(const Values &body, BodyDefinition &definition) {
   refuse_plane(body);
   refuse(body, {"Geometry", "Section", "Material", "Modes", "Modal data", "Matrices"},
          {"Support", "Point", "Rigid link", "Interface", "Mass", "Member", "Hinge", "Shell",
-          "Stiffener", "Load"});
+          "Stiffener", "Solid", "Load"});
   const Values rotor = body.subsection("Rotor");
   rotor.require("Mass");
   rotor.require("Inertia");
@@ -188,7 +199,7 @@ void read_lumped(const Values &body, BodyDefinition &definition) {
   refuse(body,
          {"Geometry", "Section", "Material", "Modes", "Modal data", "Rotor", "Motor", "Matrices"},
          {"Support", "Point", "Rigid link", "Interface", "Member", "Hinge", "Shell", "Stiffener",
-          "Load"});
+          "Solid", "Load"});
   for (const std::string &name : body.instances("Mass"))
     definition.masses.push_back(read_mass(body.instance("Mass", name), name));
 }
@@ -197,7 +208,7 @@ void read_modal(const Values &body, const std::string &folder, BodyDefinition &d
   refuse_plane(body);
   refuse(body, {"Geometry", "Section", "Material", "Modes", "Matrices", "Rotor", "Motor"},
          {"Support", "Rigid link", "Interface", "Mass", "Member", "Hinge", "Shell", "Stiffener",
-          "Load"});
+          "Solid", "Load"});
   definition.modal = read_modal_definition(body, folder);
 }
 
@@ -219,6 +230,9 @@ BodyDefinition read_body(const Values &body, const std::string &name, const std:
   } else if (body.choice("Type") == "shell") {
     definition.type = BodyDefinition::Type::shell;
     read_shell(body, folder, communicator, definition);
+  } else if (body.choice("Type") == "solid") {
+    definition.type = BodyDefinition::Type::solid;
+    read_solid(body, folder, communicator, definition);
   } else if (body.choice("Type") == "matrices") {
     definition.type = BodyDefinition::Type::matrices;
     read_matrices(body, folder, communicator, definition);

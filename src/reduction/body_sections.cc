@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::array<const char *, 6> components = {"x", "y", "z", "rx", "ry", "rz"};
 
-void fix(const Values &section, const std::string &word, std::array<bool, 6> &fixed) {
+void fix(const Values &section, const std::string &word, structure::Support &support) {
+  std::array<bool, 6> &fixed = support.fixed;
   if (word == "all")
     fixed.fill(true);
   else if (word == "pinned")
@@ -30,7 +31,10 @@ void fix(const Values &section, const std::string &word, std::array<bool, 6> &fi
     std::vector<std::string> known(components.begin(), components.end());
     known.insert(known.end(), {"pinned", "all", "symmetric x", "symmetric y", "symmetric z"});
     section.require_known("Fix", word, known);
-    fixed[std::find(components.begin(), components.end(), word) - components.begin()] = true;
+    const auto component =
+        std::find(components.begin(), components.end(), word) - components.begin();
+    fixed[component] = true;
+    support.names_rotations = support.names_rotations || component >= 3;
   }
 }
 
@@ -62,10 +66,14 @@ void check_use(const Values &section, const std::string &chooser, const std::vec
 
 void declare_place(parameters::Section &section, const char *when) {
   section
-      .text("At", "",
-            "start or end of a generated line; left, right, bottom, top or edges of a plate or "
-            "cylinder; the name of a physical group of the mesh; or all nodes. One of At, "
-            "Position, Near and Node.")
+      .text(
+          "At", "",
+          "start or end of a generated line; left, right, bottom, top or edges of a plate or "
+          "cylinder; left, right, bottom, top, back or front of a block (ends of its edges), or "
+          "two "
+          "of these in that order for an edge, as left bottom; the name of a physical group of the "
+          "mesh; or all nodes. One of At, "
+          "Position, Near and Node.")
       .required(when)
       .quantities("Position", "", parameters::dimension::length, parameters::range::any, "",
                   "Coordinates of a node. On a generated line of a beam a node is placed there.", 3,
@@ -169,7 +177,7 @@ structure::Material read_material(const Values &material) {
 structure::Support read_support(const Values &section, const std::string &name) {
   structure::Support support{.name = name, .at = read_place(section)};
   for (const std::string &word : section.names("Fix"))
-    fix(section, word, support.fixed);
+    fix(section, word, support);
   for (int axis = 0; axis < 3; ++axis) {
     if (section.has("Stiffness"))
       support.stiffness[axis] = section.quantities("Stiffness")[axis];

@@ -13,9 +13,11 @@ namespace {
 /// The shapes at the nodes of an element, in its order.
 Matrix own_rows(const Element &element, const Matrix &shapes) {
   const auto nodes = element.nodes();
-  Matrix own(6 * static_cast<Index>(nodes.size()), shapes.cols());
+  const Index components = element.components();
+  Matrix own(components * static_cast<Index>(nodes.size()), shapes.cols());
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    own.middleRows(static_cast<Index>(6 * i), 6) = shapes.middleRows(Index{6} * nodes[i], 6);
+    own.middleRows(components * static_cast<Index>(i), components) =
+        shapes.middleRows(Index{6} * nodes[i], components);
   return own;
 }
 
@@ -55,22 +57,43 @@ Matrix stress_of(const Element &element, int node) {
       static_cast<int>(std::find(nodes.begin(), nodes.end(), node) - nodes.begin()));
 }
 
-/// Appends the places of a cell.
+/// Plane stress as stress of all axes: xx, yy, xy, the others 0.
+Matrix with_all_components(const Matrix &stress) {
+  Matrix all = Matrix::Zero(2 * stress.rows(), stress.cols());
+  for (Index place = 0; place < stress.rows() / 3; ++place) {
+    all.middleRows(6 * place, 2) = stress.middleRows(3 * place, 2);
+    all.row(6 * place + 3) = stress.row(3 * place + 2);
+  }
+  return all;
+}
+
+/// Of all elements of a body.
+Index components_of(const BodyModel &model) {
+  int components = 3;
+  for (const auto &element : model.elements)
+    components = std::max(components, element->stress_components());
+  return components;
+}
+
+/// Collects the places of elements, with equally many components.
 class Collector {
 public:
-  void add(const Matrix &stress) {
-    if (stress.rows() == 0)
-      return;
-    places_ += static_cast<int>(stress.rows() / 3);
-    parts_.push_back(stress);
+  explicit Collector(const BodyModel &model) : components_(components_of(model)) {}
+
+  /// `stress`: of the element, per unit coordinate.
+  void add(const Element &element, const Matrix &stress) {
+    parts_.push_back(element.stress_components() == components_ ? stress
+                                                                : with_all_components(stress));
+    places_ += static_cast<int>(parts_.back().rows() / components_);
   }
   void begin_cell() { first_.push_back(places_); }
   CellStress result(Index columns) {
     begin_cell();
-    return {.rows = stacked(parts_, columns), .first = std::move(first_)};
+    return {stacked(parts_, columns), std::move(first_), components_};
   }
 
 private:
+  Index components_;
   std::vector<Matrix> parts_;
   std::vector<int> first_;
   int places_ = 0;
@@ -78,44 +101,45 @@ private:
 
 } // namespace
 
-Matrix stress_at_node(const BodyModel &model, int node, const Matrix &shapes) {
-  std::vector<Matrix> parts;
+CellStress stress_at_node(const BodyModel &model, int node, const Matrix &shapes) {
+  Collector collector(model);
+  collector.begin_cell();
   for (const auto &element : model.elements) {
     const auto nodes = element->nodes();
     if (std::find(nodes.begin(), nodes.end(), node) == nodes.end())
       continue;
     if (const Matrix stress = stress_of(*element, node); stress.rows() > 0)
-      parts.emplace_back(stress * own_rows(*element, shapes));
+      collector.add(*element, stress * own_rows(*element, shapes));
   }
-  return stacked(parts, shapes.cols());
+  return collector.result(shapes.cols());
 }
 
 CellStress line_stress(const BodyModel &model, const Matrix &shapes) {
   const ElementsByNodes elements = elements_by_nodes(model);
-  Collector collector;
+  Collector collector(model);
   for (const std::array<int, 2> &line : model.mesh.lines) {
     collector.begin_cell();
     const auto [begin, end] = elements.equal_range(ascending(line));
     for (const int node : line)
       for (auto at = begin; at != end; ++at)
         if (const Matrix stress = stress_of(*at->second, node); stress.rows() > 0)
-          collector.add(stress * own_rows(*at->second, shapes));
+          collector.add(*at->second, stress * own_rows(*at->second, shapes));
   }
   return collector.result(shapes.cols());
 }
 
 CellStress cell_stress(const BodyModel &model, const Matrix &shapes) {
   const ElementsByNodes elements = elements_by_nodes(model);
-  Collector collector;
-  for (const structure::Cell &surface : model.mesh.cells) {
+  Collector collector(model);
+  for (const structure::Cell &cell : model.mesh.cells) {
     collector.begin_cell();
-    const auto [begin, end] = elements.equal_range(ascending(surface.nodes()));
+    const auto [begin, end] = elements.equal_range(ascending(cell.nodes()));
     for (auto at = begin; at != end; ++at) {
       const Element &element = *at->second;
       Matrix mean = element.stress(0);
-      for (int node = 1; node < surface.size; ++node)
+      for (int node = 1; node < cell.size; ++node)
         mean += element.stress(node);
-      collector.add(mean / surface.size * own_rows(element, shapes));
+      collector.add(element, mean / cell.size * own_rows(element, shapes));
     }
   }
   return collector.result(shapes.cols());

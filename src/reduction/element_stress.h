@@ -6,11 +6,11 @@
 
 namespace vibroimpact::reduction {
 
-/// All elements that meet at a node, see BodyPoint::stress. `shapes`: 6N x n, rows 6 i + component
-/// of node i.
-Matrix stress_at_node(const structure::BodyModel &model, int node, const Matrix &shapes);
+/// All elements that meet at a node, as those of one cell; see BodyPoint::stress. `shapes`: 6N x n,
+/// rows 6 i + component of node i.
+CellStress stress_at_node(const structure::BodyModel &model, int node, const Matrix &shapes);
 
-/// See Recovery::line_stress and Recovery::cell_stress. The mean of the corners of a shell
+/// See Recovery::line_stress and Recovery::cell_stress. The mean of the corners of an
 /// element stands for its middle, where the stress of a coarse mesh is the best.
 CellStress line_stress(const structure::BodyModel &model, const Matrix &shapes);
 CellStress cell_stress(const structure::BodyModel &model, const Matrix &shapes);

@@ -158,7 +158,9 @@ void add_points(const structure::BodyModel &model, const Matrix &shapes,
                     .rows = shapes.middleRows(row, 6),
                     .interface = named.interface,
                     .node = shown ? named.node : -1};
-    point.stress = stress_at_node(model, named.node, shapes);
+    CellStress stress = stress_at_node(model, named.node, shapes);
+    point.stress = std::move(stress.rows);
+    point.stress_components = stress.components;
     if (response.deflection.size() > 0)
       point.static_displacement = response.deflection.segment(row, 6);
     if (!response.flexibility.empty())
@@ -180,6 +182,8 @@ bool first_rank(MPI_Comm communicator) {
 const char *type_name(BodyDefinition::Type type) {
   if (type == BodyDefinition::Type::matrices)
     return "matrices";
+  if (type == BodyDefinition::Type::solid)
+    return "solid";
   return type == BodyDefinition::Type::shell ? "shell" : "beam";
 }
 
@@ -227,6 +231,8 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
 structure::BodyModel build_model(const BodyDefinition &definition, MPI_Comm communicator) {
   if (definition.type == BodyDefinition::Type::matrices)
     return structure::build_matrix_body(definition.matrices, communicator);
+  if (definition.type == BodyDefinition::Type::solid)
+    return structure::build_solid(definition.solid);
   return definition.type == BodyDefinition::Type::shell ? structure::build_shell(definition.shell)
                                                         : structure::build_frame(definition.beam);
 }

@@ -59,10 +59,11 @@ void save(const Values &modes, const std::string &file, const ReducedBody &body,
 std::string fingerprint_of(const Values &body, const BodyDefinition &definition,
                            MPI_Comm communicator) {
   const structure::MatrixDefinition &given = definition.matrices;
-  std::string text = body.fingerprint() + "mesh = " +
-                     content_hash(definition.beam.mesh_content + definition.shell.mesh_content +
-                                  given.deck_content + given.table_content) +
-                     "\n";
+  std::string text =
+      body.fingerprint() + "mesh = " +
+      content_hash(definition.beam.mesh_content + definition.shell.mesh_content +
+                   definition.solid.mesh_content + given.deck_content + given.table_content) +
+      "\n";
   for (const std::string &file : {given.stiffness_file, given.mass_file, given.damping_file})
     if (!file.empty())
       text += "matrix = " + std::to_string(structure::file_hash(file, communicator)) + "\n";

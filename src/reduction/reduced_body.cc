@@ -6,6 +6,17 @@
 
 namespace vibroimpact::reduction {
 
+double squared_von_mises(const double *stress, Index components) {
+  const auto square = [](double x) { return x * x; };
+  if (components == 3)
+    return stress[0] * stress[0] - stress[0] * stress[1] + stress[1] * stress[1] +
+           3 * stress[2] * stress[2];
+  return (square(stress[0] - stress[1]) + square(stress[1] - stress[2]) +
+          square(stress[2] - stress[0])) /
+             2 +
+         3 * (square(stress[3]) + square(stress[4]) + square(stress[5]));
+}
+
 Vector ReducedBody::damping_ratio() const {
   const Vector frequency = omega();
   Vector ratio = Vector::Zero(size());

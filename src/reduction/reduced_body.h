@@ -18,6 +18,10 @@
 
 namespace vibroimpact::reduction {
 
+/// Square of the von Mises stress at a place [Pa^2] from its components: two direct stresses and
+/// the shear stress of plane stress, or the six xx, yy, zz, xy, yz, zx.
+double squared_von_mises(const double *stress, Index components);
+
 /// A named place of a body where something can connect, touch, push or be looked at.
 struct BodyPoint {
   std::string name;
@@ -36,17 +40,18 @@ struct BodyPoint {
   Matrix inverse_mass{};
   std::string interface {}; ///< the interface the point is one of; empty for a point by itself
   int node = -1;            ///< column of Recovery::nodes; -1 for bodies without a mesh
-  /// 3k x n: direct stresses along two axes and shear stress per unit coordinate, three rows for
-  /// each of the k places where the elements that meet here are looked at [Pa]; empty without a
-  /// mesh and for cross-sections of unknown shape.
+  /// Stress per unit coordinate at each of the k places where the elements that meet here are
+  /// looked at, (stress_components k) x n [Pa]; empty without a mesh and for cross-sections of
+  /// unknown shape.
   Matrix stress{};
+  Index stress_components = 3; ///< see squared_von_mises()
 };
 
-/// Plane stress in the elements of each cell per unit coordinate: three rows, two direct stresses
-/// and the shear stress, for each place that is looked at [Pa].
+/// Stress in the elements of each cell per unit coordinate.
 struct CellStress {
-  Matrix rows{};          ///< 3k x n for k places
+  Matrix rows{};          ///< (components k) x n for k places [Pa]
   std::vector<int> first; ///< each cell's first place, then k
+  Index components = 3;   ///< see squared_von_mises()
 
   bool empty() const { return rows.rows() == 0; }
 };
@@ -55,14 +60,14 @@ struct CellStress {
 struct Recovery {
   Matrix nodes;                          ///< 3 x N, undeformed positions [m]
   std::vector<std::array<int, 2>> lines; ///< node pairs of beam elements
-  std::vector<structure::Cell> cells;    ///< of shell elements
+  std::vector<structure::Cell> cells;    ///< of shell and solid elements
   Matrix shapes;                         ///< 6N x n: rows 6 i + component of node i
   /// 6N, displacement of the mesh under the body's loads [m, rad]; empty without loads.
   Vector static_displacement{};
   /// The extreme fibres at the first node, then as many at the second; none where the cross-section
   /// has no known shape.
   CellStress line_stress{};
-  /// In the middle of an element: the face that its normal points to, then the other.
+  /// In the middle of an element: of shells at the face that the normal points to, then the other.
   CellStress cell_stress{};
 
   bool empty() const { return lines.empty() && cells.empty(); }
@@ -70,7 +75,7 @@ struct Recovery {
 
 struct ReducedBody {
   std::string name;
-  std::string type; ///< "beam", "shell", "matrices", "lumped", "rotor" or "modes"
+  std::string type; ///< "beam", "shell", "solid", "matrices", "lumped", "rotor" or "modes"
 
   Vector mass;               ///< n
   Vector stiffness;          ///< n

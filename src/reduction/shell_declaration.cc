@@ -64,8 +64,8 @@ void declare_shell_geometry(Section &geometry) {
                   "First and last angle about the axis of the cylinder.", 2, 2)
       .quantities("Divisions", "10, 10", dimension::none, Range{.lower = 1}, "",
                   "Numbers of elements: along the first and the second edge of a plate, around and "
-                  "along a cylinder.",
-                  2, 2)
+                  "along a cylinder, along the three edges of a block.",
+                  2, 3)
       .choice("Cell shape", "quadrilateral", {"quadrilateral", "triangle"},
               "Of the elements of a plate or cylinder.");
 }

@@ -13,21 +13,11 @@ namespace {
 using namespace sections;
 using structure::ShellDefinition;
 
-std::array<int, 2> read_divisions(const Values &geometry) {
-  std::array<int, 2> divisions{};
-  for (int i = 0; i < 2; ++i) {
-    const double number = geometry.quantities("Divisions")[i];
-    if (number != std::floor(number) || number > 1e6)
-      geometry.reject("Divisions", "must be two whole numbers from 1 to 1000000");
-    divisions[i] = static_cast<int>(number);
-  }
+std::array<int, 2> read_surface_divisions(const Values &geometry) {
   // Matrices, their factors and the work space of the eigen-solution: 19 kB for each node of plates
   // of 10^4 to 4 10^4 nodes, and slowly growing.
-  const double nodes = (divisions[0] + 1.0) * (divisions[1] + 1.0);
-  if (const std::string lack = lack_of_memory(25e3 * nodes); !lack.empty())
-    geometry.reject("Divisions", "must make a smaller mesh: for its " +
-                                     parameters::number_text(nodes) + " nodes " + lack);
-  return divisions;
+  const std::vector<int> divisions = read_divisions(geometry, 2, 25e3);
+  return {divisions[0], divisions[1]};
 }
 
 structure::CellShape read_cell_shape(const Values &geometry) {
@@ -39,7 +29,7 @@ void read_plate(const Values &geometry, ShellDefinition &shell) {
   shell.plate = structure::Plate{.corner = vector3(geometry, "Plate", 0),
                                  .first_end = vector3(geometry, "Plate", 3),
                                  .second_end = vector3(geometry, "Plate", 6),
-                                 .elements = read_divisions(geometry),
+                                 .elements = read_surface_divisions(geometry),
                                  .shape = read_cell_shape(geometry)};
 }
 
@@ -51,7 +41,7 @@ void read_cylinder(const Values &geometry, ShellDefinition &shell) {
                                        .radius = geometry.quantity("Radius"),
                                        .angles = {angles[0], angles[1]},
                                        .zero = {},
-                                       .elements = read_divisions(geometry),
+                                       .elements = read_surface_divisions(geometry),
                                        .shape = read_cell_shape(geometry)};
   if (geometry.has("Orientation"))
     shell.cylinder->zero = vector3(geometry, "Orientation");
@@ -59,7 +49,7 @@ void read_cylinder(const Values &geometry, ShellDefinition &shell) {
 
 /// Keys that only some geometries use must not be given with another.
 void check_geometry(const Values &geometry) {
-  for (const char *unused : {"Line", "Elements"})
+  for (const char *unused : {"Line", "Elements", "Block"})
     if (geometry.given(unused))
       geometry.reject(unused, "must not be set when Type = shell");
   const int given =
@@ -99,6 +89,25 @@ double material_value(const Values &section, const Values &material, const char 
 
 } // namespace
 
+std::vector<int> read_divisions(const Values &geometry, std::size_t directions,
+                                double bytes_of_node) {
+  const std::string rule =
+      "must be " + std::to_string(directions) + " whole numbers from 1 to " + "1000000";
+  const std::vector<double> numbers = geometry.quantities("Divisions");
+  std::vector<int> divisions;
+  double nodes = 1;
+  for (const double number : numbers) {
+    if (number != std::floor(number) || number > 1e6 || numbers.size() != directions)
+      geometry.reject("Divisions", rule);
+    divisions.push_back(static_cast<int>(number));
+    nodes *= number + 1;
+  }
+  if (const std::string lack = lack_of_memory(bytes_of_node * nodes); !lack.empty())
+    geometry.reject("Divisions", "must make a smaller mesh: for its " +
+                                     parameters::number_text(nodes) + " nodes " + lack);
+  return divisions;
+}
+
 structure::Material own_material(const Values &section, const Values &material) {
   return {material_value(section, material, "Young modulus"),
           material_value(section, material, "Poisson ratio"),
@@ -128,7 +137,8 @@ structure::Stiffener read_stiffener(const Values &section, const std::string &na
 
 void refuse_shell_geometry(const Values &body) {
   const Values geometry = body.subsection("Geometry");
-  for (const char *key : {"Plate", "Cylinder", "Radius", "Angles", "Divisions", "Cell shape"})
+  for (const char *key :
+       {"Plate", "Cylinder", "Radius", "Angles", "Divisions", "Cell shape", "Block"})
     if (geometry.given(key))
       geometry.reject(key, "must not be set when Type = " + body.choice("Type"));
 }

@@ -1,4 +1,4 @@
-// The keys of a parameter file that only shells have.
+// The keys of a parameter file that shells have, and those of them that solids have too.
 #pragma once
 
 #include "parameters/values.h"
@@ -21,6 +21,10 @@ void declare_shell_geometry(parameters::Section &geometry);
 /// `subsection Shell NAME` and `subsection Stiffener NAME` of a body.
 void declare_shells(parameters::Section &body);
 
+/// The Divisions of a generated mesh along so many directions. Throws InputError for other numbers,
+/// and when there is less memory than so many bytes for each node.
+std::vector<int> read_divisions(const parameters::Values &geometry, std::size_t directions,
+                                double bytes_of_node);
 /// Throws InputError when a body that is no shell gives keys of declare_shell_geometry().
 void refuse_shell_geometry(const parameters::Values &body);
 

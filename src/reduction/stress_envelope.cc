@@ -11,17 +11,12 @@ namespace {
 constexpr Index place_block = 256;
 constexpr Index instant_block = 512;
 
-/// Squares, for a block of places (rows: three for each) and instants (columns).
-Matrix squared_von_mises(const Matrix &stress) {
-  const Index places = stress.rows() / 3;
-  Matrix squared(places, stress.cols());
+/// Squares, for a block of places (rows: their components) and instants (columns).
+Matrix squares(const Matrix &stress, Index components) {
+  Matrix squared(stress.rows() / components, stress.cols());
   for (Index t = 0; t < stress.cols(); ++t)
-    for (Index p = 0; p < places; ++p) {
-      const double first = stress(3 * p, t);
-      const double second = stress(3 * p + 1, t);
-      const double shear = stress(3 * p + 2, t);
-      squared(p, t) = first * first - first * second + second * second + 3 * shear * shear;
-    }
+    for (Index p = 0; p < squared.rows(); ++p)
+      squared(p, t) = squared_von_mises(&stress(components * p, t), components);
   return squared;
 }
 
@@ -49,24 +44,25 @@ std::size_t cell_of(const CellStress &stress, Index place) {
 
 } // namespace
 
-Vector StressEnvelope::as_stress() const {
-  Vector stress = Vector::Zero(3 * largest.size());
+Vector StressEnvelope::as_stress(Index components) const {
+  Vector stress = Vector::Zero(components * largest.size());
   for (Index p = 0; p < largest.size(); ++p)
-    stress[3 * p] = largest[p];
+    stress[components * p] = largest[p];
   return stress;
 }
 
 StressEnvelope stress_envelope(const CellStress &stress, const Matrix &coordinates) {
-  const Index places = stress.rows.rows() / 3;
+  const Index components = stress.components;
+  const Index places = stress.rows.rows() / components;
   const Index instants = coordinates.rows();
   StressEnvelope envelope{.largest = Vector::Zero(places)};
   double best = -1;
   for (Index p = 0; p < places; p += place_block)
     for (Index t = 0; t < instants; t += instant_block) {
       const Matrix block =
-          stress.rows.middleRows(3 * p, 3 * std::min(place_block, places - p)) *
+          stress.rows.middleRows(components * p, components * std::min(place_block, places - p)) *
           coordinates.middleRows(t, std::min(instant_block, instants - t)).transpose();
-      take(squared_von_mises(block), p, t, best, envelope);
+      take(squares(block, components), p, t, best, envelope);
     }
   envelope.largest = envelope.largest.cwiseSqrt();
   return envelope;

@@ -14,8 +14,8 @@ struct StressEnvelope {
 
   /// 0 without any place [Pa].
   double maximum() const { return place < 0 ? 0 : largest[place]; }
-  /// Rows as CellStress has them, for stresses whose von Mises stress is the envelope: uniaxial.
-  Vector as_stress() const;
+  /// Rows of so many components, for stresses whose von Mises stress is the envelope: uniaxial.
+  Vector as_stress(Index components) const;
 };
 
 /// `coordinates`: instants x n. Takes a few MB beside its arguments, however many places and

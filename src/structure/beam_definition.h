@@ -88,6 +88,7 @@ struct Support {
   Location at;
   std::array<bool, 6> fixed{};
   std::array<double, 6> stiffness{}; ///< [N/m] and [N m/rad]
+  bool names_rotations = false;      ///< rotations are held by their own names, not with all
 };
 
 /// A named node, with or without a lumped mass that is fixed to it, by a rigid arm if need be.
@@ -147,8 +148,8 @@ struct Load {
   Vector3 force = Vector3::Zero();        ///< [N]
   Vector3 moment = Vector3::Zero();       ///< [N m]
   Vector3 acceleration = Vector3::Zero(); ///< of gravity, on all mass [m/s^2]
-  double pressure = 0;                    ///< along the normals of shells [Pa]
-  std::string on = "all";                 ///< surfaces under pressure
+  double pressure = 0;    ///< along the normals of shells, against faces of solids [Pa]
+  std::string on = "all"; ///< surfaces under pressure
 };
 
 struct BeamDefinition {

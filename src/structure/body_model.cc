@@ -3,8 +3,10 @@
 #include "structure/frame_body.h"
 #include "structure/hinges.h"
 #include "structure/interface_nodes.h"
+#include "structure/node_rotations.h"
 #include "structure/rigid_links.h"
 #include "structure/shell_body.h"
+#include "structure/solid_body.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,14 +80,17 @@ void apply_load(BodyModel &model, const Load &load) {
     }
 }
 
-/// What beams and shells are given alike; the elements are there already.
+template <class Definition> BodyParts parts_of(const Definition &definition) {
+  return {.plane_normal = definition.plane_normal,
+          .supports = definition.supports,
+          .points = definition.points,
+          .interfaces = definition.interfaces,
+          .loads = definition.loads};
+}
+
+/// What beams, shells and solids are given alike; the elements are there already.
 template <class Definition> void complete(BodyModel &model, const Definition &definition) {
-  add_parts({.plane_normal = definition.plane_normal,
-             .supports = definition.supports,
-             .points = definition.points,
-             .interfaces = definition.interfaces,
-             .loads = definition.loads},
-            model);
+  add_parts(parts_of(definition), model);
   if (!(model.total_mass() > 0))
     throw DefinitionError("Material", "", "Density",
                           "must be greater than 0 for a body without lumped masses");
@@ -143,7 +148,8 @@ BodyModel build_frame(const BeamDefinition &definition) {
   check_rigid_lines(model, definition, lines.members);
   for (const Load &load : definition.loads)
     if (load.pressure != 0)
-      throw DefinitionError("Load", load.name, "Pressure", "needs the surfaces of a shell");
+      throw DefinitionError("Load", load.name, "Pressure",
+                            "needs the surfaces of a shell or solid");
   return model;
 }
 
@@ -151,13 +157,29 @@ BodyModel build_shell(const ShellDefinition &definition) {
   BodyModel model;
   model.mesh = shell_mesh(definition);
   add_shell_elements(model, definition);
-  for (const ShellPart &part : definition.parts)
+  for (const MeshPart &part : definition.parts)
     model.add_material(part.material);
   complete(model, definition);
   model.rigid = rigid_bodies(model, definition.links, {}, {});
   for (const Load &load : definition.loads)
     if (load.pressure != 0)
-      add_pressure(model, load);
+      add_shell_pressure(model, load);
+  return model;
+}
+
+BodyModel build_solid(const SolidDefinition &definition) {
+  BodyModel model;
+  model.mesh = solid_mesh(definition);
+  add_solid_elements(model, definition);
+  for (const MeshPart &part : definition.parts)
+    model.add_material(part.material);
+  complete(model, definition);
+  model.rigid = rigid_bodies(model, definition.links, {}, {});
+  hold_idle_rotations(model, parts_of(definition), definition.links);
+  for (const Load &load : definition.loads)
+    if (load.pressure != 0)
+      add_solid_pressure(model, load);
+  keep_solids(model.mesh);
   return model;
 }
 

@@ -4,7 +4,7 @@
 
 #include "structure/element.h"
 #include "structure/mesh.h"
-#include "structure/shell_definition.h"
+#include "structure/solid_definition.h"
 #include "structure/triangle_locking.h"
 
 #include <memory>
@@ -56,8 +56,9 @@ struct BodyParts {
 /// Finds their nodes in the mesh, which is there already. Throws DefinitionError.
 void add_parts(const BodyParts &parts, BodyModel &model);
 
-/// Both throw DefinitionError when the definition cannot be built.
+/// All throw DefinitionError when the definition cannot be built.
 BodyModel build_frame(const BeamDefinition &definition);
 BodyModel build_shell(const ShellDefinition &definition);
+BodyModel build_solid(const SolidDefinition &definition);
 
 } // namespace vibroimpact::structure

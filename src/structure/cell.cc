@@ -1,5 +1,6 @@
 #include "structure/cell.h"
 
+#include "structure/hexahedron.h"
 #include "structure/quadrilateral_shell.h"
 #include "structure/triangle_shell.h"
 
@@ -7,6 +8,13 @@
 #include <stdexcept>
 
 namespace vibroimpact::structure {
+
+namespace {
+
+constexpr std::array plane_stress = {"xx", "yy", "xy"};
+constexpr std::array full_stress = {"xx", "yy", "zz", "xy", "yz", "zx"};
+
+} // namespace
 
 const std::vector<CellType> &cell_types() {
   static const std::vector<CellType> types = {
@@ -16,7 +24,8 @@ const std::vector<CellType> &cell_types() {
        2,
        1,
        {{"B31", 2}, {"T3D2", 2}, {"T2D2", 2}, {"B21", 2}, {"B32", 3}, {"T3D3", 3}, {"B22", 3}},
-       {}},
+       {},
+       plane_stress},
       {CellShape::triangle,
        "triangle",
        2,
@@ -31,6 +40,7 @@ const std::vector<CellType> &cell_types() {
         {"CPE6", 6},
         {"M3D6", 6}},
        {{0, 1, 2}},
+       plane_stress,
        make_triangle_shell},
       {CellShape::quadrilateral,
        "quadrilateral",
@@ -46,6 +56,7 @@ const std::vector<CellType> &cell_types() {
         {"CPE8", 8},
         {"M3D8", 8}},
        {{0, 1, 2, 3}},
+       plane_stress,
        make_quadrilateral_shell},
       {CellShape{10},
        "tetrahedron",
@@ -53,21 +64,25 @@ const std::vector<CellType> &cell_types() {
        4,
        4,
        {{"C3D4", 4}, {"C3D10", 10}},
-       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
+       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+       {}},
       {CellShape{13},
        "wedge",
        3,
        6,
        6,
        {{"C3D6", 6}, {"C3D15", 15}},
-       {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
-      {CellShape{12},
+       {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}},
+       {}},
+      {CellShape::hexahedron,
        "hexahedron",
        3,
        8,
        5,
        {{"C3D8", 8}, {"C3D20", 20}},
-       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}}};
+       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}},
+       full_stress,
+       make_hexahedron}};
   return types;
 }
 

@@ -17,7 +17,7 @@ class Element;
 struct CellPart;
 
 /// VTK's numbers of cell types; those that the program itself makes have names here.
-enum class CellShape : int { line = 3, triangle = 5, quadrilateral = 9 };
+enum class CellShape : int { line = 3, triangle = 5, quadrilateral = 9, hexahedron = 12 };
 
 /// A cell's nodes: in order around a surface; the base of a solid around, then what lies above.
 struct Cell {
@@ -46,6 +46,8 @@ struct CellType {
   /// Corners around what is seen of it, as positions among its own: a surface itself, outward the
   /// faces of a solid.
   std::vector<std::vector<int>> faces;
+  /// Components of the stress in it: of plane stress (see Element::stress), or of all axes.
+  std::span<const char *const> stress;
   /// Makes the element on a cell; none where only other programs have one, and for lines, which
   /// are beams with members of their own.
   std::shared_ptr<const Element> (*make)(const CellPart &) = nullptr;

@@ -1,6 +1,7 @@
 // What assembly knows of an element, whatever its kind: its nodes, its matrices and a product with
-// little round-off. Bodies hold elements of several kinds that share nodes; each node has the six
-// components u, v, w [m] and rx, ry, rz [rad] in global axes.
+// little round-off. Bodies hold elements of several kinds that share nodes; a node has the
+// components u, v, w [m] and, where one of its elements turns with it, rx, ry, rz [rad], in global
+// axes.
 #pragma once
 
 #include "common/linear_algebra.h"
@@ -11,18 +12,18 @@
 
 namespace vibroimpact::structure {
 
-/// Rows of an element: 6 i + component of its node i; at most four nodes.
-using NodalVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 24, 1>;
-using NodalMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 24, 24>;
+/// Rows of an element: components() * i + component of its node i; at most eight nodes.
+using NodalVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 48, 1>;
+using NodalMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 48, 48>;
 
-struct ShellPart;
+struct MeshPart;
 
 /// What the element on a cell is made of.
 struct CellPart {
   std::span<const int> nodes;         ///< positions in the list of the mesh's nodes
   std::span<const Vector3> positions; ///< of these [m]
   std::span<const Vector3> normals;   ///< of a surface at its corners (surface_normals.h)
-  const ShellPart &part;
+  const MeshPart &part;
 };
 
 class Element {
@@ -34,6 +35,8 @@ public:
 
   /// Positions in the list of the mesh's nodes.
   virtual std::span<const int> nodes() const = 0;
+  /// Of each of its nodes: 6, or 3 where it does not turn with them.
+  virtual int components() const { return 6; }
   /// Both symmetric, in global components.
   virtual NodalMatrix stiffness() const = 0;
   virtual NodalMatrix mass() const = 0;
@@ -41,10 +44,12 @@ public:
   /// column of u leaves no round-off behind.
   virtual NodalMatrix force(const Eigen::Ref<const Matrix> &stiffness,
                             const NodalMatrix &u) const = 0;
-  /// Plane stress at one of its nodes from its nodal displacements: three rows (two direct stresses
-  /// and the shear stress, in axes of their own) for each place looked at [Pa]. None when it is not
-  /// known.
+  /// Stress at one of its nodes from its nodal displacements: rows of stress_components() for each
+  /// place looked at [Pa]. None when it is not known.
   virtual Matrix stress(int node) const = 0;
+  /// 3: two direct stresses and the shear stress, plane stress in axes of their own;
+  /// 6: xx, yy, zz, xy, yz, zx.
+  virtual int stress_components() const { return 3; }
   /// Places around the cross-section of a beam, from the line of its nodes: 3 x k in global axes
   /// [m]; none of a shell.
   virtual Matrix outline() const { return {}; }

@@ -52,9 +52,10 @@ const CellType &type_of(int gmsh) {
   if (found != types.end() && (found->dimension == 1 || found->make))
     return *found;
   if (volumes.contains(gmsh))
-    fail_mesh("must hold points, lines, triangles and quadrilaterals only, but has volumes (Gmsh "
-              "element type " +
-              std::to_string(gmsh) + "); bodies are beams and shells (gmsh -1 or -2)");
+    fail_mesh(
+        "must hold points, lines, triangles, quadrilaterals and hexahedra only, but has other "
+        "volumes (Gmsh element type " +
+        std::to_string(gmsh) + ")");
   fail_mesh("must have straight lines and flat cells with corner nodes only, but has cells of "
             "higher order (Gmsh element type " +
             std::to_string(gmsh) + "; gmsh: -order 1)");

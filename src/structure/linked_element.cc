@@ -7,17 +7,18 @@ namespace vibroimpact::structure {
 LinkedElement::LinkedElement(std::shared_ptr<const Element> element, const Elimination &elimination)
     : element_(std::move(element)), stiffness_(element_->stiffness()) {
   const std::span<const int> own = element_->nodes();
-  const auto size = static_cast<Index>(6 * own.size());
-  motion_ = NodalMatrix::Identity(size, size);
+  const Index components = element_->components();
+  const auto count = static_cast<Index>(own.size());
+  motion_ = NodalMatrix::Zero(components * count, 6 * count);
   std::size_t linked = 0;
   for (std::size_t i = 0; i < own.size(); ++i) {
     const auto found = elimination.nodes.find(own[i]);
-    nodes_.push_back(found == elimination.nodes.end() ? own[i] : found->second.master);
-    if (found == elimination.nodes.end())
-      continue;
-    ++linked;
-    const auto row = static_cast<Index>(6 * i);
-    motion_.block<6, 6>(row, row) = found->second.motion;
+    const LinkedNode node =
+        found == elimination.nodes.end() ? LinkedNode{.master = own[i]} : found->second;
+    nodes_.push_back(node.master);
+    linked += found != elimination.nodes.end();
+    const auto at = static_cast<Index>(i);
+    motion_.block(components * at, 6 * at, components, 6) = node.motion.topRows(components);
   }
   rigid_ = own.size() > 1 && linked == own.size() &&
            std::all_of(nodes_.begin(), nodes_.end(), [&](int node) { return node == nodes_[0]; });
@@ -30,7 +31,7 @@ NodalMatrix LinkedElement::in_masters(const NodalMatrix &matrix) const {
 
 NodalMatrix LinkedElement::stiffness() const {
   if (rigid_)
-    return NodalMatrix::Zero(motion_.rows(), motion_.cols());
+    return NodalMatrix::Zero(motion_.cols(), motion_.cols());
   return in_masters(stiffness_);
 }
 

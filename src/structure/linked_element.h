@@ -25,7 +25,7 @@ private:
 
   std::shared_ptr<const Element> element_;
   std::vector<int> nodes_;
-  NodalMatrix motion_;    ///< of the element's own nodes
+  NodalMatrix motion_;    ///< of the components of the element's own nodes
   NodalMatrix stiffness_; ///< in terms of these
   bool rigid_;
 };

@@ -1,5 +1,5 @@
-// Nodes, line and surface cells between them and named groups of both: everything a body needs to
-// know about its geometry, whether it was generated or read from a file.
+// Nodes, lines, surfaces and solids between them and named groups of both: everything a body needs
+// to know about its geometry, whether it was generated or read from a file.
 #pragma once
 
 #include "structure/beam_definition.h"
@@ -16,7 +16,7 @@ namespace vibroimpact::structure {
 struct Mesh {
   std::vector<Vector3> nodes;                          ///< [m]
   std::vector<std::array<int, 2>> lines;               ///< node pairs
-  std::vector<Cell> cells;                             ///< surfaces
+  std::vector<Cell> cells;                             ///< surfaces and solids
   std::map<std::string, std::vector<int>> groups;      ///< nodes
   std::map<std::string, std::vector<int>> line_groups; ///< positions in lines
   std::map<std::string, std::vector<int>> cell_groups; ///< positions in cells

@@ -1,5 +1,6 @@
 #include "structure/mesh_check.h"
 
+#include "structure/hexahedron.h"
 #include "structure/node_sets.h"
 
 #include <Eigen/Geometry>
@@ -13,6 +14,8 @@ namespace {
 
 // Sine of the sharpest and the bluntest corner that still gives useful strains: 3 degrees.
 constexpr double least_sine = 0.05;
+// Determinant of the Jacobian over the product of the lengths of its columns: rounding.
+constexpr double least_solid_jacobian = 1e-9;
 // Cosine between the normals at opposite corners of a quadrilateral: 60 degrees.
 constexpr double least_alignment = 0.5;
 
@@ -77,20 +80,21 @@ void check_surface(const Mesh &mesh, const Cell &surface) {
   }
 }
 
-void check_orphans(const Mesh &mesh, const std::vector<int> &beams) {
+/// `what`: of that dimension, or lines with these positions, use nodes.
+void check_orphans(const Mesh &mesh, int dimension, const std::vector<int> &beams,
+                   const std::string &what) {
   std::vector<bool> used(mesh.nodes.size(), false);
-  for (const Cell &surface : mesh.cells)
-    for (const int node : surface.nodes())
-      used[node] = true;
+  for (const Cell &cell : mesh.cells)
+    for (const int node : cell.nodes())
+      used[node] = used[node] || cell_type(cell.shape).dimension == dimension;
   for (const int beam : beams)
     for (const int node : mesh.lines[beam])
       used[node] = true;
   const auto orphan = std::find(used.begin(), used.end(), false);
   if (orphan != used.end())
     fail("must have no node without a cell, but " +
-         std::to_string(std::count(used.begin(), used.end(), false)) +
-         " belong to no surface or beam, the first at " +
-         coordinates(mesh.nodes[orphan - used.begin()]));
+         std::to_string(std::count(used.begin(), used.end(), false)) + " belong to no " + what +
+         ", the first at " + coordinates(mesh.nodes[orphan - used.begin()]));
 }
 
 } // namespace
@@ -98,7 +102,7 @@ void check_orphans(const Mesh &mesh, const std::vector<int> &beams) {
 void check_line_mesh(const Mesh &mesh) {
   if (!mesh.cells.empty())
     fail("must hold lines only, but has " + std::to_string(mesh.cells.size()) +
-         " surface cells (they belong to a body of type shell)");
+         " surfaces or volumes (they belong to a body of type shell or solid)");
   if (mesh.lines.empty())
     fail("must hold line cells, but has none");
   NodeSets parts(mesh.nodes.size());
@@ -113,9 +117,13 @@ void check_surface_mesh(const Mesh &mesh, const std::vector<int> &beams) {
   if (mesh.cells.empty())
     fail("must hold triangles or quadrilaterals, but has none (gmsh -2 makes them; they belong to "
          "a physical group when there are any groups)");
-  for (const Cell &surface : mesh.cells)
+  for (const Cell &surface : mesh.cells) {
+    if (cell_type(surface.shape).dimension != 2)
+      fail("must hold triangles and quadrilaterals only, but has volumes (they belong to a body of "
+           "type solid; gmsh -2 makes surfaces)");
     check_surface(mesh, surface);
-  check_orphans(mesh, beams);
+  }
+  check_orphans(mesh, 2, beams, "surface or beam");
   NodeSets parts(mesh.nodes.size());
   for (const Cell &surface : mesh.cells)
     for (int corner = 1; corner < surface.size; ++corner)
@@ -124,6 +132,30 @@ void check_surface_mesh(const Mesh &mesh, const std::vector<int> &beams) {
     check_length(mesh, beam);
     parts.join(mesh.lines[beam][0], mesh.lines[beam][1]);
   }
+  check_parts(parts);
+}
+
+void check_solid_mesh(const Mesh &mesh) {
+  NodeSets parts(mesh.nodes.size());
+  int number = 0;
+  for (const Cell &cell : mesh.cells) {
+    if (cell_type(cell.shape).dimension != 3)
+      continue;
+    ++number;
+    std::vector<Vector3> positions;
+    for (const int node : cell.nodes()) {
+      positions.push_back(mesh.nodes[node]);
+      parts.join(cell.corners[0], node);
+    }
+    if (!(least_jacobian(positions) > least_solid_jacobian))
+      fail("must have no solid that is flat, folded or inside out, but number " +
+           std::to_string(number) + ", " + place(mesh, cell) +
+           ", has a Jacobian that is not positive");
+  }
+  if (number == 0)
+    fail("must hold hexahedra, but has none (they belong to a physical group when there are any "
+         "groups)");
+  check_orphans(mesh, 3, {}, "solid");
   check_parts(parts);
 }
 

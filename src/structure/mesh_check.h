@@ -14,6 +14,10 @@ void check_line_mesh(const Mesh &mesh);
 /// distorted, separate parts, or nodes that neither a surface nor a beam uses.
 void check_surface_mesh(const Mesh &mesh, const std::vector<int> &beams);
 
+/// For a body of solids, whose surfaces and lines only name places. Throws DefinitionError when
+/// there are no solids, degenerate ones, separate parts, or nodes that no solid uses.
+void check_solid_mesh(const Mesh &mesh);
+
 /// Throws DefinitionError of the section `kind` `name`, key `key`, when two neighbours among these
 /// surfaces have opposite normals, so that a pressure would change its side.
 void check_orientation(const Mesh &mesh, const std::vector<int> &surfaces, const std::string &kind,

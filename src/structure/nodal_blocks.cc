@@ -50,13 +50,14 @@ bool NodalBlocks::touched_by(std::span<const int> nodes) const {
 
 void NodalBlocks::add(std::span<const int> nodes, const NodalMatrix &stiffness,
                       const NodalMatrix &mass) {
+  const Index size = stiffness.rows() / static_cast<Index>(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (std::size_t j = 0; own(nodes[i]) && j < nodes.size(); ++j) {
       const std::size_t at = position(nodes[i], nodes[j]);
-      const auto row = static_cast<Index>(6 * i);
-      const auto column = static_cast<Index>(6 * j);
-      stiffness_[at] += stiffness.block<6, 6>(row, column);
-      mass_[at] += mass.block<6, 6>(row, column);
+      const Index row = size * static_cast<Index>(i);
+      const Index column = size * static_cast<Index>(j);
+      stiffness_[at].topLeftCorner(size, size) += stiffness.block(row, column, size, size);
+      mass_[at].topLeftCorner(size, size) += mass.block(row, column, size, size);
     }
 }
 

@@ -31,6 +31,23 @@ NodeVectors corner_normals(const NodeVectors &corners) {
   return normals;
 }
 
+NodeVectors corner_areas(const NodeVectors &corners) {
+  NodeVectors areas;
+  areas.fill(Vector3::Zero());
+  for (const auto &[r, s] : gauss_points()) {
+    const Shape shape = bilinear(r, s);
+    Vector3 tangent_r = Vector3::Zero();
+    Vector3 tangent_s = Vector3::Zero();
+    for (int i = 0; i < 4; ++i) {
+      tangent_r += shape.r[i] * corners[i];
+      tangent_s += shape.s[i] * corners[i];
+    }
+    for (int i = 0; i < 4; ++i)
+      areas[i] += shape.value[i] * tangent_r.cross(tangent_s);
+  }
+  return areas;
+}
+
 MeanPlane::MeanPlane(const NodeVectors &corners) {
   Vector3 x_r = Vector3::Zero();
   Vector3 x_s = Vector3::Zero();

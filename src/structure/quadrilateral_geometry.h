@@ -24,6 +24,9 @@ std::array<std::array<double, 2>, 4> gauss_points();
 /// Unit normals of the bilinear surface at the corners, in the sense of the numbering.
 NodeVectors corner_normals(const NodeVectors &corners);
 
+/// Integral of each corner's bilinear function times the unit normal over the surface [m^2].
+NodeVectors corner_areas(const NodeVectors &corners);
+
 struct MeanPlane {
   explicit MeanPlane(const NodeVectors &corners);
   /// In-plane gradients of the bilinear functions of the nodes at a point [1/m].

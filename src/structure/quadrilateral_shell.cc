@@ -82,13 +82,8 @@ double QuadrilateralShell::area() const {
 }
 
 std::vector<Vector3> QuadrilateralShell::pressure_areas() const {
-  std::vector<Vector3> areas(4, Vector3::Zero());
-  for (const auto &[r, s] : gauss_points()) {
-    const DirectorPoint point = at(r, s);
-    for (int i = 0; i < 4; ++i)
-      areas[i] += point.translation.value[i] * point.tangent_r.cross(point.tangent_s);
-  }
-  return areas;
+  const NodeVectors areas = corner_areas(corners_);
+  return {areas.begin(), areas.end()};
 }
 
 std::shared_ptr<const Element> make_quadrilateral_shell(const CellPart &cell) {

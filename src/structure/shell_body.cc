@@ -1,5 +1,6 @@
 #include "structure/shell_body.h"
 
+#include "structure/cell_parts.h"
 #include "structure/frame_element.h"
 #include "structure/gmsh_reader.h"
 #include "structure/mesh_check.h"
@@ -23,38 +24,6 @@ std::vector<int> all_stiffener_lines(const Mesh &mesh, const ShellDefinition &de
     for (const int line : stiffener_lines(mesh, stiffener))
       lines.insert(line);
   return {lines.begin(), lines.end()};
-}
-
-/// Position of its part in the definition, for each surface.
-std::vector<int> parts_of_surfaces(const Mesh &mesh, const ShellDefinition &definition) {
-  std::vector<int> parts(mesh.cells.size(), -1);
-  for (std::size_t p = 0; p < definition.parts.size(); ++p) {
-    const ShellPart &part = definition.parts[p];
-    for (const int surface :
-         find_cells(mesh.cell_groups, part.on, mesh.cells.size(), "Shell", part.name)) {
-      if (parts[surface] >= 0)
-        throw DefinitionError("Shell", part.name, "On",
-                              "must not share surfaces with Shell " +
-                                  definition.parts[parts[surface]].name);
-      parts[surface] = static_cast<int>(p);
-    }
-  }
-  for (std::size_t surface = 0; surface < parts.size(); ++surface)
-    if (parts[surface] < 0)
-      throw DefinitionError("Geometry", "", "Mesh",
-                            "must have every surface in a subsection Shell, but the one at " +
-                                coordinates(mesh.nodes[mesh.cells[surface].corners[0]]) +
-                                " is in none");
-  return parts;
-}
-
-std::shared_ptr<const Element> element_of(const Mesh &mesh, const Cell &cell,
-                                          const NodeVectors &normals, const ShellPart &part) {
-  std::vector<Vector3> positions;
-  for (const int node : cell.nodes())
-    positions.push_back(mesh.nodes[node]);
-  return cell_type(cell.shape)
-      .make({.nodes = cell.nodes(), .positions = positions, .normals = normals, .part = part});
 }
 
 /// Sums of the normals of the surfaces around each node.
@@ -111,13 +80,13 @@ Mesh shell_mesh(const ShellDefinition &definition) {
 void add_shell_elements(BodyModel &model, const ShellDefinition &definition) {
   const std::vector<int> beams = all_stiffener_lines(model.mesh, definition);
   check_surface_mesh(model.mesh, beams);
-  const std::vector<int> parts = parts_of_surfaces(model.mesh, definition);
+  const std::vector<int> parts = parts_of_cells(model.mesh, definition.parts, 2, "Shell");
   const std::vector<NodeVectors> around = surface_normals(model.mesh);
   std::vector<double> thickness;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const ShellPart &part = definition.parts[parts[i]];
+    const MeshPart &part = definition.parts[parts[i]];
     thickness.push_back(part.thickness);
-    model.elements.push_back(element_of(model.mesh, model.mesh.cells[i], around[i], part));
+    model.elements.push_back(element_on(model.mesh, model.mesh.cells[i], around[i], part));
   }
   model.locking = find_locking(model.mesh, around, thickness);
   const std::vector<Vector3> normals = node_normals(model.mesh);
@@ -135,7 +104,7 @@ void add_shell_elements(BodyModel &model, const ShellDefinition &definition) {
   model.mesh.line_groups.clear();
 }
 
-void add_pressure(BodyModel &model, const Load &load) {
+void add_shell_pressure(BodyModel &model, const Load &load) {
   const std::vector<int> surfaces =
       find_cells(model.mesh.cell_groups, load.on, model.mesh.cells.size(), "Load", load.name);
   check_orientation(model.mesh, surfaces, "Load", load.name, "Pressure");

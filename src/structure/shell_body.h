@@ -14,6 +14,6 @@ Mesh shell_mesh(const ShellDefinition &definition);
 void add_shell_elements(BodyModel &model, const ShellDefinition &definition);
 
 /// Adds nodal forces to the load. Throws DefinitionError.
-void add_pressure(BodyModel &model, const Load &load);
+void add_shell_pressure(BodyModel &model, const Load &load);
 
 } // namespace vibroimpact::structure

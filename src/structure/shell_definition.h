@@ -27,11 +27,11 @@ struct Cylinder {
   CellShape shape = CellShape::quadrilateral;
 };
 
-/// Surfaces of one thickness and material.
-struct ShellPart {
+/// Surfaces of one thickness and material, or solids of one material.
+struct MeshPart {
   std::string name;
-  std::string on = "all"; ///< group of surfaces
-  double thickness = 0;   ///< [m]
+  std::string on = "all"; ///< group of cells
+  double thickness = 0;   ///< of surfaces [m]
   Material material;
 };
 
@@ -51,7 +51,7 @@ struct ShellDefinition {
   std::string mesh_content; ///< of a Gmsh mesh file; empty: the plate or the cylinder
   std::optional<Plate> plate;
   std::optional<Cylinder> cylinder;
-  std::vector<ShellPart> parts;
+  std::vector<MeshPart> parts;
   std::vector<Stiffener> stiffeners;
   std::optional<int> plane_normal{}; ///< axis along which nothing moves
   std::vector<Support> supports;

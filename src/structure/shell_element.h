@@ -9,7 +9,7 @@
 // of displacements has.
 #pragma once
 
-#include "structure/element.h"
+#include "structure/rigid_part.h"
 #include "structure/shell_properties.h"
 
 namespace vibroimpact::structure {
@@ -31,7 +31,8 @@ protected:
                const ShellProperties &properties);
 
   const ShellProperties &properties() const { return properties_; }
-  const std::vector<Vector3> &positions() const { return positions_; }
+  /// From their mean [m].
+  const std::vector<Vector3> &positions() const { return rigid_.positions(); }
   /// Stress at the top and the bottom, 6 x 6 nodes, from the membrane strain (e_11, e_22, 2 e_12)
   /// and the curvature (k_11, k_22, 2 k_12).
   Matrix surface_stress(const Eigen::Matrix<double, 3, 24> &strain,
@@ -42,11 +43,8 @@ protected:
                 NodalMatrix &mass) const;
 
 private:
-  NodalVector deformation(const NodalVector &u) const;
-
   std::vector<int> nodes_;
-  std::vector<Vector3> positions_; ///< [m]
-  Eigen::Matrix3d inverse_inertia_;
+  RigidPart rigid_;
   ShellProperties properties_;
 };
 

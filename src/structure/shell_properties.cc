@@ -37,7 +37,7 @@ ShellProperties shell_properties(double thickness, const Material &material,
   return properties;
 }
 
-ShellProperties shell_properties(const ShellPart &part) {
+ShellProperties shell_properties(const MeshPart &part) {
   return shell_properties(part.thickness, part.material, "Shell", part.name);
 }
 

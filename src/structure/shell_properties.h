@@ -24,6 +24,6 @@ struct ShellProperties {
 ShellProperties shell_properties(double thickness, const Material &material,
                                  const std::string &kind, const std::string &name);
 
-ShellProperties shell_properties(const ShellPart &part);
+ShellProperties shell_properties(const MeshPart &part);
 
 } // namespace vibroimpact::structure

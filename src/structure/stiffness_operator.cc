@@ -9,7 +9,7 @@ using petsc::check;
 std::vector<int> FreeDofs::of(const Element &element) const {
   std::vector<int> dofs;
   for (const int node : element.nodes())
-    dofs.insert(dofs.end(), number[node].begin(), number[node].end());
+    dofs.insert(dofs.end(), number[node].begin(), number[node].begin() + element.components());
   return dofs;
 }
 

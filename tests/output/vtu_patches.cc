@@ -142,10 +142,39 @@ TEST(VtuPatches, ShellsHaveTheStressOfBothFacesAndTheLarger) {
   BodyShape shape{.recovery = &recovery, .motion = Vector::Zero(18)};
   shape.cell_stress = (Vector(6) << 3, 0, 0, 0, 0, 2).finished();
   Patches<2> patches;
-  add_cells(shape, shape.cell_data(), patches);
+  add_cells(shape, shape.cell_data(2), patches);
   const auto shear = static_cast<float>(2 * std::sqrt(3));
   for (unsigned corner = 0; corner < 3; ++corner)
     EXPECT_EQ(values(patches[0].data, 7, 3, corner), (Values{shear, 3, shear}));
+}
+
+// VTK's hexahedron 12, corners line by line as deal.II has them; s_xx = 3 and a shear s_xy = 2.
+TEST(VtuPatches, SolidsHaveAllComponentsOfTheirStress) {
+  Recovery recovery;
+  recovery.nodes = (Matrix(3, 8) << 0, 1, 1, 0, 0, 1, 1, 0, //
+                    0, 0, 1, 1, 0, 0, 1, 1,                 //
+                    0, 0, 0, 0, 1, 1, 1, 1)
+                       .finished();
+  recovery.cells = {structure::cell_of(structure::CellShape::hexahedron, {0, 1, 2, 3, 4, 5, 6, 7})};
+  recovery.cell_stress = {.rows = Matrix::Zero(6, 1), .first = {0, 1}, .components = 6};
+  BodyShape shape{.recovery = &recovery, .motion = Vector::Zero(48)};
+  shape.motion[6 * 2] = 5;
+  shape.cell_stress = (Vector(6) << 3, 0, 0, 2, 0, 0).finished();
+  const PointData data = shape.cell_data(3);
+  EXPECT_EQ(data.names()[7], "von_mises_stress");
+  EXPECT_EQ(data.names()[8], "stress_xx");
+  EXPECT_EQ(data.names()[13], "stress_zx");
+  Patches<3> patches;
+  add_cells(shape, data, patches);
+  ASSERT_EQ(patches.size(), 1U);
+  const auto &third = patches[0].vertices[3]; // node 2
+  EXPECT_EQ(Vector3(third[0], third[1], third[2]), Vector3(1, 1, 0));
+  EXPECT_EQ(values(patches[0].data, 0, 1, 3), Values{5});
+  for (unsigned corner = 0; corner < 8; ++corner)
+    EXPECT_EQ(values(patches[0].data, 7, 7, corner),
+              (Values{static_cast<float>(std::sqrt(21.0)), 3, 0, 0, 2, 0, 0}));
+  shape.largest_stress = true;
+  EXPECT_EQ(shape.cell_data(3).size(), 8U);
 }
 
 TEST(VtuPatches, VonMisesStressOfPlaneStress) {

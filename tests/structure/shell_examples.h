@@ -33,7 +33,7 @@ inline void hold_in_plane(ShellDefinition &shell) {
 
 /// Thin plate of area a^2: sqrt(D / (rho t)) / a^2 [rad/s], the scale of its frequencies.
 inline double plate_frequency_scale(const ShellDefinition &shell) {
-  const structure::ShellPart &part = shell.parts[0];
+  const structure::MeshPart &part = shell.parts[0];
   const double side = (shell.plate->first_end - shell.plate->corner).norm();
   const double nu = part.material.poisson_ratio;
   const double bending =

@@ -6,12 +6,14 @@
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vibroimpact::analyses {
 
 using model::PointReference;
 using model::Projection;
+using reduction::squared_von_mises;
 
 namespace {
 
@@ -20,26 +22,33 @@ constexpr const char *stresses_section = "Stresses";
 // peak at most.
 constexpr int angle_samples = 16;
 
-double square_of_von_mises(double first, double second, double shear) {
-  return first * first - first * second + second * second + 3 * shear * shear;
-}
-
 double largest_size(const motion::Bernstein &curve) {
   return std::max(std::abs(curve.lower_bound()), std::abs(curve.upper_bound()));
 }
 
 class Curves {
 public:
-  Curves(const motion::StepView &view, const std::array<Projection, 3> &place)
-      : first_(view.displacement(place[0])), second_(view.displacement(place[1])),
-        shear_(view.displacement(place[2])) {}
+  Curves(const motion::StepView &view, const std::vector<Projection> &place) {
+    for (const Projection &component : place)
+      curves_.push_back(view.displacement(component));
+  }
 
   double operator()(double tau) const {
-    return square_of_von_mises(first_(tau), second_(tau), shear_(tau));
+    std::array<double, 6> stress{};
+    for (std::size_t i = 0; i < curves_.size(); ++i)
+      stress[i] = curves_[i](tau);
+    return squared_von_mises(stress.data(), static_cast<Index>(curves_.size()));
   }
-  /// Never less than the largest value.
+  /// Never less than the largest value: the products of direct stresses count as if each had the
+  /// sign that makes the square larger.
   double bound() const {
-    return square_of_von_mises(largest_size(first_), -largest_size(second_), largest_size(shear_));
+    std::array<double, 6> size{};
+    for (std::size_t i = 0; i < curves_.size(); ++i)
+      size[i] = largest_size(curves_[i]);
+    const auto &[a, b, c, d, e, f] = size;
+    if (curves_.size() == 3)
+      return a * a + a * b + b * b + 3 * c * c;
+    return a * a + b * b + c * c + a * b + b * c + c * a + 3 * (d * d + e * e + f * f);
   }
   double largest() const {
     int best = 0;
@@ -55,7 +64,7 @@ public:
   }
 
 private:
-  motion::Bernstein first_, second_, shear_;
+  std::vector<motion::Bernstein> curves_;
 };
 
 Projection stress_component(const model::Model &model, const PointReference &at, Index row) {
@@ -80,17 +89,18 @@ Stresses::Stresses(const std::vector<std::string> &points, const System &system)
     PointReference at;
     if (!system.model.find_point(name, at))
       throw std::logic_error("no point " + name);
-    const Index rows = system.model.bodies()[at.body]->points[at.point].stress.rows();
-    if (rows == 0)
+    const reduction::BodyPoint &here = system.model.bodies()[at.body]->points[at.point];
+    if (here.stress.rows() == 0)
       continue;
     Point point{.label = Label("point/" + name + "/von_mises_stress/maximum", "Pa",
                                "largest von Mises stress in the recorded window, of all elements "
                                "that meet at the point"),
                 .places = {}};
-    for (Index row = 0; row < rows; row += 3)
-      point.places.push_back({stress_component(system.model, at, row),
-                              stress_component(system.model, at, row + 1),
-                              stress_component(system.model, at, row + 2)});
+    for (Index row = 0; row < here.stress.rows(); ++row) {
+      if (row % here.stress_components == 0)
+        point.places.emplace_back();
+      point.places.back().push_back(stress_component(system.model, at, row));
+    }
     points_.push_back(std::move(point));
   }
 }
@@ -98,7 +108,7 @@ Stresses::Stresses(const std::vector<std::string> &points, const System &system)
 void Stresses::declare(parameters::Section &analysis) {
   analysis.subsection(stresses_section, "The recorder of stresses.")
       .names("Points", "all",
-             "Points of beams and shells whose stress is observed: all, or their names as "
+             "Points of beams, shells and solids whose stress is observed: all, or their names as "
              "BODY.POINT.");
 }
 
@@ -111,10 +121,9 @@ RecorderFactory Stresses::create(const parameters::Values &analysis) {
     for (const std::string &point : points) {
       section.require_known("Points", point, system.model.point_names());
       if (!has_stress_at(system.model, point))
-        section.reject(
-            "Points",
-            "must be points of beams or shells whose cross-section has a known shape, which " +
-                point + " has not");
+        section.reject("Points", "must be points of beams, shells or solids whose cross-section "
+                                 "has a known shape, which " +
+                                     point + " has not");
     }
     return std::make_unique<Stresses>(points, system);
   };
@@ -127,7 +136,7 @@ void Stresses::begin(const Window & /*window*/, const motion::Trajectory & /*tra
 
 void Stresses::step(const motion::StepView &view) {
   for (Point &point : points_)
-    for (const std::array<Projection, 3> &place : point.places)
+    for (const std::vector<Projection> &place : point.places)
       if (const Curves curves(view, place); curves.bound() > point.largest)
         point.largest = std::max(point.largest, curves.largest());
 }

@@ -1,15 +1,13 @@
-// The largest von Mises stress at points of beams and shells.
+// The largest von Mises stress at points of beams, shells and solids.
 //
 // Each stress component is linear in the motion of a body, so that it is a polynomial along a step;
-// its von Mises stress, sqrt(s1^2 - s1 s2 + s2^2 + 3 t^2), is sought on it. Of the places at a
-// point (fibres of a beam, both surfaces of a shell, in every element that meets there) the largest
-// counts.
+// its von Mises stress is sought on it. Of the places at a point (fibres of a beam, both surfaces
+// of a shell, in every element that meets there) the largest counts.
 #pragma once
 
 #include "analyses/recorders/recorder.h"
 #include "analyses/results/field_writer.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -31,9 +29,8 @@ public:
 private:
   struct Point {
     Label label;
-    std::vector<std::array<model::Projection, 3>>
-        places;         ///< two direct stresses and the shear stress
-    double largest = 0; ///< square of the von Mises stress
+    std::vector<std::vector<model::Projection>> places; ///< the components of the stress at each
+    double largest = 0;                                 ///< square of the von Mises stress
   };
 
   std::vector<Point> points_;
