@@ -5,20 +5,22 @@ from __future__ import annotations
 import functools
 import itertools
 from contextlib import suppress
+from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.lines import Line2D
 
-from . import maps, style, traces
+from . import emphasis, maps, style, traces
 from .axis_meaning import Meaning, Panel, note
 from .branch_curves import TYPES as BRANCHES
 from .branch_curves import pieces
 from .branches import KINDS, kind_handles, mark_kinds
-from .choice import choose, is_called
+from .choice import choose, highlight, is_called
 from .curves import LARGEST_LEGEND, LINES, colour_bar, loose_of, marked
 from .derived import derived_of, pair_of
 from .errors import ResultError
 from .figure_axes import FigureAxis, Quantity, find, plain, read_axis, together
+from .labels import own_name
 from .layout import DIRECTION, Layout, family_of, kept
 from .results import Analysis, Results
 
@@ -56,6 +58,7 @@ def analyses_of(results: Results, section: dict) -> list[Analysis]:
         for reference in analyses[1:]:
             with suppress(ResultError):  # it need not have the same points
                 choose(reference, [request.strip()])
+    highlight(analyses[0], results.emphasis.highlight)
     return analyses
 
 
@@ -67,22 +70,41 @@ def curve_figure(results: Results, section: dict):
         [read_axis(results, section["Vertical"] | {"Quantity": name},
                    analyses if name == names[0] else analyses[:1]) for name in names], analyses[0])]
     shown, (axes,) = style.panels(1, height=3.0)
-    handles = []
+    handles, compared = [], []
     for reference in analyses[1:]:
-        curves(axes, reference, sheets[0], colour="black", linewidth=1.5)
+        compared += curves(axes, reference, sheets[0], colour="black", linewidth=1.5).drawn
         handles.append(Line2D([], [], color="black", linewidth=1.5,
                               label=section.get("Reference label", "") or reference.name))
     for number, both in enumerate(sheets):
         colour = style.COLOURS[number % len(style.COLOURS)] if len(sheets) > 1 else None
         look = {} if section.get("Joined", "true") == "true" else \
             dict(linestyle="", marker="o", markersize=3, markevery=None)
-        layout, own = curves(axes, analyses[0], both, colour, **look)
-        if colour:
-            own = [Line2D([], [], color=colour, label=given[number] if number < len(given)
-                          else find(analyses[0], names[number]).label)]
-        handles += own
-    finish(shown, axes, layout, sheets, handles, section)
+        family = curves(axes, analyses[0], both, colour, **look)
+        handles += family.handles if not colour else [
+            Line2D([], [], color=colour, label=given[number] if number < len(given)
+                   else find(analyses[0], names[number]).label)]
+    handles += overlaid(axes, results, section, sheets)
+    for axis, letter in zip(sheets[0], "xy"):
+        axis.apply(axes, letter)
+    handles += emphasis.draw(axes, results.emphasis, family.drawn, compared)
+    finish(shown, axes, family.layout, sheets, handles, section)
     return shown
+
+
+def overlaid(axes, results: Results, section: dict, sheets) -> list[Line2D]:
+    """The same quantities of the analyses that --overlay names, where the figure is of another one."""
+    handles = []
+    for other in results.overlays:
+        if other.name == section["From"] and other.file == str(results.file):
+            continue
+        with suppress(ResultError):
+            for request in filter(str.strip, section.get("Where", "").split(";")):
+                choose(other, [request.strip()])
+            for both in sheets:
+                colour = emphasis.OVERLAY_COLOURS[len(handles) % len(emphasis.OVERLAY_COLOURS)]
+                curves(axes, other, both, colour, **emphasis.OVERLAY)
+                handles.append(Line2D([], [], color=colour, label=own_name(other.name), **emphasis.OVERLAY))
+    return handles
 
 
 def several(text: str) -> list[str]:
@@ -91,8 +113,6 @@ def several(text: str) -> list[str]:
 
 def finish(shown, axes, layout: Layout, sheets, handles, section: dict) -> None:
     both = sheets[0]
-    for axis, letter in zip(both, "xy"):
-        axis.apply(axes, letter)
     draw_marks(axes, both)
     axes.set_title(section.get("Title", ""))
     family = layout.cases() if layout.family and len(sheets) == 1 else []
@@ -123,8 +143,17 @@ def draw_marks(axes, both) -> None:
                       va="bottom" if letter == "x" else "center", clip_on=False)
 
 
-def curves(axes, analysis: Analysis, both, colour=None, **look):
-    """All curves of an analysis; gives its layout and the legend entries of its lines."""
+@dataclass(frozen=True)
+class Family:
+    """The curves of an analysis, and the legend entries of their lines."""
+
+    layout: Layout
+    handles: list[Line2D]
+    drawn: list[emphasis.Curve]
+
+
+def curves(axes, analysis: Analysis, both, colour=None, **look) -> Family:
+    """All curves of an analysis."""
     quantities = [find(analysis, axis.quantity) for axis in both]
     along = along_of(analysis, quantities)
     union = list(dict.fromkeys(name for quantity in quantities for name in quantity.dimensions))
@@ -132,16 +161,18 @@ def curves(axes, analysis: Analysis, both, colour=None, **look):
               if name in union and name not in (along, DIRECTION) and len(kept(analysis, name)) > 1]
     layout = Layout(analysis, along, family)
     directions = layout.directions if DIRECTION in union else [""]
+    drawn: list[emphasis.Curve] = []
     for case, (number, direction) in itertools.product(layout.cases(), enumerate(directions)):
         index = {**case.index, DIRECTION: direction_index(analysis, direction)}
         chosen = colour or (case.colour if family else style.COLOURS[0])
         values = [axis.of(pick(quantity, analysis, index, along)) for quantity, axis in zip(quantities, both)]
         if analysis.type in BRANCHES:
             draw_branches(axes, analysis, index, values, both, chosen)
-        else:
-            draw_curve(axes, analysis, index, along, quantities, values, both, chosen,
-                       dict(look_of(direction, len(directions), number, len(values[0])), **look))
-    return layout, line_handles(analysis, directions, union, colour)
+            continue
+        marked_look = look_of(direction, len(directions), number, len(values[0])) | emphasis.look_of(chosen) | look
+        loose = draw_curve(axes, analysis, index, along, quantities, values, both, chosen, marked_look)
+        drawn.append(emphasis.Curve(*values, loose, chosen))
+    return Family(layout, line_handles(analysis, directions, union, colour), drawn)
 
 
 def along_of(analysis: Analysis, quantities: list[Quantity]) -> str:
@@ -178,7 +209,8 @@ def field(analysis: Analysis, path: str, index: dict, along: str) -> np.ndarray:
                 index, along)
 
 
-def draw_curve(axes, analysis, index, along, quantities, values, both, colour, look) -> None:
+def draw_curve(axes, analysis, index, along, quantities, values, both, colour, look) -> np.ndarray:
+    """Gives which of its points are not joined."""
     swapped = quantities[1].dimensions == [along]
     coordinate, curve = reversed(values) if swapped else values
     scale = both[1 if swapped else 0].scale
@@ -197,6 +229,7 @@ def draw_curve(axes, analysis, index, along, quantities, values, both, colour, l
         shown = traces.trace(coordinate, curve, loose_of(analysis, values_of), bracket,
                              DIRECTION in analysis.axes and bool(index[DIRECTION]))
     traces.draw(axes, shown, colour, swapped, **look)
+    return shown.loose
 
 
 def look_of(direction: str, count: int, number: int, points: int) -> dict:

@@ -47,6 +47,12 @@ def parse(arguments) -> argparse.Namespace:
                         help="points of a table, drawn over every figure with axes of these names; "
                              "or, over figures of branches, a stepped sweep, a harmonic balance or "
                              "another branch along the same key")
+    parser.add_argument("--highlight", metavar="AXIS=VALUE[:NAME]", action="append", default=[],
+                        help="this member of a family of curves in red before the others, with NAME in the legend")
+    parser.add_argument("--peaks", action="store_true",
+                        help="figures with chosen axes: a point at the largest value of each curve")
+    parser.add_argument("--below-reference", action="store_true",
+                        help="figures with chosen axes: shaded where the highlighted curve is below the reference")
     parser.add_argument("--sections", metavar="FILE.prm", type=Path,
                         help="the sections Figure of this parameter file instead of those stored "
                              "with the results")
@@ -129,8 +135,8 @@ def draw_animation(options: argparse.Namespace) -> int:
 def draw(options: argparse.Namespace) -> int:
     if options.animate:
         return draw_animation(options)
-    from .choice import choose
-    from .results import Results
+    from .choice import choose, highlight
+    from .results import Emphasis, Results
 
     with Results(options.results) as results, ExitStack() as others:
         if options.sections:
@@ -138,6 +144,7 @@ def draw(options: argparse.Namespace) -> int:
         chosen = chosen_analyses(results, options.analysis)
         for analysis in chosen:
             choose(analysis, options.at)
+            highlight(analysis, options.highlight)
         # Matplotlib takes a second to load; a wrong name should not have to wait for it.
         import matplotlib
 
@@ -150,6 +157,7 @@ def draw(options: argparse.Namespace) -> int:
         from .overlays import attach
         from .style import SETTINGS
 
+        results.emphasis = Emphasis(tuple(options.highlight), options.peaks, options.below_reference)
         tables = [table_points.read(Path(name)) for name in options.overlay
                   if name.endswith(".csv")]
         attach(results, chosen, [name for name in options.overlay if not name.endswith(".csv")],

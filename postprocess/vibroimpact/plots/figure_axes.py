@@ -95,6 +95,16 @@ def single(analysis: Analysis, name: str) -> Quantity:
     raise ResultError(f"the analysis {analysis.name} has no quantity {name}")
 
 
+def has_axes(analysis: Analysis, section: dict) -> bool:
+    """Has it the quantities of a figure of curves?"""
+    try:
+        for axis in ("Horizontal", "Vertical"):
+            find(analysis, section[axis]["Quantity"].split(",")[0])
+    except ResultError:
+        return False
+    return not section.get("Colour", {}).get("Quantity", "")
+
+
 def label_of(analysis: Analysis, path: str) -> str:
     if path.startswith("derived/"):
         return analysis.symbol(path.removeprefix("derived/"))

@@ -24,6 +24,16 @@ class Array:
     unit: str
 
 
+@dataclass(frozen=True)
+class Emphasis:
+    """`highlight`: AXIS=VALUE:NAME of members of families; `peaks` and `below` the reference: whether they are
+    marked."""
+
+    highlight: tuple[str, ...] = ()
+    peaks: bool = False
+    below: bool = False
+
+
 def read_array(dataset: h5py.Dataset) -> Array:
     """Numbers or texts of a dataset."""
     is_text = h5py.check_string_dtype(dataset.dtype) is not None
@@ -41,6 +51,7 @@ class Analysis:
         self.grid = [str(key) for key in group.attrs.get("grid", [])]
         self.parameters = parameters or {}
         self.chosen: dict[str, list[int]] = {}  # indices along an axis, of the axes with a choice
+        self.highlighted: dict[str, tuple[int, str]] = {}  # index along an axis, and its name in the legend
         self.overlays: list[Analysis] = []  # drawn over the figures of this one
         self.shown: dict[str, tuple] = {}  # scale and label of an axis that a figure chooses
         self._read: dict[str, Array] = {}
@@ -141,6 +152,9 @@ class Results:
             self._file = h5py.File(self.file, "r")
         except OSError as error:
             raise ResultError(f"{self.file}: not a result file of vibroimpact ({error})") from error
+        self.emphasis = Emphasis()
+        self.emphasis = Emphasis()
+        self.overlays: list[Analysis] = []  # over the figures with chosen axes
         if "version" not in self._file.attrs:
             raise ResultError(f"{self.file}: not a result file of vibroimpact")
 
