@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.lines import Line2D
 
-from . import emphasis, maps, style, traces
+from . import emphasis, envelopes, maps, style, traces
 from .axis_meaning import Meaning, Panel, note
 from .branch_curves import TYPES as BRANCHES
 from .branch_curves import pieces
@@ -22,6 +22,7 @@ from .errors import ResultError
 from .figure_axes import FigureAxis, Quantity, find, plain, read_axis, together
 from .labels import own_name
 from .layout import DIRECTION, Layout, family_of, kept
+from .loci import TYPE as LOCUS
 from .results import Analysis, Results
 
 SPECIAL = "special/"
@@ -169,10 +170,13 @@ def curves(axes, analysis: Analysis, both, colour=None, **look) -> Family:
         if analysis.type in BRANCHES:
             draw_branches(axes, analysis, index, values, both, chosen)
             continue
+        if analysis.type == LOCUS:
+            draw_loci(axes, field(analysis, "locus", index, along), values, chosen, look)
+            continue
         marked_look = look_of(direction, len(directions), number, len(values[0])) | emphasis.look_of(chosen) | look
         loose = draw_curve(axes, analysis, index, along, quantities, values, both, chosen, marked_look)
         drawn.append(emphasis.Curve(*values, loose, chosen))
-    return Family(layout, line_handles(analysis, directions, union, colour), drawn)
+    return Family(layout, line_handles(analysis, directions, along in analysis.axes and set(union) >= set(analysis.axes), colour), drawn)
 
 
 def along_of(analysis: Analysis, quantities: list[Quantity]) -> str:
@@ -222,6 +226,9 @@ def draw_curve(axes, analysis, index, along, quantities, values, both, colour, l
 
     if not swept:
         shown = traces.plain(coordinate, curve)
+        if quantities[0].path.endswith("time") and look.get("linestyle"):
+            envelopes.draw(axes, *values, colour, **look)
+            return shown.loose
     else:
         bracket = None
         if analysis.has("jump_from") and along not in analysis.grid_axes:
@@ -256,7 +263,13 @@ def draw_branches(axes, analysis: Analysis, index, values, both, colour) -> None
             mark_kinds(axes, kinds, x, y, colour)
 
 
-def line_handles(analysis: Analysis, directions, union, colour) -> list[Line2D]:
+def draw_loci(axes, number, values, colour, look) -> None:
+    """Each locus a line; `number` counts them."""
+    for locus in np.unique(number[np.isfinite(number)]):
+        axes.plot(*[value[number == locus] for value in values], color=colour, **look)
+
+
+def line_handles(analysis: Analysis, directions, swept: bool, colour) -> list[Line2D]:
     if colour is not None:
         return []
     if analysis.type in BRANCHES:
@@ -269,8 +282,7 @@ def line_handles(analysis: Analysis, directions, union, colour) -> list[Line2D]:
                 for line, label in lines] + kind_handles(found)
     handles = [Line2D([], [], color=style.GREY, label=direction, **LINES.get(direction, LINES[""]))
                for direction in directions if len(directions) > 1]
-    if analysis.has("steady") and set(union) >= set(analysis.axes) \
-            and np.any(analysis.read("steady").values == 0):
+    if analysis.has("steady") and swept and np.any(analysis.read("steady").values == 0):
         handles.append(Line2D([], [], color=style.GREY, linestyle="", label="not settled",
                               **traces.UNSETTLED))
     return handles

@@ -81,9 +81,15 @@ def legend_beside(axes, handles=None, title=None) -> None:
     if handles:
         small = dict(fontsize=7.5, labelspacing=0.3) if len(handles) > LONG_LEGEND else {}
         axes.legend(
-            handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0,
-            title=title, alignment="left", **small,
+            handles=handles, loc="upper left", bbox_to_anchor=(1.01 + room_of_marks(axes), 1.02),
+            borderaxespad=0.0, title=title, alignment="left", **small,
         )
+
+
+def room_of_marks(axes) -> float:
+    """What the labels of marked values beside the axes take, in widths of the axes."""
+    beside = [re.sub(r"\\[a-z]+|[${}_^]", "", text.get_text()) for text in axes.texts if text.get_position()[0] > 1]
+    return 0.016 * max(map(len, beside), default=0)
 
 
 def legend_inside(axes, handles) -> None:
