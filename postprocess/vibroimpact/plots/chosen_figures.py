@@ -282,7 +282,7 @@ def line_handles(analysis: Analysis, directions, swept: bool, colour) -> list[Li
                 for line, label in lines] + kind_handles(found)
     handles = [Line2D([], [], color=style.GREY, label=direction, **LINES.get(direction, LINES[""]))
                for direction in directions if len(directions) > 1]
-    if analysis.has("steady") and swept and np.any(analysis.read("steady").values == 0):
+    if analysis.judges_steadiness and swept and np.any(analysis.read("steady").values == 0):
         handles.append(Line2D([], [], color=style.GREY, linestyle="", label="not settled",
                               **traces.UNSETTLED))
     return handles

@@ -11,7 +11,7 @@ import numpy as np
 
 from .errors import ResultError
 from .labels import own_name
-from .parameters_text import sections
+from .parameters_text import judges_steadiness, sections
 
 MOST_KEPT = 100_000  # entries of an array that is read once for all figures
 
@@ -80,6 +80,11 @@ class Analysis:
             array.values.setflags(write=False)
             self._read[path] = array
         return Array(array.values, array.unit)
+
+    @property
+    def judges_steadiness(self) -> bool:
+        """Does `steady` tell motions that have settled from others?"""
+        return self.has("steady") and judges_steadiness(self.parameters, self.name)
 
     def symbol(self, derived: str) -> str:
         """Of a derived quantity: its key Symbol, else its name in words."""
