@@ -9,7 +9,6 @@ import fnmatch
 import os
 import re
 import shlex
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -36,7 +35,7 @@ class Run:
 @dataclass
 class Picture:
     """One picture of a figure of a run, with the options of vibroimpact-plot; the figure ANALYSIS.pvd is an
-    instant of a motion, drawn by ParaView with the options of paraview_motion.py."""
+    instant of a motion."""
 
     system: str
     name: str
@@ -129,7 +128,8 @@ def plot(run: str, options, pictures, places: Places) -> int:
     """All pictures with the same options in one call; they get their names afterwards."""
     results = places.output / run
     if pictures[0].figure.endswith(".pvd"):
-        return max(render(results / picture.figure, options, picture.name, places) for picture in pictures)
+        return max(draw_instant(results, picture.figure.removesuffix(".pvd"), options, picture.name, places)
+                   for picture in pictures)
     with tempfile.TemporaryDirectory() as folder:
         command = [places.build / "vibroimpact-plot", results, "--output", folder, "--dpi", DPI]
         for picture in pictures:
@@ -148,17 +148,14 @@ def plot(run: str, options, pictures, places: Places) -> int:
     return code
 
 
-def render(motion: Path, options, name: str, places: Places) -> int:
-    """Without ParaView the picture stays as it is."""
-    if not all(map(shutil.which, ("pvpython", "xvfb-run"))):
-        print(f"  {name}: left as it is, ParaView is not installed")
-        return 0
-    command = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", "pvpython",
-               SOURCE / "postprocess" / "paraview_motion.py", motion, "--picture",
-               places.images / f"{name}.png", *options]
-    done = subprocess.run(command, check=False, capture_output=True, text=True)
-    print(f"  {name}" if done.returncode == 0 else f"  {name}: {done.stderr}", flush=True)
-    return done.returncode
+def draw_instant(results: Path, motion: str, options, name: str, places: Places) -> int:
+    with tempfile.TemporaryDirectory() as folder:
+        command = [places.build / "vibroimpact-plot", results, "--animate", motion, "--output", folder, "--dpi", DPI]
+        code = subprocess.run([*command, *options], check=False, stdout=subprocess.DEVNULL).returncode
+        for drawn in Path(folder).glob("*.png"):
+            (places.images / f"{name}.png").write_bytes(drawn.read_bytes())
+            print(f"  {name}", flush=True)
+    return code
 
 
 def placed(options) -> list:

@@ -74,6 +74,9 @@ def parse(arguments) -> argparse.Namespace:
 
 def add_animation(group) -> None:
     group.add_argument("--animate", metavar="NAME", help="of this analysis, nothing else is drawn")
+    group.add_argument("--instant", type=positive, metavar="N",
+                       help="only this one of the recorded frames, counted from 1, with arrows of the contact forces, as "
+                            "NAME-N.png")
     group.add_argument("--field", help="that colours it (default: von_mises_stress, where it is "
                                        "known, else displacement)")
     group.add_argument("--factor", type=float, help="of the displacements (default: such that they "
@@ -115,18 +118,22 @@ def draw_animation(options: argparse.Namespace) -> int:
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    from .animation import Style, animate
+    from .animation import Style, animate, still
     from .files import enter_in_list
     from .style import SETTINGS
 
     results = options.results if options.results.is_dir() else options.results.parent
     folder = options.output or results / "figures"
     folder.mkdir(parents=True, exist_ok=True)
-    file = folder / f"{options.animate}-motion.gif"
+    file = folder / (f"{options.animate}-{options.instant}.png" if options.instant else f"{options.animate}-motion.gif")
     style = Style(options.field, options.factor, options.view, options.frames, options.rate,
-                  options.size or Style.size, min(options.dpi, MOST_DPI))
+                  options.size or Style.size, options.dpi if options.instant else min(options.dpi, MOST_DPI),
+                  bool(options.instant))
     with plt.rc_context(SETTINGS):
-        animate(results, options.animate, file, style)
+        if options.instant:
+            still(results, options.animate, options.instant, file, style)
+        else:
+            animate(results, options.animate, file, style)
     enter_in_list(results, file)
     print(file)
     return 0
