@@ -14,7 +14,7 @@ sys.path[:0] = [str(PROGRAM.parent), str(Path(__file__).resolve().parent)]
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from plot_examples import Writer  # noqa: E402
-from vibroimpact.plots import chosen_figures, figure_axes, style, table_points, traces  # noqa: E402
+from vibroimpact.plots import choice, chosen_figures, figure_axes, style, table_points, traces  # noqa: E402
 from vibroimpact.plots.errors import ResultError  # noqa: E402
 from vibroimpact.plots.results import Emphasis, Results  # noqa: E402
 
@@ -107,6 +107,14 @@ def write(folder):
     writer.analysis("free", "stepped sweep", [("direction", np.array(["forward"]), "1"),
                                               ("frequency", FREQUENCY, "Hz")])
     writer.field(AMPLITUDE, 1e-3 * np.array([[5, 4, 3, 2, 1.0]]), "m")
+    writer.analysis("folds", "locus", [])
+    writer.scale("locus_point", np.arange(3.0), "1")
+    for name, values in (("locus", [0, 0, 1]), ("frequency", [1, 2, 3.0]), ("Variables.gap", [5, 6, 7.0])):
+        writer.field(name, np.array(values, float), "1", ("locus_point",))
+    writer.analysis("pairs", "parameter grid", [("Variables.gap", np.array([1, 2, 2.0]), "m")], grid=["Variables/gap"])
+    writer.analysis("long", "transient", [])
+    writer.scale("time", np.linspace(0, 1, 20001), "s")
+    writer.field("gap", np.sin(5e3 * np.linspace(0, 1, 20001)), "m", ("time",))
     writer.file.close()
     (folder / "sections.prm").write_text(SECTIONS)
 
@@ -208,6 +216,35 @@ class Figures(Drawn):
 
     def test_a_derived_quantity_goes_by_its_symbol(self):
         self.assertEqual(self.figure("best").axes[0].get_ylabel(), r"$\lambda_{opt}$")
+
+    def test_a_term_over_fewer_axes_is_the_same_along_the_others(self):
+        sweep = self.results.analysis("sweep")
+        both = figure_axes.find(sweep, f"lambda - {AMPLITUDE}")
+        self.assertEqual(both.dimensions, sweep.dimensions(AMPLITUDE))
+        np.testing.assert_allclose(both.values, LAMBDA[:, None, None] - VALUES)
+
+    def test_without_a_judgement_no_point_counts_as_not_settled(self):
+        self.results.parameters |= {"Analysis sweep": {"Type": "parameter grid", "Parameter grid": {"Repeat": "one"}},
+                                    "Analysis one": {"Type": "stepped sweep",
+                                                     "Stepped sweep": {"Steadiness tolerance": "0"}}}
+        axes = self.figure("curve").axes[0]
+        self.assertFalse([line for line in axes.get_lines() if line.get_fillstyle() == "none"])
+        self.assertNotIn("not settled", [text.get_text() for text in axes.get_legend().get_texts()])
+
+    def test_loci_are_curves_of_their_own(self):
+        section = {"From": "folds", "Horizontal": {"Quantity": "frequency"}, "Vertical": {"Quantity": "Variables.gap"}}
+        axes = chosen_figures.figure(self.results, "loci", section).axes[0]
+        np.testing.assert_allclose(axes.get_lines()[0].get_xydata(), [[1, 5], [2, 6]])
+        np.testing.assert_allclose(axes.get_lines()[1].get_xydata(), [[3, 7]])
+
+    def test_a_value_that_occurs_twice_is_chosen_twice(self):
+        folds = self.results.analysis("pairs")
+        choice.choose(folds, ["gap = 2"])
+        self.assertEqual(folds.chosen, {"Variables.gap": [1, 2]})
+
+    def test_a_history_that_would_be_a_block_is_a_band(self):
+        section = {"From": "long", "Horizontal": {"Quantity": "time"}, "Vertical": {"Quantity": "gap"}}
+        self.assertEqual(len(chosen_figures.figure(self.results, "long", section).axes[0].collections), 1)
 
     def test_what_is_not_there_is_named(self):
         section = self.results.parameters["Figure swapped"]

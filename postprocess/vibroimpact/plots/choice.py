@@ -20,8 +20,9 @@ def choose(analysis: Analysis, requests: list[str]) -> None:
             raise ResultError(f"--at {requested}: AXIS=VALUES is wanted")
         for axis in analysis.axes:
             if is_called(axis, name.strip()):
-                indices = [index_of(analysis, axis, value.strip()) for value in values.split(",")]
-                analysis.chosen[axis] = sorted(set(indices))
+                wanted = [index_of(analysis, axis, value.strip()) for value in values.split(",")]
+                every = analysis.read(axis).values  # which may hold a value twice, with other keys tied to it
+                analysis.chosen[axis] = [i for i, value in enumerate(every) if value in every[wanted]]
 
 
 def highlight(analysis: Analysis, requests: list[str]) -> None:

@@ -18,7 +18,7 @@ LEAST = 1e-3  # of the largest value of the reference: a smaller distance is non
 
 
 OVERLAY = dict(linestyle="-.", marker="", zorder=2.5)
-OVERLAY_COLOURS = [style.COLOURS[1], *style.COLOURS[3:]]
+OVERLAY_COLOURS = style.COLOURS[3:]  # those before are of small families
 
 
 @dataclass(frozen=True)
