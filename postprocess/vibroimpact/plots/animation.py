@@ -69,7 +69,7 @@ def animate(results: Path, analysis: str, file: Path, style: Style) -> None:
 
 
 def still(results: Path, analysis: str, number: int, file: Path, style: Style) -> None:
-    """Writes one of the recorded instants of an analysis, counted from 1, as a picture; colours and axes are those of all."""
+    """Writes one of the recorded instants of an analysis, counted from 1; colours and axes are those of all."""
     from PIL import Image  # comes with Matplotlib
 
     motion = read_motion(results, analysis, None)

@@ -103,7 +103,8 @@ def judges_steadiness(parameters: dict, analysis: str) -> bool:
     repeated = section.get("Parameter grid", {}).get("Repeat", "")
     if repeated:
         return judges_steadiness(parameters, repeated)
-    return number(section.get(section.get("Type", "").capitalize(), {}).get("Steadiness tolerance", ""), parameters) != 0
+    own = section.get(section.get("Type", "").capitalize(), {})
+    return number(own.get("Steadiness tolerance", ""), parameters) != 0
 
 
 def case_columns(table: str) -> list[tuple[str, list[str]]]:

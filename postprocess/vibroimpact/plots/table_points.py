@@ -8,8 +8,8 @@
 A column is called as a quantity of the figure's axes: by its path in the results, the last parts of it, or
 its label without TeX. A column of the key of a family gives a point the colour of that member; `figure`
 restricts rows to figures whose names match a pattern, `series` names rows in the legend; `marker` and `colour`, as
-Matplotlib calls them, are those of a series. Other columns, such as the page, are left to the reader. Instead of rows of its own a table may name another file, whose
-columns it renames, and the figures that show it:
+Matplotlib calls them, are those of a series. Other columns, such as the page, are left to the reader. Instead
+of rows of its own a table may name another file, whose columns it renames, and the figures that show it:
 
     # rows of: ../reference.csv
     # columns: f = frequency [Hz], A1 = displacement_x/amplitude [mm]
