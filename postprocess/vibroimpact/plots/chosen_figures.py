@@ -76,7 +76,7 @@ def curve_figure(results: Results, section: dict):
         family = curves(axes, analyses[0], both, colour, **look)
         handles += family.handles if not colour else [
             Line2D([], [], color=colour, label=given[number] if number < len(given)
-                   else find(analyses[0], names[number]).label)]
+                   else find(analyses[0], names[number]).label, **look)]
     handles += overlaid(axes, results, section, sheets)
     for axis, letter in zip(sheets[0], "xy"):
         axis.apply(axes, letter)

@@ -61,7 +61,7 @@ def parse(arguments) -> argparse.Namespace:
                         help="numbers without units, as with Units = dimensionless in the file")
     parser.add_argument("--list", action="store_true", help="names of the figures, nothing drawn")
     parser.add_argument("--format", choices=["png", "pdf", "svg"], default="png")
-    parser.add_argument("--dpi", type=float, default=300, help="of pictures (default: 300)")
+    parser.add_argument("--dpi", type=float, default=200, help="of pictures (default: 200)")
     parser.add_argument("--size", type=size, metavar="WxH", help="in inches, such as 6x4")
     parser.add_argument("--jobs", type=positive, metavar="N",
                         help="figures at a time (default: as many as processors)")

@@ -61,8 +61,7 @@ def save(figure, file: Path, dpi: float, size=None) -> None:
         return
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
-    points = np.asarray(canvas.buffer_rgba())[..., :3]
-    Image.fromarray(points).save(file, dpi=(dpi, dpi), **PNG)
+    Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB").save(file, dpi=(dpi, dpi), **PNG)
 
 
 def draw_all(results: Results, wanted, tables, options: argparse.Namespace) -> int:
