@@ -78,6 +78,9 @@ class Command(unittest.TestCase):
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             picture = self.enterContext(Image.open(Path(folder, "release-2.png")))
             self.assertEqual(picture.size, (500, 360))
+            done = run("--animate", "modes", "--instant", "1", "--output", folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertTrue(Path(folder, "modes-1.png").is_file())
         done = run("--animate", "release", "--instant", "9")
         self.assertEqual(done.returncode, 1)
         self.assertIn("--instant 9: release has the instants 1 to 3", done.stderr)
@@ -160,6 +163,14 @@ class Motion(unittest.TestCase):
             return matplotlib.colors.to_hex(picture.axes.collections[-1].get_facecolor()[0]).upper()
         self.assertEqual(drawn(2.0), animation.CONTACT)
         self.assertEqual(drawn(1.0), animation.STOP)
+
+    def test_a_mode_has_a_frequency_and_no_unit(self):
+        shape = mesh([[0, 0, 0.2], [0, 0, 0.4], [0] * 3, [0] * 3])
+        picture = animation.Picture([animation.Instant(12.5, {"frame": shape})], "displacement", 1.0,
+                                    animation.Style(modes=True))
+        picture.draw(animation.Instant(12.5, {"frame": shape}))
+        self.assertEqual(picture.figure.texts[0].get_text(), "Mode at 12.5 Hz")
+        self.assertEqual(picture.colours.get_clim(), (0, 1))
 
     def test_the_largest_force_of_the_instant_has_the_longest_arrow(self):
         body = mesh(np.zeros((4, 3)))

@@ -6,7 +6,7 @@ where their faces are: node and stop meet where the gap is zero, whatever the di
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -16,7 +16,7 @@ from matplotlib.colors import Normalize, to_rgb
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from .errors import ResultError
-from .labels import scale_for
+from .labels import Scale, scale_for
 from .vtu import Mesh, instants, read_mesh
 
 SHOWN = 0.1  # largest displacement of the picture relative to the size of the bodies
@@ -24,6 +24,7 @@ COLOURS = 64
 MAP = "viridis"
 CONTACT = "#C8102E"
 STOP = "#6E6E6E"
+MODES = "modes"  # file of the mode shapes, by frequency
 ARROW = 0.18  # longest arrow of a contact force relative to the size of the bodies
 SURFACE = 0.7  # opacity of shells, behind which their stops stand
 TITLES = {"displacement": ("Displacement", "m"), "velocity": ("Velocity", "m/s"),
@@ -44,6 +45,7 @@ class Style:
     rate: float = 15.0            # pictures a second
     size: tuple[float, float] = (5.0, 3.6)  # inches
     dpi: float = 100.0
+    modes: bool = False           # shapes of modes, without a unit
     arrows: bool = False          # contact forces as arrows, beside the points at which they act
 
 
@@ -69,12 +71,15 @@ def animate(results: Path, analysis: str, file: Path, style: Style) -> None:
 
 
 def still(results: Path, analysis: str, number: int, file: Path, style: Style) -> None:
-    """Writes one of the recorded instants of an analysis, counted from 1; colours and axes are those of all."""
+    """Writes one of the recorded instants of an analysis, counted from 1; colours and axes are those of all. Of
+    the modes one, whose size has no meaning."""
     from PIL import Image  # comes with Matplotlib
 
     motion = read_motion(results, analysis, None)
     if not 1 <= number <= len(motion):
         raise ResultError(f"--instant {number}: {analysis} has the instants 1 to {len(motion)}")
+    if analysis == MODES:  # which have nothing in common
+        motion, number, style = [motion[number - 1]], 1, replace(style, field="displacement", modes=True)
     picture = Picture(motion, style.field or usual_field(motion),
                       style.factor if style.factor is not None else usual_factor(motion), style)
     Image.fromarray(picture.draw(motion[number - 1])).save(file)
@@ -85,7 +90,7 @@ def read_motion(results: Path, analysis: str, frames: int | None) -> list[Instan
     """At most `frames` instants, all without it."""
     pvd = results / f"{analysis}.pvd"
     if not pvd.is_file():
-        known = sorted(path.stem for path in results.glob("*.pvd") if path.stem != "modes")
+        known = sorted(path.stem for path in results.glob("*.pvd") if path.stem != MODES)
         there = f"; there are: {', '.join(known)}" if known else ": no transient analysis recorded frames"
         raise ResultError(f"{results}: there is no motion {analysis}.pvd{there}")
     every = instants(pvd)
@@ -138,6 +143,8 @@ class Picture:
         title, unit = TITLES[field]
         every = np.concatenate([magnitudes(mesh, field) for instant in motion for mesh in instant.bodies()])
         self.scale = scale_for(unit, every[np.isfinite(every)])
+        if style.modes:
+            title, self.scale = "Displacement / its largest value", Scale(np.nanmax(every) or 1.0, "")
         self.colours = ScalarMappable(Normalize(0, max(np.nanmax(every) / self.scale.factor, 1e-300)), MAP)
         self.figure = plt.figure(figsize=style.size, dpi=style.dpi, layout="none")
         self.axes = self.figure.add_axes([-0.02, -0.12, 0.9, 1.2], projection="3d", azim=style.view[0],
@@ -164,7 +171,8 @@ class Picture:
         self.arrows_of = largest_force(instant) if self.style.arrows else None
         for name, mesh in instant.parts.items():
             getattr(self, {"stops": "draw_stops", "supports": "draw_supports"}.get(name, "draw_body"))(mesh)
-        self.figure.text(0.03, 0.94, f"t = {instant.time:.4f} s,  displacements × {self.factor:.3g}", fontsize=9)
+        self.figure.text(0.03, 0.94, f"Mode at {instant.time:.4g} Hz" if self.style.modes else
+                         f"t = {instant.time:.4f} s,  displacements × {self.factor:.3g}", fontsize=9)
         self.figure.canvas.draw()
         return np.asarray(self.figure.canvas.buffer_rgba())[:, :, :3].copy()
 

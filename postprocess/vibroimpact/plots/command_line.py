@@ -76,7 +76,7 @@ def add_animation(group) -> None:
     group.add_argument("--animate", metavar="NAME", help="of this analysis, nothing else is drawn")
     group.add_argument("--instant", type=positive, metavar="N",
                        help="only this one of the recorded frames, counted from 1, with arrows of the "
-                            "contact forces, as NAME-N.png")
+                            "contact forces, as NAME-N.png; with NAME = modes a mode shape")
     group.add_argument("--field", help="that colours it (default: von_mises_stress, where it is "
                                        "known, else displacement)")
     group.add_argument("--factor", type=float, help="of the displacements (default: such that they "
