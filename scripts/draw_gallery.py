@@ -9,7 +9,6 @@ import fnmatch
 import os
 import re
 import shlex
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -22,6 +21,7 @@ from pathlib import Path
 SOURCE = Path(__file__).resolve().parent.parent
 LIST = SOURCE / "docs" / "gallery" / "pictures.txt"
 DPI = "200"
+OVER = "RUN/"  # before the name of a run in an option
 
 
 @dataclass
@@ -36,7 +36,7 @@ class Run:
 @dataclass
 class Picture:
     """One picture of a figure of a run, with the options of vibroimpact-plot; the figure ANALYSIS.pvd is an
-    instant of a motion, drawn by ParaView with the options of paraview_motion.py."""
+    instant of a motion."""
 
     system: str
     name: str
@@ -83,25 +83,33 @@ class Places:
 
 def draw(gallery: Gallery, wanted: list[Picture], places: Places, options) -> int:
     """Longest runs first, so that none is alone at the end."""
-    chosen = {name: gallery.runs[name] for name in dict.fromkeys(picture.run for picture in wanted)}
+    chosen = {name: gallery.runs[name] for name in dict.fromkeys(
+        name for picture in wanted for name in [picture.run, *overlaid(picture)])}
     places.output.mkdir(parents=True, exist_ok=True)
     places.images.mkdir(parents=True, exist_ok=True)
 
     def run_and_draw(name: str) -> int:
         if not options.draw_only and execute(name, chosen[name], places):
             return 1
-        return draw_run(name, [picture for picture in wanted if picture.run == name], places)
+        return draw_run(name, [picture for picture in wanted if picture.run == name and not overlaid(picture)], places)
 
     with ThreadPoolExecutor(options.jobs) as workers:
-        return max(workers.map(run_and_draw, sorted(chosen, key=lambda name: -chosen[name].seconds)),
-                   default=0)
+        code = max(workers.map(run_and_draw, sorted(chosen, key=lambda name: -chosen[name].seconds)), default=0)
+    last = [picture for picture in wanted if overlaid(picture)]
+    return max([code, *(draw_run(name, [picture for picture in last if picture.run == name], places)
+                        for name in dict.fromkeys(picture.run for picture in last))])
+
+
+def overlaid(picture: Picture) -> list[str]:
+    """Runs that a picture shows over its own, as RUN:ANALYSIS."""
+    return [option.removeprefix(OVER).partition(":")[0] for option in picture.options if option.startswith(OVER)]
 
 
 def draw_run(name: str, pictures: list[Picture], places: Places) -> int:
     batches = defaultdict(list)
     for picture in pictures:
         batches[tuple(picture.options)].append(picture)
-    return max(plot(name, options, batch, places) for options, batch in batches.items())
+    return max((plot(name, options, batch, places) for options, batch in batches.items()), default=0)
 
 
 def execute(name: str, run: Run, places: Places) -> int:
@@ -129,12 +137,13 @@ def plot(run: str, options, pictures, places: Places) -> int:
     """All pictures with the same options in one call; they get their names afterwards."""
     results = places.output / run
     if pictures[0].figure.endswith(".pvd"):
-        return max(render(results / picture.figure, options, picture.name, places) for picture in pictures)
+        return max(draw_instant(results, picture.figure.removesuffix(".pvd"), options, picture.name, places)
+                   for picture in pictures)
     with tempfile.TemporaryDirectory() as folder:
         command = [places.build / "vibroimpact-plot", results, "--output", folder, "--dpi", DPI]
         for picture in pictures:
             command += ["--figure", picture.figure]
-        code = subprocess.run([*command, *placed(options)], check=False,
+        code = subprocess.run([*command, *placed(options, places)], check=False,
                               stdout=subprocess.DEVNULL).returncode
         for picture in pictures:
             drawn = Path(folder, f"{picture.figure}.png")
@@ -148,23 +157,20 @@ def plot(run: str, options, pictures, places: Places) -> int:
     return code
 
 
-def render(motion: Path, options, name: str, places: Places) -> int:
-    """Without ParaView the picture stays as it is."""
-    if not all(map(shutil.which, ("pvpython", "xvfb-run"))):
-        print(f"  {name}: left as it is, ParaView is not installed")
-        return 0
-    command = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", "pvpython",
-               SOURCE / "postprocess" / "paraview_motion.py", motion, "--picture",
-               places.images / f"{name}.png", *options]
-    done = subprocess.run(command, check=False, capture_output=True, text=True)
-    print(f"  {name}" if done.returncode == 0 else f"  {name}: {done.stderr}", flush=True)
-    return done.returncode
+def draw_instant(results: Path, motion: str, options, name: str, places: Places) -> int:
+    with tempfile.TemporaryDirectory() as folder:
+        command = [places.build / "vibroimpact-plot", results, "--animate", motion, "--output", folder, "--dpi", DPI]
+        code = subprocess.run([*command, *options], check=False, stdout=subprocess.DEVNULL).returncode
+        for drawn in Path(folder).glob("*.png"):
+            (places.images / f"{name}.png").write_bytes(drawn.read_bytes())
+            print(f"  {name}", flush=True)
+    return code
 
 
-def placed(options) -> list:
-    """Tables are named from docs/gallery/published."""
-    return [LIST.parent / "published" / option if option.endswith(".csv") else option
-            for option in options]
+def placed(options, places: Places) -> list:
+    """Tables are named from docs/gallery/published, other runs from the folder of all."""
+    return [LIST.parent / "published" / option if option.endswith(".csv") else
+            option.replace(OVER, f"{places.output}/") for option in options]
 
 
 def main() -> int:

@@ -11,6 +11,7 @@ import tempfile
 import unittest
 import zlib
 from pathlib import Path
+from unittest import mock
 
 sys.dont_write_bytecode = True
 PLOT, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
@@ -70,6 +71,19 @@ class Command(unittest.TestCase):
                 frames.append(np.asarray(picture.convert("RGB")))
             self.assertTrue((frames[0][0, 0] == 255).all())
             self.assertFalse((frames[0] == frames[1]).all())  # it moves
+
+    def test_it_draws_one_instant(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run("--animate", "release", "--instant", "2", "--dpi", "100", "--output", folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            picture = self.enterContext(Image.open(Path(folder, "release-2.png")))
+            self.assertEqual(picture.size, (500, 360))
+            done = run("--animate", "modes", "--instant", "1", "--output", folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertTrue(Path(folder, "modes-1.png").is_file())
+        done = run("--animate", "release", "--instant", "9")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("--instant 9: release has the instants 1 to 3", done.stderr)
 
     def test_what_is_not_there_is_said(self):
         done = run("--animate", "modes_of_it")
@@ -149,6 +163,24 @@ class Motion(unittest.TestCase):
             return matplotlib.colors.to_hex(picture.axes.collections[-1].get_facecolor()[0]).upper()
         self.assertEqual(drawn(2.0), animation.CONTACT)
         self.assertEqual(drawn(1.0), animation.STOP)
+
+    def test_a_mode_has_a_frequency_and_no_unit(self):
+        shape = mesh([[0, 0, 0.2], [0, 0, 0.4], [0] * 3, [0] * 3])
+        picture = animation.Picture([animation.Instant(12.5, {"frame": shape})], "displacement", 1.0,
+                                    animation.Style(modes=True))
+        picture.draw(animation.Instant(12.5, {"frame": shape}))
+        self.assertEqual(picture.figure.texts[0].get_text(), "Mode at 12.5 Hz")
+        self.assertEqual(picture.colours.get_clim(), (0, 1))
+
+    def test_the_largest_force_of_the_instant_has_the_longest_arrow(self):
+        body = mesh(np.zeros((4, 3)))
+        body.data["contact_force"] = np.array([[0, 0, 4.0], [0, 0, -2.0], [0] * 3, [0] * 3])
+        instant = animation.Instant(0, {"frame": body})
+        picture = animation.Picture([instant], "displacement", 1.0, animation.Style(arrows=True))
+        with mock.patch.object(picture.axes, "quiver") as quiver:
+            picture.draw(instant)
+        lengths = np.array(quiver.call_args[0][3:])
+        np.testing.assert_allclose(lengths[2] / picture.extent, [animation.ARROW, -animation.ARROW / 2])
 
 
 if __name__ == "__main__":

@@ -14,9 +14,9 @@ sys.path[:0] = [str(PROGRAM.parent), str(Path(__file__).resolve().parent)]
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from plot_examples import Writer  # noqa: E402
-from vibroimpact.plots import chosen_figures, table_points, traces  # noqa: E402
+from vibroimpact.plots import choice, chosen_figures, figure_axes, style, table_points, traces  # noqa: E402
 from vibroimpact.plots.errors import ResultError  # noqa: E402
-from vibroimpact.plots.results import Results  # noqa: E402
+from vibroimpact.plots.results import Emphasis, Results  # noqa: E402
 
 FREQUENCY = np.array([1.0, 2.0, 3.0, 4.0, 5.0])
 LAMBDA = np.array([1.0, 2.0])
@@ -107,11 +107,19 @@ def write(folder):
     writer.analysis("free", "stepped sweep", [("direction", np.array(["forward"]), "1"),
                                               ("frequency", FREQUENCY, "Hz")])
     writer.field(AMPLITUDE, 1e-3 * np.array([[5, 4, 3, 2, 1.0]]), "m")
+    writer.analysis("folds", "locus", [])
+    writer.scale("locus_point", np.arange(3.0), "1")
+    for name, values in (("locus", [0, 0, 1]), ("frequency", [1, 2, 3.0]), ("Variables.gap", [5, 6, 7.0])):
+        writer.field(name, np.array(values, float), "1", ("locus_point",))
+    writer.analysis("pairs", "parameter grid", [("Variables.gap", np.array([1, 2, 2.0]), "m")], grid=["Variables/gap"])
+    writer.analysis("long", "transient", [])
+    writer.scale("time", np.linspace(0, 1, 20001), "s")
+    writer.field("gap", np.sin(5e3 * np.linspace(0, 1, 20001)), "m", ("time",))
     writer.file.close()
     (folder / "sections.prm").write_text(SECTIONS)
 
 
-class Figures(unittest.TestCase):
+class Drawn(unittest.TestCase):
     def setUp(self):
         self.addCleanup(plt.close, "all")
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
@@ -127,6 +135,8 @@ class Figures(unittest.TestCase):
         """Solid and dashed curves, without marks and jumps."""
         return [line for line in figure.axes[0].get_lines() if len(line.get_xdata()) > 4]
 
+
+class Figures(Drawn):
     def test_curves_are_divided_by_a_variable_and_carry_their_symbols(self):
         figure = self.figure("curve")
         axes = figure.axes[0]
@@ -207,6 +217,35 @@ class Figures(unittest.TestCase):
     def test_a_derived_quantity_goes_by_its_symbol(self):
         self.assertEqual(self.figure("best").axes[0].get_ylabel(), r"$\lambda_{opt}$")
 
+    def test_a_term_over_fewer_axes_is_the_same_along_the_others(self):
+        sweep = self.results.analysis("sweep")
+        both = figure_axes.find(sweep, f"lambda - {AMPLITUDE}")
+        self.assertEqual(both.dimensions, sweep.dimensions(AMPLITUDE))
+        np.testing.assert_allclose(both.values, LAMBDA[:, None, None] - VALUES)
+
+    def test_without_a_judgement_no_point_counts_as_not_settled(self):
+        self.results.parameters |= {"Analysis sweep": {"Type": "parameter grid", "Parameter grid": {"Repeat": "one"}},
+                                    "Analysis one": {"Type": "stepped sweep",
+                                                     "Stepped sweep": {"Steadiness tolerance": "0"}}}
+        axes = self.figure("curve").axes[0]
+        self.assertFalse([line for line in axes.get_lines() if line.get_fillstyle() == "none"])
+        self.assertNotIn("not settled", [text.get_text() for text in axes.get_legend().get_texts()])
+
+    def test_loci_are_curves_of_their_own(self):
+        section = {"From": "folds", "Horizontal": {"Quantity": "frequency"}, "Vertical": {"Quantity": "Variables.gap"}}
+        axes = chosen_figures.figure(self.results, "loci", section).axes[0]
+        np.testing.assert_allclose(axes.get_lines()[0].get_xydata(), [[1, 5], [2, 6]])
+        np.testing.assert_allclose(axes.get_lines()[1].get_xydata(), [[3, 7]])
+
+    def test_a_value_that_occurs_twice_is_chosen_twice(self):
+        folds = self.results.analysis("pairs")
+        choice.choose(folds, ["gap = 2"])
+        self.assertEqual(folds.chosen, {"Variables.gap": [1, 2]})
+
+    def test_a_history_that_would_be_a_block_is_a_band(self):
+        section = {"From": "long", "Horizontal": {"Quantity": "time"}, "Vertical": {"Quantity": "gap"}}
+        self.assertEqual(len(chosen_figures.figure(self.results, "long", section).axes[0].collections), 1)
+
     def test_what_is_not_there_is_named(self):
         section = self.results.parameters["Figure swapped"]
         section["Where"] = "gap = 2"
@@ -216,6 +255,45 @@ class Figures(unittest.TestCase):
         section["Vertical"]["Quantity"] = "speed"
         with self.assertRaisesRegex(ResultError, "sweep has no quantity speed"):
             self.figure("swapped")
+
+
+class Emphasised(Drawn):
+    def curve(self, **wanted):
+        self.results.emphasis = Emphasis(**wanted)
+        return self.figure("curve").axes[0]
+
+    def test_a_highlighted_member_is_red_and_named(self):
+        axes = self.curve(highlight=("lambda=2:best",))
+        texts = [text.get_text() for text in axes.get_legend().get_texts()]
+        self.assertEqual(texts[:2], ["1", "2, best"])
+        red = [line for line in axes.get_lines() if line.get_color() == style.HIGHLIGHT and len(line.get_xdata()) > 4]
+        self.assertEqual(np.nanmax(red[0].get_ydata()), 4)
+        with self.assertRaisesRegex(ResultError, "--highlight lambda: AXIS=VALUE"):
+            self.curve(highlight=("lambda",))
+
+    def test_peaks_are_those_of_motions_that_repeat(self):
+        axes = self.curve(peaks=True)
+        points = [tuple(line.get_xydata()[0]) for line in axes.get_lines() if len(line.get_xdata()) == 1
+                  and line.get_color() == "black"]
+        np.testing.assert_allclose(points, 2 * np.pi * np.array([[3, 1.5 / 2 / np.pi], [4, 4 / 2 / np.pi],
+                                                                 [1, 2.5 / 2 / np.pi]]))
+
+    def test_shades_where_the_highlighted_curve_is_below_the_reference(self):
+        patch = self.curve(highlight=("lambda=1",), below=True).patches[0]
+        ends = patch.get_xy()[:, 0] if hasattr(patch, "get_xy") and np.ndim(patch.get_xy()) == 2 else \
+            [patch.get_x(), patch.get_x() + patch.get_width()]
+        np.testing.assert_allclose([min(ends), max(ends)], 2 * np.pi * np.array([1, 3]), rtol=2e-3)
+
+    def test_another_analysis_with_the_quantities_lies_over_it(self):
+        self.results.overlays = [self.results.analysis("free")]
+        del self.results.parameters["Figure curve"]["Reference"]
+        axes = self.figure("curve").axes[0]
+        self.assertIn("free", [text.get_text() for text in axes.get_legend().get_texts()])
+        line = self.lines(self.figure("curve"))[-1]
+        np.testing.assert_allclose(line.get_ydata(), [2.5, 2, 1.5, 1, 0.5])
+        self.assertEqual(line.get_linestyle(), "-.")
+        section = self.results.parameters["Figure curve"]
+        self.assertFalse(figure_axes.has_axes(self.results.analysis("free"), section | {"Vertical": {"Quantity": "u"}}))
 
 
 class Tables(unittest.TestCase):
@@ -260,6 +338,14 @@ class Tables(unittest.TestCase):
         line = self.points("# drawn as: line\nbeta, eta_d\n12, 1\n13, 2\n")[0]
         self.assertIn(line.get_marker(), ("", "None"))
 
+    def test_a_series_has_its_own_marker_and_colour(self):
+        line = self.points("beta, eta_d, marker, colour\n12, 1, D, cyan\n")[0]
+        self.assertEqual((line.get_marker(), line.get_markerfacecolor()), ("D", "cyan"))
+
+    def test_bars_stand_apart(self):
+        line = self.points("# drawn as: bars\nbeta, eta_d\n7, 1\n8, 1\n9, 2\n10, 2\n")[0]
+        np.testing.assert_allclose(line.get_xdata(), [7, 8, np.nan, 9, 10])
+
     def test_rows_of_another_file_under_other_names(self):
         (self.folder / "other.csv").write_text("f,A,B\n2,3,9\n4,1,9\n")
         head = "# rows of: other.csv\n# columns: f = frequency [Hz], A = amplitude [mm]\n"
@@ -279,7 +365,8 @@ class Tables(unittest.TestCase):
         for text, message in [("", "no line with the names of the columns"),
                               ("beta, eta_d\n1\n", "row 2 has 1 values, but there are 2 columns"),
                               ("beta [furlong], eta_d\n1, 2\n", "unit [furlong] of beta"),
-                              ("# drawn as: bars\nbeta, eta_d\n1, 2\n", "points or line"),
+                              ("# drawn as: stars\nbeta, eta_d\n1, 2\n", "points or line or bars"),
+                              ("beta, eta_d, marker\n1, 2, q\n", "q is no marker"),
                               ("beta [1], eta_d [1]\n1, x\n", "column eta_d")]:
             done = self.plot(text)
             self.assertEqual(done.returncode, 1, text)

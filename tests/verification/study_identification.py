@@ -56,7 +56,7 @@ def main():
                   ", ".join(f"{value:.2f}" for value in factors))
     fast = (speed >= 0.1) & (exact > 0)
     coefficient, exponent = fit(speed[fast], exact[fast])
-    study.row("fit above 0.1", str(fast.sum()), "", f"{coefficient:.4f} v_c^{exponent:.4f}", "", "",
+    study.row("fit above 0.1", str(fast.sum()), "", f"{coefficient:.4f} v_c^{exponent:.5f}", "", "",
               "", "")
     study.finish()
 

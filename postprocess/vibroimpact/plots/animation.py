@@ -1,4 +1,4 @@
-"""A motion as an animated picture (GIF), from the files that a run writes for ParaView.
+"""A motion as an animated picture (GIF), or one instant of it (PNG), from the files that a run writes for ParaView.
 
 Shells and beams, with the sides around their cross-sections, are drawn deformed and coloured; a red point is a node on which a contact force acts. Stops are drawn
 where their faces are: node and stop meet where the gap is zero, whatever the displacements are multiplied with.
@@ -6,7 +6,7 @@ where their faces are: node and stop meet where the gap is zero, whatever the di
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -16,7 +16,7 @@ from matplotlib.colors import Normalize, to_rgb
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from .errors import ResultError
-from .labels import scale_for
+from .labels import Scale, scale_for
 from .vtu import Mesh, instants, read_mesh
 
 SHOWN = 0.1  # largest displacement of the picture relative to the size of the bodies
@@ -24,6 +24,8 @@ COLOURS = 64
 MAP = "viridis"
 CONTACT = "#C8102E"
 STOP = "#6E6E6E"
+MODES = "modes"  # file of the mode shapes, by frequency
+ARROW = 0.18  # longest arrow of a contact force relative to the size of the bodies
 SURFACE = 0.7  # opacity of shells, behind which their stops stand
 TITLES = {"displacement": ("Displacement", "m"), "velocity": ("Velocity", "m/s"),
           "von_mises_stress": ("Von Mises stress", "Pa"),
@@ -43,6 +45,8 @@ class Style:
     rate: float = 15.0            # pictures a second
     size: tuple[float, float] = (5.0, 3.6)  # inches
     dpi: float = 100.0
+    modes: bool = False           # shapes of modes, without a unit
+    arrows: bool = False          # contact forces as arrows, beside the points at which they act
 
 
 @dataclass(frozen=True)
@@ -66,14 +70,31 @@ def animate(results: Path, analysis: str, file: Path, style: Style) -> None:
         plt.close(picture.figure)
 
 
-def read_motion(results: Path, analysis: str, frames: int) -> list[Instant]:
+def still(results: Path, analysis: str, number: int, file: Path, style: Style) -> None:
+    """Writes one of the recorded instants of an analysis, counted from 1; colours and axes are those of all. Of
+    the modes one, whose size has no meaning."""
+    from PIL import Image  # comes with Matplotlib
+
+    motion = read_motion(results, analysis, None)
+    if not 1 <= number <= len(motion):
+        raise ResultError(f"--instant {number}: {analysis} has the instants 1 to {len(motion)}")
+    if analysis == MODES:  # which have nothing in common
+        motion, number, style = [motion[number - 1]], 1, replace(style, field="displacement", modes=True)
+    picture = Picture(motion, style.field or usual_field(motion),
+                      style.factor if style.factor is not None else usual_factor(motion), style)
+    Image.fromarray(picture.draw(motion[number - 1])).save(file)
+    plt.close(picture.figure)
+
+
+def read_motion(results: Path, analysis: str, frames: int | None) -> list[Instant]:
+    """At most `frames` instants, all without it."""
     pvd = results / f"{analysis}.pvd"
     if not pvd.is_file():
-        known = sorted(path.stem for path in results.glob("*.pvd") if path.stem != "modes")
+        known = sorted(path.stem for path in results.glob("*.pvd") if path.stem != MODES)
         there = f"; there are: {', '.join(known)}" if known else ": no transient analysis recorded frames"
         raise ResultError(f"{results}: there is no motion {analysis}.pvd{there}")
     every = instants(pvd)
-    chosen = np.unique(np.linspace(0, len(every) - 1, min(frames, len(every))).round().astype(int))
+    chosen = np.unique(np.linspace(0, len(every) - 1, min(frames or len(every), len(every))).round().astype(int))
     return [Instant(time, {part_of(path): read_mesh(path) for path in files})
             for time, files in (every[i] for i in chosen)]
 
@@ -96,6 +117,12 @@ def usual_factor(motion: list[Instant]) -> float:
     return float(SHOWN * extent / largest) if largest > 0 and extent > 0 else 1.0
 
 
+def largest_force(instant: Instant) -> float:
+    forces = [np.linalg.norm(mesh.data["contact_force"], axis=1).max(initial=0.0)
+              for mesh in instant.bodies() if "contact_force" in mesh.data]
+    return max(forces, default=0.0) or 1.0
+
+
 def magnitudes(mesh: Mesh, field: str) -> np.ndarray:
     """At the points; NaN where the field is not known."""
     if field not in mesh.data:
@@ -111,11 +138,13 @@ class Picture:
         known = sorted({name for mesh in motion[0].bodies() for name in mesh.data} & set(TITLES))
         if field not in known:
             raise ResultError(f"there is no field {field}; there are: {', '.join(known)}")
-        self.field, self.factor = field, factor
+        self.field, self.factor, self.style = field, factor, style
         self.draws_lines = True  # where results have no sides of beams
         title, unit = TITLES[field]
         every = np.concatenate([magnitudes(mesh, field) for instant in motion for mesh in instant.bodies()])
         self.scale = scale_for(unit, every[np.isfinite(every)])
+        if style.modes:
+            title, self.scale = "Displacement / its largest value", Scale(np.nanmax(every) or 1.0, "")
         self.colours = ScalarMappable(Normalize(0, max(np.nanmax(every) / self.scale.factor, 1e-300)), MAP)
         self.figure = plt.figure(figsize=style.size, dpi=style.dpi, layout="none")
         self.axes = self.figure.add_axes([-0.02, -0.12, 0.9, 1.2], projection="3d", azim=style.view[0],
@@ -127,6 +156,7 @@ class Picture:
     def set_limits(self, motion: list[Instant]) -> None:
         moved = np.concatenate([mesh.moved(self.factor) for instant in motion for mesh in instant.parts.values()])
         low, high = moved.min(axis=0), moved.max(axis=0)
+        self.extent = np.linalg.norm(high - low)
         room = np.maximum(high - low, 1e-3 * max((high - low).max(), 1e-12))
         for name, start, length in zip("xyz", low, room):
             getattr(self.axes, f"set_{name}lim")(start, start + length)
@@ -138,9 +168,11 @@ class Picture:
             artist.remove()
         self.axes.set_axis_off()
         self.draws_lines = "sections" not in instant.parts
+        self.arrows_of = largest_force(instant) if self.style.arrows else None
         for name, mesh in instant.parts.items():
             getattr(self, {"stops": "draw_stops", "supports": "draw_supports"}.get(name, "draw_body"))(mesh)
-        self.figure.text(0.03, 0.94, f"t = {instant.time:.4f} s,  displacements × {self.factor:.3g}", fontsize=9)
+        self.figure.text(0.03, 0.94, f"Mode at {instant.time:.4g} Hz" if self.style.modes else
+                         f"t = {instant.time:.4f} s,  displacements × {self.factor:.3g}", fontsize=9)
         self.figure.canvas.draw()
         return np.asarray(self.figure.canvas.buffer_rgba())[:, :, :3].copy()
 
@@ -156,6 +188,14 @@ class Picture:
         if "contact_force" in mesh.data:
             touched = places[np.linalg.norm(mesh.data["contact_force"], axis=1) > 0]
             self.axes.scatter(*touched.T, s=22, c=CONTACT, depthshade=False, zorder=3)
+            if self.arrows_of is not None and len(touched):
+                forces = mesh.data["contact_force"]
+                self.draw_arrows(touched, forces[np.linalg.norm(forces, axis=1) > 0])
+
+    def draw_arrows(self, places: np.ndarray, forces: np.ndarray) -> None:
+        """The largest force of the instant ARROW of the bodies long."""
+        lengths = forces * (ARROW * self.extent / self.arrows_of)
+        self.axes.quiver(*places.T, *lengths.T, color=CONTACT, linewidth=1.2, arrow_length_ratio=0.2, zorder=4)
 
     def draw_cells(self, places: np.ndarray, values: np.ndarray) -> None:
         colours = self.colours.to_rgba(values)

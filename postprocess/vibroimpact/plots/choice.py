@@ -1,4 +1,4 @@
-"""The points of the outer axes that --at picks."""
+"""The points of the outer axes that --at picks, and those that --highlight shows above the others."""
 
 from __future__ import annotations
 
@@ -20,8 +20,21 @@ def choose(analysis: Analysis, requests: list[str]) -> None:
             raise ResultError(f"--at {requested}: AXIS=VALUES is wanted")
         for axis in analysis.axes:
             if is_called(axis, name.strip()):
-                indices = [index_of(analysis, axis, value.strip()) for value in values.split(",")]
-                analysis.chosen[axis] = sorted(set(indices))
+                wanted = [index_of(analysis, axis, value.strip()) for value in values.split(",")]
+                every = analysis.read(axis).values  # which may hold a value twice, with other keys tied to it
+                analysis.chosen[axis] = [i for i, value in enumerate(every) if value in every[wanted]]
+
+
+def highlight(analysis: Analysis, requests: list[str]) -> None:
+    """AXIS=VALUE, or AXIS=VALUE:NAME with what the legend adds; entered into the analysis as choose() does."""
+    for requested in requests:
+        point, _, name = requested.partition(":")
+        axis, equals, value = point.partition("=")
+        if not equals or not value.strip():
+            raise ResultError(f"--highlight {requested}: AXIS=VALUE or AXIS=VALUE:NAME is wanted")
+        for own in analysis.axes:
+            if is_called(own, axis.strip()):
+                analysis.highlighted[own] = index_of(analysis, own, value.strip()), name.strip()
 
 
 def is_called(axis: str, name: str) -> bool:

@@ -3,26 +3,22 @@
 from __future__ import annotations
 
 import functools
-import itertools
 from contextlib import suppress
 
 import numpy as np
 from matplotlib.lines import Line2D
 
-from . import maps, style, traces
+from . import emphasis, maps, style
 from .axis_meaning import Meaning, Panel, note
-from .branch_curves import TYPES as BRANCHES
-from .branch_curves import pieces
-from .branches import KINDS, kind_handles, mark_kinds
-from .choice import choose, is_called
-from .curves import LARGEST_LEGEND, LINES, colour_bar, loose_of, marked
+from .choice import choose, highlight, is_called
+from .chosen_curves import curves
+from .curves import LARGEST_LEGEND, colour_bar
 from .derived import derived_of, pair_of
 from .errors import ResultError
 from .figure_axes import FigureAxis, Quantity, find, plain, read_axis, together
-from .layout import DIRECTION, Layout, family_of, kept
+from .labels import own_name
+from .layout import Layout, family_of, kept
 from .results import Analysis, Results
-
-SPECIAL = "special/"
 
 
 def figures(results: Results, analysis: Analysis):
@@ -56,6 +52,7 @@ def analyses_of(results: Results, section: dict) -> list[Analysis]:
         for reference in analyses[1:]:
             with suppress(ResultError):  # it need not have the same points
                 choose(reference, [request.strip()])
+    highlight(analyses[0], results.emphasis.highlight)
     return analyses
 
 
@@ -67,22 +64,41 @@ def curve_figure(results: Results, section: dict):
         [read_axis(results, section["Vertical"] | {"Quantity": name},
                    analyses if name == names[0] else analyses[:1]) for name in names], analyses[0])]
     shown, (axes,) = style.panels(1, height=3.0)
-    handles = []
+    handles, compared = [], []
     for reference in analyses[1:]:
-        curves(axes, reference, sheets[0], colour="black", linewidth=1.5)
+        compared += curves(axes, reference, sheets[0], colour="black", linewidth=1.5).drawn
         handles.append(Line2D([], [], color="black", linewidth=1.5,
                               label=section.get("Reference label", "") or reference.name))
     for number, both in enumerate(sheets):
         colour = style.COLOURS[number % len(style.COLOURS)] if len(sheets) > 1 else None
         look = {} if section.get("Joined", "true") == "true" else \
             dict(linestyle="", marker="o", markersize=3, markevery=None)
-        layout, own = curves(axes, analyses[0], both, colour, **look)
-        if colour:
-            own = [Line2D([], [], color=colour, label=given[number] if number < len(given)
-                          else find(analyses[0], names[number]).label)]
-        handles += own
-    finish(shown, axes, layout, sheets, handles, section)
+        family = curves(axes, analyses[0], both, colour, **look)
+        handles += family.handles if not colour else [
+            Line2D([], [], color=colour, label=given[number] if number < len(given)
+                   else find(analyses[0], names[number]).label, **look)]
+    handles += overlaid(axes, results, section, sheets)
+    for axis, letter in zip(sheets[0], "xy"):
+        axis.apply(axes, letter)
+    handles += emphasis.draw(axes, results.emphasis, family.drawn, compared)
+    finish(shown, axes, family.layout, sheets, handles, section)
     return shown
+
+
+def overlaid(axes, results: Results, section: dict, sheets) -> list[Line2D]:
+    """The same quantities of the analyses that --overlay names, where the figure is of another one."""
+    handles = []
+    for other in results.overlays:
+        if other.name == section["From"] and other.file == str(results.file):
+            continue
+        with suppress(ResultError):
+            for request in filter(str.strip, section.get("Where", "").split(";")):
+                choose(other, [request.strip()])
+            for both in sheets:
+                colour = emphasis.OVERLAY_COLOURS[len(handles) % len(emphasis.OVERLAY_COLOURS)]
+                curves(axes, other, both, colour, **emphasis.OVERLAY)
+                handles.append(Line2D([], [], color=colour, label=own_name(other.name), **emphasis.OVERLAY))
+    return handles
 
 
 def several(text: str) -> list[str]:
@@ -91,8 +107,6 @@ def several(text: str) -> list[str]:
 
 def finish(shown, axes, layout: Layout, sheets, handles, section: dict) -> None:
     both = sheets[0]
-    for axis, letter in zip(both, "xy"):
-        axis.apply(axes, letter)
     draw_marks(axes, both)
     axes.set_title(section.get("Title", ""))
     family = layout.cases() if layout.family and len(sheets) == 1 else []
@@ -121,126 +135,6 @@ def draw_marks(axes, both) -> None:
             axes.text(*place, label, transform=transform, color=style.GREY, fontsize=9,
                       ha="center" if letter == "x" else "left",
                       va="bottom" if letter == "x" else "center", clip_on=False)
-
-
-def curves(axes, analysis: Analysis, both, colour=None, **look):
-    """All curves of an analysis; gives its layout and the legend entries of its lines."""
-    quantities = [find(analysis, axis.quantity) for axis in both]
-    along = along_of(analysis, quantities)
-    union = list(dict.fromkeys(name for quantity in quantities for name in quantity.dimensions))
-    family = [name for name in analysis.axes
-              if name in union and name not in (along, DIRECTION) and len(kept(analysis, name)) > 1]
-    layout = Layout(analysis, along, family)
-    directions = layout.directions if DIRECTION in union else [""]
-    for case, (number, direction) in itertools.product(layout.cases(), enumerate(directions)):
-        index = {**case.index, DIRECTION: direction_index(analysis, direction)}
-        chosen = colour or (case.colour if family else style.COLOURS[0])
-        values = [axis.of(pick(quantity, analysis, index, along)) for quantity, axis in zip(quantities, both)]
-        if analysis.type in BRANCHES:
-            draw_branches(axes, analysis, index, values, both, chosen)
-        else:
-            draw_curve(axes, analysis, index, along, quantities, values, both, chosen,
-                       dict(look_of(direction, len(directions), number, len(values[0])), **look))
-    return layout, line_handles(analysis, directions, union, colour)
-
-
-def along_of(analysis: Analysis, quantities: list[Quantity]) -> str:
-    """The dimension along which a curve runs: that of a coordinate, else the last that both have."""
-    if analysis.type in BRANCHES and not quantities[0].is_coordinate:
-        return quantities[0].dimensions[-1]
-    for quantity in quantities:
-        if quantity.is_coordinate:
-            return quantity.dimensions[0]
-    common = [name for name in quantities[0].dimensions
-              if name in quantities[1].dimensions and name != DIRECTION]
-    if not common:
-        raise ResultError(f"{quantities[0].path} and {quantities[1].path} have no axis in common")
-    return common[-1]
-
-
-def direction_index(analysis: Analysis, direction: str) -> int:
-    return list(analysis.read(DIRECTION).values).index(direction) if direction else 0
-
-
-def pick(quantity: Quantity, analysis: Analysis, index: dict, along: str) -> np.ndarray:
-    """Values along one dimension at an index along the others."""
-    outer = set(analysis.axes)
-    where = tuple(
-        (kept(analysis, name) if name in outer else slice(None)) if name == along
-        else index.get(name, kept(analysis, name)[0] if name in outer else 0)
-        for name in quantity.dimensions)
-    return np.asarray(quantity.values[where], dtype=float)
-
-
-def field(analysis: Analysis, path: str, index: dict, along: str) -> np.ndarray:
-    array = analysis.read(path)
-    return pick(Quantity(path, analysis.dimensions(path), array.values, array.unit, ""), analysis,
-                index, along)
-
-
-def draw_curve(axes, analysis, index, along, quantities, values, both, colour, look) -> None:
-    swapped = quantities[1].dimensions == [along]
-    coordinate, curve = reversed(values) if swapped else values
-    scale = both[1 if swapped else 0].scale
-    whole = any(set(quantity.dimensions) >= set(analysis.axes) for quantity in quantities)
-    swept = whole and along in analysis.axes
-
-    def values_of(name):
-        return field(analysis, name, index, along)
-
-    if not swept:
-        shown = traces.plain(coordinate, curve)
-    else:
-        bracket = None
-        if analysis.has("jump_from") and along not in analysis.grid_axes:
-            bracket = [values_of(name) / scale.factor for name in ("jump_from", "jump_to")]
-        shown = traces.trace(coordinate, curve, loose_of(analysis, values_of), bracket,
-                             DIRECTION in analysis.axes and bool(index[DIRECTION]))
-    traces.draw(axes, shown, colour, swapped, **look)
-
-
-def look_of(direction: str, count: int, number: int, points: int) -> dict:
-    """Lines of both directions with about ten markers each."""
-    if count == 1:
-        return dict(linestyle="-")
-    return dict(LINES.get(direction, LINES[""]), markevery=marked(points, number))
-
-
-def draw_branches(axes, analysis: Analysis, index, values, both, colour) -> None:
-    along = "branch_point"
-    number = field(analysis, "branch", index, along)
-    stable = np.ones(number.shape, bool)
-    if analysis.has("stable"):
-        stable = field(analysis, "stable", index, along) == 1
-    for branch in np.unique(number[np.isfinite(number)]):
-        here = number == branch
-        pieces(axes, values[0][here], values[1][here], stable[here], colour)
-    if analysis.has("special/kind"):
-        kinds = field(analysis, "special/kind", index, "special_point")
-        if all(analysis.has(SPECIAL + axis.quantity) for axis in both):
-            x, y = (field(analysis, SPECIAL + axis.quantity, index, "special_point")
-                    / axis.scale.factor for axis in both)
-            mark_kinds(axes, kinds, x, y, colour)
-
-
-def line_handles(analysis: Analysis, directions, union, colour) -> list[Line2D]:
-    if colour is not None:
-        return []
-    if analysis.type in BRANCHES:
-        found = set()
-        if analysis.has("special/kind"):
-            kinds = analysis.read("special/kind").values
-            found = {int(kind) for kind in kinds[np.isfinite(kinds)]} & set(KINDS)
-        lines = [("-", "stable"), ("--", "unstable")] if analysis.has("stable") else []
-        return [Line2D([], [], color=style.GREY, linestyle=line, label=label)
-                for line, label in lines] + kind_handles(found)
-    handles = [Line2D([], [], color=style.GREY, label=direction, **LINES.get(direction, LINES[""]))
-               for direction in directions if len(directions) > 1]
-    if analysis.has("steady") and set(union) >= set(analysis.axes) \
-            and np.any(analysis.read("steady").values == 0):
-        handles.append(Line2D([], [], color=style.GREY, linestyle="", label="not settled",
-                              **traces.UNSETTLED))
-    return handles
 
 
 def map_figure(results: Results, section: dict):

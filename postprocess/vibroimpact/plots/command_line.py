@@ -47,6 +47,12 @@ def parse(arguments) -> argparse.Namespace:
                         help="points of a table, drawn over every figure with axes of these names; "
                              "or, over figures of branches, a stepped sweep, a harmonic balance or "
                              "another branch along the same key")
+    parser.add_argument("--highlight", metavar="AXIS=VALUE[:NAME]", action="append", default=[],
+                        help="this member of a family of curves in red before the others, with NAME in the legend")
+    parser.add_argument("--peaks", action="store_true",
+                        help="figures with chosen axes: a point at the largest value of each curve")
+    parser.add_argument("--below-reference", action="store_true",
+                        help="figures with chosen axes: shaded where the highlighted curve is below the reference")
     parser.add_argument("--sections", metavar="FILE.prm", type=Path,
                         help="the sections Figure of this parameter file instead of those stored "
                              "with the results")
@@ -55,7 +61,7 @@ def parse(arguments) -> argparse.Namespace:
                         help="numbers without units, as with Units = dimensionless in the file")
     parser.add_argument("--list", action="store_true", help="names of the figures, nothing drawn")
     parser.add_argument("--format", choices=["png", "pdf", "svg"], default="png")
-    parser.add_argument("--dpi", type=float, default=300, help="of pictures (default: 300)")
+    parser.add_argument("--dpi", type=float, default=200, help="of pictures (default: 200)")
     parser.add_argument("--size", type=size, metavar="WxH", help="in inches, such as 6x4")
     parser.add_argument("--jobs", type=positive, metavar="N",
                         help="figures at a time (default: as many as processors)")
@@ -68,6 +74,9 @@ def parse(arguments) -> argparse.Namespace:
 
 def add_animation(group) -> None:
     group.add_argument("--animate", metavar="NAME", help="of this analysis, nothing else is drawn")
+    group.add_argument("--instant", type=positive, metavar="N",
+                       help="only this one of the recorded frames, counted from 1, with arrows of the "
+                            "contact forces, as NAME-N.png; with NAME = modes a mode shape")
     group.add_argument("--field", help="that colours it (default: von_mises_stress, where it is "
                                        "known, else displacement)")
     group.add_argument("--factor", type=float, help="of the displacements (default: such that they "
@@ -109,18 +118,22 @@ def draw_animation(options: argparse.Namespace) -> int:
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    from .animation import Style, animate
+    from .animation import Style, animate, still
     from .files import enter_in_list
     from .style import SETTINGS
 
     results = options.results if options.results.is_dir() else options.results.parent
     folder = options.output or results / "figures"
     folder.mkdir(parents=True, exist_ok=True)
-    file = folder / f"{options.animate}-motion.gif"
+    file = folder / (f"{options.animate}-{options.instant}.png" if options.instant else f"{options.animate}-motion.gif")
     style = Style(options.field, options.factor, options.view, options.frames, options.rate,
-                  options.size or Style.size, min(options.dpi, MOST_DPI))
+                  options.size or Style.size, options.dpi if options.instant else min(options.dpi, MOST_DPI),
+                  bool(options.instant))
     with plt.rc_context(SETTINGS):
-        animate(results, options.animate, file, style)
+        if options.instant:
+            still(results, options.animate, options.instant, file, style)
+        else:
+            animate(results, options.animate, file, style)
     enter_in_list(results, file)
     print(file)
     return 0
@@ -129,8 +142,8 @@ def draw_animation(options: argparse.Namespace) -> int:
 def draw(options: argparse.Namespace) -> int:
     if options.animate:
         return draw_animation(options)
-    from .choice import choose
-    from .results import Results
+    from .choice import choose, highlight
+    from .results import Emphasis, Results
 
     with Results(options.results) as results, ExitStack() as others:
         if options.sections:
@@ -138,6 +151,7 @@ def draw(options: argparse.Namespace) -> int:
         chosen = chosen_analyses(results, options.analysis)
         for analysis in chosen:
             choose(analysis, options.at)
+            highlight(analysis, options.highlight)
         # Matplotlib takes a second to load; a wrong name should not have to wait for it.
         import matplotlib
 
@@ -150,6 +164,7 @@ def draw(options: argparse.Namespace) -> int:
         from .overlays import attach
         from .style import SETTINGS
 
+        results.emphasis = Emphasis(tuple(options.highlight), options.peaks, options.below_reference)
         tables = [table_points.read(Path(name)) for name in options.overlay
                   if name.endswith(".csv")]
         attach(results, chosen, [name for name in options.overlay if not name.endswith(".csv")],

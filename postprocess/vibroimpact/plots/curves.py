@@ -46,7 +46,7 @@ def loose_of(analysis: Analysis, pick) -> np.ndarray:
     """Points that are not joined: motions that have not settled, or do not repeat themselves. `pick`
     gives the values of a field of all outer axes along the curve."""
     loose = np.zeros(pick("status").shape, bool)
-    if analysis.has("steady"):
+    if analysis.judges_steadiness:
         loose |= pick("steady") == 0
     if analysis.has("regime/class"):
         loose |= np.isin(pick("regime/class"), traces.CHAOTIC)
@@ -73,7 +73,7 @@ def direction_handles(layout: Layout) -> list[Line2D]:
     analysis = layout.analysis
     handles = [Line2D([], [], color=style.GREY, label=direction, **LINES.get(direction, LINES[""]))
                for direction in layout.directions if len(layout.directions) > 1]
-    if analysis.has("steady") and np.any(analysis.read("steady").values == 0):
+    if analysis.judges_steadiness and np.any(analysis.read("steady").values == 0):
         handles.append(Line2D([], [], color=style.GREY, linestyle="", label="not settled",
                               **traces.UNSETTLED))
     if analysis.has("jump_from") and np.any(np.isfinite(analysis.read("jump_from").values)):

@@ -63,16 +63,26 @@ def plain(label: str) -> str:
 
 
 def find(analysis: Analysis, name: str) -> Quantity:
-    """One quantity, or a sum such as "- left/gap/minimum - right/gap/minimum"."""
+    """One quantity, or a sum such as "- left/gap/minimum - right/gap/minimum"; a term over fewer axes, such as an axis
+    itself, is the same along the others."""
     terms = re.findall(r"(?:^|\s)([-+]?)\s*(\S+)", name)
     found = [single(analysis, term) for _, term in terms]
     if [sign for sign, _ in terms] == [""]:
         return found[0]
-    if any(term.dimensions != found[0].dimensions for term in found):
+    largest = max(found, key=lambda term: len(term.dimensions))
+    if any(not set(term.dimensions) <= set(largest.dimensions) for term in found):
         raise ResultError(f"{name}: these run over different axes")
-    values = sum((-1.0 if sign == "-" else 1.0) * term.values
+    values = sum((-1.0 if sign == "-" else 1.0) * over(term, largest.dimensions)
                  for (sign, _), term in zip(terms, found))
-    return Quantity(found[0].path, found[0].dimensions, values, found[0].unit, name)
+    return Quantity(largest.path, largest.dimensions, values, largest.unit, name)
+
+
+def over(term: Quantity, dimensions: list[str]) -> np.ndarray:
+    """Its values with a length of 1 along the dimensions that it does not have."""
+    order = [term.dimensions.index(name) for name in dimensions if name in term.dimensions]
+    sizes = iter(np.transpose(term.values, order).shape)
+    return np.transpose(term.values, order).reshape(
+        [next(sizes) if name in term.dimensions else 1 for name in dimensions])
 
 
 def single(analysis: Analysis, name: str) -> Quantity:
@@ -93,6 +103,16 @@ def single(analysis: Analysis, name: str) -> Quantity:
             array = analysis.read(axis)
             return Quantity(axis, [axis], array.values, array.unit, axis_name(analysis, axis))
     raise ResultError(f"the analysis {analysis.name} has no quantity {name}")
+
+
+def has_axes(analysis: Analysis, section: dict) -> bool:
+    """Has it the quantities of a figure of curves?"""
+    try:
+        for axis in ("Horizontal", "Vertical"):
+            find(analysis, section[axis]["Quantity"].split(",")[0])
+    except ResultError:
+        return False
+    return not section.get("Colour", {}).get("Quantity", "")
 
 
 def label_of(analysis: Analysis, path: str) -> str:

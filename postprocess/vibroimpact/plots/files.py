@@ -11,6 +11,9 @@ from collections import Counter
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from PIL import Image
 
 from . import table_points
 from .results import Results
@@ -47,13 +50,18 @@ class Drawing:
 
 
 def save(figure, file: Path, dpi: float, size=None) -> None:
-    """The layout is made here: savefig would draw all once more for it."""
+    """The layout is made here, and a picture of points is drawn here: savefig would draw all once more for either."""
     if size:
         figure.set_size_inches(*size)
     figure.set_dpi(dpi)
     figure.get_layout_engine().execute(figure)
     figure.set_layout_engine("none")
-    figure.savefig(file, dpi=dpi, **(dict(pil_kwargs=PNG) if file.suffix == ".png" else {}))
+    if file.suffix != ".png":
+        figure.savefig(file, dpi=dpi)
+        return
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB").save(file, dpi=(dpi, dpi), **PNG)
 
 
 def draw_all(results: Results, wanted, tables, options: argparse.Namespace) -> int:

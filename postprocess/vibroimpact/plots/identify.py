@@ -118,7 +118,7 @@ def draw_fit(axes, sheet: Sheet) -> None:
     exponent, logarithm = np.polyfit(np.log(speed[usable]), np.log(restitution[usable]), 1)
     span = np.geomspace(speed[usable].min(), speed[usable].max(), 50)
     axes.plot(span, np.exp(logarithm) * span**exponent, "--", color=SETS["exact"],
-              label=f"exact: {np.exp(logarithm):.4g} $v_c^{{{exponent:.2g}}}$, above {HARD} m/s")
+              label=f"exact: {np.exp(logarithm):.4g} $v_c^{{{exponent:.3g}}}$, above {HARD} m/s")
 
 
 def draw_fit_of_record(axes, sheet: Sheet) -> None:
@@ -131,7 +131,7 @@ def draw_fit_of_record(axes, sheet: Sheet) -> None:
     span = np.geomspace(speed[known].min(), speed[known].max(), 50)
     unit = sheet.one("speed_unit")
     axes.plot(span * unit, a * span**b, "--", color=SETS["exact"],
-              label=f"exact: {a:.3g} $v_c^{{{b:.2g}}}$")
+              label=f"exact: {a:.3g} $v_c^{{{b:.3g}}}$")
     ends = [sheet.one(f"exact/fit_{name}_{end}") for name in ("coefficient", "exponent")
             for end in ("low", "high")]
     if np.all(np.isfinite(ends)):

@@ -47,11 +47,20 @@ class Layout:
 
     def cases(self) -> list[Case]:
         indices = list(itertools.product(*[kept(self.analysis, name) for name in self.family]))
-        texts = distinct([describe(self.analysis, dict(zip(self.family, index)))
-                          for index in indices])
-        colours = style.colours_along(len(indices))
-        return [Case(dict(zip(self.family, index)), colour, text)
-                for index, colour, text in zip(indices, colours, texts)]
+        members = [dict(zip(self.family, index)) for index in indices]
+        texts = distinct([describe(self.analysis, member) for member in members])
+        names = [self.highlight(member) for member in members]
+        colours = style.colours_along(len(indices), behind=any(name is not None for name in names))
+        return [Case(member, colour, text) if name is None else
+                Case(member, style.HIGHLIGHT, ", ".join(filter(None, [text, name])))
+                for member, colour, text, name in zip(members, colours, texts, names)]
+
+    def highlight(self, member: dict) -> str | None:
+        """What the legend adds to a highlighted member; None for the others."""
+        wanted = {axis: entry for axis, entry in self.analysis.highlighted.items() if axis in member}
+        if not wanted or any(member[axis] != index for axis, (index, _) in wanted.items()):
+            return None
+        return ", ".join(name for _, name in wanted.values() if name)
 
     @property
     def family_name(self) -> str:

@@ -1,5 +1,5 @@
 """Other results drawn over a figure of a branch: stepped sweeps as points, harmonic balances as
-dash-dotted lines, other branches as lines of their own colour.
+dash-dotted lines, other branches as lines of their own colour; over a figure with chosen axes as lines.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from matplotlib.lines import Line2D
 from . import style
 from .branch_curves import BALANCE, TYPES, key_of, pick, pieces
 from .errors import ResultError
+from .figure_axes import has_axes
 from .layout import DIRECTION, Layout, kept, title_of
 from .measures import field_of
 from .results import Analysis, Results
@@ -46,6 +47,9 @@ def attach(results: Results, analyses: list[Analysis], requests: list[str], stac
     for requested in requests:
         fitting = 0
         for overlay in find(results, requested, stack):
+            if shown_by(results, analyses, overlay):
+                results.overlays.append(overlay)
+                fitting += 1
             for branch in branches:
                 if overlay.name != branch.name or overlay.file != branch.file:
                     fits = along(overlay, key_of(branch)) is not None
@@ -56,6 +60,13 @@ def attach(results: Results, analyses: list[Analysis], requests: list[str], stac
             raise ResultError(f"--overlay {requested}: " + (
                 "nothing in it runs along " + " or ".join(keys) if keys
                 else "there is no branch to draw it over"))
+
+
+def shown_by(results: Results, analyses: list[Analysis], overlay: Analysis) -> bool:
+    """Has it the quantities of a figure with chosen axes of another analysis?"""
+    names = [analysis.name for analysis in analyses if (analysis.name, analysis.file) != (overlay.name, overlay.file)]
+    return any(has_axes(overlay, section) for name, section in results.parameters.items()
+               if name.startswith("Figure ") and section.get("From") in names)
 
 
 def along(analysis: Analysis, key: str):

@@ -97,6 +97,16 @@ def direction_of(parameters: dict, contact: str):
     return (match[2], -sign if match[1] == "-" else sign) if match else None
 
 
+def judges_steadiness(parameters: dict, analysis: str) -> bool:
+    """Was it judged whether motions settle? With a tolerance of 0 no motion counts as steady."""
+    section = parameters.get(f"Analysis {analysis}", {})
+    repeated = section.get("Parameter grid", {}).get("Repeat", "")
+    if repeated:
+        return judges_steadiness(parameters, repeated)
+    own = section.get(section.get("Type", "").capitalize(), {})
+    return number(own.get("Steadiness tolerance", ""), parameters) != 0
+
+
 def case_columns(table: str) -> list[tuple[str, list[str]]]:
     """Path and texts of values, with their unit, of each key of "PATH [UNIT], PATH; 1, 2; ..."."""
     rows = [[cell.strip() for cell in row.split(",")] for row in table.split(";") if row.strip()]

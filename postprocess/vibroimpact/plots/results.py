@@ -11,7 +11,7 @@ import numpy as np
 
 from .errors import ResultError
 from .labels import own_name
-from .parameters_text import sections
+from .parameters_text import judges_steadiness, sections
 
 MOST_KEPT = 100_000  # entries of an array that is read once for all figures
 
@@ -22,6 +22,16 @@ class Array:
 
     values: np.ndarray
     unit: str
+
+
+@dataclass(frozen=True)
+class Emphasis:
+    """`highlight`: AXIS=VALUE:NAME of members of families; `peaks` and `below` the reference: whether they are
+    marked."""
+
+    highlight: tuple[str, ...] = ()
+    peaks: bool = False
+    below: bool = False
 
 
 def read_array(dataset: h5py.Dataset) -> Array:
@@ -41,6 +51,7 @@ class Analysis:
         self.grid = [str(key) for key in group.attrs.get("grid", [])]
         self.parameters = parameters or {}
         self.chosen: dict[str, list[int]] = {}  # indices along an axis, of the axes with a choice
+        self.highlighted: dict[str, tuple[int, str]] = {}  # index along an axis, and its name in the legend
         self.overlays: list[Analysis] = []  # drawn over the figures of this one
         self.shown: dict[str, tuple] = {}  # scale and label of an axis that a figure chooses
         self._read: dict[str, Array] = {}
@@ -69,6 +80,11 @@ class Analysis:
             array.values.setflags(write=False)
             self._read[path] = array
         return Array(array.values, array.unit)
+
+    @property
+    def judges_steadiness(self) -> bool:
+        """Does `steady` tell motions that have settled from others?"""
+        return self.has("steady") and judges_steadiness(self.parameters, self.name)
 
     def symbol(self, derived: str) -> str:
         """Of a derived quantity: its key Symbol, else its name in words."""
@@ -141,6 +157,9 @@ class Results:
             self._file = h5py.File(self.file, "r")
         except OSError as error:
             raise ResultError(f"{self.file}: not a result file of vibroimpact ({error})") from error
+        self.emphasis = Emphasis()
+        self.emphasis = Emphasis()
+        self.overlays: list[Analysis] = []  # over the figures with chosen axes
         if "version" not in self._file.attrs:
             raise ResultError(f"{self.file}: not a result file of vibroimpact")
 

@@ -23,10 +23,13 @@ COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#0
 CONTACT_COLOURS = ["#CC79A7", "#E69F00", "#56B4E9", "#000000"]
 CONTACT_SEQUENCE = "turbo"
 POINT_COLOURS = ["#0072B2", "#D55E00", "#009E73", "#7F5539", "#6A4C93", "#000000"]
+LONG_LEGEND = 11  # entries; more are set smaller
 SHADE = 0.28  # opacity
 SEQUENCE = "viridis"  # of fields
 LINE_SEQUENCE = "plasma"  # of ordered families of lines,
 LINE_RANGE = 0.78  # as far as it is dark enough on white
+HIGHLIGHT = "#C00000"  # one member of a family,
+BEHIND = "Blues"  # before the others
 DIRECTION_LINES = ["-", "--"]
 GREY = "#555555"
 
@@ -76,10 +79,17 @@ def legend_beside(axes, handles=None, title=None) -> None:
     if handles is None:
         handles, _ = axes.get_legend_handles_labels()
     if handles:
+        small = dict(fontsize=7.5, labelspacing=0.3) if len(handles) > LONG_LEGEND else {}
         axes.legend(
-            handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0,
-            title=title, alignment="left",
+            handles=handles, loc="upper left", bbox_to_anchor=(1.01 + room_of_marks(axes), 1.02),
+            borderaxespad=0.0, title=title, alignment="left", **small,
         )
+
+
+def room_of_marks(axes) -> float:
+    """What the labels of marked values beside the axes take, in widths of the axes."""
+    beside = [re.sub(r"\\[a-z]+|[${}_^]", "", text.get_text()) for text in axes.texts if text.get_position()[0] > 1]
+    return 0.016 * max(map(len, beside), default=0)
 
 
 def legend_inside(axes, handles) -> None:
@@ -94,8 +104,11 @@ def legend_below(axes, handles) -> None:
                 ncols=2)
 
 
-def colours_along(count: int):
-    """Colours for an ordered family of curves: the palette for few, a sequence for many."""
+def colours_along(count: int, behind: bool = False):
+    """Colours for an ordered family of curves: the palette for few, a sequence for many; blue ones behind a
+    highlighted member."""
+    if behind:
+        return [plt.get_cmap(BEHIND)(0.45 + 0.55 * i / max(1, count - 1)) for i in range(count)]
     if count <= 3:
         return COLOURS[:count]
     sequence = plt.get_cmap(LINE_SEQUENCE)

@@ -7,9 +7,9 @@
 
 A column is called as a quantity of the figure's axes: by its path in the results, the last parts of it, or
 its label without TeX. A column of the key of a family gives a point the colour of that member; `figure`
-restricts rows to figures whose names match a pattern, `series` names rows in the legend. Other columns,
-such as the page, are left to the reader. Instead of rows of its own a table may name another file, whose
-columns it renames, and the figures that show it:
+restricts rows to figures whose names match a pattern, `series` names rows in the legend; `marker` and `colour`, as
+Matplotlib calls them, are those of a series. Other columns, such as the page, are left to the reader. Instead
+of rows of its own a table may name another file, whose columns it renames, and the figures that show it:
 
     # rows of: ../reference.csv
     # columns: f = frequency [Hz], A1 = displacement_x/amplitude [mm]
@@ -26,6 +26,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
+from matplotlib.colors import is_color_like
+from matplotlib.lines import Line2D
 
 from . import style
 from .axis_meaning import Meaning, Panel, panel_of
@@ -35,10 +37,11 @@ from .parameters_text import UNITS, evaluate
 
 LOOKS = {"points": dict(linestyle="", marker="o", markersize=5.0, markerfacecolor="white",
                         markeredgewidth=1.2, zorder=4),
-         "line": dict(linestyle=(0, (4, 1.5, 1, 1.5)), linewidth=1.0, zorder=3)}
+         "line": dict(linestyle=(0, (4, 1.5, 1, 1.5)), linewidth=1.0, zorder=3),
+         "bars": dict(linestyle="-", linewidth=4.0, solid_capstyle="butt", zorder=1.5)}  # each between two rows
 MARKERS = "osD^v"  # of the series of points in a figure
 NEAR = 1e-3  # of a member's value: a row belongs to it
-SPECIAL = ("figure", "series")
+SPECIAL = ("figure", "series", "marker", "colour")
 
 
 @dataclass
@@ -61,7 +64,7 @@ def read(file: Path) -> Table:
         raise ResultError(f"--overlay {file}: no line with the names of the columns")
     look = notes.get("drawn as", "points")
     if look not in LOOKS:
-        raise ResultError(f"--overlay {file}: drawn as: {look}; it must be points or line")
+        raise ResultError(f"--overlay {file}: drawn as: {look}; it must be {' or '.join(LOOKS)}")
     head, body = rows[0], rows[1:]
     for number, row in enumerate(body, 2):
         if len(row) != len(head):
@@ -107,6 +110,10 @@ def add_column(table: Table, title: str, values: list[str]) -> None:
     name, unit = match[1], match[2]
     if name in SPECIAL:
         table.texts[name] = values
+        allowed = {"marker": Line2D.markers.__contains__, "colour": is_color_like}.get(name, bool)
+        for value in filter(None, values):
+            if not allowed(value):
+                raise ResultError(f"--overlay {table.file}: {value} is no {name} of Matplotlib")
         return
     factor = 1.0 if unit in (None, "", "1") else evaluate(f"1 {unit}", dict(UNITS))
     if factor is None:
@@ -129,17 +136,33 @@ def draw(figure, name: str, table: Table) -> int:
         if x is None or y is None:
             continue
         for number, (text, rows) in enumerate(series(table, name)):
-            look = dict(LOOKS[table.look])
-            if look["linestyle"] == "":
-                look["marker"] = MARKERS[number % len(MARKERS)]
+            look = look_of(table, number, rows)
             rows = rows & at_place(table, panel) & np.isfinite(x) & np.isfinite(y)
             for colour, part in members(table, panel, rows):
-                line = axes.plot(x[part], y[part], color=colour, label="_points", **look)[0]
+                line = axes.plot(*shown(table, x[part], y[part]), label="_points", **dict(color=colour) | look)[0]
+                line.own_colour = "color" in look
                 handles.setdefault(text, line)
                 drawn += int(part.sum())
     if handles:
         explain(figure, handles)
     return drawn
+
+
+def shown(table: Table, *values):
+    """Bars apart from each other."""
+    return [np.insert(part, np.arange(2, len(part), 2), np.nan) for part in values] if table.look == "bars" else values
+
+
+def look_of(table: Table, number: int, rows) -> dict:
+    """Of the series with these rows: its own marker and colour, else a marker by its number."""
+    def own(name):
+        return next((text for text, chosen in zip(table.texts.get(name, []), rows) if chosen and text), "")
+
+    look = dict(LOOKS[table.look])
+    if look["linestyle"] != "":
+        return look | (dict(color=own("colour")) if own("colour") else {})
+    look["marker"] = own("marker") or MARKERS[number % len(MARKERS)]
+    return look | (dict(markerfacecolor=own("colour"), color="black", markeredgewidth=0.8) if own("colour") else {})
 
 
 def column(table: Table, meaning: Meaning):
@@ -203,24 +226,22 @@ def explain(figure, handles: dict) -> None:
     panels = [axes for axes in figure.axes if panel_of(axes)]
     axes = next((axes for axes in panels if axes.get_legend()), style.upper_right(panels))
     legend = axes.get_legend()
-    lines = [*(legend.legendHandles if legend else [])]
-    texts = [text.get_text() for text in (legend.get_texts() if legend else [])]
-    for text, line in handles.items():
-        lines.append(grey(line))
-        texts.append(text)
+    entries = [*(legend.legendHandles if legend else [])]
+    for entry, text in zip(entries, legend.get_texts() if legend else []):
+        entry.set_label(text.get_text())
+    entries += [entry_of(line, text) for text, line in handles.items()]
     title = legend.get_title().get_text() if legend else None
     if len(figure.axes) > 1 and figure.axes[-1].get_label() == "<colorbar>":
-        axes.legend(lines, texts, loc="upper left", bbox_to_anchor=(0.0, -0.17),
-                    borderaxespad=0.0, ncols=2)
+        style.legend_below(axes, entries)
     else:
-        axes.legend(lines, texts, loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0,
-                    title=title or None, alignment="left")
+        style.legend_beside(axes, entries, title or None)
 
 
-def grey(line):
-    from matplotlib.lines import Line2D
-
+def entry_of(line, text: str):
+    """In grey where the colour is that of a member of a family."""
     copy = Line2D([], [])
     copy.update_from(line)
-    copy.set_color(style.GREY)
+    copy.set_label(text)
+    if not getattr(line, "own_colour", False):
+        copy.set_color(style.GREY)
     return copy

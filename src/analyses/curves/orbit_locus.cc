@@ -67,7 +67,7 @@ void OrbitLocus::declare(parameters::Section &analysis) {
       "doubling or the first touch of a contact goes when a second key changes.");
   section.names("Kinds", "fold",
                 "Which special points are followed: fold, period doubling, loss of symmetry, "
-                "Neimark-Sacker, grazing. They are located on the branch along the first key, "
+                "Neimark-Sacker, graze. They are located on the branch along the first key, "
                 "at the value that the file gives to the second one.");
   declare_key_range(section.subsection(
       key_sections[0], "Key along which the branch is followed that has the special points."));
