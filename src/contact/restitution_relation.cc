@@ -1,10 +1,10 @@
 #include "contact/restitution_relation.h"
 
+#include "common/zero.h"
+
 #include <boost/math/special_functions/log1p.hpp>
-#include <boost/math/tools/roots.hpp>
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -23,13 +23,6 @@ double exact_mismatch(double e, double d) {
 // Just inside the singularity at e d = 1.
 constexpr double inside = 1 - 4 * std::numeric_limits<double>::epsilon();
 
-template <class Function> double bracketed_root(Function function, double lower, double upper) {
-  std::uintmax_t iterations = 200;
-  const auto bracket = boost::math::tools::toms748_solve(
-      function, lower, upper, boost::math::tools::eps_tolerance<double>(52), iterations);
-  return 0.5 * (bracket.first + bracket.second);
-}
-
 double exact_damping(double e) {
   if (e == 1)
     return 0;
@@ -38,7 +31,7 @@ double exact_damping(double e) {
   const double upper = inside / e;
   if (!(exact_mismatch(e, upper) > 0))
     return 1 / e; // e so small that the root and 1/e are one number
-  return bracketed_root([e](double d) { return exact_mismatch(e, d); }, lower, upper);
+  return zero_between([e](double d) { return exact_mismatch(e, d); }, lower, upper);
 }
 
 using Relation = double (*)(double);
@@ -75,7 +68,7 @@ double exact_restitution(double dimensionless_damping) {
   const double upper = d < 1 ? 1 : inside / d;
   if (!(exact_mismatch(upper, d) > 0))
     return upper;
-  return bracketed_root([d](double e) { return exact_mismatch(e, d); }, 0.0, upper);
+  return zero_between([d](double e) { return exact_mismatch(e, d); }, 0.0, upper);
 }
 
 std::vector<std::string> restitution_relations() {

@@ -1,6 +1,6 @@
 #include "continuation/harmonic_series.h"
 
-#include <boost/math/tools/toms748_solve.hpp>
+#include "common/zero.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,13 +78,8 @@ SeriesRange range_of(const RowVector &series) {
     const double begin = step * static_cast<double>(i), end = begin + step;
     const double after = slope(end);
     include(value(end));
-    if (before * after < 0) {
-      std::uintmax_t iterations = 60;
-      const auto [left, right] = boost::math::tools::toms748_solve(
-          slope, begin, end, before, after, boost::math::tools::eps_tolerance<double>(),
-          iterations);
-      include(value((left + right) / 2));
-    }
+    if (before * after < 0)
+      include(value(zero_between(slope, begin, end)));
     before = after;
   }
   return range;

@@ -1,11 +1,11 @@
 #include "periodic/guard_minima.h"
 
+#include "common/zero.h"
 #include "periodic/open_contact.h"
-
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 namespace vibroimpact::periodic {
@@ -25,13 +25,8 @@ std::vector<double> minima_of(const Bernstein &curve) {
   for (int i = 0; i < parts; ++i) {
     const double from = static_cast<double>(i) / parts, to = static_cast<double>(i + 1) / parts;
     const double before = slope(from), after = slope(to);
-    if (!(before < 0 && after >= 0))
-      continue;
-    std::uintmax_t most = 60;
-    const auto [low, high] =
-        boost::math::tools::toms748_solve([&](double tau) { return slope(tau); }, from, to, before,
-                                          after, boost::math::tools::eps_tolerance<double>(), most);
-    minima.push_back((low + high) / 2);
+    if (before < 0 && after >= 0)
+      minima.push_back(zero_between(std::cref(slope), from, to));
   }
   return minima;
 }

@@ -1,10 +1,10 @@
 #include "periodic/harmonic_contact.h"
 
 #include "common/error.h"
+#include "common/zero.h"
 #include "continuation/harmonic_series.h"
 #include "periodic/law_march.h"
 
-#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
@@ -136,8 +136,9 @@ private:
       if (values(k) < 0)
         return zero(value, left, std::max(values(k - 1), 0.0), right, values(k));
       if (k + 1 < values.size() && dips(part, values, k))
-        if (const auto lowest = least(value, left, part.place(k + 1)); lowest.second < 0)
-          return zero(value, left, values(k - 1), lowest.first, lowest.second);
+        if (const Minimum lowest = minimum_between(value, left, part.place(k + 1));
+            lowest.value < 0)
+          return zero(value, left, values(k - 1), lowest.place, lowest.value);
     }
     return std::nullopt;
   }
@@ -164,12 +165,6 @@ private:
         boost::math::tools::toms748_solve(value, left, right, at_left, at_right,
                                           boost::math::tools::eps_tolerance<double>(), iterations);
     return (found.first + found.second) / 2;
-  }
-
-  template <typename Function>
-  static std::pair<double, double> least(const Function &value, double left, double right) {
-    return boost::math::tools::brent_find_minima(value, left, right,
-                                                 std::numeric_limits<double>::digits / 2);
   }
 
   const LawMarch &march_;

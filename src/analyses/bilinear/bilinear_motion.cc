@@ -1,8 +1,7 @@
 #include "analyses/bilinear/bilinear_motion.h"
 
 #include "common/decompositions.h"
-
-#include <boost/math/tools/toms748_solve.hpp>
+#include "common/zero.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,11 +104,8 @@ std::vector<Node> grid(const TiedSystem &system, std::size_t cells) {
 }
 
 double refined(const TiedSystem &system, const Node &a, const Node &b, int sign) {
-  std::uintmax_t most = 100;
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      [&](double sigma) { return equation(conditions(system, sigma), sign); }, a.sigma, b.sigma,
-      a.of(sign), b.of(sign), boost::math::tools::eps_tolerance<double>(52), most);
-  return (low + high) / 2;
+  return zero_between([&](double sigma) { return equation(conditions(system, sigma), sign); },
+                      a.sigma, b.sigma);
 }
 
 /// The unit vectors [sin; cos] that solve both conditions at a root: the solution of the linear

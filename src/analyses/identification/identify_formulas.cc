@@ -1,14 +1,13 @@
 #include "analyses/identification/identify_formulas.h"
 
 #include "common/scalar.h"
+#include "common/zero.h"
 #include "contact/restitution_relation.h"
 
 #include <boost/math/special_functions/log1p.hpp>
-#include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace vibroimpact::analyses {
@@ -35,10 +34,7 @@ double speed_at_peak(double d, double exponent) {
   const auto mismatch = [d, exponent](double v) {
     return exponent / (exponent + 1) * v - d * spent_energy(d, v);
   };
-  std::uintmax_t iterations = 200;
-  const auto bracket = boost::math::tools::toms748_solve(
-      mismatch, 0.0, 1.0, boost::math::tools::eps_tolerance<double>(52), iterations);
-  return 0.5 * (bracket.first + bracket.second);
+  return zero_between(mismatch, 0, 1);
 }
 
 double printed_lowest_ratio(double compliance) { return compliance * (2 - compliance); }
@@ -105,11 +101,7 @@ double free_collision_restitution(double ratio, double exponent) {
   const auto mismatch = [ratio, exponent](double e) {
     return free_collision_ratio(e, exponent) - ratio;
   };
-  std::uintmax_t iterations = 200;
-  const auto bracket =
-      boost::math::tools::toms748_solve(mismatch, smallest_restitution, 1.0,
-                                        boost::math::tools::eps_tolerance<double>(50), iterations);
-  return 0.5 * (bracket.first + bracket.second);
+  return zero_between(mismatch, smallest_restitution, 1, 50);
 }
 
 Identified identify(const FormulaSet &set, const PulseFigures &pulse,

@@ -4,7 +4,6 @@
 #include "common/zero.h"
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -38,9 +37,8 @@ std::vector<double> zeros_on(const std::vector<double> &grid,
     if (sign * values[i - 1] < sign * values[i] || sign * values[i + 1] < sign * values[i] ||
         sign * values[i - 1] <= 0 || sign * values[i + 1] <= 0)
       continue;
-    const auto [at, nearest] = boost::math::tools::brent_find_minima(
-        [&](double x) { return sign * function(x); }, grid[i - 1], grid[i + 1],
-        std::numeric_limits<double>::digits / 2);
+    const auto [at, nearest] =
+        minimum_between([&](double x) { return sign * function(x); }, grid[i - 1], grid[i + 1]);
     if (nearest < 0) {
       zeros.push_back(zero_between(function, grid[i - 1], at));
       zeros.push_back(zero_between(function, at, grid[i + 1]));

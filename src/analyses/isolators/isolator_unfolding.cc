@@ -1,8 +1,8 @@
 #include "analyses/isolators/isolator_unfolding.h"
 
 #include "common/scalar.h"
+#include "common/zero.h"
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -77,10 +77,7 @@ HysteresisPoint hysteresis_above(double first, double rho) {
     throw std::domain_error("no point of the hysteresis set has this alpha_1");
   if (at_one == 0)
     return hysteresis_set(1, rho);
-  std::uintmax_t most = 200;
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      distance, least, 1.0, at_least, at_one, boost::math::tools::eps_tolerance<double>(), most);
-  return hysteresis_set((low + high) / 2, rho);
+  return hysteresis_set(zero_between(distance, least, 1), rho);
 }
 
 std::string name_of(Region region) {

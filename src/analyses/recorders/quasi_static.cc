@@ -1,9 +1,8 @@
 #include "analyses/recorders/quasi_static.h"
 
 #include "analyses/results/fields.h"
+#include "common/zero.h"
 #include "motion/system/equilibrium.h"
-
-#include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -66,10 +65,7 @@ void QuasiStatic::step(const motion::StepView &view) {
 void QuasiStatic::end(const motion::Trajectory & /*trajectory*/) {
   const double lower = std::max(window_.start, peak_time_ - longest_step_);
   const double upper = std::min(window_.end, peak_time_ + longest_step_);
-  const auto found =
-      boost::math::tools::brent_find_minima([this](double time) { return -size(time); }, lower,
-                                            upper, std::numeric_limits<double>::digits / 2);
-  consider(found.first);
+  consider(minimum_between([this](double time) { return -size(time); }, lower, upper).place);
   const Vector load = varying_load(system_.model, peak_time_);
   for (const double sign : {1.0, -1.0})
     displacements_.push_back(motion::static_equilibrium(system_.model, system_.contacts,

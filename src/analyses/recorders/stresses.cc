@@ -2,8 +2,7 @@
 
 #include "analyses/results/fields.h"
 #include "common/error.h"
-
-#include <boost/math/tools/minima.hpp>
+#include "common/zero.h"
 
 #include <algorithm>
 #include <array>
@@ -57,10 +56,9 @@ public:
         best = i;
     const double left = std::max(0, best - 1) / double{angle_samples};
     const double right = std::min(angle_samples, best + 1) / double{angle_samples};
-    constexpr int bits = 26; // half of the digits of the place give all of the value
-    const auto [place, value] = boost::math::tools::brent_find_minima(
-        [this](double tau) { return -(*this)(tau); }, left, right, bits);
-    return std::max(-value, (*this)(best / double{angle_samples}));
+    const Minimum found =
+        minimum_between([this](double tau) { return -(*this)(tau); }, left, right);
+    return std::max(-found.value, (*this)(best / double{angle_samples}));
   }
 
 private:

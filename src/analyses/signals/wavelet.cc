@@ -1,10 +1,9 @@
 #include "analyses/signals/wavelet.h"
 
 #include "analyses/signals/fourier.h"
+#include "common/zero.h"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/tools/roots.hpp>
-
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -41,10 +40,7 @@ double Wavelet::decay_periods() const {
   double upper = centre_ / width_ / (2 * std::numbers::pi);
   while (excess(upper) > 0)
     upper *= 1.5;
-  std::uintmax_t iterations = 100;
-  const auto bracket = boost::math::tools::toms748_solve(
-      excess, 0.0, upper, boost::math::tools::eps_tolerance<double>(30), iterations);
-  return 0.5 * (bracket.first + bracket.second);
+  return zero_between(excess, 0, upper, 30);
 }
 
 // The zeros behind the record are as long as eight decays of the widest wavelet on either side, so

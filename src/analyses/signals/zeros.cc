@@ -1,21 +1,10 @@
 #include "analyses/signals/zeros.h"
 
-#include <boost/math/tools/roots.hpp>
+#include "common/zero.h"
 
-#include <cstdint>
+#include <functional>
 
 namespace vibroimpact::analyses {
-
-namespace {
-
-double bracketed_zero(const motion::Bernstein &polynomial, double left, double right) {
-  std::uintmax_t iterations = 200;
-  const auto bracket = boost::math::tools::toms748_solve(
-      polynomial, left, right, boost::math::tools::eps_tolerance<double>(), iterations);
-  return 0.5 * (bracket.first + bracket.second);
-}
-
-} // namespace
 
 std::vector<double> sign_changes(const motion::Bernstein &polynomial) {
   std::vector<double> knots;
@@ -31,7 +20,7 @@ std::vector<double> sign_changes(const motion::Bernstein &polynomial) {
     if (value == 0 && sign != 0)
       zeros.push_back(right);
     else if (value * sign < 0)
-      zeros.push_back(bracketed_zero(polynomial, left, right));
+      zeros.push_back(zero_between(std::cref(polynomial), left, right));
     left = right;
     sign = value;
   }

@@ -7,9 +7,9 @@
 #include "analyses/run/single_point.h"
 #include "analyses/sweeps/linear_response.h"
 #include "common/error.h"
+#include "common/zero.h"
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -44,9 +44,8 @@ Peak find_peak(const std::vector<double> &frequencies, const std::vector<double>
   const Peak listed{.value = *largest, .frequency = frequencies[place]};
   if (place == 0 || place + 1 == values.size())
     return listed;
-  const auto [frequency, negative] = boost::math::tools::brent_find_minima(
-      [&](double f) { return -value_at(f); }, frequencies[place - 1], frequencies[place + 1],
-      std::numeric_limits<double>::digits / 2);
+  const auto [frequency, negative] = minimum_between(
+      [&](double f) { return -value_at(f); }, frequencies[place - 1], frequencies[place + 1]);
   return -negative > listed.value ? Peak{.value = -negative, .frequency = frequency} : listed;
 }
 

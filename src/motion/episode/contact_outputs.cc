@@ -1,8 +1,7 @@
 #include "motion/episode/contact_outputs.h"
 
+#include "common/zero.h"
 #include "motion/episode/contact_steps.h"
-
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -262,16 +261,10 @@ std::optional<double> ContactOutputs::stationary(Index instant, const Bernstein 
     return slope_of_rest(tau) + by_force * (law.by_penetration[0] * rate(tau) +
                                             law.by_rate[0] * fastest / h * acceleration(tau));
   };
-  const double at_start = slope(0);
-  const double at_end = slope(1);
-  if (!(at_start * at_end < 0))
+  if (!(slope(0) * slope(1) < 0))
     return std::nullopt;
-  constexpr int bits = 26;
-  std::uintmax_t iterations = 40;
-  const auto zero = boost::math::tools::toms748_solve(
-      slope, 0.0, 1.0, at_start, at_end, boost::math::tools::eps_tolerance<double>(bits),
-      iterations);
-  const double tau = 0.5 * (zero.first + zero.second);
+  constexpr int bits = 26; // half of the digits of the place give all of the value
+  const double tau = zero_between(slope, 0, 1, bits);
   evaluate(tau);
   return rest(tau) + by_force * law.force[0];
 }

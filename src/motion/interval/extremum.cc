@@ -1,6 +1,6 @@
 #include "motion/interval/extremum.h"
 
-#include <boost/math/tools/minima.hpp>
+#include "common/zero.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,6 @@ namespace {
 
 constexpr int step_samples = 32;  // intervals of a step; polynomials are of degree nine at most
 constexpr double close_by = 1e-3; // of a step
-constexpr int half_of_bits = std::numeric_limits<double>::digits / 2;
 
 struct Largest {
   double tau = 0, value = 0;
@@ -23,12 +22,12 @@ template <class Curve> Largest largest_of(const Curve &curve) {
     values[static_cast<std::size_t>(i)] = curve(static_cast<double>(i) / step_samples);
   const auto best = std::max_element(values.begin(), values.end()) - values.begin();
   const double middle = static_cast<double>(best) / step_samples, width = 1.0 / step_samples;
-  const auto inside = boost::math::tools::brent_find_minima(
-      [&](double tau) { return -curve(tau); }, std::max(0.0, middle - width),
-      std::min(1.0, middle + width), half_of_bits);
+  const Minimum inside =
+      minimum_between([&](double tau) { return -curve(tau); }, std::max(0.0, middle - width),
+                      std::min(1.0, middle + width));
   const double at_sample = values[static_cast<std::size_t>(best)];
-  if (-inside.second > at_sample)
-    return {inside.first, -inside.second};
+  if (-inside.value > at_sample)
+    return {inside.place, -inside.value};
   return {middle, at_sample};
 }
 

@@ -1,6 +1,6 @@
 #include "motion/interval/peak_force.h"
 
-#include <boost/math/tools/minima.hpp>
+#include "common/zero.h"
 
 #include <algorithm>
 #include <array>
@@ -35,9 +35,9 @@ PeakForce sampled_peak_force(const StepView &view, std::size_t contact) {
     return sample;
   const double lower = std::max(0, best - 1) / static_cast<double>(samples);
   const double upper = std::min(samples, best + 1) / static_cast<double>(samples);
-  const auto minimum = boost::math::tools::brent_find_minima(
-      [&](double tau) { return -view.force(contact, curves, tau); }, lower, upper, 26);
-  return -minimum.second > sample.force ? PeakForce{-minimum.second, minimum.first} : sample;
+  const Minimum minimum =
+      minimum_between([&](double tau) { return -view.force(contact, curves, tau); }, lower, upper);
+  return -minimum.value > sample.force ? PeakForce{-minimum.value, minimum.place} : sample;
 }
 
 double peak_force(const StepView &view, std::size_t contact) {
