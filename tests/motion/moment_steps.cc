@@ -29,7 +29,7 @@ using testing::single_mass;
 constexpr double pi = std::numbers::pi;
 
 // Both ways to the responses, and where one takes over from the other.
-TEST(LegendreResponseTest, IsTheIntegral) {
+TEST(MomentStepsResponseTest, IsTheIntegral) {
   for (const Complex z : {Complex(0, 0), Complex(-1e-3, 0.1), Complex(-1, 3.8), Complex(-1, 3.95),
                           Complex(-8, 0), Complex(-0.5, 30)})
     for (const double x : {0.07, 0.5, 1.0}) {
@@ -56,7 +56,7 @@ TEST(LegendreResponseTest, IsTheIntegral) {
 
 // A gap that is a parabola, through a stop and back: the moments of its force are integrals of
 // polynomials, and what the polynomial of the force lacks has no moments.
-TEST(ContactCourseTest, HasTheMomentsOfTheForce) {
+TEST(MomentStepsCourseTest, HasTheMomentsOfTheForce) {
   const LinearPenalty law(3);
   const auto gap = [](double x) { return (x - 0.3) * (x - 0.8); };
   constexpr double h = 0.2;
