@@ -301,31 +301,6 @@ void ExactPath::report_change(double time) {
   observer_->change(time, passed.contact, passed.guard, state_);
 }
 
-// Guards of the contact that changed, or of all, may be zero in the phase to come and must rise
-// then; what those of other contacts do, the kernel sees. False: one falls at once.
-bool ExactPath::begin_guards(const KnownPhase &phase, std::optional<std::size_t> contact,
-                             const Amplitudes &amplitudes, const AlignedArray &rounding,
-                             const KnownTo &known_to) {
-  const std::vector<PhaseGuard> &guards = phase.guards();
-  noise_.resize(guards.size());
-  order_.assign(guards.size(), 0);
-  kernel_.guard_noise(phase.view(), rounding.data(), noise_.data());
-  for (std::size_t g = 0; g < guards.size(); ++g) {
-    if (contact && guards[g].contact != *contact)
-      continue;
-    double f[4];
-    kernel_.derivatives(phase.view(), static_cast<int>(g), amplitudes.data(), f);
-    const double noise = known_to(g, f);
-    if (f[0] > noise)
-      continue;
-    const int order = f[0] < -noise ? 0 : rising_order(phase, g, amplitudes.data(), f);
-    if (order == 0)
-      return false;
-    order_[g] = static_cast<unsigned char>(order);
-  }
-  return true;
-}
-
 // Rounding turns the inputs that are carried along from phase to phase, so that they are taken from
 // their closed form again and again.
 void ExactPath::renew_inputs(const ExactPhase &phase, double time, double *amplitudes) {

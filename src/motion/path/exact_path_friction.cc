@@ -1,4 +1,5 @@
-// Where a path goes through a change of a contact with friction.
+// From which zeros the guards of a phase begin, and where a path goes through a change of a contact
+// with friction.
 #include "motion/event/mode_change.h"
 #include "motion/path/exact_path.h"
 
@@ -24,6 +25,31 @@ double slope_size(const PhaseView &view, std::size_t guard, const double *amplit
 }
 
 } // namespace
+
+// Guards of the contact that changed, or of all, may be zero in the phase to come and must rise
+// then; what those of other contacts do, the kernel sees. False: one falls at once.
+bool ExactPath::begin_guards(const KnownPhase &phase, std::optional<std::size_t> contact,
+                             const Amplitudes &amplitudes, const AlignedArray &rounding,
+                             const KnownTo &known_to) {
+  const std::vector<PhaseGuard> &guards = phase.guards();
+  noise_.resize(guards.size());
+  order_.assign(guards.size(), 0);
+  kernel_.guard_noise(phase.view(), rounding.data(), noise_.data());
+  for (std::size_t g = 0; g < guards.size(); ++g) {
+    if (contact && guards[g].contact != *contact)
+      continue;
+    double f[4];
+    kernel_.derivatives(phase.view(), static_cast<int>(g), amplitudes.data(), f);
+    const double noise = known_to(g, f);
+    if (f[0] > noise)
+      continue;
+    const int order = f[0] < -noise ? 0 : rising_order(phase, g, amplitudes.data(), f);
+    if (order == 0)
+      return false;
+    order_[g] = static_cast<unsigned char>(order);
+  }
+  return true;
+}
 
 // Of the zero from which a guard rises; 0: it falls. The slip rate of sides that begin to slip
 // where the force has just reached its limit leaves zero with no slope, and so does the limit of a
