@@ -3,6 +3,7 @@
 #include "common/error.h"
 #include "motion/steps/dormand_prince_8.h"
 #include "motion/system/decayed_states.h"
+#include "motion/system/friction_rates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +13,13 @@
 namespace vibroimpact::motion {
 
 using contact::LocalState;
-using model::ExponentialForm;
 
 namespace {
 
 namespace method = dormand_prince_8;
 
 constexpr double safety = 0.9;
-constexpr double largest_growth = 4;
-constexpr double smallest_growth = 0.2;
+constexpr double smallest_growth = 0.2, largest_growth = 4;
 constexpr double exponent = 1.0 / 8; // of the step's error and of the polynomial's alike
 
 ConstVectorView view_of(const Vector &x) { return {x.data(), x.size()}; }
@@ -60,7 +59,7 @@ void HighOrderStepper::read_sources(double time) {
   sources_.clear();
   has_higher_ = equations_.model().linear() && equations_.holding().empty();
   for (const model::Source &source : equations_.model().sources()) {
-    std::optional<ExponentialForm> form = source.function->exponential_form(time);
+    std::optional<model::ExponentialForm> form = source.function->exponential_form(time);
     if (!form)
       has_higher_ = false;
     else
@@ -256,29 +255,9 @@ void HighOrderStepper::add_higher(EndPoint &point) {
       point.higher(first + i, 0) = second;
     }
     third += force * pair.gap.row.transpose();
-    if (!pair.tangential.empty())
-      add_friction(c, point);
+    add_friction_rates(equations_, c, response_, point);
   }
   third.array() /= model.mass().array();
-}
-
-// The rates of the tangential forces are their partial derivatives times the rates of the local
-// state; the law has been evaluated.
-void HighOrderStepper::add_friction(std::size_t c, EndPoint &point) const {
-  const contact::ContactPair &pair = equations_.contacts().pairs()[c];
-  const StateLayout &layout = equations_.layout();
-  const LocalState rates = equations_.local_rates(
-      c, point.time, view_of(point.state), ConstVectorView(point.rates.data(), point.rates.size()));
-  for (int d = 1; d < pair.n_directions(); ++d) {
-    const contact::TangentialResponse &response =
-        response_.tangential[static_cast<std::size_t>(d - 1)];
-    point.higher.col(0).segment(layout.velocity(), layout.n) +=
-        response.by(rates) * pair.along(d).projection->row.transpose();
-    for (std::size_t i = 0; i < response.internal_rate_by_slip_rate.size(); ++i)
-      point.higher(layout.internal() + pair.internal_offset + static_cast<Index>(i), 0) +=
-          response.internal_rate_by_slip_rate[i] *
-          rates.tangential[static_cast<std::size_t>(d - 1)].slip_rate;
-  }
 }
 
 bool HighOrderStepper::opening() const {

@@ -55,7 +55,6 @@ private:
   double dense_error();
   void complete(EndPoint &point);
   void add_higher(EndPoint &point);
-  void add_friction(std::size_t contact, EndPoint &point) const;
   void read_sources(double time);
   void find_only_contact();
   contact::LocalState contact_at(const EndPoint &point) const;

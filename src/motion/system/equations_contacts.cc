@@ -1,6 +1,7 @@
 // What the equations have of contacts: local states, forces along each of their directions, and how
 // exactly all that is evaluated.
 #include "motion/system/equations.h"
+#include "motion/system/friction_rates.h"
 
 #include <cmath>
 #include <limits>
@@ -300,6 +301,28 @@ void Equations::add_friction(std::size_t c, Matrix &jacobian) const {
     for (std::size_t i = 0; i < response.internal_rate_by_slip_rate.size(); ++i)
       jacobian.row(first + static_cast<Index>(i)).segment(n, n) +=
           response.internal_rate_by_slip_rate[i] * row;
+  }
+}
+
+// The rates of the tangential forces are their partial derivatives times the rates of the local
+// state.
+void add_friction_rates(const Equations &equations, std::size_t contact,
+                        const contact::LawResponse &response, EndPoint &point) {
+  const ContactPair &pair = equations.contacts().pairs()[contact];
+  if (pair.tangential.empty())
+    return;
+  const StateLayout &layout = equations.layout();
+  const LocalState change = equations.local_rates(
+      contact, point.time, ConstVectorView(point.state.data(), point.state.size()),
+      ConstVectorView(point.rates.data(), point.rates.size()));
+  for (int d = 1; d < pair.n_directions(); ++d) {
+    const auto k = static_cast<std::size_t>(d - 1);
+    const contact::TangentialResponse &of = response.tangential[k];
+    point.higher.col(0).segment(layout.velocity(), layout.n) +=
+        of.by(change) * pair.along(d).projection->row.transpose();
+    for (std::size_t i = 0; i < of.internal_rate_by_slip_rate.size(); ++i)
+      point.higher(layout.internal() + pair.internal_offset + static_cast<Index>(i), 0) +=
+          of.internal_rate_by_slip_rate[i] * change.tangential[k].slip_rate;
   }
 }
 
