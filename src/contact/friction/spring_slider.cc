@@ -13,13 +13,13 @@ void SpringSlider::declare(parameters::Section &friction) {
   using namespace parameters;
   friction
       .subsection(section_name,
-                  "A spring behind a slider that slips where its force would exceed "
+                  "A spring in series with a slider, which yields where the force would exceed "
                   "the coefficient times the normal force (Jenkins element).")
       .quantity("Stiffness", "", dimension::stiffness, range::positive, "k_t",
                 "Tangential force per unit deformation while the slider sticks.")
       .required()
       .quantity("Coefficient", "", dimension::none, range::positive, "\\mu",
-                "Tangential force over normal force at which the slider slips.")
+                "Tangential force over normal force at which the slider yields.")
       .required()
       .quantity("Damping constant", "0 N s/m", dimension::damping, range::non_negative, "c_t",
                 "Of a dashpot beside the spring, in series with the slider.");

@@ -1,6 +1,6 @@
 // A normal force that is always the same: F > 0, whatever the gap does.
 //
-// The sides are pressed on each other by something that gives way, such as a bolt, a weight or a
+// The sides are pressed on each other by something that yields, such as a bolt, a weight or a
 // soft spring, and never part. With friction it is an element of a joint, a damper or a bearing
 // whose force has a constant limit.
 #pragma once
