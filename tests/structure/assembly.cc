@@ -12,7 +12,6 @@
 
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
-using modes::Block;
 using modes::Layout;
 
 namespace {
@@ -22,7 +21,7 @@ AssembledBody assembled(const BeamDefinition &beam) {
 }
 
 // Values at free degrees of freedom for one vector of every rank, from a rule per node, component.
-template <class Rule> Block own_vector(const AssembledBody &body, Rule rule) {
+template <class Rule> modes::Block own_vector(const AssembledBody &body, Rule rule) {
   Matrix all = Matrix::Zero(body.free.size, 1);
   for (std::size_t node = 0; node < body.free.number.size(); ++node)
     for (int component = 0; component < 6; ++component)
@@ -31,7 +30,7 @@ template <class Rule> Block own_vector(const AssembledBody &body, Rule rule) {
   return modes::own_rows(Layout(body.stiffness.get()), all);
 }
 
-Matrix solved(const AssembledBody &body, const Block &load) {
+Matrix solved(const AssembledBody &body, const modes::Block &load) {
   const modes::Factorisation factorised(body.stiffness.get(), body.mass.get(), 0);
   return gather(Layout(body.stiffness.get()), factorised.solve(load));
 }
@@ -61,7 +60,7 @@ TEST(Assembly, HeldDegreesOfFreedomAreLeftOut) {
 TEST(Assembly, TipForceBendsLikeTheTextbook) {
   const BeamDefinition beam = examples::cantilever(10);
   const AssembledBody body = assembled(beam);
-  const Block force = own_vector(body, [](int node, int i) { return node == 10 && i == 0; });
+  const modes::Block force = own_vector(body, [](int node, int i) { return node == 10 && i == 0; });
   const double deflection = solved(body, force)(body.free.number[10][0], 0);
   const double expected = std::pow(0.3, 3) / (3 * examples::bending_stiffness(beam));
   EXPECT_NEAR(deflection, expected, 1e-9 * expected);
@@ -71,7 +70,7 @@ TEST(Assembly, ElasticSupportActsInSeries) {
   BeamDefinition beam = examples::cantilever(4);
   beam.supports.push_back({"spring", {"end", {}}, {}, {50, 0, 0, 0, 0, 0}});
   const AssembledBody body = assembled(beam);
-  const Block force = own_vector(body, [](int node, int i) { return node == 4 && i == 0; });
+  const modes::Block force = own_vector(body, [](int node, int i) { return node == 4 && i == 0; });
   const double stiffness = 3 * examples::bending_stiffness(beam) / std::pow(0.3, 3) + 50;
   EXPECT_NEAR(solved(body, force)(body.free.number[4][0], 0) * stiffness, 1, 1e-10);
 }
@@ -81,9 +80,9 @@ TEST(Assembly, OperatorAndMatrixAgree) {
   examples::clamp_start(beam);
   beam.supports.push_back({"spring", {"end", {}}, {}, {1e4, 2e4, 3e4, 40, 50, 60}});
   const AssembledBody body = assembled(beam);
-  const Block x = own_vector(body, [](int node, int i) { return std::sin(7.0 * node + i); });
-  const Block by_matrix = modes::multiply(body.stiffness.get(), x);
-  const Block by_element = modes::multiply(body.accurate_stiffness->matrix(), x);
+  const modes::Block x = own_vector(body, [](int node, int i) { return std::sin(7.0 * node + i); });
+  const modes::Block by_matrix = modes::multiply(body.stiffness.get(), x);
+  const modes::Block by_element = modes::multiply(body.accurate_stiffness->matrix(), x);
   const Layout layout(body.stiffness.get());
   const Matrix difference = gather(layout, by_matrix - by_element);
   EXPECT_LT(difference.norm(), 1e-13 * gather(layout, by_matrix).norm());
@@ -97,7 +96,7 @@ TEST(Assembly, RigidMotionOfAFreeBodyCausesNoForce) {
     return i < 3 ? moved[i] : rotation[i - 3];
   };
   const Layout layout(body.stiffness.get());
-  const Block x = own_vector(body, rigid);
+  const modes::Block x = own_vector(body, rigid);
   const Matrix force = gather(layout, modes::multiply(body.accurate_stiffness->matrix(), x));
   double norm = 0;
   MatNorm(body.stiffness.get(), NORM_INFINITY, &norm);
@@ -108,7 +107,7 @@ TEST(Assembly, BaseInertiaOfAFreeBodyIsMassTimesTranslation) {
   const AssembledBody body = assembled(skew_beam());
   const Layout layout(body.mass.get());
   for (int axis = 0; axis < 3; ++axis) {
-    const Block r = own_vector(body, [&](int, int i) { return i == axis; });
+    const modes::Block r = own_vector(body, [&](int, int i) { return i == axis; });
     const Matrix inertia = gather(layout, modes::multiply(body.mass.get(), r));
     EXPECT_LT((inertia - body.base_inertia.col(axis)).norm(), 1e-13 * inertia.norm());
     EXPECT_NEAR(modes::inner_products(layout, r, modes::multiply(body.mass.get(), r))(0, 0),
