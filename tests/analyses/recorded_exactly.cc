@@ -167,8 +167,8 @@ private:
 // Who must see steps makes them for itself in linear phases, and for all in contacts that are
 // solved as a whole.
 TEST(RecordedExactlyTest, EachObserverSeesLinearPhasesAsItAsks) {
-  System system =
-      between_stops(std::make_shared<Hertz>(HertzConstants{.stiffness = 5e4, .exponent = 1.5}), 1.2);
+  System system = between_stops(
+      std::make_shared<Hertz>(HertzConstants{.stiffness = 5e4, .exponent = 1.5}), 1.2);
   system.integration.relative_tolerance = 1e-9; // contacts are solved as a whole
   Parts alone(false), beside(false), stepped(true);
   for (const Observers &observers : {Observers(alone), Observers({&beside, &stepped})}) {

@@ -170,7 +170,7 @@ TEST(BranchTest, ReportsEveryPointAndCanBeInterrupted) {
   Algebraic problem = circle(1, 0, 1);
   std::size_t points = 0, special = 0;
   CurveListener<Branch> listener{[&](const BranchPoint &) { ++points; },
-                    [&](const SpecialPoint &) { ++special; }};
+                                 [&](const SpecialPoint &) { ++special; }};
   const Start start{{vector({-1}), vector({0})}, {}, true};
   const Branch branch = follow(problem, start, Settings(), listener);
   EXPECT_EQ(points, branch.points.size());

@@ -12,8 +12,8 @@
 namespace vibroimpact::periodic {
 namespace loci_tests {
 
-using continuation::Locus;
 using continuation::End;
+using continuation::Locus;
 using continuation::LocusKind;
 using continuation::LocusPoint;
 using continuation::Point;

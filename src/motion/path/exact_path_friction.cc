@@ -1,5 +1,5 @@
-// From which zeros the guards of contacts with friction rise, and where a path goes through a change
-// of one.
+// From which zeros the guards of contacts with friction rise, and where a path goes through a
+// change of one.
 #include "motion/event/mode_change.h"
 #include "motion/path/exact_path.h"
 
