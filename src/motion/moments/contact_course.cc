@@ -98,11 +98,6 @@ std::optional<double> fall_behind(const GapCurve::Coefficients &form, double x, 
   return fall ? std::optional(x + *fall * (1 - x)) : std::nullopt;
 }
 
-bool without_force(const contact::Mode &mode) {
-  return mode.affine && mode.affine->force.constant == 0 && mode.affine->force.gap == 0 &&
-         mode.affine->force.gap_rate == 0;
-}
-
 // (2 k + 1) times the integral of P_k(2 x - 1) and each Bernstein polynomial.
 const std::array<std::array<double, GapCurve::size>, n_moments> &moments_of_polynomials() {
   static const auto values = [] {
@@ -138,6 +133,8 @@ GapCurve::Coefficients bernstein_polynomials(double x) {
   }
   return list;
 }
+
+bool forceless(const contact::Mode &mode) { return mode.affine && mode.affine->force.zero(); }
 
 const std::array<double, n_moments> &moment_nodes() {
   static const auto nodes = [] {
@@ -240,7 +237,7 @@ ContactCourse::Moments ContactCourse::moments(const contact::ContactLaw &law,
   for (const CourseStretch &stretch : stretches_) {
     const contact::Mode &mode = law.modes()[static_cast<std::size_t>(stretch.mode)];
     const double length = stretch.to - stretch.from;
-    if (without_force(mode) || length == 0)
+    if (forceless(mode) || length == 0)
       continue;
     const Rule &rule = rule_for(mode);
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
@@ -270,7 +267,7 @@ std::array<double, 2> ContactCourse::lacking(const contact::ContactLaw &law, con
       double force = 0;
       for (std::size_t k = 0; k < n_moments; ++k)
         force -= moments[k] * p[k];
-      if (!without_force(mode)) {
+      if (!forceless(mode)) {
         law.evaluate(stretch.mode, curve_.at(bernstein_polynomials(s)), response);
         force += response.force;
       }
@@ -287,7 +284,7 @@ ForceIntegrals ContactCourse::integrals(const contact::ContactLaw &law,
                                         contact::LawResponse &response) const {
   const contact::Mode &mode = law.modes()[static_cast<std::size_t>(stretch.mode)];
   ForceIntegrals result;
-  if (without_force(mode))
+  if (forceless(mode))
     return result;
   const Rule &rule = rule_for(mode);
   const double length = stretch.to - stretch.from;

@@ -27,6 +27,9 @@ const std::array<double, n_moments> &moment_nodes();
 /// The Bernstein polynomials of degree n_moments + 3 at x.
 std::array<double, n_moments + 4> bernstein_polynomials(double x);
 
+/// No force in that mode, whatever the gap.
+bool forceless(const contact::Mode &mode);
+
 /// What a step gives of a gap [m], and of its rate at both ends [m/s].
 struct GapValues {
   double start = 0, start_rate = 0;

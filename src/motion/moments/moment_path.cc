@@ -196,7 +196,7 @@ void MomentPath::note_residual(const Change &change) {
         std::max(counts_.event_residual, std::abs((gap - seen.gap) / seen.gap_rate));
 }
 
-// The change itself belongs to who is told.
+// The mode itself changes in the report.
 void MomentPath::pass(double time, const Change &change, const Report &report) {
   const CourseStretch &stretch = step_.course(change.contact).stretches()[change.stretch];
   note_residual(change);

@@ -20,17 +20,12 @@ constexpr double room_for_way = 1.5;
 
 int free_mode(const contact::ContactLaw &law) {
   for (std::size_t m = 0; m < law.modes().size(); ++m)
-    if (MomentStep::forceless(law.modes()[m]) && !law.modes()[m].in_contact)
+    if (forceless(law.modes()[m]) && !law.modes()[m].in_contact)
       return static_cast<int>(m);
   return -1;
 }
 
 } // namespace
-
-bool MomentStep::forceless(const contact::Mode &mode) {
-  return mode.affine && mode.affine->force.constant == 0 && mode.affine->force.gap == 0 &&
-         mode.affine->force.gap_rate == 0;
-}
 
 bool MomentStep::holds(const Equations &equations) {
   const auto &pairs = equations.contacts().pairs();

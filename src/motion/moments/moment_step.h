@@ -44,8 +44,6 @@ public:
 
   /// True where such steps can be taken at all.
   static bool holds(const Equations &equations);
-  /// No force in that mode, whatever the gap.
-  static bool forceless(const contact::Mode &mode);
 
   /// A motion begins.
   void begin();

@@ -19,7 +19,7 @@ void MomentViews::add_forces(double x, bool before, Vector &force) const {
     const ContactCourse &course = step_.course(c);
     const contact::ContactPair &pair = equations_.contacts().pairs()[c];
     const int mode = course.mode_at(x, before);
-    if (MomentStep::forceless(pair.law->modes()[static_cast<std::size_t>(mode)]))
+    if (forceless(pair.law->modes()[static_cast<std::size_t>(mode)]))
       continue;
     pair.law->evaluate(mode, course.curve().at(polynomials), response_);
     force += response_.force * pair.gap.row.transpose();
