@@ -12,16 +12,13 @@ namespace {
 
 ConstVectorView view_of(const Vector &state) { return {state.data(), state.size()}; }
 
-void reset(const Equations &equations, std::size_t contact, const Guard &guard, double time,
-           Vector &state) {
-  if (guard.reset.empty())
-    return;
-  const Vector before = state;
-  const LocalState local = equations.local_state(contact, time, view_of(before));
+// From a local state whose internal states are of another vector.
+void reset(const Equations &equations, std::size_t contact, const Guard &guard,
+           const LocalState &before, Vector &state) {
   double *const internal = state.data() + equations.layout().internal() +
                            equations.contacts().pairs()[contact].internal_offset;
   for (std::size_t i = 0; i < guard.reset.size(); ++i)
-    internal[i] = guard.reset[i](local);
+    internal[i] = guard.reset[i](before);
 }
 
 // The guard by which sides that are to stick do not: it is below zero by more than rounding.
@@ -44,7 +41,9 @@ bool stick_or_slip(Equations &equations, std::size_t contact, double time, Vecto
     const Guard *const fallen = no_stick(equations, contact, time, state);
     if (!fallen)
       break;
-    reset(equations, contact, *fallen, time, state);
+    const Vector before = state;
+    reset(equations, contact, *fallen, equations.local_state(contact, time, view_of(before)),
+          state);
     equations.set_mode(contact, fallen->target);
     changed = true;
   }
@@ -73,8 +72,8 @@ bool has_friction(const Equations &equations, std::size_t contact) {
 } // namespace
 
 void pass_guard(Equations &equations, std::size_t contact, const Guard &guard, double time,
-                Vector &state) {
-  reset(equations, contact, guard, time, state);
+                const LocalState &before, Vector &state) {
+  reset(equations, contact, guard, before, state);
   int target = guard.target;
   if (guard.by_slip)
     target = equations.contacts().pairs()[contact].law->mode_by_slip(

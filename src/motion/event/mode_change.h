@@ -12,9 +12,10 @@
 namespace vibroimpact::motion {
 
 /// Passes a guard of the contact's present mode: resets its internal states in `state`, and takes
-/// the equations to the mode behind it.
+/// the equations to the mode behind it. `before`: the local state there, its internal states those
+/// of another vector than `state`.
 void pass_guard(Equations &equations, std::size_t contact, const contact::Guard &guard, double time,
-                Vector &state);
+                const contact::LocalState &before, Vector &state);
 
 /// The modes of all contacts with friction by their slip rates and the forces that would hold them,
 /// where a motion begins; slip rates below ContactScales::speed() count as none.

@@ -126,6 +126,9 @@ bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
 }
 
 void ExactPath::begin_part(double time) {
+  observation_.enter(*known_);
+  if (!observation_.observed())
+    return;
   const bool at_origin = !(march_.time > 0);
   observation_.begin_part(*known_, {.time = time,
                                     .amplitudes = at_origin ? march_.origin : march_.amplitudes,

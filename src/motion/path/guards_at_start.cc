@@ -25,7 +25,8 @@ bool GuardsAtStart::enter(const KnownPhase &phase, std::optional<std::size_t> co
     const double noise = known_to(g, f);
     if (f[0] > noise)
       continue;
-    const int rises = f[0] < -noise ? 0 : order(g, f);
+    const int by_slope = f[1] > 0 ? 1 : 0;
+    const int rises = f[0] < -noise ? 0 : order ? order(g, f) : by_slope;
     if (rises == 0)
       return false;
     order_[g] = static_cast<unsigned char>(rises);

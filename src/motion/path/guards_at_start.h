@@ -14,7 +14,7 @@ class GuardsAtStart {
 public:
   /// By its derivatives in the phase: what the value of a guard is known to.
   using KnownTo = std::function<double(std::size_t guard, const double *derivatives)>;
-  /// Order of the zero from which a guard rises; 0: it falls.
+  /// Order of the zero from which a guard rises; 0: it falls. Without it the slope says so.
   using Order = std::function<int(std::size_t guard, const double *derivatives)>;
 
   /// A motion begins without rounding; phases have `largest` coordinates at most.
@@ -22,7 +22,7 @@ public:
   /// Guards of the contact that changed, or of all, may be zero in a phase to come and must rise
   /// then; what those of other contacts do, the kernel sees. False: one falls at once.
   bool enter(const KnownPhase &phase, std::optional<std::size_t> contact, const double *amplitudes,
-             const AlignedArray &rounding, const KnownTo &known_to, const Order &order = by_slope);
+             const AlignedArray &rounding, const KnownTo &known_to, const Order &order = {});
   /// The motion stays in the phase before.
   void stay(const KnownPhase &phase);
   /// What rounding may hide of a guard.
@@ -37,10 +37,6 @@ public:
   std::vector<unsigned char> &order() { return order_; }
 
 private:
-  static int by_slope(std::size_t /*guard*/, const double *derivatives) {
-    return derivatives[1] > 0 ? 1 : 0;
-  }
-
   const Kernel &kernel_ = kernel();
   AlignedArray rounding_, next_rounding_, noise_;
   std::vector<unsigned char> order_;

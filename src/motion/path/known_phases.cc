@@ -144,8 +144,11 @@ Transition *KnownPhases::behind(KnownPhase &from, std::size_t guard, const Phase
 KnownPhase *KnownPhases::behind_friction(const KnownPhase &from, const PhaseGuard &passed,
                                          double time, Vector &state) {
   set_modes_of(from);
-  pass_guard(equations_, passed.contact, equations_.mode(passed.contact).guards[passed.guard], time,
-             state);
+  const Vector before = state;
+  pass_guard(
+      equations_, passed.contact, equations_.mode(passed.contact).guards[passed.guard], time,
+      equations_.local_state(passed.contact, time, ConstVectorView(before.data(), before.size())),
+      state);
   KnownPhase *const target = present();
   set_modes_of(from);
   return target;

@@ -42,10 +42,7 @@ ObservedPhase &PathObservation::observation_of(KnownPhase &phase) const {
 
 // A part of a phase is reported as a whole, and is not longer than its work integrals stay exact.
 void PathObservation::begin_part(KnownPhase &phase, const Start &start) {
-  phase_ = &phase;
   part_limit_ = std::numeric_limits<double>::infinity();
-  if (!observers_)
-    return;
   observed_ = &observation_of(phase);
   if (observers_->integrals)
     part_limit_ = start.time + phase.linear.work(equations_).longest();

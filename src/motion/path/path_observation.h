@@ -7,6 +7,7 @@
 #include "motion/path/known_phases.h"
 
 #include <functional>
+#include <limits>
 
 namespace vibroimpact::motion {
 
@@ -36,9 +37,13 @@ public:
     bool stays = false;        ///< these amplitudes, until the part is over
     bool enters_phase = false; ///< or goes on in it
   };
+  void enter(KnownPhase &phase) { phase_ = &phase; }
+  /// Where somebody observes.
   void begin_part(KnownPhase &phase, const Start &start);
   /// Up to which its work integrals are exact [s]; infinite where nobody wants them.
-  double part_limit() const { return part_limit_; }
+  double part_limit() const {
+    return observers_ ? part_limit_ : std::numeric_limits<double>::infinity();
+  }
   /// The modes of the equations are those of the part. Leaves its state at the end.
   void end_part(double time, const double *amplitudes);
   /// Reports a contact change at the end of the part, which takes the equations to the modes after

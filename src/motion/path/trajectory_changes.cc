@@ -80,7 +80,7 @@ void Trajectory::change_mode(double instant, std::size_t contact, std::size_t gu
   const double stored =
       balance_.integrals ? equations_.contact_energy(contact, event.from, local) : 0;
   const bool apart = !equations_.mode(contact).in_contact;
-  motion::pass_guard(equations_, contact, passed, instant, state);
+  motion::pass_guard(equations_, contact, passed, instant, local, state);
   event.to = equations_.modes()[contact];
   local.internal = {state.data() + layout().internal() + pair.internal_offset,
                     local.internal.size()};

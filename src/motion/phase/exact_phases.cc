@@ -125,13 +125,13 @@ std::size_t ExactPhases::bytes() const {
   return sum;
 }
 
-void ExactPhases::enter(LinearPhase &phase) {
-  phase.entered_ = ++entries_;
-  ++changes_;
-  if (!std::exchange(phase.taught_->met, true))
-    spent_ += cost_of(phase);
-  if (!std::exchange(check_, false))
-    return;
+void ExactPhases::meet(LinearPhase &phase) {
+  phase.taught_->met = true;
+  spent_ += cost_of(phase);
+}
+
+void ExactPhases::drop_oldest(const LinearPhase &phase) {
+  check_ = false;
   std::size_t sum = bytes();
   while (sum > settings_.prepared_bytes) {
     const LinearPhase *oldest = &phase;

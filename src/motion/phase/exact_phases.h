@@ -102,7 +102,14 @@ public:
   bool linear();
   /// The motion goes on in a phase: where a phase was made since, or a motion began, the others are
   /// dropped that are too many.
-  void enter(LinearPhase &phase);
+  void enter(LinearPhase &phase) {
+    phase.entered_ = ++entries_;
+    ++changes_;
+    if (!phase.taught_->met)
+      meet(phase);
+    if (check_)
+      drop_oldest(phase);
+  }
   /// New combinations come up so often that steps would cost less, since forget().
   bool crowded() const {
     return spent_ > budget_ + 2 * static_cast<double>(changes_) * change_cost_;
@@ -120,6 +127,9 @@ private:
     std::shared_ptr<TaughtPhase> taught{}; ///< none: not linear
     std::shared_ptr<LinearPhase> phase{};  ///< none: dropped
   };
+  void meet(LinearPhase &phase);
+  /// But for this one.
+  void drop_oldest(const LinearPhase &phase);
   void drop(const LinearPhase &phase);
 
   const Equations &equations_;

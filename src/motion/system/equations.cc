@@ -45,14 +45,10 @@ void Equations::list_acting() {
       acting_.push_back({.contact = c, .pair = &contacts_.pairs()[c]});
 }
 
-const contact::Mode &Equations::mode(std::size_t contact) const {
-  return contacts_.pairs()[contact].law->modes()[static_cast<std::size_t>(modes_[contact])];
-}
-
 void Equations::set_mode(std::size_t contact, int mode) {
-  const bool held = this->mode(contact).holds();
   if (modes_[contact] == mode)
     return;
+  const bool held = this->mode(contact).holds();
   modes_[contact] = mode;
   list_acting();
   if (held || this->mode(contact).holds())

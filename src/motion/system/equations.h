@@ -56,7 +56,9 @@ public:
   /// Mode of each contact, used by all evaluations below.
   const std::vector<int> &modes() const { return modes_; }
   void set_mode(std::size_t contact, int mode);
-  const contact::Mode &mode(std::size_t contact) const;
+  const contact::Mode &mode(std::size_t contact) const {
+    return contacts_.pairs()[contact].law->modes()[static_cast<std::size_t>(modes_[contact])];
+  }
   /// What is held in the present modes.
   const ActiveConstraints &holding() const { return constraints_; }
 
