@@ -5,14 +5,13 @@
 #include "analyses/recorders/spectrum.h"
 #include "analyses/recorders/window_recording.h"
 #include "analyses/signals/zeros.h"
+#include "common/decompositions.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
 #include "support/lumped_models.h"
 #include "support/recording.h"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +103,7 @@ double floquet_exponent(const Forced &forced, const Vector &state) {
     const Vector shift = epsilon * Vector::Unit(2, j);
     monodromy.col(j) = (map(state + shift) - map(state - shift)) / (2 * epsilon);
   }
-  const double largest = monodromy.eigenvalues().cwiseAbs().maxCoeff();
+  const double largest = eigenvalues(monodromy).cwiseAbs().maxCoeff();
   return std::log(largest) / forced.period();
 }
 

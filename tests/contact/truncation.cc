@@ -1,5 +1,6 @@
 // The error of an impact by the modes that are left out, known before any motion.
 #include "contact/truncation.h"
+#include "common/decompositions.h"
 #include "contact/attachment_damping.h"
 #include "contact/laws/bilinear_stop.h"
 #include "contact/laws/hunt_crossley.h"
@@ -12,7 +13,6 @@
 #include "reduction/beam_bodies.h"
 #include "support/lumped_models.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 namespace vibroimpact::contact {
@@ -196,12 +196,12 @@ TEST(Truncation, FreeBodies) {
 double peak_force(const Vector &stiffness, const RowVector &row, double spring) {
   Matrix coupled = stiffness.asDiagonal();
   coupled += spring * row.transpose() * row;
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(coupled);
-  const Vector omega = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  const SymmetricEigen solved = symmetric_eigen(coupled);
+  const Vector omega = solved.values.cwiseMax(0.0).cwiseSqrt();
   Vector start = Vector::Zero(stiffness.size());
   start[0] = 1 / row[0];
-  const Vector amplitude = (solver.eigenvectors().transpose() * start)
-                               .cwiseProduct(solver.eigenvectors().transpose() * row.transpose())
+  const Vector amplitude = (solved.vectors.transpose() * start)
+                               .cwiseProduct(solved.vectors.transpose() * row.transpose())
                                .cwiseQuotient(omega);
   const double end = 10 / std::sqrt(spring * row[0] * row[0] + stiffness[0]);
   double peak = 0;

@@ -1,8 +1,8 @@
 #include "piecewise.h"
 
+#include "common/decompositions.h"
 #include "continuation/branch.h"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 namespace vibroimpact::continuation {
@@ -164,12 +164,12 @@ TEST(GrazesTest, OfSeveralCoordinates) {
     map.impulse = stiffness * vector({-1, 0.2});
     const Matrix open = Matrix::Identity(2, 2) - map.by_state;
     const Matrix closed = open + map.impulse * map.guard_by_state;
-    const Vector open_slope = open.inverse() * map.by_keys;
+    const Vector open_slope = inverse(open) * map.by_keys;
     const double p =
         -map.guard_constant / (map.guard_by_state.dot(open_slope) + map.guard_by_keys(0));
     const auto on_contact = [&](double key) {
       return Vector(
-          closed.inverse() *
+          inverse(closed) *
           (map.by_keys * key - map.impulse * (map.guard_by_keys(0) * key + map.guard_constant)));
     };
     const double beyond =
@@ -205,9 +205,9 @@ TEST(GrazesTest, OfSeveralCoordinatesAtSquareRoots) {
     const auto behind = [&](double y) {
       Vector right(3);
       right << map.impulse * y, -map.guard_constant - y * y;
-      return Vector(system.inverse() * right);
+      return Vector(inverse(system) * right);
     };
-    const Vector start = open.inverse() * map.by_keys * -1;
+    const Vector start = inverse(open) * map.by_keys * -1;
     const Branch branch = follow(map, {{start, vector({-1})}, {}, true}, within(-2, 2));
     EXPECT_TRUE(branch.end == End::lower_bound || branch.end == End::upper_bound) << branch.reason;
     ASSERT_FALSE(branch.special.empty());

@@ -2,11 +2,10 @@
 // axis, against closed forms and published values.
 #include "modes/solve_beam.h"
 
+#include "common/decompositions.h"
 #include "structure/beam_properties.h"
 
 #include <gtest/gtest.h>
-
-#include <unsupported/Eigen/MatrixFunctions>
 
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
@@ -40,7 +39,7 @@ Eigen::Matrix4d transfer(const Wave &wave, double omega) {
   rate(2, 1) = force * rate(0, 1) - square * wave.rotary_inertia;
   rate(2, 3) = force * rate(0, 3) - 1;
   rate(3, 0) = -square * wave.mass;
-  return (rate * wave.length).exp();
+  return exponential(rate * wave.length);
 }
 
 /// What is zero at an end: positions in the state.

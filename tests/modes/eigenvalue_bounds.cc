@@ -1,9 +1,8 @@
 // The quadratic bound against errors that are known: K and M diagonal, so that any Ritz value can
 // be compared with its eigenvalue.
 #include "modes/eigenvalue_bounds.h"
+#include "common/decompositions.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -24,10 +23,10 @@ Errors tilted(const Vector &eigenvalues, int count, double tilt, double shift, d
   std::uniform_real_distribution<double> entry(-1, 1);
   Matrix x = Matrix::Identity(eigenvalues.size(), count);
   x += tilt * Matrix::NullaryExpr(x.rows(), count, [&] { return entry(engine); });
-  x = Eigen::LLT<Matrix>(x.transpose() * x).matrixU().solve<Eigen::OnTheRight>(x);
-  const Eigen::SelfAdjointEigenSolver<Matrix> ritz(x.transpose() * eigenvalues.asDiagonal() * x);
-  x = x * ritz.eigenvectors();
-  const Vector &theta = ritz.eigenvalues();
+  x = orthonormalised(x, Basis::columns).basis;
+  const SymmetricEigen ritz = symmetric_eigen(x.transpose() * eigenvalues.asDiagonal() * x);
+  x = x * ritz.vectors;
+  const Vector &theta = ritz.values;
   const Matrix residuals = eigenvalues.asDiagonal() * x - x * theta.asDiagonal();
   const Matrix products = residuals.transpose() *
                           (eigenvalues.array() - shift).inverse().matrix().asDiagonal() * residuals;

@@ -1,12 +1,11 @@
 // Natural frequencies and static solutions of solids against closed forms, a public case, and the
 // same mesh in CalculiX 2.20.
+#include "common/decompositions.h"
 #include "modes/solve_beam.h"
 #include "modes/static_solution.h"
 #include "structure/solid_examples.h"
 
 #include <gtest/gtest.h>
-
-#include <unsupported/Eigen/MatrixFunctions>
 
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
@@ -59,9 +58,8 @@ Eigen::Matrix<double, 6, 6> across_plate(double a, double b, double l, double sq
 double exact_plate(int m, int n) {
   const double speed = std::sqrt(200e9 / 2.6 / 8000);
   const auto traction = [&](double hertz) {
-    const Eigen::Matrix<double, 6, 6> over =
-        across_plate(m * M_PI / 10, n * M_PI / 10, 0.6 / 0.4, std::pow(2 * M_PI * hertz / speed, 2))
-            .exp();
+    const Eigen::Matrix<double, 6, 6> over = exponential(across_plate(
+        m * M_PI / 10, n * M_PI / 10, 0.6 / 0.4, std::pow(2 * M_PI * hertz / speed, 2)));
     return over.bottomLeftCorner<3, 3>().determinant();
   };
   return zeros(traction, 1, 1)[0];

@@ -1,13 +1,10 @@
 // Closed forms of deviations in linear phases: against the exponential of one matrix for all.
+#include "common/decompositions.h"
 #include "motion/variation/forced_response.h"
 #include "motion/variation/low_rank_map.h"
 #include "motion/variation/radau.h"
 
 #include <gtest/gtest.h>
-
-#include <unsupported/Eigen/MatrixFunctions>
-
-#include <Eigen/LU>
 
 #include <cmath>
 #include <random>
@@ -59,7 +56,7 @@ double error_of(const std::vector<PhaseGroup> &groups, Index size, double h) {
   all << own, coupling, Matrix::Zero(size, size), own;
   Vector both(2 * size);
   both << start, x;
-  const Vector exact = ((h * all).exp() * both).head(size);
+  const Vector exact = (exponential(h * all) * both).head(size);
   return (ForcedResponse(groups, coupling)(h, x, start) - exact).norm() / exact.norm();
 }
 
@@ -101,7 +98,7 @@ TEST(LinearVariationTest, MapsOfLowRankAreThoseOfTheirMatrices) {
   const RowVector expected_row = row * full;
   map.apply_from_right(row);
   EXPECT_LT((row - expected_row).norm(), 1e-14);
-  EXPECT_NEAR(map.determinant(), full.determinant(), 1e-14);
+  EXPECT_NEAR(map.determinant(), determinant(full), 1e-14);
 }
 
 // Radau IIA with two stages is in every book; quadrature with s stages is exact to degree 2 s - 2.

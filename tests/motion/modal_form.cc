@@ -1,10 +1,9 @@
 // Coordinates in which a matrix is block-diagonal: that they are, for bodies that move freely in
 // more than one way and are held by dampers and springs to each other.
 #include "motion/phase/modal_form.h"
+#include "common/decompositions.h"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/QR>
 
 #include <random>
 
@@ -18,8 +17,7 @@ Matrix free_system(Index size, Index free, std::mt19937_64 &random) {
   const auto filled = [&](Index rows, Index columns) {
     return Matrix(Matrix::NullaryExpr(rows, columns, [&] { return normal(random); }));
   };
-  const Matrix turned = Eigen::HouseholderQR<Matrix>(filled(size, size)).householderQ() *
-                        Matrix::Identity(size, size);
+  const Matrix turned = orthonormalised(filled(size, size), Basis::whole).basis;
   const Matrix held = turned.leftCols(size - free);
   const Matrix springs = 300 * filled(size - free, size - free);
   const Matrix dampers = filled(size - free, size - free);

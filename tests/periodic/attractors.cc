@@ -1,13 +1,11 @@
 // Basins of maps whose attractors and boundaries are known in closed form.
 #include "periodic/attractors.h"
+#include "common/decompositions.h"
 #include "periodic/interpolated_map.h"
 
 #include "common/error.h"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <cmath>
 
@@ -53,7 +51,7 @@ Attractors::Newton newton_of(const StateMap &map,
         product = (slope(image) * product).eval();
         image = map(image);
       }
-      state += (Matrix::Identity(2, 2) - product).partialPivLu().solve(image - state);
+      state += LuFactors<Matrix>(Matrix::Identity(2, 2) - product).solve(Vector(image - state));
     }
     return FoundMotion{.state = state, .multiple = multiple, .by_state = product};
   };

@@ -2,6 +2,7 @@
 // closed form, and what derivatives do behind it.
 #include "periodic/graze_extension.h"
 
+#include "common/decompositions.h"
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/linear_penalty.h"
@@ -10,8 +11,6 @@
 #include "periodic/guard_minima.h"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <complex>
@@ -57,7 +56,7 @@ Point graze_from(OrbitProblem &problem, Point point) {
     matrix << at.smooth.by_state, at.smooth.by_keys, at.by_state, at.by_keys;
     Vector residual(n + 1);
     residual << at.smooth.residual, at.value;
-    const Vector step = -matrix.fullPivLu().solve(residual);
+    const Vector step = -solve_fully_pivoted(matrix, residual);
     point.state += step.head(n);
     point.keys[0] += step[n];
     if (step.norm() < 1e-13)

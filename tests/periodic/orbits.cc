@@ -1,5 +1,6 @@
 // Periodic motions against closed forms: linear ones, one with an impact on a rigid stop in each
 // period, and those of the isolator between elastic stops.
+#include "common/decompositions.h"
 #include "periodic/orbit.h"
 
 #include "common/error.h"
@@ -8,8 +9,6 @@
 #include "support/rotor_models.h"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/LU>
 
 #include <complex>
 
@@ -97,7 +96,7 @@ struct ImpactMotion {
     flow.resize(2, 2);
     flow << c + d * s, s, -s, c - d * s;
     flow *= std::exp(-d * t);
-    const Matrix inverse = (Matrix::Identity(2, 2) - flow).inverse();
+    const Matrix inverse = vibroimpact::inverse(Matrix::Identity(2, 2) - flow);
     const Vector constant = inverse * (vector_of({1, 0}) - flow * vector_of({1, 0}));
     const Vector slope = inverse * (vector_of({0, -1 / e}) - flow * vector_of({0, 1}));
     const Complex response = a / Complex(1 - w * w, 2 * d * w);

@@ -15,12 +15,10 @@
 // where F is the force at the impact, det(E S + 1) = 0 is a linear equation for v: the flip.
 #include "continuation/branch.h"
 
+#include "common/decompositions.h"
 #include "family.h"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/LU>
-#include <unsupported/Eigen/MatrixFunctions>
 
 namespace vibroimpact::periodic {
 namespace rigid_branches_tests {
@@ -38,10 +36,9 @@ public:
   explicit OneImpact(double w) : w_(w) {
     Matrix rate(2, 2);
     rate << 0, 1, -1, -damping;
-    flow_ = Matrix(rate * (2 * std::numbers::pi / w)).exp();
-    const Vector h = (flow_ - Matrix::Identity(2, 2))
-                         .fullPivLu()
-                         .solve(Vector(Eigen::Vector2d(0, 1 + restitution)));
+    flow_ = exponential(rate * (2 * std::numbers::pi / w));
+    const Vector h =
+        solve_fully_pivoted(flow_ - Matrix::Identity(2, 2), Eigen::Vector2d(0, 1 + restitution));
     p_ = -h[0];
     rate_ = -restitution - h[1];
   }
@@ -56,7 +53,7 @@ public:
   double flip() const {
     const double e = restitution;
     return into() * w_ * w_ /
-           (1 + e * e * flow_.determinant() - e * flow_.trace() + into() * force());
+           (1 + e * e * determinant(flow_) - e * flow_.trace() + into() * force());
   }
 
 private:

@@ -1,7 +1,5 @@
 #include "random_models/spectra.h"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
+#include "common/decompositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,9 +50,13 @@ double apart_as_polynomials(const Values &a, const Values &b, double radius) {
 }
 
 double bauer_fike(const Matrix &a, const Matrix &b) {
-  const Eigen::EigenSolver<Matrix> solver(b);
-  const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(solver.eigenvectors());
-  const double condition = svd.singularValues()[0] / svd.singularValues()[b.rows() - 1];
+  // The real form of the vectors has their singular values twice.
+  const ComplexMatrix vectors = general_eigen(b).vectors;
+  const Index n = b.rows();
+  Matrix both(2 * n, 2 * n);
+  both << vectors.real(), -vectors.imag(), vectors.imag(), vectors.real();
+  const Vector singular = singular_values(both).values;
+  const double condition = singular[0] / singular[2 * n - 1];
   const double rounding = 10 * std::numeric_limits<double>::epsilon() * b.norm();
   return condition * ((a - b).norm() + rounding);
 }
@@ -62,7 +64,7 @@ double bauer_fike(const Matrix &a, const Matrix &b) {
 } // namespace
 
 SpectraVerdict compare_spectra(const Values &own, const Matrix &a, const Matrix &b) {
-  const Values other = b.eigenvalues();
+  const Values other = eigenvalues(b);
   const double radius = other.cwiseAbs().maxCoeff();
   if (own.size() != other.size())
     return {.word = "different"};

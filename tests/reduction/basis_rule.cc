@@ -1,8 +1,7 @@
 #include "reduction/basis_rule.h"
+#include "common/decompositions.h"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/QR>
 
 using namespace vibroimpact;
 using vibroimpact::reduction::fix_basis;
@@ -20,7 +19,7 @@ Matrix shapes(Index columns) {
 }
 
 Matrix rotation(Index size) {
-  return Eigen::HouseholderQR<Matrix>(shapes(size).topRows(size)).householderQ();
+  return orthonormalised(shapes(size).topRows(size), Basis::whole).basis;
 }
 
 } // namespace

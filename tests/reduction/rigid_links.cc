@@ -1,12 +1,11 @@
 // Rigid links against closed forms: arms with masses, rigid ends of beams, rigid frames on skew
 // hinges, rigid plates.
+#include "common/decompositions.h"
 #include "modes/solve_beam.h"
 #include "reduction/beam_bodies.h"
 #include "structure/shell_examples.h"
 
 #include <gtest/gtest.h>
-
-#include <unsupported/Eigen/MatrixFunctions>
 
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
@@ -131,7 +130,7 @@ Eigen::Matrix4d flexible(double square, double length) {
   rate(0, 1) = rate(1, 2) = 1;
   rate(2, 3) = -1;
   rate(3, 0) = -square;
-  return (rate * length).exp();
+  return exponential(rate * length);
 }
 
 /// Along a rigid length with the same mass: the inertia of v + v' s in Q and M.
