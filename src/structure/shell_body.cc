@@ -1,6 +1,7 @@
 #include "structure/shell_body.h"
 
 #include "structure/cell_parts.h"
+#include "structure/director_kinematics.h"
 #include "structure/frame_element.h"
 #include "structure/gmsh_reader.h"
 #include "structure/mesh_check.h"

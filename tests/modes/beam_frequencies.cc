@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace beam_frequencies_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
@@ -207,3 +209,5 @@ TEST(BeamFrequencies, PinEndedDoubleCross) {
     }
   }
 }
+
+} // namespace beam_frequencies_tests

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+namespace beam_theories_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
@@ -318,3 +320,5 @@ TEST(BeamTheories, TensionStiffensTorsion) {
   beam.members[0].axial_force = force;
   EXPECT_NEAR(std::pow(omegas(beam, 10, 1)[0] / unloaded, 2), 1.1, 1e-9);
 }
+
+} // namespace beam_theories_tests

@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+namespace eigenvalue_bounds_tests {
+
 using namespace vibroimpact;
 
 namespace {
@@ -97,3 +99,5 @@ TEST(EigenvalueBounds, NeedNoGapWhenAllEigenvaluesAreThere) {
   const Errors found = tilted(eigenvalues, 5, 0.1, -1, std::numeric_limits<double>::infinity());
   EXPECT_LT(found.bounds.maxCoeff(), 1e-25);
 }
+
+} // namespace eigenvalue_bounds_tests

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <numeric>
 
+namespace mode_search_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 using modes::CompletePairs;
@@ -155,3 +157,5 @@ TEST(ModeSearch, LeavesCompletePairsAlone) {
   ModeSearch search(masses.problem());
   expect_eigenvalues(search.completed(without(masses, eigenvalues, 10, {})), eigenvalues, 10);
 }
+
+} // namespace mode_search_tests

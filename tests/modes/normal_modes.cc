@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+namespace normal_modes_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 using modes::NormalModes;
@@ -171,3 +173,5 @@ TEST(NormalModes, DoNotDependOnTheNumberOfRanks) {
   for (int j = 0; j < 10; ++j)
     EXPECT_NEAR(std::sqrt(together.eigenvalues[j] / alone.eigenvalues[j]), 1, 1e-10);
 }
+
+} // namespace normal_modes_tests

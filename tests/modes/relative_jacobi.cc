@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+namespace relative_jacobi_tests {
+
 using namespace vibroimpact;
 
 // D [[1, 1/2], [1/2, 1]] D with D = diag(1e-12, 1): determinant 3/4 1e-24, so the small eigenvalue
@@ -37,3 +39,5 @@ TEST(RelativeJacobi, ZeroBlocksStayZero) {
   EXPECT_EQ(pairs.values[0], 0);
   EXPECT_EQ(pairs.values[2], 5);
 }
+
+} // namespace relative_jacobi_tests

@@ -8,6 +8,8 @@
 #include <functional>
 #include <optional>
 
+namespace shell_convergence_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
@@ -158,3 +160,5 @@ TEST(ShellConvergence, ThePublicCasesAreReached) {
       EXPECT_LT((found.array() - 1).abs().maxCoeff(), tolerance) << example.name;
     }
 }
+
+} // namespace shell_convergence_tests

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <sstream>
 
+namespace shell_frequencies_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
@@ -190,3 +192,5 @@ TEST(ShellFrequencies, AxialWaves) {
     EXPECT_NEAR(frequencies(shell, 1)[0] / (5000 / 4.0), 1, 1e-3);
   }
 }
+
+} // namespace shell_frequencies_tests

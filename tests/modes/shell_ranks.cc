@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace shell_ranks_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
@@ -22,3 +24,5 @@ TEST(ShellRanks, StaticDisplacementsAreTheSame) {
   const Vector alone = static_at_point(scordelis_lo_roof(8), MPI_COMM_SELF);
   EXPECT_LT((together - alone).norm(), 1e-9 * alone.norm());
 }
+
+} // namespace shell_ranks_tests

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace shell_statics_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
@@ -160,3 +162,5 @@ TEST(ShellStatics, LoadsAddUp) {
   const double mass = 8000 * 0.2 * 0.01;
   EXPECT_LT((sum - Vector3(1, 2, 3 - 10 * mass + 7 * 0.2)).norm(), 1e-10);
 }
+
+} // namespace shell_statics_tests

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+namespace solid_frequencies_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
@@ -173,3 +175,5 @@ TEST(SolidFrequencies, ARigidFaceTakesMoments) {
   EXPECT_NEAR(at_tip(5), curvature, 1e-12 * curvature);
   EXPECT_NEAR(at_tip(1), curvature / 2, 1e-12 * curvature);
 }
+
+} // namespace solid_frequencies_tests

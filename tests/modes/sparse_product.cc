@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace sparse_product_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
@@ -38,3 +40,5 @@ TEST(SparseProduct, IsThatOfPetsc) {
     }
   }
 }
+
+} // namespace sparse_product_tests

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace static_solutions_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
@@ -20,3 +22,5 @@ TEST(StaticSolutions, OfFineMeshesAreAccurate) {
   const double exact = 7 * std::pow(beam_length(beam), 3) / (3 * bending_stiffness(beam));
   EXPECT_NEAR(solution(tip, 0) / exact, 1, 1e-9);
 }
+
+} // namespace static_solutions_tests

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+namespace basis_rule_tests {
+
 using namespace vibroimpact;
 using vibroimpact::reduction::fix_basis;
 using vibroimpact::reduction::merge_multiple;
@@ -87,3 +89,5 @@ TEST(BasisRule, OnlyEqualEigenvaluesAreMerged) {
   const Vector apart = (Vector(2) << 4, 4 + 1e-7).finished();
   EXPECT_EQ(merge_multiple(apart), apart);
 }
+
+} // namespace basis_rule_tests

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace beam_outlines_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -33,3 +35,5 @@ TEST(BeamOutlines, ABodyWithoutBeamsHasNone) {
                           section("Mass a", "    set Mass = 1 kg\n") + "end\n")
                   .empty());
 }
+
+} // namespace beam_outlines_tests

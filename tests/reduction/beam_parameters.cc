@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace beam_parameters_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -155,3 +157,5 @@ TEST(BeamParameters, CompressionBeyondTheBucklingLoadIsRefused) {
   const double loaded = reduced_text(compressed("-5 N"), ".", MPI_COMM_SELF).omega()[0];
   EXPECT_LT(loaded, unloaded);
 }
+
+} // namespace beam_parameters_tests

@@ -8,6 +8,8 @@
 
 #include <filesystem>
 
+namespace body_file_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using vibroimpact::testing::TemporaryFolder;
@@ -80,3 +82,5 @@ TEST(BodyFile, ContentHashIsFnv1a) {
   EXPECT_EQ(content_hash("a"), "af63dc4c8601ec8c");
   EXPECT_EQ(content_hash("foobar"), "85944171f73967e8");
 }
+
+} // namespace body_file_tests

@@ -7,6 +7,8 @@
 
 #include <fstream>
 
+namespace body_parameters_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -161,3 +163,5 @@ TEST(BodyParameters, MeshFilesAreFoundBesideTheParameterFile) {
   EXPECT_EQ(body.size(), 6);
   EXPECT_EQ(body.recovery.nodes.cols(), 2);
 }
+
+} // namespace body_parameters_tests

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace fixed_interface_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -166,3 +168,5 @@ TEST(FixedInterface, ImpossibleInterfacesNameTheKey) {
   EXPECT_NE(problem_of_definition(loose).find("against every rigid motion"), std::string::npos);
   EXPECT_NE(problem_of_definition(touched_beam(19, 10)).find("with mass, 18"), std::string::npos);
 }
+
+} // namespace fixed_interface_tests

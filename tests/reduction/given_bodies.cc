@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+namespace given_bodies_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -249,3 +251,5 @@ TEST(GivenBodies, BadMatricesAreRefused) {
   given.points = {{"p", {.group = "", .position = {}, .number = 9}}};
   expect(sound, sound, "Point/Node must be the number of a node");
 }
+
+} // namespace given_bodies_tests

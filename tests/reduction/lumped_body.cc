@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace lumped_body_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 
@@ -74,3 +76,5 @@ TEST(LumpedBody, MissingMassesAreRefused) {
   definition.masses.clear();
   EXPECT_THROW(lumped_body(definition), structure::DefinitionError);
 }
+
+} // namespace lumped_body_tests

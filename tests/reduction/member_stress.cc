@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+namespace member_stress_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -101,3 +103,5 @@ TEST(MemberStress, MomentOfABeamInTension) {
   const Vector q = pushed(body, 2);
   EXPECT_NEAR(stress_of(body, 0, 0, q) * modulus(depth), std::tanh(4.0) / 2, 1e-4);
 }
+
+} // namespace member_stress_tests

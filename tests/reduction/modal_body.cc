@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace modal_body_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 
@@ -219,3 +221,5 @@ TEST(ModalBody, ATableThatIsNoneIsRefused) {
   data.frequency[1] = -1;
   expect_in(message_of(unit_masses(), data), "that of mode 2 is -1");
 }
+
+} // namespace modal_body_tests

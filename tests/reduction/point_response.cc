@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace point_response_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -78,3 +80,5 @@ TEST(PointResponse, PlacesWithoutMassAreNotKnown) {
   EXPECT_NEAR(body.point("head").inverse_mass(0, 0), 1 / 0.02, 1e-10);
   EXPECT_EQ(body.point("belly").inverse_mass.size(), 0);
 }
+
+} // namespace point_response_tests

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace rank_independence_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -143,3 +145,5 @@ TEST(RankIndependence, TheSameRunGivesTheSameBody) {
   const double scale = first.recovery.shapes.cwiseAbs().maxCoeff();
   EXPECT_LT((first.recovery.shapes - second.recovery.shapes).cwiseAbs().maxCoeff(), 1e-9 * scale);
 }
+
+} // namespace rank_independence_tests

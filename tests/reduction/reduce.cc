@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+namespace reduce_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -174,3 +176,5 @@ TEST(Reduce, ImpossibleSelectionsNameTheKey) {
   massless.damping = {.model = Damping::Model::viscous, .viscous_constant = 1};
   EXPECT_NE(key_of(massless).find("Modes/Damping model"), std::string::npos);
 }
+
+} // namespace reduce_tests

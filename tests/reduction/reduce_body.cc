@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace reduce_body_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -160,3 +162,5 @@ TEST(ReduceBody, WithoutACacheNothingIsKept) {
   by_cache(head_beam(), {});
   EXPECT_TRUE(entries(folder.path()).empty());
 }
+
+} // namespace reduce_body_tests

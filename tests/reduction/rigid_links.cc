@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+namespace rigid_links_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::examples;
 
@@ -230,3 +232,5 @@ TEST(RigidLinks, ARigidPlateOnCornerSprings) {
   for (int j = 0; j < 3; ++j)
     EXPECT_NEAR(modes.eigenvalues[j] / expected[j], 1, 1e-4) << j;
 }
+
+} // namespace rigid_links_tests

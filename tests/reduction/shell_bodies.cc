@@ -10,6 +10,8 @@
 #include <complex>
 #include <sstream>
 
+namespace shell_bodies_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -211,3 +213,5 @@ TEST(ShellBodies, AttachmentModesOfAFreeBodyNeedAnElasticMode) {
   hold_plane(definition.beam);
   EXPECT_THROW(reduce(definition, MPI_COMM_WORLD), structure::DefinitionError);
 }
+
+} // namespace shell_bodies_tests

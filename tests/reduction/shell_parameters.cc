@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace shell_parameters_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -171,3 +173,5 @@ TEST(ShellParameters, BeamsHaveNoPressureAndNoPlates) {
   text.insert(text.find("    set Elements"), "    set Divisions = 3, 3\n");
   expect_message(text, {"Divisions", "must not be set when Type = beam"});
 }
+
+} // namespace shell_parameters_tests

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace solid_bodies_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -66,3 +68,5 @@ TEST(SolidBodies, VonMisesStressOfSixComponents) {
   const std::array<double, 3> same = {5, -2, 1};
   EXPECT_DOUBLE_EQ(squared_von_mises(plane.data(), 6), squared_von_mises(same.data(), 3));
 }
+
+} // namespace solid_bodies_tests

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace stress_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
@@ -238,3 +240,5 @@ TEST(Stress, FacesOfAPlateInItsFirstMode) {
     EXPECT_LT(worst, shape == CellShape::quadrilateral ? 0.01 : 0.03);
   }
 }
+
+} // namespace stress_tests

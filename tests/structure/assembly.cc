@@ -10,6 +10,8 @@
 
 #include <Eigen/Geometry>
 
+namespace assembly_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 using modes::Layout;
@@ -152,3 +154,5 @@ TEST(Assembly, APointIsOneNode) {
   beam.points.push_back({"everywhere", {"all", {}}, 0, Vector3::Zero()});
   EXPECT_THROW(assembled(beam), DefinitionError);
 }
+
+} // namespace assembly_tests

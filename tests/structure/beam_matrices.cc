@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace beam_matrices_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -165,3 +167,5 @@ TEST(BeamMatrices, LooseBeamsAreRefused) {
   EXPECT_THROW(matrices_of(shape, released({3, 9})), NumericalError);
   EXPECT_THROW(matrices_of(shape, released({5, 7, 11})), NumericalError);
 }
+
+} // namespace beam_matrices_tests

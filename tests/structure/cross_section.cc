@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace cross_section_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 using std::numbers::pi;
@@ -136,3 +138,5 @@ TEST(CrossSection, ASectionOfConstantsHasTheOutlineOfItsRadiiOfGyration) {
   EXPECT_NEAR(outline[2].x(), 6, 1e-14);
   EXPECT_NEAR(outline[2].y(), 3, 1e-14);
 }
+
+} // namespace cross_section_tests

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+namespace frame_element_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -188,3 +190,5 @@ TEST(FrameElement, OutlineStandsAroundTheAxis) {
   EXPECT_NEAR(outline.row(2).minCoeff(), 0.49, 1e-15);
   EXPECT_NEAR(outline.row(2).maxCoeff(), 0.51, 1e-15);
 }
+
+} // namespace frame_element_tests

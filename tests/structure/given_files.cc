@@ -8,6 +8,8 @@
 
 #include <fstream>
 
+namespace given_files_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 using vibroimpact::testing::TemporaryFolder;
@@ -190,3 +192,5 @@ TEST(GivenFiles, BadDecksAreRefusedWithTheirLine) {
   expect("*INCLUDE, INPUT=mesh.inp\n", "without *INCLUDE");
   expect("*STEP\n", "a.inp has none");
 }
+
+} // namespace given_files_tests

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace gmsh_reader_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -192,3 +194,5 @@ TEST(GmshReader, TheShippedDoubleCrossIsRead) {
   EXPECT_EQ(mesh.groups.at("joint").size(), 1U);
   EXPECT_NO_THROW(check_line_mesh(mesh));
 }
+
+} // namespace gmsh_reader_tests

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+namespace interface_nodes_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -85,3 +87,5 @@ TEST(InterfaceNodes, TwoPositionsMustNotMeanOneNode) {
       problem_of({.name = "i", .near = {{0, 0, 0}, {2, 1, 0}, {0.1, 0, 0}}});
   EXPECT_NE(problem.find("positions 1 and 3"), std::string::npos) << problem;
 }
+
+} // namespace interface_nodes_tests

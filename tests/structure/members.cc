@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace members_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -146,3 +148,5 @@ TEST(Members, MassesHaveAnArmAndAFullTensor) {
   EXPECT_NEAR(mass(0, 5), -3 * 0.2, 1e-14);
   EXPECT_EQ((mass - mass.transpose()).norm(), 0);
 }
+
+} // namespace members_tests

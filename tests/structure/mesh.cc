@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+namespace mesh_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -77,3 +79,5 @@ TEST(Mesh, CellsWithoutLengthAndEmptyMeshesAreRefused) {
   EXPECT_NE(problem_of(mesh).find("positive length"), std::string::npos);
   EXPECT_NE(problem_of({}).find("line cells"), std::string::npos);
 }
+
+} // namespace mesh_tests

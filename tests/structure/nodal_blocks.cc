@@ -5,6 +5,8 @@
 
 #include <array>
 
+namespace nodal_blocks_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -77,3 +79,5 @@ TEST(NodalBlocks, BaseInertiaCountsHeldDisplacements) {
     for (int axis = 0; axis < 3; ++axis)
       EXPECT_NEAR(inertia(row, axis), mass_entry(row, axis) + mass_entry(row, 6 + axis), 1e-15);
 }
+
+} // namespace nodal_blocks_tests

@@ -11,6 +11,8 @@
 
 #include <functional>
 
+namespace shell_elements_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -271,3 +273,5 @@ TEST(ShellElements, ImpossiblePropertiesNameTheKey) {
   EXPECT_EQ(key_of(1, {1, 0.6, 1}), "deck/Poisson ratio");
   EXPECT_EQ(key_of(1, {1, 0.3, -1}), "deck/Density");
 }
+
+} // namespace shell_elements_tests

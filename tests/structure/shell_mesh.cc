@@ -10,6 +10,8 @@
 
 #include <functional>
 
+namespace shell_mesh_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -173,3 +175,5 @@ TEST(ShellMesh, OppositeNormalsAreFound) {
       problem_of([&] { check_orientation(mesh, all, "Load", "wind", "Pressure"); });
   EXPECT_NE(problem.find("Pressure must act on surfaces whose normals"), std::string::npos);
 }
+
+} // namespace shell_mesh_tests

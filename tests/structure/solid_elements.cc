@@ -16,6 +16,8 @@
 
 #include <functional>
 
+namespace solid_elements_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -290,3 +292,5 @@ TEST(SolidElements, NodesOfBeamsKeepTheirRotations) {
   for (std::size_t node = 0; node < 9; ++node)
     EXPECT_EQ(model.fixed[node][4], node < 7);
 }
+
+} // namespace solid_elements_tests

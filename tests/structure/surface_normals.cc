@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+namespace surface_normals_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -50,3 +52,5 @@ TEST(SurfaceNormals, EndAtFoldsAndFollowTheNumbering) {
   EXPECT_LT((surface_normals(mesh)[1][0] + mean).norm(), 1e-14);
   EXPECT_LT((surface_normals(one_strip(0.6))[0][1] - Vector3::UnitZ()).norm(), 1e-14); // 31 degrees
 }
+
+} // namespace surface_normals_tests

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace triangle_locking_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -66,3 +68,5 @@ TEST(TriangleLocking, IsSaidWithNumberPlaceAndAdvice) {
                             "quadrilaterals", "smaller by a factor of 4 there"})
     EXPECT_NE(text.find(words), std::string::npos) << text;
 }
+
+} // namespace triangle_locking_tests

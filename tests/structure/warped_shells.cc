@@ -9,6 +9,8 @@
 
 #include <random>
 
+namespace warped_shells_tests {
+
 using namespace vibroimpact;
 using namespace vibroimpact::structure;
 
@@ -175,3 +177,5 @@ TEST(WarpedShells, DrillingYieldsWhereTheSurfaceCurvesWithinAnElement) {
   EXPECT_NEAR(share(0.01, 0.025), 0.5, 1e-3);
   EXPECT_NEAR(share(0.01, 0.0025) * 101, 1, 1e-3);
 }
+
+} // namespace warped_shells_tests
