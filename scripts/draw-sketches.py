@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+import sketches_with_friction  # noqa: E402
 from sketch_shapes import CONTACT, INK, MOTION, PALE, Sketch  # noqa: E402
 
 GALLERY = Path(__file__).resolve().parent.parent / "docs" / "gallery" / "sketches"
@@ -404,7 +405,7 @@ SKETCHES = {
     "bumpers": bumpers, "vibro-impact-absorber": absorber, "rigid-stop": rigid_stop,
     "bilinear-oscillator": bilinear_oscillator, "electromechanical": electromechanical,
     "cantilever-stop": cantilever_stop, "measured-modes": measured_modes, "many-contacts": many_contacts, "plates-and-shells": plates_and_shells,
-    "given-matrices": given_matrices, "solids": solids,
+    "given-matrices": given_matrices, "solids": solids, **sketches_with_friction.SKETCHES,
 }
 
 
