@@ -40,4 +40,27 @@ def friction_oscillator():
     return sketch
 
 
-SKETCHES = {"friction-oscillator": friction_oscillator}
+def wear():
+    sketch = Sketch("Left: a tube with hinged ends that passes between four bars in its middle. Right: the tube between the "
+                    "bars, on which it strikes and rubs")
+    sketch.line((60, 30), (60, 250), width=6)
+    for y in (30, 250):
+        sketch.path([(60, y), (46, y + 12), (74, y + 12)] if y > 100 else [(60, y), (46, y - 12), (74, y - 12)],
+                    closed=True, fill="white")
+    for x in (38, 82):
+        sketch.line((x, 132), (x, 148), colour=CONTACT, width=5)
+    sketch.symbol((96, 140), "L", anchor="start")
+    centre = (260, 140)
+    sketch.circle(centre, 60)
+    sketch.circle(centre, 50, fill="white")
+    for side in (-1, 1):
+        sketch.line((260 + 72 * side, 105), (260 + 72 * side, 175), colour=CONTACT, width=4)
+        sketch.line((225, 140 + 72 * side), (295, 140 + 72 * side), colour=CONTACT, width=4)
+    sketch.clearance((320, 140), (332, 140), "Δ", offset=58, side=1)
+    sketch.symbol((340, 96), "k, μ", colour=CONTACT, anchor="start")
+    sketch.arrow((260, 140), (286, 122))
+    sketch.symbol((262, 156), "F_0", colour=MOTION)
+    return sketch
+
+
+SKETCHES = {"friction-oscillator": friction_oscillator, "wear": wear}

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import cycles
 from .envelopes import SMALLEST_JUMP
-from .motions import Motion, bases
+from .motions import Motion, bases, is_closed
 from .results import Analysis, Results
 
 STUCK = 1e-12  # of the largest slip rate: rounding
@@ -26,11 +26,13 @@ def figures(results: Results, analysis: Analysis):
 
 
 def loops(analysis: Analysis, base: str, contact: str):
-    """The force that acts on the first side, so that the loops are run through clockwise."""
+    """The force that acts on the first side, so that the loops are run through clockwise; nothing between contacts."""
     def curve(motion):
         rate, slip, force = (motion.signal(f"contact/{contact}/{name}") for name in ("slip_rate", "slip", "friction_force"))
-        _, force, slip = with_jumps(motion.time(), -force, rate, slip)
-        return slip, force
+        closed = is_closed(motion, contact)
+        near = closed | np.roll(closed, 1) | np.roll(closed, -1)
+        _, force, slip, near = with_jumps(motion.time(), -force, rate, slip, near.astype(float))
+        return np.where(near > 0, slip, np.nan), np.where(near > 0, force, np.nan)
 
     figure = cycles.cycles(cycles.motions(analysis, base), curve, "Slip", "Friction force")
     figure.suptitle(f"Contact {contact}", x=0.01, ha="left", fontsize=10)
