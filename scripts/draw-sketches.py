@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+import sketches_with_friction  # noqa: E402
 from sketch_shapes import CONTACT, INK, MOTION, PALE, Sketch  # noqa: E402
 
 GALLERY = Path(__file__).resolve().parent.parent / "docs" / "gallery" / "sketches"
@@ -371,12 +372,40 @@ def given_matrices():
     return sketch
 
 
+def block(sketch, corner, length, height, depth=14):
+    """A box seen from the front, above and the right."""
+    (x, y), d = corner, depth
+    sketch.path([(x, y), (x + d, y - d), (x + length + d, y - d), (x + length, y)], closed=True, fill="#dbe4ee")
+    sketch.path([(x + length, y), (x + length + d, y - d), (x + length + d, y + height - d), (x + length, y + height)],
+                closed=True, fill="#b9c8d8")
+    sketch.path([(x, y), (x + length, y), (x + length, y + height), (x, y + height)], closed=True, fill="#dbe4ee")
+
+
+def solids():
+    sketch = Sketch("Left: a bar meets an equal one end to end, across a stiff spring. Right: a clamped block on a shaken "
+                    "table above stops at one side of its free end")
+    for x, symbol in ((20, "E, ρ, S"), (212, "L")):
+        block(sketch, (x, 70), 140, 30)
+        sketch.symbol((x + 70, 85), symbol)
+    sketch.spring((174, 77), (212, 77), "k", side=-1, coils=3, colour=CONTACT, half_width=5)
+    sketch.arrow((60, 128), (120, 128))
+    sketch.symbol((134, 128), "v", colour=MOTION)
+    block(sketch, (440, 70), 190, 28, 34)
+    sketch.ground((440, 36), (440, 112))
+    for x in (590, 625):
+        sketch.stop((x, 148), (x, 110), 8, ("",))
+        sketch.ground((x - 12, 148), (x + 12, 148))
+    sketch.arrow((480, 160), (480, 115), both=True)
+    sketch.symbol((492, 150), "z_0(t)", colour=MOTION, anchor="start")
+    return sketch
+
+
 SKETCHES = {
     "impacting-beams": impacting_beams, "isolator-stop": isolator_stop, "isolator-design": isolator_design,
     "bumpers": bumpers, "vibro-impact-absorber": absorber, "rigid-stop": rigid_stop,
     "bilinear-oscillator": bilinear_oscillator, "electromechanical": electromechanical,
     "cantilever-stop": cantilever_stop, "measured-modes": measured_modes, "many-contacts": many_contacts, "plates-and-shells": plates_and_shells,
-    "given-matrices": given_matrices,
+    "given-matrices": given_matrices, "solids": solids, **sketches_with_friction.SKETCHES,
 }
 
 

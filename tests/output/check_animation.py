@@ -23,7 +23,7 @@ import matplotlib  # noqa: E402
 matplotlib.use("Agg")
 import numpy as np  # noqa: E402
 from PIL import Image  # noqa: E402
-from vibroimpact.plots import animation, vtu  # noqa: E402
+from vibroimpact.plots import animation, command_line, vtu  # noqa: E402
 
 
 def run(*arguments):
@@ -42,8 +42,8 @@ def array(name, values, kind, label, components=1):
             f'format="binary">{packed(values, kind)}</DataArray>')
 
 
-def write_vtu(file, points, cells, displacement, **scalars):
-    """Quadrilaterals with their corners around them."""
+def write_vtu(file, points, cells, displacement, kind=9, **scalars):
+    """Quadrilaterals with their corners around them, or cells of another kind."""
     ends = np.cumsum([len(cell) for cell in cells])
     data = array("displacement", displacement, "<f4", "Float32", 3)
     data += "".join(array(name, values, "<f4", "Float32") for name, values in scalars.items())
@@ -51,7 +51,7 @@ def write_vtu(file, points, cells, displacement, **scalars):
         '<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece>'
         f'<Points>{array("", points, "<f4", "Float32", 3)}</Points><Cells>'
         + array("connectivity", np.concatenate(cells), "<i4", "Int32")
-        + array("offsets", ends, "<i4", "Int32") + array("types", [9] * len(cells), "u1", "UInt8")
+        + array("offsets", ends, "<i4", "Int32") + array("types", [kind] * len(cells), "u1", "UInt8")
         + f"</Cells><PointData>{data}</PointData></Piece></UnstructuredGrid></VTKFile>")
 
 
@@ -81,6 +81,9 @@ class Command(unittest.TestCase):
             done = run("--animate", "modes", "--instant", "1", "--output", folder)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             self.assertTrue(Path(folder, "modes-1.png").is_file())
+        with mock.patch.object(animation, "still") as still:
+            command_line.main([str(FOLDER), "--animate", "release", "--instant", "2", "--output", str(FOLDER)])
+        self.assertEqual((still.call_args[0][4].arrows, still.call_args[0][4].modes), (True, False))
         done = run("--animate", "release", "--instant", "9")
         self.assertEqual(done.returncode, 1)
         self.assertIn("--instant 9: release has the instants 1 to 3", done.stderr)
@@ -112,6 +115,16 @@ class Files(unittest.TestCase):
         np.testing.assert_array_equal(mesh.cells, [[0, 1, 2, 3]])
         np.testing.assert_array_equal(mesh.data["contact_gap"], [1, 2, 3, 4])
         np.testing.assert_array_equal(mesh.moved(10), SQUARE + 10 * displacement)
+
+    def test_of_solids_the_surface_is_drawn(self):
+        base = np.vstack([SQUARE, SQUARE + [0, 0, 1]])
+        points = np.vstack([base, base + [1, 0, 0], base + [2, 0, 0]])  # the third is another body
+        write_vtu(self.folder / "a.vtu", points, np.arange(24).reshape(3, 8), 0 * points, 12,
+                  body=np.repeat([1, 1, 2], 8))
+        faces = vtu.read_mesh(self.folder / "a.vtu").cells
+        self.assertEqual([sum(face[0] // 8 == cell for face in faces) for cell in range(3)], [5, 5, 6])
+        middles = {tuple(points[face].mean(axis=0)) for face in faces if face[0] < 8}
+        self.assertEqual(middles, {(0, .5, .5), (.5, 0, .5), (.5, 1, .5), (.5, .5, 0), (.5, .5, 1)})
 
     def test_the_parts_of_an_instant_are_together(self):
         (self.folder / "m.pvd").write_text(

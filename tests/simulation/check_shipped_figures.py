@@ -34,6 +34,7 @@ SHORTER = {
     "impacting-beams-branches": ["Analyses=sweep", "Analysis/sweep/Stepped sweep/Points=11"],
     "isolator-basins": ["Analyses=plane", "Analysis/plane/Basins/First axis/Cells=20",
                         "Analysis/plane/Basins/Second axis/Cells=20"],
+    "tube-wear": ["Analysis/sweep/Stepped sweep/Points=3", "Analysis/sweep/Stepped sweep/Recorded cycles=10"],
     "vibro-impact-absorber": ["Analyses=linear, close_motion", "Analysis/linear/Stepped sweep/Settling cycles=50",
                               "Analysis/close_motion/Steady state/Settling cycles=50"],
 }

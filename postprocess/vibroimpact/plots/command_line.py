@@ -128,7 +128,7 @@ def draw_animation(options: argparse.Namespace) -> int:
     file = folder / (f"{options.animate}-{options.instant}.png" if options.instant else f"{options.animate}-motion.gif")
     style = Style(options.field, options.factor, options.view, options.frames, options.rate,
                   options.size or Style.size, options.dpi if options.instant else min(options.dpi, MOST_DPI),
-                  bool(options.instant))
+                  arrows=bool(options.instant))
     with plt.rc_context(SETTINGS):
         if options.instant:
             still(results, options.animate, options.instant, file, style)

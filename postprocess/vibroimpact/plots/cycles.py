@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from . import envelopes, style
 from .labels import scale_for
 from .layout import layout_of, places
-from .motions import Motion, bases, contacts_of, finely_sampled
+from .motions import Motion, bases, contacts_of, finely_sampled, parts
 from .parameters_text import contact_sides, direction_of
 from .results import Analysis, Results
 
@@ -20,7 +20,8 @@ def figures(results: Results, analysis: Analysis):
     for base in bases(analysis)[:1]:
         contacts = [contact for contact in contacts_of(analysis, base)
                     if all(analysis.has(f"{base}contact/{contact}/{name}")
-                           for name in ("normal_force", "gap")) and shown(analysis, base, contact)]
+                           for name in ("normal_force", "gap"))
+                    and parts(analysis, base, contact) and shown(analysis, base, contact)]
         for contact in contacts:
             yield (f"{analysis.name}-cycle-{contact}",
                    functools.partial(over_penetration, analysis, base, contact))

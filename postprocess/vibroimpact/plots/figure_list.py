@@ -13,6 +13,7 @@ from . import (
     derivatives,
     derived_curves,
     fits,
+    friction,
     fronts,
     histories,
     identify,
@@ -30,7 +31,7 @@ from . import (
     transient,
 )
 
-KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, portraits,
+KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, friction, portraits,
          relative_motion, spectra, time_frequency, maps, derivatives, derived_curves]
 # Analyses whose fields are of their own kind.
 OWN = {**{name: [branches] for name in branches.TYPES}, loci.TYPE: [loci],

@@ -7,11 +7,11 @@ import functools
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from . import envelopes, style
+from . import envelopes, friction, style
 from .axis_meaning import Meaning, Panel, note
 from .labels import Scale, quantity_label, scale_for, with_unit
 from .layout import layout_of, place_of, places
-from .motions import Motion, bases, contact_intervals, contacts_of
+from .motions import Motion, bases, contact_intervals, contacts_of, is_always_closed, parts
 from .results import Analysis, Results
 
 MOST = 3  # points of an analysis whose histories are drawn, unless points are chosen
@@ -43,7 +43,9 @@ def rows_of(analysis: Analysis, base: str, group: str) -> dict[str, list[str]]:
     """Quantities of a group, each with the paths of all points, contacts, ... that have it."""
     rows: dict[str, list[str]] = {}
     for path in analysis.fields(f"{base}{group}"):
-        _, _, quantity = path.removeprefix(base).split("/", 2)
+        _, name, quantity = path.removeprefix(base).split("/", 2)
+        if quantity in ("gap", "normal_force") and not parts(analysis, base, name):
+            continue  # two constants
         rows.setdefault(quantity, []).append(path.removeprefix(base))
     return {quantity: rows[quantity] for quantity in sorted(rows, key=rank)}
 
@@ -93,9 +95,11 @@ def draw_row(axes, motion: Motion, paths, time, recent, colours) -> Scale:
     scale = scale_for(motion.unit(paths[0]), *signals)
     for path, signal in zip(paths, signals):
         at = time
-        gap = path.replace("normal_force", "gap")
+        gap, rate = path.replace("normal_force", "gap"), path.replace("friction_force", "slip_rate")
         if gap != path and motion.has(gap):
             at, signal, _ = envelopes.with_jumps(time, signal, motion.signal(gap)[recent])
+        if rate != path and motion.has(rate):
+            at, signal = friction.with_jumps(time, signal, motion.signal(rate)[recent])
         envelopes.draw(axes, at, signal / scale.factor, color=colours[owner(path)])
     quantity = paths[0].split("/")[2:]
     label = "contact force" if quantity == ["normal_force"] else quantity_label(quantity[-1])
@@ -105,19 +109,24 @@ def draw_row(axes, motion: Motion, paths, time, recent, colours) -> Scale:
 
 
 def shade(panels, motion: Motion, time, start: float, scale) -> list[Patch]:
-    """Background of the intervals in contact; gives the legend entries."""
+    """Background of the intervals in contact, but of contacts that never part, and darker of those in which the sides
+    stick; gives the legend entries."""
     handles = []
     contacts = contacts_of(motion.analysis, motion.base)
     for number, contact in enumerate(contacts):
-        look = dict(color=style.contact_colour(number, len(contacts)), alpha=style.SHADE, linewidth=0)
-        inside = [(max(a, time[0]), min(b, time[-1]))
-                  for a, b in contact_intervals(motion, contact) if b >= time[0] and a <= time[-1]]
-        for a, b in inside if len(inside) <= MOST_SHADED else []:
-            for axes in panels:
-                axes.axvspan((a - start) / scale.factor, (b - start) / scale.factor, zorder=0.5,
-                             **look)
-        if 0 < len(inside) <= MOST_SHADED:
-            handles.append(Patch(label=f"in contact, {contact}", **look))
+        shown = []
+        if not friction.slides(motion, contact) or not is_always_closed(motion, contact):
+            shown.append(("in contact", style.SHADE, contact_intervals(motion, contact)))
+        if friction.slides(motion, contact):
+            shown.append(("sticks", style.DARK_SHADE if shown else style.SHADE, friction.stick_intervals(motion, contact)))
+        for text, opacity, intervals in shown:
+            look = dict(color=style.contact_colour(number, len(contacts)), alpha=opacity, linewidth=0)
+            inside = [(max(a, time[0]), min(b, time[-1])) for a, b in intervals if b >= time[0] and a <= time[-1]]
+            for a, b in inside if len(inside) <= MOST_SHADED else []:
+                for axes in panels:
+                    axes.axvspan((a - start) / scale.factor, (b - start) / scale.factor, zorder=0.5, **look)
+            if 0 < len(inside) <= MOST_SHADED:
+                handles.append(Patch(label=f"{text}, {contact}", **look))
     return handles
 
 

@@ -27,6 +27,12 @@ IMPACTS = [
     ("penetration/maximum", "Largest penetration"),
     ("dissipated_energy_per_period", "Energy lost\nper period"),
 ]
+FRICTION = [
+    ("slip/peak_to_peak", "Slip,\npeak-to-peak"),
+    ("friction/energy", "Energy that\nfriction takes"),
+    ("friction/work_rate", "Work rate\nof wear"),
+    ("friction/stick_fraction", "Share of time\nin stick"),
+]
 ENERGY = [
     ("energy/input_work_per_period", "input"),
     ("energy/damping_work_per_period", "damping"),
@@ -208,9 +214,11 @@ def of_contact(analysis: Analysis, path: str, name: str) -> list[Sheet]:
     stop += [(f"stop_position/{end}", f"Stop position,\n{end}") for end in ("maximum", "minimum")]
     averages = [(f"normal_force/{measure}", f"Contact force,\n{text}")
                 for measure, text in AVERAGES]
+    gaps = [analysis.read(f"{path}/{end}") for end in ("gap/minimum", "gap/maximum") if analysis.has(f"{path}/{end}")]
+    held = len(gaps) == 2 and not any(map(magnitude, gaps))  # by a constant force
     return [rows_sheet(analysis, f"contact-{name}{kind}", title, f"{path}/", rows)
-            for kind, rows in [("", CONTACT), ("-impacts", IMPACTS), ("-stop", stop),
-                               ("-averages", averages)]]
+            for kind, rows in [("", [] if held else CONTACT), ("-impacts", IMPACTS), ("-friction", FRICTION),
+                               ("-stop", stop), ("-averages", averages)]]
 
 
 def orders(analysis: Analysis, root: str) -> list[Sheet]:

@@ -116,6 +116,16 @@ def is_closed(motion: Motion, contact: str) -> np.ndarray:
     return motion.signal(f"contact/{contact}/gap") <= 0
 
 
+def is_always_closed(motion: Motion, contact: str) -> bool:
+    return bool(is_closed(motion, contact).all())
+
+
+def parts(analysis: Analysis, base: str, contact: str) -> bool:
+    """Whether the sides of a contact move along its normal: under a constant force they do not."""
+    path = f"{base}contact/{contact}/gap"
+    return not analysis.has(path) or bool(np.nanmax(np.abs(analysis.read(path).values), initial=0.0) > 0)
+
+
 def finely_sampled(motion: Motion, contact: str) -> bool:
     """Whether the samples show the course of contacts: about eight in each, or more."""
     closed = is_closed(motion, contact)

@@ -25,6 +25,7 @@ CONTACT_SEQUENCE = "turbo"
 POINT_COLOURS = ["#0072B2", "#D55E00", "#009E73", "#7F5539", "#6A4C93", "#000000"]
 LONG_LEGEND = 11  # entries; more are set smaller
 SHADE = 0.28  # opacity
+DARK_SHADE = 0.5
 SEQUENCE = "viridis"  # of fields
 LINE_SEQUENCE = "plasma"  # of ordered families of lines,
 LINE_RANGE = 0.78  # as far as it is dark enough on white

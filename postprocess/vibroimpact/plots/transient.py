@@ -13,7 +13,7 @@ from .cases import cases, explain
 from .histories import shade
 from .labels import key_label, quantity_label, scale_for, value_text
 from .layout import places
-from .motions import Motion, finely_sampled
+from .motions import Motion, finely_sampled, parts
 from .results import Analysis, Array, Results
 
 MOST_STEMS = 200
@@ -24,7 +24,7 @@ def figures(results: Results, analysis: Analysis):
     if analysis.type != "transient":
         return
     for contact in analysis.members("contact"):
-        if analysis.has(f"contact/{contact}/normal_force"):
+        if analysis.has(f"contact/{contact}/normal_force") and parts(analysis, "", contact):
             yield (f"{analysis.name}-contact-{contact}",
                    functools.partial(contact_history, analysis, contact))
             if swept_key(analysis, contact) is not None:
@@ -192,7 +192,7 @@ def draw_peaks(axes, analysis: Analysis, peaks, time_scale, scale) -> Line2D:
 def motion(analysis: Analysis, point: str, quantities: list[str]):
     rows = [(f"point/{point}/{quantity}", quantity_label(quantity)) for quantity in quantities]
     figure = histories(analysis, rows, f"Point {point}")
-    if not analysis.grid:
+    if not analysis.grid and any(parts(analysis, "", contact) for contact in analysis.members("contact")):
         shade_contacts(figure, analysis)
     return figure
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import struct
 import zlib
+from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree
@@ -15,6 +16,7 @@ from .errors import ResultError
 
 KINDS = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "UInt8": "u1"}
 CORNERS_AROUND = {3: [0, 1], 5: [0, 1, 2], 9: [0, 1, 2, 3]}  # line, triangle, quadrilateral of VTK
+FACES = {12: [[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]]}  # hexahedron of VTK
 VERTEX = 1
 
 
@@ -23,7 +25,7 @@ class Mesh:
     """Points, cells and point data of a file."""
 
     points: np.ndarray           # point, axis [m]
-    cells: list[np.ndarray]      # nodes of lines, triangles and quadrilaterals
+    cells: list[np.ndarray]      # nodes of lines, triangles and quadrilaterals; of solids the faces of their surface
     data: dict[str, np.ndarray]  # point, or point and component
 
     def moved(self, factor: float) -> np.ndarray:
@@ -43,10 +45,23 @@ def read_mesh(file: Path) -> Mesh:
     arrays = {array.get("Name"): values(array) for array in piece.find("Cells")}
     ends = arrays["offsets"]
     starts = np.concatenate([[0], ends[:-1]])
-    cells = [arrays["connectivity"][start:end][CORNERS_AROUND[kind]]
-             for start, end, kind in zip(starts, ends, arrays["types"]) if kind != VERTEX]
-    return Mesh(values(piece.find("Points/DataArray")).astype(float), cells,
-                {array.get("Name"): values(array) for array in piece.find("PointData")})
+    points = values(piece.find("Points/DataArray")).astype(float)
+    data = {array.get("Name"): values(array) for array in piece.find("PointData")}
+    cells, faces = [], []
+    for start, end, kind in zip(starts, ends, arrays["types"]):
+        nodes = arrays["connectivity"][start:end]
+        if kind in FACES:
+            faces += [nodes[corners] for corners in FACES[kind]]
+        elif kind != VERTEX:
+            cells.append(nodes[CORNERS_AROUND[kind]])
+    return Mesh(points, cells + outer(faces, points, data.get("body", np.zeros(len(points)))), data)
+
+
+def outer(faces: list[np.ndarray], points: np.ndarray, body: np.ndarray) -> list[np.ndarray]:
+    """Those that belong to one cell of a body alone; cells have points of their own, so that places are compared."""
+    places = [(body[face[0]], *sorted(map(tuple, points[face]))) for face in faces]
+    count = Counter(places)
+    return [face for face, place in zip(faces, places) if count[place] == 1]
 
 
 def parsed(file: Path):

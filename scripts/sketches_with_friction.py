@@ -1,0 +1,66 @@
+"""Sketches of systems with friction, for draw-sketches.py; rubbing surfaces are red, with a short double line."""
+
+from sketch_shapes import CONTACT, MOTION, Sketch
+
+WALL = "#eceef1"
+
+
+def rubbing(sketch, left, right, y):
+    sketch.line((left, y), (right, y), colour=CONTACT, width=3)
+
+
+def pressed(sketch, x, top, symbol):
+    sketch.arrow((x, top - 34), (x, top))
+    sketch.symbol((x + 12, top - 24), symbol, colour=MOTION, anchor="start")
+
+
+def friction_oscillator():
+    sketch = Sketch("Left: a mass on a spring that slides with friction under a harmonic force. Right: a mass on a spring, "
+                    "carried along by a belt")
+    sketch.ground((30, 40), (30, 140))
+    sketch.spring((30, 95), (130, 95), "k", side=-1)
+    sketch.mass((180, 95), 100, 60, "m")
+    rubbing(sketch, 130, 230, 127)
+    sketch.ground((60, 130), (290, 130))
+    pressed(sketch, 155, 65, "N")
+    sketch.symbol((180, 156), "μ", colour=CONTACT)
+    sketch.arrow((232, 95), (285, 95))
+    sketch.symbol((293, 95), "P sin Ωt", colour=MOTION, anchor="start")
+    sketch.ground((420, 40), (420, 140))
+    sketch.spring((420, 95), (500, 95), "k", side=-1)
+    sketch.mass((540, 95), 80, 60, "m")
+    rubbing(sketch, 500, 580, 127)
+    sketch.line((450, 130), (650, 130), width=2)
+    sketch.line((450, 170), (650, 170), width=2)
+    for x in (450, 650):
+        sketch.circle((x, 150), 20, fill="white")
+    sketch.arrow((520, 150), (590, 150))
+    sketch.symbol((600, 150), "V", colour=MOTION, anchor="start")
+    sketch.symbol((600, 112), "μ_s, μ", colour=CONTACT, anchor="start")
+    return sketch
+
+
+def wear():
+    sketch = Sketch("Left: a tube with hinged ends that passes between four bars in its middle. Right: the tube between the "
+                    "bars, on which it strikes and rubs")
+    sketch.line((60, 30), (60, 250), width=6)
+    for y in (30, 250):
+        sketch.path([(60, y), (46, y + 12), (74, y + 12)] if y > 100 else [(60, y), (46, y - 12), (74, y - 12)],
+                    closed=True, fill="white")
+    for x in (38, 82):
+        sketch.line((x, 132), (x, 148), colour=CONTACT, width=5)
+    sketch.symbol((96, 140), "L", anchor="start")
+    centre = (260, 140)
+    sketch.circle(centre, 60)
+    sketch.circle(centre, 50, fill="white")
+    for side in (-1, 1):
+        sketch.line((260 + 72 * side, 105), (260 + 72 * side, 175), colour=CONTACT, width=4)
+        sketch.line((225, 140 + 72 * side), (295, 140 + 72 * side), colour=CONTACT, width=4)
+    sketch.clearance((320, 140), (332, 140), "Δ", offset=58, side=1)
+    sketch.symbol((340, 96), "k, μ", colour=CONTACT, anchor="start")
+    sketch.arrow((260, 140), (286, 122))
+    sketch.symbol((262, 156), "F_0", colour=MOTION)
+    return sketch
+
+
+SKETCHES = {"friction-oscillator": friction_oscillator, "wear": wear}
