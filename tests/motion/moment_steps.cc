@@ -2,7 +2,7 @@
 // every kind.
 #include "common/error.h"
 #include "contact/laws/newton_restitution.h"
-#include "motion/beam_on_stops.h"
+#include "support/beam_on_stops.h"
 #include "motion/moments/moment_step.h"
 #include "motion/phase/exact_phases.h"
 
