@@ -1,20 +1,16 @@
 // Steps that no contact change ends: against closed forms, and against the exact method for laws of
 // every kind.
 #include "common/error.h"
-#include "contact/laws/hertz.h"
-#include "contact/laws/hunt_crossley.h"
-#include "contact/laws/kelvin_voigt.h"
-#include "contact/laws/linear_penalty.h"
 #include "contact/laws/newton_restitution.h"
-#include "motion/event/impact_log.h"
-#include "motion/moments/contact_course.h"
-#include "motion/path/trajectory.h"
-#include "support/lumped_models.h"
+#include "support/beam_on_stops.h"
+#include "motion/moments/moment_step.h"
+#include "motion/phase/exact_phases.h"
 
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,8 +19,11 @@ namespace moment_step_tests {
 
 using namespace contact;
 using namespace model;
+using testing::BeamOnStops;
 using testing::contact_along_x;
+using testing::Seen;
 using testing::single_mass;
+using testing::StopLaw;
 
 constexpr double pi = std::numbers::pi;
 
@@ -79,171 +78,118 @@ TEST(MomentStepsCourseTest, HasTheMomentsOfTheForce) {
   EXPECT_NEAR(impulse, moments[0], 1e-15);
 }
 
-/// A free-free beam on a soft spring whose modes are cosines, above a row of equal stops.
-struct BeamOnStops {
-  int modes = 8, stops = 1;
-  std::shared_ptr<const ContactLaw> law;
-  double duration = 0.3;
-  bool shaken = false; ///< the base moves instead of a force
-
-  std::shared_ptr<const reduction::ReducedBody> body() const {
-    auto beam = std::make_shared<reduction::ReducedBody>();
-    beam->name = "beam";
-    beam->type = "lumped";
-    beam->mass = Vector::Ones(modes);
-    beam->stiffness.resize(modes);
-    beam->damping = Matrix::Zero(modes, modes);
-    beam->base_participation = Matrix::Zero(modes, 3);
-    beam->base_participation(0, 0) = 1;
-    beam->total_mass = Vector3(1, 0, 0);
-    Matrix rows = Matrix::Zero(6, modes);
-    for (int k = 0; k < modes; ++k) {
-      const double omega = k == 0 ? 6 * pi : 80 * pi * k * k;
-      beam->stiffness[k] = omega * omega;
-      beam->damping(k, k) = 0.06 * omega;
-      rows(0, k) = shape(k, 0.4);
-    }
-    beam->points.push_back({.name = "head", .position = Vector3::Zero(), .rows = rows});
-    return beam;
-  }
-  static double shape(int k, double x) {
-    return k == 0 ? 1 : std::sqrt(2.0) * std::cos(k * pi * x);
-  }
-  Model model() const {
-    Model result({body()});
-    const auto source =
-        std::make_shared<Harmonic>(Given::displacement, shaken ? 3e-3 : 3.0, 8 * pi, 0);
-    if (shaken)
-      result.add_base_motion("table", source, {0}, Vector3::UnitX());
-    else
-      result.add_force("shaker", source, {.body = 0, .point = 0}, Vector3::UnitX());
-    return result;
-  }
-  ContactSet contacts(const Model &of) const {
-    std::vector<ContactPair> pairs;
-    for (int i = 0; i < stops; ++i) {
-      pairs.push_back(contact_along_x(of, "beam.head", "", 2e-3 + 2e-6 * ((7 * i) % stops), law));
-      pairs.back().name = "stop " + std::to_string(i);
-      for (int k = 0; k < modes; ++k)
-        pairs.back().gap.row[k] = -shape(k, (i + 0.5) / stops);
-    }
-    return ContactSet(std::move(pairs));
-  }
+// Differences, over what the log holds at most; times over the duration.
+struct ImpactErrors {
+  double time = 0, speed = 0, peak = 0, impulse = 0;
 };
 
-struct Seen {
-  Vector state;
-  std::vector<Impact> impacts;
-  Accuracy accuracy;
-};
-
-Seen move(const BeamOnStops &system, const std::string &method, double tolerance,
-          bool observed = true) {
-  const Model model = system.model();
-  const ContactSet contacts = system.contacts(model);
-  Settings settings;
-  settings.method = method;
-  settings.relative_tolerance = tolerance;
-  Trajectory trajectory(model, contacts, settings);
-  trajectory.start(0, Vector::Zero(model.size()), Vector::Zero(model.size()));
-  ImpactLog log(contacts, 0);
-  if (observed)
-    trajectory.advance(system.duration, log);
-  else
-    trajectory.advance(system.duration);
-  return {.state = trajectory.state().head(2 * model.size()),
-          .impacts = log.impacts(0),
-          .accuracy = trajectory.accuracy()};
-}
-
-double difference(const BeamOnStops &system, const Vector &a, const Vector &b) {
-  const auto body = system.body();
-  const auto norm = [&](const Vector &x) {
-    const auto q = x.head(system.modes), v = x.tail(system.modes);
-    return std::sqrt(q.cwiseAbs2().dot(body->stiffness) + v.squaredNorm());
+ImpactErrors compare(const std::vector<Impact> &found, const std::vector<Impact> &exact,
+                     double duration) {
+  Impact most = exact.front();
+  for (const Impact &impact : exact) {
+    most.approach_speed = std::max(most.approach_speed, impact.approach_speed);
+    most.peak_force = std::max(most.peak_force, impact.peak_force);
+    most.impulse = std::max(most.impulse, impact.impulse);
+  }
+  ImpactErrors errors;
+  const auto note = [](double &largest, double difference, double size) {
+    largest = std::max(largest, std::abs(difference) / size);
   };
-  return norm(a - b) / norm(b);
-}
-
-void expect_same_impacts(const std::vector<Impact> &found, const std::vector<Impact> &exact,
-                         double tolerance) {
-  ASSERT_EQ(found.size(), exact.size());
-  ASSERT_GT(exact.size(), 0u);
   for (std::size_t i = 0; i < exact.size(); ++i) {
-    EXPECT_NEAR(found[i].start_time, exact[i].start_time, tolerance * exact[i].start_time);
-    EXPECT_NEAR(found[i].approach_speed, exact[i].approach_speed,
-                tolerance * exact[i].approach_speed);
-    EXPECT_NEAR(found[i].peak_force, exact[i].peak_force, tolerance * exact[i].peak_force);
-    EXPECT_NEAR(found[i].impulse, exact[i].impulse, tolerance * exact[i].impulse);
+    note(errors.time, found[i].start_time - exact[i].start_time, duration);
+    note(errors.speed, found[i].approach_speed - exact[i].approach_speed, most.approach_speed);
+    note(errors.peak, found[i].peak_force - exact[i].peak_force, most.peak_force);
+    note(errors.impulse, found[i].impulse - exact[i].impulse, most.impulse);
   }
+  return errors;
 }
 
-struct LawCase {
-  const char *name;
-  std::shared_ptr<const ContactLaw> (*make)(int stops);
-};
+// In tolerances. A single stiff stop is short against the beam's periods, and its kinks are not
+// averaged.
+void expect_agreement(const BeamOnStops &system, const Seen &found, const Seen &exact,
+                      double tolerance) {
+  const double factor = system.stops == 1 ? 1 : 0.2;
+  EXPECT_LT(difference(system, found.state, exact.state), 2 * factor * tolerance);
+  EXPECT_EQ(found.accuracy.events, exact.accuracy.events);
+  EXPECT_LT(found.accuracy.energy_residual, 0.2 * tolerance);
+  ASSERT_EQ(found.impacts.size(), exact.impacts.size());
+  ASSERT_GT(exact.impacts.size(), 0u);
+  const ImpactErrors errors = compare(found.impacts, exact.impacts, system.duration);
+  EXPECT_LT(errors.time, 0.1 * factor * tolerance);
+  EXPECT_LT(errors.speed, 6 * factor * tolerance);
+  EXPECT_LT(errors.peak, 6 * factor * tolerance);
+  EXPECT_LT(errors.impulse, 6 * factor * tolerance);
+}
 
-class MomentStepsTest : public ::testing::TestWithParam<std::tuple<LawCase, int>> {};
+class MomentStepsTest : public ::testing::TestWithParam<std::tuple<StopLaw, int>> {};
 
-// At 1e-9 the exact method is right to some 1e-12.
 TEST_P(MomentStepsTest, AgreeWithTheExactMethod) {
   const auto &[law, stops] = GetParam();
   const BeamOnStops system{.stops = stops, .law = law.make(stops)};
   const Seen exact = move(system, "exact", 1e-12);
-  const Seen found = move(system, "moments", 1e-9);
-  EXPECT_LT(difference(system, found.state, exact.state), 1e-8);
-  EXPECT_EQ(found.accuracy.events, exact.accuracy.events);
-  EXPECT_LT(found.accuracy.energy_residual, 1e-8);
-  expect_same_impacts(found.impacts, exact.impacts, 1e-7);
-  const Seen unobserved = move(system, "moments", 1e-9, false);
-  EXPECT_EQ(unobserved.state, found.state);
+  for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
+    SCOPED_TRACE(tolerance);
+    const Seen found = move(system, "moments", tolerance);
+    expect_agreement(system, found, exact, tolerance);
+    EXPECT_EQ(move(system, "moments", tolerance, false).state, found.state);
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Laws, MomentStepsTest,
-    ::testing::Combine(
-        ::testing::Values(LawCase{"Linear",
-                                  [](int stops) -> std::shared_ptr<const ContactLaw> {
-                                    return std::make_shared<LinearPenalty>(2e6 / stops);
-                                  }},
-                          LawCase{"KelvinVoigt",
-                                  [](int stops) -> std::shared_ptr<const ContactLaw> {
-                                    return std::make_shared<KelvinVoigt>(2e6 / stops,
-                                                                         200.0 / stops);
-                                  }},
-                          LawCase{"Hertz",
-                                  [](int stops) -> std::shared_ptr<const ContactLaw> {
-                                    return std::make_shared<Hertz>(
-                                        HertzConstants{.stiffness = 2e9 / stops});
-                                  }},
-                          LawCase{"HuntCrossley",
-                                  [](int stops) -> std::shared_ptr<const ContactLaw> {
-                                    return HuntCrossley::with_dissipation(
-                                        {.stiffness = 2e9 / stops}, 1);
-                                  }}),
-        ::testing::Values(1, 16)),
-    [](const auto &info) {
-      return std::string(std::get<0>(info.param).name) + std::to_string(std::get<1>(info.param));
-    });
+INSTANTIATE_TEST_SUITE_P(Laws, MomentStepsTest,
+                         ::testing::Combine(::testing::ValuesIn(testing::stop_laws()),
+                                            ::testing::Values(1, 16)),
+                         [](const auto &info) {
+                           return std::string(std::get<0>(info.param).name) +
+                                  std::to_string(std::get<1>(info.param));
+                         });
 
 TEST(MomentStepsTest, MoveWithTheBase) {
   const BeamOnStops system{
       .stops = 5, .law = std::make_shared<LinearPenalty>(4e5), .duration = 0.6, .shaken = true};
-  const Seen exact = move(system, "exact", 1e-12);
-  const Seen found = move(system, "moments", 1e-9);
-  EXPECT_LT(difference(system, found.state, exact.state), 1e-8);
-  EXPECT_LT(found.accuracy.energy_residual, 1e-8);
-  expect_same_impacts(found.impacts, exact.impacts, 1e-7);
+  expect_agreement(system, move(system, "moments", 1e-9), move(system, "exact", 1e-12), 1e-9);
 }
 
-// The error follows the tolerance over four orders.
-TEST(MomentStepsTest, ErrFollowsTheTolerance) {
-  const BeamOnStops system{.stops = 16, .law = std::make_shared<KelvinVoigt>(1.25e5, 12.5)};
-  const Vector exact = move(system, "exact", 1e-12).state;
-  for (const double tolerance : {1e-6, 1e-8, 1e-10})
-    EXPECT_LT(difference(system, move(system, "moments", tolerance, false).state, exact),
-              2 * tolerance)
-        << tolerance;
+// Equal steps, all of them with the sweeps carried to the end.
+double error_of_equal_steps(const BeamOnStops &system, int count, const Vector &exact) {
+  const Model model = system.model();
+  const ContactSet contacts = system.contacts(model);
+  Equations equations(model, contacts);
+  equations.set_source_break(model.next_break(0));
+  ExactPhases phases(equations, Settings());
+  EXPECT_TRUE(phases.take_sources(0));
+  MomentStep step(equations, 1e-11);
+  step.begin();
+  step.take(phases.excitation());
+  step.start(Vector::Zero(equations.layout().size()), phases.excitation(), 0, equations.modes(), 0);
+  const double h = system.duration / count;
+  const MomentTables tables = step.tables(h);
+  for (int i = 0; i < count; ++i) {
+    if (i > 0)
+      step.go_on(phases.excitation(), i * h);
+    EXPECT_TRUE(step.attempt(h, tables));
+  }
+  return difference(system, step.rows_at_end().head(2 * model.size()), exact);
+}
+
+// A force with a kink makes one of the third derivative of a gap, which its polynomial misses by
+// h^3 in one step: order 4. A jump costs one order more, a power 3/2 half a one less. The phases of
+// changes within steps are as good as random: a line is put through many lengths.
+TEST(MomentStepsTest, HaveTheOrderOfTheirKinks) {
+  for (const StopLaw &law : testing::stop_laws()) {
+    const BeamOnStops system{.modes = 4, .stops = 16, .law = law.make(16), .duration = 0.12};
+    const Vector exact = move(system, "exact", 1e-12).state;
+    const std::vector<int> counts = {400, 500, 640, 800, 1000, 1280, 1600, 2000};
+    Vector lengths(counts.size()), errors(counts.size());
+    for (Index i = 0; i < errors.size(); ++i) {
+      const int count = counts[static_cast<std::size_t>(i)];
+      lengths[i] = -std::log(count);
+      errors[i] = std::log(error_of_equal_steps(system, count, exact));
+    }
+    lengths.array() -= lengths.mean();
+    const double order = lengths.dot(errors) / lengths.squaredNorm();
+    EXPECT_GT(order, law.order - 0.4) << law.name;
+    EXPECT_LT(order, law.order + 1.2) << law.name;
+  }
 }
 
 // A free mass between two stops: rigid motion is a group of its own.

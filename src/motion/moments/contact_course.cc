@@ -178,6 +178,10 @@ GapCurve::Coefficients GapCurve::form(const contact::AffineForm &form) const {
   return result;
 }
 
+double GapCurve::slope(const contact::AffineForm &form, double x) const {
+  return Bernstein::of_coefficients(this->form(form)).derivative()(x);
+}
+
 double GapCurve::start_rounding(const contact::AffineForm &form) const {
   return std::abs(form.gap) * rounding_ + std::abs(form.gap_rate) * rate_rounding_;
 }
@@ -214,13 +218,6 @@ bool ContactCourse::follow(const contact::ContactLaw &law, const GapCurve &curve
     x = stretch.to;
     mode = present.guards[*stretch.guard].target;
   }
-}
-
-int ContactCourse::mode_at(double x, bool earlier) const {
-  for (const CourseStretch &stretch : stretches_)
-    if (x < stretch.to || (earlier && x == stretch.to))
-      return stretch.mode;
-  return last_mode();
 }
 
 ContactCourse::Moments ContactCourse::moments(const contact::ContactLaw &law,

@@ -51,6 +51,8 @@ public:
   double start_rounding(const contact::AffineForm &form) const;
   /// Of an affine form without internal states and held forces.
   Coefficients form(const contact::AffineForm &form) const;
+  /// Rate by x of such a form at x.
+  double slope(const contact::AffineForm &form, double x) const;
   /// Gap and rate at the part x of the step whose Bernstein polynomials are given.
   contact::LocalState at(const Coefficients &polynomials) const;
 
@@ -82,10 +84,12 @@ public:
 
   const GapCurve &curve() const { return curve_; }
   const std::vector<CourseStretch> &stretches() const { return stretches_; }
+  /// The change at the end of a stretch, to the part x of the step.
+  void move_change(std::size_t stretch, double x) {
+    stretches_[stretch].to = stretches_[stretch + 1].from = x;
+  }
   bool changes() const { return stretches_.size() > 1; }
   int last_mode() const { return stretches_.back().mode; }
-  /// Mode at the part x of the step; of two, the earlier one if that is wanted.
-  int mode_at(double x, bool earlier) const;
 
   Moments moments(const contact::ContactLaw &law, contact::LawResponse &response) const;
   /// base_rate: rate at which a moving base opens the gap at the part x of the step [m/s]; none: it

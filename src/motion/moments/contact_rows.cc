@@ -19,4 +19,16 @@ ContactRows::ContactRows(const Equations &equations) {
   largest = rows.cwiseAbs().colwise().maxCoeff();
 }
 
+contact::LocalState ContactRows::local(Index contact, const Vector &of) const {
+  const Index n = rows.cols();
+  contact::LocalState state;
+  state.gap = clearances[contact] + rows.row(contact).dot(of.head(n));
+  state.gap_rate = rows.row(contact).dot(of.segment(n, n));
+  for (Index s = 0; s < base.cols(); ++s) {
+    state.gap += base(contact, s) * of[2 * n + 3 * s];
+    state.gap_rate += base(contact, s) * of[2 * n + 3 * s + 1];
+  }
+  return state;
+}
+
 } // namespace vibroimpact::motion

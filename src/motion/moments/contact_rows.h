@@ -14,6 +14,8 @@ struct ContactRows {
   explicit ContactRows(const Equations &equations);
 
   Index size() const { return rows.rows(); }
+  /// From y and sources in the order of the rows of a phase (phase/exact_phase.h).
+  contact::LocalState local(Index contact, const Vector &of) const;
 
   RowMatrix rows;       ///< contacts x n
   RowMatrix base;       ///< contacts x sources

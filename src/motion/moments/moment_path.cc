@@ -101,22 +101,27 @@ bool MomentPath::advance(double &time, const Vector &state, double limit, const 
 void MomentPath::accept(double time, double error, bool on_ladder, const Report *report) {
   ++counts_.steps;
   ++counts_.moment_steps;
-  list_changes();
+  list_changes(report != nullptr);
   if (report)
     show(time, *report);
   else
     skip_changes();
+  const Index n = equations_.layout().n;
+  state_.head(2 * n) = step_.rows_at_end().head(2 * n);
   if (on_ladder && error < std::exp2(-(n_moments + 1.0) / rungs_per_octave))
     ++rung_;
 }
 
-void MomentPath::list_changes() {
+void MomentPath::list_changes(bool observed) {
   changes_.clear();
   for (const std::size_t c : step_.listed()) {
     const auto &stretches = step_.course(c).stretches();
     for (std::size_t s = 0; s + 1 < stretches.size(); ++s)
       changes_.push_back({.x = stretches[s].to, .contact = c, .stretch = s});
   }
+  if (observed)
+    for (Change &change : changes_)
+      correct(change);
   std::stable_sort(changes_.begin(), changes_.end(),
                    [](const Change &a, const Change &b) { return a.x < b.x; });
 }
@@ -125,8 +130,6 @@ void MomentPath::skip_changes() {
   for (const Change &change : changes_)
     equations_.set_mode(change.contact, step_.course(change.contact).last_mode());
   counts_.events += static_cast<long>(changes_.size());
-  const Index n = equations_.layout().n;
-  state_.head(2 * n) = step_.rows_at_end().head(2 * n);
 }
 
 // Impulse and dissipated work of a contact over a stretch of its course.
@@ -181,19 +184,39 @@ void MomentPath::add_power(const EndPoint &start, const EndPoint &end) {
   }
 }
 
-// The polynomial of the guard is zero; the motion misses that by what its gap does.
+// From the zero of the polynomial to where the guard falls by the motion itself, whose gap the
+// polynomial misses by kinks within the step: a Newton step, unless it is no small part of the
+// stretches on both sides.
+void MomentPath::correct(Change &change) {
+  constexpr double small = 0.1;
+  const ContactCourse &course = step_.course(change.contact);
+  const CourseStretch &before = course.stretches()[change.stretch];
+  const CourseStretch &after = course.stretches()[change.stretch + 1];
+  const contact::AffineForm &form = guard_of(change).indicator;
+  change.slope = course.curve().slope(form, change.x);
+  const double missed = -form(step_.contact_rows().local(static_cast<Index>(change.contact),
+                                                         step_.rows_at(change.x))) /
+                        change.slope;
+  if (!(std::abs(missed) < small * std::min(before.to - before.from, after.to - after.from)))
+    return;
+  change.x += missed;
+  step_.move_change(change.contact, change.stretch, change.x);
+}
+
+const contact::Guard &MomentPath::guard_of(const Change &change) const {
+  const CourseStretch &stretch = step_.course(change.contact).stretches()[change.stretch];
+  const auto &modes = equations_.contacts().pairs()[change.contact].law->modes();
+  return modes[static_cast<std::size_t>(stretch.mode)].guards[*stretch.guard];
+}
+
 void MomentPath::note_residual(const Change &change) {
-  const contact::LocalState seen =
-      step_.course(change.contact).curve().at(bernstein_polynomials(change.x));
-  const auto row = static_cast<Index>(change.contact);
-  const ContactRows &rows = step_.contact_rows();
-  double gap =
-      rows.clearances[row] + rows.rows.row(row).dot(end_point_.state.head(rows.rows.cols()));
-  for (Index s = 0; s < rows.base.cols(); ++s)
-    gap += rows.base(row, s) * end_point_.sources[static_cast<std::size_t>(s)][0];
-  if (seen.gap_rate != 0)
+  const contact::LocalState local =
+      equations_.local_state(change.contact, end_point_.time,
+                             ConstVectorView(end_point_.state.data(), end_point_.state.size()));
+  if (change.slope != 0)
     counts_.event_residual =
-        std::max(counts_.event_residual, std::abs((gap - seen.gap) / seen.gap_rate));
+        std::max(counts_.event_residual,
+                 std::abs(guard_of(change).indicator(local) / change.slope) * step_.length());
 }
 
 // The mode itself changes in the report.
@@ -209,12 +232,12 @@ void MomentPath::show(double time, const Report &report) {
   start_point_.state = state_;
   double from = 0;
   views_.begin();
-  views_.fill(time, from, false, start_point_);
+  views_.fill(time, from, start_point_);
   for (std::size_t next = 0; next <= changes_.size(); ++next) {
     const double to = next < changes_.size() ? changes_[next].x : 1;
     if (time + to * step_.length() > start_point_.time) {
       end_point_.state = state_;
-      views_.fill(time, to, true, end_point_);
+      views_.fill(time, to, end_point_);
       views_.show(time, from, start_point_, to, end_point_,
                   [&](const EndPoint &a, const EndPoint &b) {
                     if (report.integrals)
@@ -230,7 +253,7 @@ void MomentPath::show(double time, const Report &report) {
       break;
     pass(time, changes_[next], report);
     start_point_.state = state_;
-    views_.fill(time, to, false, start_point_);
+    views_.fill(time, to, start_point_);
   }
   if (report.integrals)
     for (const std::size_t c : step_.acting())

@@ -43,6 +43,7 @@ private:
     double x = 0; ///< part of the step
     std::size_t contact = 0;
     std::size_t stretch = 0; ///< of its course, that ends there
+    double slope = 0;        ///< of the guard by x
   };
 
   bool start(double time, const Vector &state);
@@ -50,7 +51,9 @@ private:
   double length_of(int rung) const;
   bool refuse(std::optional<double> error, double h);
   void accept(double time, double error, bool on_ladder, const Report *report);
-  void list_changes();
+  void list_changes(bool observed);
+  void correct(Change &change);
+  const contact::Guard &guard_of(const Change &change) const;
   void skip_changes();
   void show(double time, const Report &report);
   void add_integrals(double time, std::size_t contact, const CourseStretch &stretch);

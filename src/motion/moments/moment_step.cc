@@ -321,7 +321,6 @@ double MomentStep::deepest() const {
 // Over what is allowed.
 double MomentStep::gap_error(const MomentTable &middle) {
   constexpr double x = 0.5, share = 10;
-  const Index n = equations_.layout().n;
   const double allowed = share * tolerance_ * deepest();
   if (allowed == 0)
     return 0;
@@ -336,10 +335,9 @@ double MomentStep::gap_error(const MomentTable &middle) {
     const auto row = static_cast<Index>(c);
     const double lacking =
         h_ * h_ * twice * std::abs(moments_(row, n_moments - 1)) * contacts_.flexibilities[row];
-    double gap = contacts_.clearances[row] + contacts_.rows.row(row).dot(rows.head(n));
-    for (Index s = 0; s < contacts_.base.cols(); ++s)
-      gap += contacts_.base(row, s) * rows[2 * n + 3 * s];
-    largest = std::max(largest, lacking + std::abs(gap - courses_[c].curve().at(polynomials).gap));
+    const double missed =
+        std::abs(contacts_.local(row, rows).gap - courses_[c].curve().at(polynomials).gap);
+    largest = std::max(largest, lacking + missed);
   }
   return largest / allowed;
 }

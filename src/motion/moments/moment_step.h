@@ -65,6 +65,10 @@ public:
   /// Those with a force at some instant.
   std::vector<std::size_t> acting() const;
   const ContactCourse &course(std::size_t contact) const { return courses_[contact]; }
+  /// Of the motion as it is shown; where the step leads to stays.
+  void move_change(std::size_t contact, std::size_t stretch, double x) {
+    courses_[contact].move_change(stretch, x);
+  }
   /// y and sources, r = columns x, at a part of the step (phase/exact_phase.h).
   Vector rows_at(double x) const;
   Vector rows_at_end() const { return phase_->columns() * ends_.back(); }

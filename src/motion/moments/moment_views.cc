@@ -13,12 +13,12 @@ constexpr int most_view_halvings = 12;
 MomentViews::MomentViews(Equations &equations, const MomentStep &step, double tolerance)
     : equations_(equations), step_(step), tolerance_(tolerance) {}
 
-void MomentViews::add_forces(double x, bool before, Vector &force) const {
+void MomentViews::add_forces(double x, Vector &force) const {
   const GapCurve::Coefficients polynomials = bernstein_polynomials(x);
   for (const std::size_t c : acting_) {
     const ContactCourse &course = step_.course(c);
     const contact::ContactPair &pair = equations_.contacts().pairs()[c];
-    const int mode = course.mode_at(x, before);
+    const int mode = equations_.modes()[c];
     if (forceless(pair.law->modes()[static_cast<std::size_t>(mode)]))
       continue;
     pair.law->evaluate(mode, course.curve().at(polynomials), response_);
@@ -26,7 +26,7 @@ void MomentViews::add_forces(double x, bool before, Vector &force) const {
   }
 }
 
-void MomentViews::fill(double time, double x, bool before, EndPoint &point) const {
+void MomentViews::fill(double time, double x, EndPoint &point) const {
   const Index n = equations_.layout().n;
   const model::Model &model = equations_.model();
   const Vector rows = step_.rows_at(x);
@@ -44,7 +44,7 @@ void MomentViews::fill(double time, double x, bool before, EndPoint &point) cons
   force -= part;
   model.damping().apply(ConstVectorView(rows.data() + n, n), part);
   force -= part;
-  add_forces(x, before, force);
+  add_forces(x, force);
   point.rates.resize(2 * n);
   point.rates.head(n) = rows.segment(n, n);
   point.rates.tail(n) = force.cwiseQuotient(model.mass());
@@ -74,7 +74,7 @@ void MomentViews::halve(double time, double from, const EndPoint &start, double 
   const double x = (from + to) / 2;
   EndPoint middle;
   middle.state = start.state;
-  fill(time, x, false, middle);
+  fill(time, x, middle);
   const bool shortest = !(middle.time > start.time && middle.time < end.time);
   if (depth == 0 || shortest || missed(start, middle, end) <= tolerance_ * step_.largest_norm()) {
     show(start, end);

@@ -18,9 +18,9 @@ public:
 
   /// The step is another one.
   void begin() { acting_ = step_.acting(); }
-  /// What is known at the part x of the step, which begins at `time`; at a contact change just
-  /// before it or just after it. The integrals in the state stay.
-  void fill(double time, double x, bool before, EndPoint &point) const;
+  /// What is known at the part x of the step, which begins at `time`, in the present modes of the
+  /// equations. The integrals in the state stay.
+  void fill(double time, double x, EndPoint &point) const;
 
   using Show = std::function<void(const EndPoint &start, const EndPoint &end)>;
   /// From start to end, at the parts `from` and `to` of the step.
@@ -28,7 +28,7 @@ public:
             const Show &show) const;
 
 private:
-  void add_forces(double x, bool before, Vector &force) const;
+  void add_forces(double x, Vector &force) const;
   void halve(double time, double from, const EndPoint &start, double to, const EndPoint &end,
              int depth, const Show &show) const;
   double missed(const EndPoint &start, const EndPoint &middle, const EndPoint &end) const;
