@@ -116,6 +116,40 @@ TEST_P(FrictionTest, DrivenMassOnOneThatSticks) {
   EXPECT_LT(trajectory.accuracy().energy_residual, error(1e-12));
 }
 
+// One mass sticks to the ground, another hangs on it, a third is free, on a base that shakes: with
+// coordinates that nothing holds in place, of which rounding may leave 1e-16, all of them are
+// driven.
+TEST_P(FrictionTest, MassesBesideOneThatSticksOnAShakenBase) {
+  const double m = 0.442005662916987, k = 10.8750664403451, c = 0.0026428326692376;
+  const double a = 0.865, w = 24.60185992825, x0 = 0.01, v0 = 0.3;
+  Model model({single_mass("free", 0.497057101855402, 0, 0), single_mass("hung", m, 0, 0),
+               single_mass("block", 1.6723574318407, 1.34191891862169, 0.016030677731869)});
+  model.add_base_motion("base", std::make_shared<Harmonic>(Given::acceleration, a, w, pi / 2),
+                        {0, 1, 2}, Vector3::UnitX());
+  RowVector row(3);
+  row << 0, -1, 1;
+  model.add_connection({.name = "spring",
+                        .side_a = "hung.head",
+                        .side_b = "block.head",
+                        .elongation = {.row = row, .base_coefficients = {0}},
+                        .stiffness = k,
+                        .damping = c});
+  const ContactSet contacts({sliding_along_x(model, "block.head", "", coulomb(1e3, 0.7, 0.7))});
+  Trajectory trajectory(model, contacts, settings());
+  trajectory.start(0, vector_of({0, x0, 0}), vector_of({v0, v0, 0}));
+  const double end = 3;
+  Changes changes(contacts);
+  trajectory.advance(end, changes);
+  const double base = a / (w * w) * (1 - std::cos(w * end)); // its way
+  const double d = c / m / 2, own = std::sqrt(k / m - d * d);
+  const double hung =
+      std::exp(-d * end) * (x0 * std::cos(own * end) + (v0 + d * x0) / own * std::sin(own * end));
+  EXPECT_NEAR(trajectory.state()[0], v0 * end - base, error(1e-13));
+  EXPECT_NEAR(trajectory.state()[1], hung - base, error(1e-13));
+  EXPECT_NEAR(trajectory.state()[2], -base, error(1e-13));
+  EXPECT_LT(trajectory.accuracy().energy_residual, error(1e-12));
+}
+
 // A chain of two masses breaks away, slips and sticks again; mu_s > mu.
 TEST_P(FrictionTest, BreaksAwayAndSticksAgain) {
   Model model({single_mass("block", 5, 0, 0), single_mass("driven", 5, 0, 0)});

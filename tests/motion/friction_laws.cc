@@ -96,6 +96,22 @@ TEST_P(FrictionLawsTest, SpringSliderWithADashpotComesToRest) {
   EXPECT_LT(trajectory.accuracy().energy_residual, error());
 }
 
+// The largest terms of what a slider with a dashpot takes cancel; what is left is still a quadratic
+// form, and energy is accounted for.
+TEST_P(FrictionLawsTest, SpringSliderWithADashpotUnderADampedNormalForce) {
+  const Model model({particle("ball", 1.72)});
+  const ContactSet contacts({oblique_contact(
+      model, "ball.head", 0,
+      std::make_shared<FrictionalLaw>(std::make_shared<KelvinVoigt>(7250.4, 3.6656),
+                                      std::make_shared<SpringSlider>(8840.3, 0.20374, 0.2437)))});
+  Trajectory trajectory(model, contacts, settings());
+  Changes changes(contacts);
+  trajectory.start(0, vector_of({0, 0}), vector_of({0.5, 1}));
+  trajectory.advance(0.1, changes);
+  EXPECT_EQ(changes.list.back().to, "open");
+  EXPECT_LT(trajectory.accuracy().energy_residual, error());
+}
+
 TEST_P(FrictionLawsTest, ViscousFrictionDampsAMass) {
   const double k = 100, c = 3;
   const Model model({single_mass("block", 1, k, 0)});

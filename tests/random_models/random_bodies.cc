@@ -113,6 +113,7 @@ RandomBodies random_bodies(Draw &draw, double factor) {
   if (kind < 0.7 || draw.chance(0.3))
     add_masses(draw, kind < 0.7 ? draw.of({1, 1, 2, 3}) : 1, kind < 0.7 ? factor : 1, bodies);
   add_connections(draw, bodies);
+  bodies.pushed = bodies.direction;
   return bodies;
 }
 

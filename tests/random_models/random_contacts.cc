@@ -50,8 +50,10 @@ const Law laws[] = {
      }},
 };
 
+} // namespace
+
 // Negative ones only where the sides may overlap.
-double clearance(Draw &draw, bool rigid) {
+double random_clearance(Draw &draw, bool rigid) {
   const double kind = draw.uniform(0, 1);
   if (kind < 0.35)
     return 0;
@@ -59,8 +61,6 @@ double clearance(Draw &draw, bool rigid) {
     return -draw.power(-5, -3);
   return kind < 0.75 ? draw.power(-4, -1) : draw.power(-2, -1);
 }
-
-} // namespace
 
 RandomContacts random_contacts(Draw &draw, const RandomBodies &bodies) {
   RandomContacts contacts;
@@ -74,7 +74,7 @@ RandomContacts random_contacts(Draw &draw, const RandomBodies &bodies) {
     const std::string b = draw.of(others);
     const bool opposed = draw.chance(0.5);
     const Law &law = laws[draw.below(std::size(laws))];
-    const double gap = clearance(draw, law.name == std::string("newton restitution"));
+    const double gap = random_clearance(draw, law.name == std::string("newton restitution"));
     std::string content = set("Between", a + ", " + b) +
                           set("Direction", (opposed ? "-" : "") + bodies.direction) +
                           set("Clearance", gap, "m") + set("Initial penetration", "accept") +

@@ -11,6 +11,8 @@ struct RandomContacts {
   double onset = 0; ///< displacement of it along the bodies' direction at which that begins [m]
 };
 
+double random_clearance(Draw &draw, bool rigid); ///< [m]
+
 RandomContacts random_contacts(Draw &draw, const RandomBodies &bodies);
 
 } // namespace vibroimpact::testing

@@ -2,6 +2,7 @@
 
 #include "random_models/random_bodies.h"
 #include "random_models/random_contacts.h"
+#include "random_models/random_friction.h"
 #include "random_models/random_sources.h"
 
 #include <algorithm>
@@ -33,8 +34,12 @@ std::string initial_conditions(Draw &draw, const RandomContacts &contacts,
 
 std::string random_model(const ModelChoice &choice) {
   Draw draw(choice.seed);
-  const RandomBodies bodies = random_bodies(draw, 1 + choice.nudge);
-  const RandomContacts contacts = random_contacts(draw, bodies);
+  const bool slides = choice.seed >= first_with_friction;
+  const double factor = 1 + choice.nudge;
+  const RandomBodies bodies =
+      slides ? random_sliding_bodies(draw, factor) : random_bodies(draw, factor);
+  const RandomContacts contacts =
+      slides ? random_friction(draw, bodies) : random_contacts(draw, bodies);
   const double frequency = draw.uniform(1, 25);
   const double duration = 2 * std::numbers::pi / frequency * draw.of({3.0, 6.0});
   std::string text = bodies.text + contacts.text;

@@ -6,6 +6,9 @@
 
 namespace vibroimpact::testing {
 
+/// Models of these seeds have contacts with friction.
+constexpr std::uint64_t first_with_friction = 1'000'000;
+
 /// What a model is made from; equal numbers give equal text.
 struct ModelChoice {
   std::uint64_t seed = 0;

@@ -59,7 +59,7 @@ std::string random_sources(Draw &draw, const RandomBodies &bodies, double freque
   const int n = draw.of({1, 1, 1, 2});
   for (int i = 0; i < n; ++i) {
     const Type &type = types[draw.below(std::size(types))];
-    std::string content = set("Type", type.name) + set("Direction", bodies.direction);
+    std::string content = set("Type", type.name) + set("Direction", bodies.pushed);
     if (type.name == std::string("force"))
       content += set("At", draw.of(bodies.points));
     content += history(draw, type, i == 0 ? frequency : draw.uniform(1, 25), duration);
@@ -67,7 +67,7 @@ std::string random_sources(Draw &draw, const RandomBodies &bodies, double freque
   }
   if (draw.chance(0.35))
     text += subsection("Excitation g", set("Type", "gravity") +
-                                           set("Direction", draw.of({"", "-"}) + bodies.direction) +
+                                           set("Direction", draw.of({"", "-"}) + bodies.pushed) +
                                            set("Amplitude", "9.81 m/s^2"));
   return text;
 }

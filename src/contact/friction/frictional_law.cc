@@ -187,13 +187,15 @@ void FrictionalLaw::evaluate(int mode, const LocalState &state, LawResponse &res
   tangential.force = tangential.by(state);
   tangential.by.constant = 0;
   response.sliding_speed = law.sliding_speed(state);
-  double sliding = state.tangential[0].slip_rate; // less the rate of what deforms
+  // What goes in, less what deforms stores; where all of it deforms, what the dashpots take. Terms
+  // that cancel would hide the others.
+  const bool sticks = modes()[static_cast<std::size_t>(mode)].friction == Friction::stick;
+  response.friction_power = sticks ? 0 : -tangential.force * state.tangential[0].slip_rate;
   tangential.internal_rate_by_slip_rate.assign(n, 0);
   response.force_by_internal.resize(n, 0);
   response.internal_rate.resize(n, 0);
   response.internal_rate_by_gap.resize(n, 0);
   response.internal_rate_by_gap_rate.resize(n, 0);
-  double damping = 0;
   std::vector<double> by_internal(n * n, 0.0);
   for (std::size_t i = 0; i < n_normal; ++i)
     std::copy_n(response.internal_rate_by_internal.data() + i * n_normal, n_normal,
@@ -208,11 +210,10 @@ void FrictionalLaw::evaluate(int mode, const LocalState &state, LawResponse &res
     tangential.internal_rate_by_slip_rate[i] = rate.tangential[0].rate;
     const double pull = tangential_->stiffness() * state.internal[i];
     response.stored_energy += 0.5 * pull * state.internal[i];
-    sliding -= response.internal_rate[i];
-    damping +=
-        tangential_->damping_constant() * response.internal_rate[i] * response.internal_rate[i];
+    response.friction_power +=
+        (sticks ? tangential_->damping_constant() * response.internal_rate[i] : -pull) *
+        response.internal_rate[i];
   }
-  response.friction_power = damping - tangential.force * sliding;
   response.internal_rate_by_internal = std::move(by_internal);
   response.dissipated_power += response.friction_power;
 }

@@ -21,13 +21,16 @@ void reset(const Equations &equations, std::size_t contact, const Guard &guard,
     internal[i] = guard.reset[i](before);
 }
 
-// The guard by which sides that are to stick do not: it is below zero by more than rounding.
+// The guard by which sides that are to stick slip: it is below zero by more than rounding. Whether
+// they part is not asked here; a gap that has just closed is nothing but rounding.
 const Guard *no_stick(const Equations &equations, std::size_t contact, double time,
                       const Vector &state) {
   const LocalState local = equations.local_state(contact, time, view_of(state));
   const std::vector<Guard> &guards = equations.mode(contact).guards;
+  const std::vector<contact::Mode> &modes = equations.contacts().pairs()[contact].law->modes();
   const auto fallen = std::find_if(guards.begin(), guards.end(), [&](const Guard &guard) {
-    return guard.indicator(local) < -equations.rounding(contact, guard.indicator, time, state);
+    return modes[static_cast<std::size_t>(guard.target)].friction == contact::Friction::slip &&
+           guard.indicator(local) < -equations.rounding(contact, guard.indicator, time, state);
   });
   return fallen == guards.end() ? nullptr : &*fallen;
 }

@@ -238,6 +238,13 @@ void ModalForm::finish(const Long &matrix, const Long &basis, const Vector &scal
       block.generator = own.cast<double>();
     }
   }
+  // Of one size, so that what drives the blocks can be compared; by powers of two, which do not
+  // round.
+  for (const ModalBlock &block : blocks_) {
+    auto own = columns.middleCols(block.column, block.size);
+    own /= std::exp2(
+        std::round(std::log2((scale.cast<Real>().asDiagonal() * own).cwiseAbs().maxCoeff())));
+  }
   basis_ = scale.asDiagonal() * columns.cast<double>();
   long_inverse_ = extended::inverse(columns) * scale.cast<Real>().cwiseInverse().asDiagonal();
   inverse_ = long_inverse_.cast<double>();
