@@ -63,4 +63,29 @@ def wear():
     return sketch
 
 
-SKETCHES = {"friction-oscillator": friction_oscillator, "wear": wear}
+def building(sketch, left, right, symbols):
+    """Three storeys with a brace and its damper in each; `symbols` of the storeys' stiffness and the floors' mass."""
+    for i, top in enumerate((190, 120, 50)):
+        for x in (left, right):
+            sketch.line((x, top), (x, top + 70), width=3)
+        sketch.line((left + 8, top + 64), ((left + right) / 2 - 10, top + 20), width=1.5)
+        sketch.line(((left + right) / 2 - 22, top + 20), ((left + right) / 2 + 22, top + 20), colour=CONTACT, width=4)
+        sketch.line(((left + right) / 2 + 10, top + 20), (right - 8, top + 64), width=1.5)
+        sketch.line((left - 6, top), (right + 6, top), width=7)
+    sketch.symbol(((left + right) / 2, 34), symbols)
+
+
+def damped_buildings():
+    sketch = Sketch("Two buildings of three storeys side by side on shaking ground, in each storey a brace with a friction "
+                    "damper")
+    building(sketch, 40, 140, "m, k")
+    building(sketch, 176, 276, "M, K")
+    sketch.ground((20, 260), (300, 260))
+    sketch.clearance((146, 50), (170, 50), "Δ", offset=-26, side=-1)
+    sketch.symbol((316, 140), "N (slip load)", colour=CONTACT, anchor="start")
+    sketch.arrow((120, 290), (200, 290), both=True)
+    sketch.symbol((212, 290), "x_0(t)", colour=MOTION, anchor="start")
+    return sketch
+
+
+SKETCHES = {"friction-oscillator": friction_oscillator, "wear": wear, "damped-buildings": damped_buildings}

@@ -28,6 +28,7 @@ SHORTER = {
     "bumpers": ["Analyses=modes, start, start_free"],
     "choose-a-stop": ["Analysis/best/Optimise/Most evaluations=30", "Analysis/compromise/Pareto front/Evaluations=120",
                       "Analysis/motion/Transient/Duration=4 s"],
+    "damped-buildings": ["Analysis/slip_loads/Parameter grid/Key load/Points=3"],
     "electromechanical": ["Analyses=history", "Analysis/history/Transient/Duration=1 s"],
     "impact-identification": ["Analyses=record, pulse"],
     "impacting-beams": ["Analyses=modes, release"],

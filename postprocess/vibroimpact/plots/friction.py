@@ -80,7 +80,8 @@ def with_jumps(time, force, rate, *others):
     The `others` run straight on."""
     edges, when = changes(time, rate)
     ends = [[beside(time, force, i, i - 1, at), beside(time, force, i + 1, i + 2, at)] for i, at in zip(edges, when)]
-    jumps = [abs(after - before) > SMALLEST_JUMP * np.abs(force).max() for before, after in ends]
+    least = [max(SMALLEST_JUMP * np.abs(force).max(), abs(force[i + 1] - force[i]) / 2) for i in edges]  # else it is a bend
+    jumps = np.array([abs(after - before) > size for (before, after), size in zip(ends, least)], bool)
     edges, when, ends = edges[jumps], when[jumps], np.array(ends)[jumps] if len(ends) else np.empty((0, 2))
     at = np.repeat(edges + 1, 2)
     return (np.insert(time, at, np.repeat(when, 2)), np.insert(force, at, ends.ravel()),
