@@ -88,4 +88,20 @@ def damped_buildings():
     return sketch
 
 
-SKETCHES = {"friction-oscillator": friction_oscillator, "wear": wear, "damped-buildings": damped_buildings}
+def bolted_joint():
+    sketch = Sketch("Two flat bars, one on the other in a lap with a bolt and four spring-sliders, the left one clamped, the right "
+                    "one driven at its end")
+    sketch.ground((40, 60), (40, 160))
+    sketch.mass((160, 110), 240, 40)
+    sketch.path([(200, 86), (440, 86), (440, 134), (200, 134)], closed=True, fill="#c6d4e4")
+    sketch.circle((240, 110), 7, fill="white")
+    for x in (205, 222, 258, 275):
+        sketch.line((x, 96), (x, 124), colour=CONTACT, width=4)
+    sketch.symbol((240, 160), "k_t, μN", colour=CONTACT)
+    sketch.arrow((440, 110), (440, 50))
+    sketch.symbol((452, 60), "P sin Ωt", colour=MOTION, anchor="start")
+    return sketch
+
+
+SKETCHES = {"friction-oscillator": friction_oscillator, "wear": wear, "damped-buildings": damped_buildings,
+            "bolted-joint": bolted_joint}

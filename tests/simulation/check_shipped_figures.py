@@ -20,6 +20,7 @@ SHORTER = {
                         "Analysis/motion/Steady state/Recorded cycles=10",
                         "Analysis/bounded/Optimise/Most evaluations=8"],
     "bilinear-oscillator": ["Analyses=modes, motions"],
+    "bolted-joint": ["Analyses=modes, response", "Analysis/sweep/Stepped sweep/Points=4"],
     "bumper-design": ["Analyses=best", "Analysis/curve/Stepped sweep/Points=11",
                       "Analysis/best/Optimise/Most evaluations=4"],
     "bumpers-map": ["Analyses=folds", "Analysis/bracketed/Stepped sweep/Points=7",

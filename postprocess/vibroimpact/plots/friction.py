@@ -10,7 +10,7 @@ import numpy as np
 
 from . import cycles
 from .envelopes import SMALLEST_JUMP
-from .motions import Motion, bases, is_closed
+from .motions import Motion, bases, contacts_of, is_closed
 from .results import Analysis, Results
 
 STUCK = 1e-12  # of the largest slip rate: rounding
@@ -29,7 +29,7 @@ def loops(analysis: Analysis, base: str, contact: str):
     """The force that acts on the first side, so that the loops are run through clockwise; nothing between contacts."""
     def curve(motion):
         rate, slip, force = (motion.signal(f"contact/{contact}/{name}") for name in ("slip_rate", "slip", "friction_force"))
-        closed = is_closed(motion, contact)
+        closed = is_closed(motion, contact) if contact in contacts_of(analysis, base) else np.ones(len(rate), bool)
         near = closed | np.roll(closed, 1) | np.roll(closed, -1)
         _, force, slip, near = with_jumps(motion.time(), -force, rate, slip, near.astype(float))
         return np.where(near > 0, slip, np.nan), np.where(near > 0, force, np.nan)
