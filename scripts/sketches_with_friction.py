@@ -63,4 +63,45 @@ def wear():
     return sketch
 
 
-SKETCHES = {"friction-oscillator": friction_oscillator, "wear": wear}
+def building(sketch, left, right, symbols):
+    """Three storeys with a brace and its damper in each; `symbols` of the storeys' stiffness and the floors' mass."""
+    for i, top in enumerate((190, 120, 50)):
+        for x in (left, right):
+            sketch.line((x, top), (x, top + 70), width=3)
+        sketch.line((left + 8, top + 64), ((left + right) / 2 - 10, top + 20), width=1.5)
+        sketch.line(((left + right) / 2 - 22, top + 20), ((left + right) / 2 + 22, top + 20), colour=CONTACT, width=4)
+        sketch.line(((left + right) / 2 + 10, top + 20), (right - 8, top + 64), width=1.5)
+        sketch.line((left - 6, top), (right + 6, top), width=7)
+    sketch.symbol(((left + right) / 2, 34), symbols)
+
+
+def damped_buildings():
+    sketch = Sketch("Two buildings of three storeys side by side on shaking ground, in each storey a brace with a friction "
+                    "damper")
+    building(sketch, 40, 140, "m, k")
+    building(sketch, 176, 276, "M, K")
+    sketch.ground((20, 260), (300, 260))
+    sketch.clearance((146, 50), (170, 50), "Δ", offset=-26, side=-1)
+    sketch.symbol((316, 140), "N (slip load)", colour=CONTACT, anchor="start")
+    sketch.arrow((120, 290), (200, 290), both=True)
+    sketch.symbol((212, 290), "x_0(t)", colour=MOTION, anchor="start")
+    return sketch
+
+
+def bolted_joint():
+    sketch = Sketch("Two flat bars, one on the other in a lap with a bolt and four spring-sliders, the left one clamped, the right "
+                    "one driven at its end")
+    sketch.ground((40, 60), (40, 160))
+    sketch.mass((160, 110), 240, 40)
+    sketch.path([(200, 86), (440, 86), (440, 134), (200, 134)], closed=True, fill="#c6d4e4")
+    sketch.circle((240, 110), 7, fill="white")
+    for x in (205, 222, 258, 275):
+        sketch.line((x, 96), (x, 124), colour=CONTACT, width=4)
+    sketch.symbol((240, 160), "k_t, μN", colour=CONTACT)
+    sketch.arrow((440, 110), (440, 50))
+    sketch.symbol((452, 60), "P sin Ωt", colour=MOTION, anchor="start")
+    return sketch
+
+
+SKETCHES = {"friction-oscillator": friction_oscillator, "wear": wear, "damped-buildings": damped_buildings,
+            "bolted-joint": bolted_joint}

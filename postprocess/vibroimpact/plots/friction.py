@@ -10,7 +10,7 @@ import numpy as np
 
 from . import cycles
 from .envelopes import SMALLEST_JUMP
-from .motions import Motion, bases, is_closed
+from .motions import Motion, bases, contacts_of, is_closed
 from .results import Analysis, Results
 
 STUCK = 1e-12  # of the largest slip rate: rounding
@@ -29,7 +29,7 @@ def loops(analysis: Analysis, base: str, contact: str):
     """The force that acts on the first side, so that the loops are run through clockwise; nothing between contacts."""
     def curve(motion):
         rate, slip, force = (motion.signal(f"contact/{contact}/{name}") for name in ("slip_rate", "slip", "friction_force"))
-        closed = is_closed(motion, contact)
+        closed = is_closed(motion, contact) if contact in contacts_of(analysis, base) else np.ones(len(rate), bool)
         near = closed | np.roll(closed, 1) | np.roll(closed, -1)
         _, force, slip, near = with_jumps(motion.time(), -force, rate, slip, near.astype(float))
         return np.where(near > 0, slip, np.nan), np.where(near > 0, force, np.nan)
@@ -80,7 +80,8 @@ def with_jumps(time, force, rate, *others):
     The `others` run straight on."""
     edges, when = changes(time, rate)
     ends = [[beside(time, force, i, i - 1, at), beside(time, force, i + 1, i + 2, at)] for i, at in zip(edges, when)]
-    jumps = [abs(after - before) > SMALLEST_JUMP * np.abs(force).max() for before, after in ends]
+    least = [max(SMALLEST_JUMP * np.abs(force).max(), abs(force[i + 1] - force[i]) / 2) for i in edges]  # else it is a bend
+    jumps = np.array([abs(after - before) > size for (before, after), size in zip(ends, least)], bool)
     edges, when, ends = edges[jumps], when[jumps], np.array(ends)[jumps] if len(ends) else np.empty((0, 2))
     at = np.repeat(edges + 1, 2)
     return (np.insert(time, at, np.repeat(when, 2)), np.insert(force, at, ends.ravel()),
