@@ -20,6 +20,7 @@ struct BeamOnStops {
   std::shared_ptr<const contact::ContactLaw> law;
   double duration = 0.3;
   bool shaken = false; ///< the base moves instead of a force
+  double push = 3;     ///< amplitude of the force [N]
 
   std::shared_ptr<const reduction::ReducedBody> body() const {
     auto beam = std::make_shared<reduction::ReducedBody>();
@@ -47,7 +48,7 @@ struct BeamOnStops {
   model::Model model() const {
     model::Model result({body()});
     const auto source = std::make_shared<model::Harmonic>(
-        model::Given::displacement, shaken ? 3e-3 : 3.0, 8 * std::numbers::pi, 0);
+        model::Given::displacement, shaken ? 3e-3 : push, 8 * std::numbers::pi, 0);
     if (shaken)
       result.add_base_motion("table", source, {0}, Vector3::UnitX());
     else
@@ -104,23 +105,24 @@ inline double state_error(const BeamOnStops &system, const Vector &a, const Vect
 struct StopLaw {
   const char *name;
   double order; ///< of steps over its kinks
+  bool linear;
   std::shared_ptr<const contact::ContactLaw> (*make)(int stops);
 };
 
 inline std::vector<StopLaw> stop_laws() {
   using Law = std::shared_ptr<const contact::ContactLaw>;
-  return {{"Linear", 4,
+  return {{"Linear", 4, true,
            [](int stops) -> Law { return std::make_shared<contact::LinearPenalty>(2e6 / stops); }},
-          {"KelvinVoigt", 3,
+          {"KelvinVoigt", 3, true,
            [](int stops) -> Law {
              return std::make_shared<contact::KelvinVoigt>(2e6 / stops, 200.0 / stops);
            }},
-          {"Hertz", 4.5,
+          {"Hertz", 4.5, false,
            [](int stops) -> Law {
              return std::make_shared<contact::Hertz>(
                  contact::HertzConstants{.stiffness = 2e9 / stops});
            }},
-          {"HuntCrossley", 4.5, [](int stops) -> Law {
+          {"HuntCrossley", 4.5, false, [](int stops) -> Law {
              return contact::HuntCrossley::with_dissipation({.stiffness = 2e9 / stops}, 1);
            }}};
 }

@@ -63,9 +63,12 @@ double MomentViews::missed(const EndPoint &start, const EndPoint &middle,
   rows.tail(n) = 15 / (8 * h) * (b.head(n) - a.head(n)) -
                  7.0 / 16 * (a.segment(n, n) + b.segment(n, n)) +
                  h / 32 * (end.rates.tail(n) - start.rates.tail(n)) - middle.state.segment(n, n);
-  // Over a short part the difference of positions is rounding.
-  const double lost = 16 * std::numeric_limits<double>::epsilon() / h *
-                      std::sqrt(a.head(n).cwiseAbs2().dot(equations_.model().mass()));
+  // Over a short part the differences of positions and of times are rounding.
+  const auto size = [&](const Vector &of) {
+    return std::sqrt(of.cwiseAbs2().dot(equations_.model().mass()));
+  };
+  const double lost = std::numeric_limits<double>::epsilon() / h *
+                      (16 * size(a.head(n)) + 4 * std::abs(end.time) * size(a.segment(n, n)));
   return std::max(0.0, step_.norm(rows) - lost);
 }
 
