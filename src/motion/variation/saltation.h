@@ -54,11 +54,11 @@ private:
 
   Vector rates(double time, const Vector &state) const;
   Vector rates_at_guard(const ContactEvent &event, const Vector &state) const;
-  RowVector gradient(std::size_t contact, const contact::AffineForm &form) const;
-  double rate_along(std::size_t contact, const contact::AffineForm &form, const ContactEvent &event,
+  RowVector gradient(const ContactEvent &event, const contact::AffineForm &form) const;
+  double rate_along(const contact::AffineForm &form, const ContactEvent &event,
                     const Vector &rates) const;
-  double rate_of_held(std::size_t contact, const contact::AffineForm &form, double time,
-                      const Vector &rates) const;
+  double rate_of_forces(const contact::AffineForm &forces, const ContactEvent &event,
+                        const Vector &rates) const;
   Crossing crossing(const ContactEvent &event, const Vector &before) const;
   Reset no_reset(const Vector &before) const;
   Reset internal_reset(const ContactEvent &event, const Vector &before) const;
