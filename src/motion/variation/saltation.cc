@@ -232,6 +232,8 @@ bool Saltations::below_zero(const ContactEvent &event) const {
   return value < -16 * equations_.rounding(event.contact, guard, event.time, state);
 }
 
+// A guard that a jump of forces has taken below zero is passed when the change before happens,
+// whatever it is itself. The delay of that one is a row of positions, which no change moves.
 Saltation Saltations::change(const ContactEvent &event, bool at_start) {
   equations_.set_mode(event.contact, event.from);
   const Vector before = rates_at_guard(event, *event.before);
@@ -240,10 +242,16 @@ Saltation Saltations::change(const ContactEvent &event, bool at_start) {
     crossing.by_state.setZero();
     crossing.by_key.setZero();
     crossing.rate = 1;
+  } else if (last_.time == event.time && below_zero(event)) {
+    crossing = {.by_state = -last_.delay, .by_key = -last_.delay_by_key, .rate = 1};
   }
   Reset reset = internal_reset(event, before);
   equations_.set_mode(event.contact, event.to);
-  return join(std::move(crossing), std::move(reset), rates_at_guard(event, *event.state));
+  const RowVector by_key = crossing.by_key * (crossing.rate != 0 ? -1 / crossing.rate : 0);
+  Saltation saltation =
+      join(std::move(crossing), std::move(reset), rates_at_guard(event, *event.state));
+  last_ = {.time = event.time, .delay = saltation.delay, .delay_by_key = by_key};
+  return saltation;
 }
 
 Saltation Saltations::collide(const ContactEvent &event) {

@@ -19,6 +19,7 @@
 #include "motion/variation/key_tangent.h"
 #include "motion/variation/low_rank_map.h"
 
+#include <limits>
 #include <optional>
 
 namespace vibroimpact::motion {
@@ -51,6 +52,10 @@ public:
 private:
   struct Crossing; // of a guard
   struct Reset;    // of the state
+  struct LastChange {
+    double time = std::numeric_limits<double>::quiet_NaN();
+    RowVector delay, delay_by_key; ///< dt by state and keys
+  };
 
   Vector rates(double time, const Vector &state) const;
   Vector rates_at_guard(const ContactEvent &event, const Vector &state) const;
@@ -71,6 +76,7 @@ private:
   Equations &equations_;
   const std::vector<KeyTangent *> &keys_;
   const Vector &scale_;
+  LastChange last_;
 };
 
 } // namespace vibroimpact::motion
