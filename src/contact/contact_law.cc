@@ -11,6 +11,8 @@ double AffineForm::operator()(const LocalState &state) const {
   double value = constant + gap * state.gap + gap_rate * state.gap_rate;
   if (normal_force != 0)
     value += normal_force * state.normal_force;
+  if (normal_force_rate != 0)
+    value += normal_force_rate * state.normal_force_rate;
   for (std::size_t i = 0; i < internal.size(); ++i)
     value += internal[i] * state.internal[i];
   for (std::size_t k = 0; k < most_tangential; ++k)
@@ -44,14 +46,14 @@ AffineForm AffineForm::force_along(int direction) {
 
 bool AffineForm::zero() const {
   const auto is_zero = [](double c) { return c == 0; };
-  return constant == 0 && gap == 0 && gap_rate == 0 && normal_force == 0 &&
+  return constant == 0 && gap == 0 && gap_rate == 0 && !sees_normal_force() &&
          std::all_of(internal.begin(), internal.end(), is_zero) &&
          std::all_of(tangential.begin(), tangential.end(),
                      [](const DirectionForm &form) { return form.zero(); });
 }
 
 bool AffineForm::sees_forces() const {
-  return normal_force != 0 ||
+  return sees_normal_force() ||
          std::any_of(tangential.begin(), tangential.end(),
                      [](const DirectionForm &form) { return form.force != 0; });
 }
@@ -61,6 +63,7 @@ AffineForm &AffineForm::operator+=(const AffineForm &other) {
   gap += other.gap;
   gap_rate += other.gap_rate;
   normal_force += other.normal_force;
+  normal_force_rate += other.normal_force_rate;
   internal.resize(std::max(internal.size(), other.internal.size()), 0.0);
   for (std::size_t i = 0; i < other.internal.size(); ++i)
     internal[i] += other.internal[i];
@@ -73,7 +76,7 @@ AffineForm &AffineForm::operator+=(const AffineForm &other) {
 }
 
 AffineForm &AffineForm::operator*=(double factor) {
-  for (double *c : {&constant, &gap, &gap_rate, &normal_force})
+  for (double *c : {&constant, &gap, &gap_rate, &normal_force, &normal_force_rate})
     *c *= factor;
   for (double &c : internal)
     c *= factor;

@@ -41,7 +41,11 @@ struct LocalState {
   double gap = 0;      ///< [m]
   double gap_rate = 0; ///< [m/s]
   std::span<const double> internal{};
-  double normal_force = 0; ///< in modes that hold the gap: the force that does it [N]
+  /// In modes that hold the gap: the force that does it; of laws with friction whose normal force
+  /// is no affine form: that force [N].
+  double normal_force = 0;
+  double gap_acceleration = 0;  ///< in modes that see the rate of the normal force [m/s^2]
+  double normal_force_rate = 0; ///< likewise [N/s]
   std::array<TangentialState, most_tangential> tangential{};
 };
 
@@ -54,14 +58,16 @@ struct DirectionForm {
   bool zero() const { return position == 0 && rate == 0 && force == 0; }
 };
 
-/// constant + gap g + gap_rate g' + internal . z + normal_force F + the same of tangential
-/// directions
+/// constant + gap g + gap_rate g' + internal . z + normal_force F + normal_force_rate F' + the same
+/// of tangential directions. F and F' are those of LocalState; F' is in the form of an affine F
+/// what the time derivative of a row of the state is.
 struct AffineForm {
   double constant = 0;
   double gap = 0;
   double gap_rate = 0;
   std::vector<double> internal{}; ///< empty: all zero
-  double normal_force = 0;        ///< of modes that hold the gap
+  double normal_force = 0;        ///< of modes that hold the gap or have no affine form of it
+  double normal_force_rate = 0;   ///< of modes that see it
   std::array<DirectionForm, most_tangential> tangential{};
 
   double operator()(const LocalState &state) const;
@@ -75,8 +81,10 @@ struct AffineForm {
   static AffineForm rate_along(int direction);
   static AffineForm force_along(int direction);
   bool zero() const;
-  /// Does it have the force of a mode that holds something?
+  /// Does it have a force that is no affine form?
   bool sees_forces() const;
+  /// Has it the normal force by value, or its rate?
+  bool sees_normal_force() const { return normal_force != 0 || normal_force_rate != 0; }
   AffineForm &operator+=(const AffineForm &other);
   AffineForm &operator*=(double factor);
 };
@@ -120,6 +128,7 @@ struct Mode {
   std::optional<AffineLaw> affine{}; ///< present where the law is affine in this mode
   bool holds_gap = false;            ///< the gap rate stays zero, by a force the law does not know
   bool holds_slip = false;           ///< the slip rates stay zero, likewise
+  bool sees_force_rate = false;      ///< rates or guards depend on the rate of the normal force
   Friction friction = Friction::none;
 
   bool holds() const { return holds_gap || holds_slip; }
@@ -148,6 +157,7 @@ struct LawResponse {
   std::vector<double> internal_rate_by_gap_rate{};
   std::vector<double> internal_rate_by_internal{}; ///< row-major n x n
   // Of laws with friction:
+  std::vector<double> internal_rate_by_gap_acceleration{}; ///< empty: all zero
   std::array<TangentialResponse, most_tangential> tangential{};
   double friction_power = 0; ///< the part of dissipated_power that friction takes [W]
   double sliding_speed = 0;  ///< of the surfaces on each other, >= 0, no elastic part in it [m/s]
@@ -227,6 +237,9 @@ public:
 
   /// For laws of that form; nothing for all others.
   virtual std::optional<PowerLaw> power_law() const { return std::nullopt; }
+
+  /// Does the force pull where its formula says so? Asked of laws that are no affine forms.
+  virtual bool may_pull() const { return false; }
 
   /// The elastic part of the force; nothing for rigid laws and where it is no power of the
   /// penetration. It says how the peak force of an impact grows with the mass: like m^(n/(n+1)).

@@ -1,9 +1,16 @@
 // The derivative of motions with friction by their start, against closed multipliers.
 #include "common/decompositions.h"
+#include "contact/friction/lugre.h"
+#include "contact/friction/piecewise_linear.h"
 #include "contact/friction/spring_slider.h"
+#include "contact/friction/stribeck.h"
+#include "contact/laws/hertz.h"
+#include "contact/laws/hunt_crossley.h"
+#include "contact/laws/kelvin_voigt.h"
 #include "model/time_function.h"
 #include "motion/variation/linearised_motion.h"
 #include "support/friction_models.h"
+#include "support/motion_derivative.h"
 
 #include <gtest/gtest.h>
 
@@ -114,6 +121,79 @@ TEST(FrictionVariation, SpringSliderAgainstDifferences) {
     const Vector step = 1e-5 * Vector::Unit(3, j);
     const Vector difference = (image(start + step) - image(start - step)) / 2e-5;
     EXPECT_LT((difference - columns.col(j)).cwiseAbs().maxCoeff(), 1e-8) << j;
+  }
+}
+
+// A particle on a tangential spring meets a side at an angle. Every normal law with every law of
+// friction, at instants of stick, of slip and after the contact, against differences.
+struct Oblique {
+  std::shared_ptr<const contact::ContactLaw> normal;
+  std::shared_ptr<const contact::TangentialLaw> tangential;
+};
+
+std::vector<Oblique> oblique_cases() {
+  using namespace contact;
+  const std::vector<std::shared_ptr<const ContactLaw>> normal = {
+      std::make_shared<KelvinVoigt>(3e4, 90),
+      std::make_shared<Hertz>(HertzConstants{.stiffness = 1e5}),
+      HuntCrossley::with_dissipation({.stiffness = 1e5}, 0.2)};
+  const StribeckConstants stribeck{
+      .coefficient = 0.2, .static_coefficient = 0.4, .speed = 0.1, .damping_constant = 2};
+  const std::vector<std::shared_ptr<const TangentialLaw>> tangential = {
+      std::make_shared<Coulomb>(0.3, 0.35, 1),
+      std::make_shared<SpringSlider>(2e5, 0.3, 0),
+      std::make_shared<SpringSlider>(2e5, 0.3, 50),
+      std::make_shared<PiecewiseLinear>(std::vector{0.0, 0.1}, std::vector{0.4, 0.2}, 0.4),
+      std::make_shared<Stribeck>(stribeck),
+      std::make_shared<LuGre>(LuGreConstants{
+          .coefficient = stribeck, .stiffness = 5e3, .damping = 2, .viscous = 0.05})};
+  std::vector<Oblique> cases;
+  for (const auto &one : normal)
+    for (const auto &other : tangential)
+      cases.push_back({one, other});
+  return cases;
+}
+
+TEST(FrictionVariation, ObliqueImpactsAgainstDifferences) {
+  for (const Oblique &of : oblique_cases()) {
+    const Model model({testing::particle("ball", 2, 4e5)});
+    const ContactSet contacts({testing::oblique_contact(
+        model, "ball.head", 0.1,
+        std::make_shared<contact::FrictionalLaw>(of.normal, of.tangential))});
+    Settings settings = settings_of("exact");
+    settings.relative_tolerance = 1e-13;
+    settings.absolute_tolerance = 0;
+    Trajectory trajectory(model, contacts, settings);
+    const Index size = trajectory.layout().physical_size();
+    Vector start = Vector::Zero(size);
+    start.head(4) << 0, 0.099, 0.25, 1;
+    const Vector scale = (Vector(5) << 1e-3, 1e-2, 0.5, 1, 1e-4).finished().head(size);
+    for (const double end : {0.0028, 0.021, 0.05}) {
+      const auto image = [&](const Vector &from) {
+        trajectory.start({.time = 0, .physical = from});
+        trajectory.advance(end);
+        return Vector(trajectory.motion_state().physical.cwiseQuotient(scale));
+      };
+      trajectory.start({.time = 0, .physical = start});
+      Variation variation(trajectory, scale.cwiseInverse(), 1e-12);
+      variation.set_columns(Matrix::Identity(size, size));
+      trajectory.advance(end, variation);
+      const Matrix columns =
+          scale.cwiseInverse().asDiagonal() * variation.columns() * scale.asDiagonal();
+      for (Index j = 0; j < 3; ++j) {
+        const auto difference = testing::numerical_derivative(
+            [&](double h) {
+              return std::optional(image(start + h * scale[j] * Vector::Unit(size, j)));
+            },
+            1e-3, 4);
+        EXPECT_LT((difference.value - columns.col(j)).cwiseAbs().maxCoeff(),
+                  1e-7 * difference.value.cwiseAbs().maxCoeff())
+            << of.normal->name() << ", " << of.tangential->name() << ", t = " << end << ", column "
+            << j << ": " << difference.error << "\n"
+            << difference.value.transpose() << "\n"
+            << columns.col(j).transpose();
+      }
+    }
   }
 }
 

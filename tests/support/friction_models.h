@@ -39,14 +39,16 @@ inline contact::ContactPair sliding_along_x(const model::Model &model, const std
   return pair;
 }
 
-/// A free mass with the coordinates x and y; its only point is called "head".
-inline std::shared_ptr<const reduction::ReducedBody> particle(const std::string &name,
-                                                              double mass) {
+/// A mass with the coordinates x and y, on a spring along x or free; its only point is called
+/// "head".
+inline std::shared_ptr<const reduction::ReducedBody> particle(const std::string &name, double mass,
+                                                              double spring = 0) {
   auto body = std::make_shared<reduction::ReducedBody>();
   body->name = name;
   body->type = "lumped";
   body->mass = Vector::Constant(2, mass);
   body->stiffness = Vector::Zero(2);
+  body->stiffness[0] = spring;
   body->damping = Matrix::Zero(2, 2);
   body->base_participation = Matrix::Zero(2, 3);
   body->base_participation(0, 0) = body->base_participation(1, 1) = mass;

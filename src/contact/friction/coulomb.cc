@@ -1,21 +1,15 @@
 #include "contact/friction/coulomb.h"
 
+#include "contact/friction/stick_and_slip.h"
+
+#include <utility>
+
 namespace vibroimpact::contact {
 
 namespace {
 
 constexpr const char *section_name = "Coulomb";
 enum : int { stick = 0, forward = 1, backward = 2 };
-
-TangentialMode slip(const std::string &name, double sigma, double coefficient,
-                    const AffineForm &normal_force) {
-  const AffineForm speed = sigma * AffineForm::rate_along(1);
-  return {.name = name,
-          .friction = Friction::slip,
-          .force = -sigma * coefficient * normal_force,
-          .sliding_speed = speed,
-          .guards = {{.indicator = speed, .target = stick}}};
-}
 
 } // namespace
 
@@ -29,7 +23,9 @@ void Coulomb::declare(parameters::Section &friction) {
                 "Friction force over normal force while the sides slip.")
       .required()
       .quantity("Static coefficient", "", dimension::none, range::positive, "\\mu_s",
-                "The same at which they begin to slip. Without it: Coefficient.");
+                "The same at which they begin to slip. Without it: Coefficient.")
+      .quantity("Damping constant", "0 N s/m", dimension::damping, range::non_negative, "c_t",
+                "Force per unit slip rate that is added while the sides slip.");
 }
 
 std::shared_ptr<const TangentialLaw> Coulomb::create(const parameters::Values &friction) {
@@ -40,20 +36,20 @@ std::shared_ptr<const TangentialLaw> Coulomb::create(const parameters::Values &f
       law.has("Static coefficient") ? law.quantity("Static coefficient") : coefficient;
   if (at_rest < coefficient)
     law.reject("Static coefficient", "Static coefficient must not be less than Coefficient.");
-  return std::make_shared<Coulomb>(coefficient, at_rest);
+  return std::make_shared<Coulomb>(coefficient, at_rest, law.quantity("Damping constant"));
 }
 
 std::vector<TangentialMode> Coulomb::modes(const AffineForm &normal_force,
                                            std::size_t /*first_internal*/) const {
-  const AffineForm most = static_coefficient_ * normal_force;
-  const AffineForm held = AffineForm::force_along(1);
-  return {{.name = "stick",
-           .friction = Friction::stick,
-           .holds_slip = true,
-           .guards = {{.indicator = most + held, .target = forward},
-                      {.indicator = most + -1.0 * held, .target = backward}}},
-          slip("slip forward", 1, coefficient_, normal_force),
-          slip("slip backward", -1, coefficient_, normal_force)};
+  std::vector<TangentialMode> modes = {
+      stick_until(static_coefficient_ * normal_force, forward, backward), slip_along(1, stick),
+      slip_along(-1, stick)};
+  for (const auto &[mode, sigma] : {std::pair(forward, 1.0), {backward, -1.0}}) {
+    AffineForm &force = modes[static_cast<std::size_t>(mode)].force;
+    force = -sigma * coefficient_ * normal_force;
+    force.tangential[0].rate -= damping_constant_;
+  }
+  return modes;
 }
 
 int Coulomb::mode_by_slip(int /*mode*/, double slip_rate) const {

@@ -1,7 +1,7 @@
 // Coulomb's friction with true stick, and a static coefficient that may be larger than the kinetic
 // one (Den Hartog 1930; Shaw 1986):
 //
-//   slip   F = -sigma mu N, sigma the sign of the slip rate v, until v = 0
+//   slip   F = -sigma mu N - c v, sigma the sign of the slip rate v, until v = 0
 //   stick  v = 0, held by a force F, until |F| = mu_s N
 #pragma once
 
@@ -14,9 +14,10 @@ namespace vibroimpact::contact {
 
 class Coulomb : public TangentialLaw {
 public:
-  /// 0 < coefficient <= static_coefficient
-  Coulomb(double coefficient, double static_coefficient)
-      : coefficient_(coefficient), static_coefficient_(static_coefficient) {}
+  /// 0 < coefficient <= static_coefficient, damping_constant >= 0 [N s/m]
+  Coulomb(double coefficient, double static_coefficient, double damping_constant = 0)
+      : coefficient_(coefficient), static_coefficient_(static_coefficient),
+        damping_constant_(damping_constant) {}
 
   static void declare(parameters::Section &friction);
   static std::shared_ptr<const TangentialLaw> create(const parameters::Values &friction);
@@ -29,6 +30,7 @@ public:
 private:
   double coefficient_;
   double static_coefficient_;
+  double damping_constant_;
 };
 
 } // namespace vibroimpact::contact

@@ -4,6 +4,10 @@
 // for each mode of the tangential law. Guards of the normal law come first: where the normal force
 // ends, so does friction. The internal states of the tangential law stand behind those of the
 // normal one.
+//
+// Where the normal law has no affine form, neither has the product: forms of the tangential law
+// then see the normal force by value, and its rate by the chain rule from gap rate and
+// acceleration.
 #pragma once
 
 #include "contact/friction/tangential_law.h"
@@ -14,7 +18,7 @@ namespace vibroimpact::contact {
 
 class FrictionalLaw : public ContactLaw {
 public:
-  /// The normal law must be affine in all its modes and have no rigid ones; see why_no_friction().
+  /// The normal law must have no rigid modes and never pull; see why_no_friction().
   FrictionalLaw(std::shared_ptr<const ContactLaw> normal,
                 std::shared_ptr<const TangentialLaw> tangential);
 
@@ -36,15 +40,30 @@ private:
   FrictionalLaw(std::shared_ptr<const ContactLaw> normal,
                 std::shared_ptr<const TangentialLaw> tangential, Product product);
   static Product multiply(const ContactLaw &normal, const TangentialLaw &tangential);
+  /// Partial derivatives of the normal force and of its rate, as forms.
+  struct NormalForce {
+    AffineForm force, rate;
+    double by_gap_acceleration = 0;
+  };
+  NormalForce normal_force(int mode, const LocalState &state, const LawResponse &normal) const;
+  void add_curvature(int mode, const LocalState &state, const LawResponse &normal,
+                     AffineForm &rate) const;
+  TangentialValues friction(int mode, const LocalState &state) const;
+  void add_friction(const NormalForce &normal, const TangentialValues &friction,
+                    LawResponse &response) const;
+  void add_work(int mode, const LocalState &state, const TangentialValues &friction,
+                LawResponse &response) const;
   LocalState of_normal(const LocalState &state) const;
   int mode_of(int normal, int tangential) const;
 
   std::shared_ptr<const ContactLaw> normal_;
   std::shared_ptr<const TangentialLaw> tangential_;
   std::vector<Part> parts_;
+  std::vector<AffineLaw> forms_; ///< of the tangential law in each mode
+  std::vector<char> evaluated_;  ///< modes of which the tangential law has no forms
 };
 
-/// Why a normal law cannot be combined with this law of friction; empty: it can.
-std::string why_no_friction(const ContactLaw &normal, const TangentialLaw &tangential);
+/// Why a normal law cannot be combined with friction; empty: it can.
+std::string why_no_friction(const ContactLaw &normal);
 
 } // namespace vibroimpact::contact

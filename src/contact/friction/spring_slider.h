@@ -32,9 +32,9 @@ public:
   std::vector<InternalState> internal_states() const override;
   double stiffness() const override { return stiffness_; }
   double damping_constant() const override { return damping_constant_; }
-  bool follows_normal_rate() const override { return damping_constant_ == 0; }
 
 private:
+  bool follows_normal_rate() const { return damping_constant_ == 0; }
   TangentialMode slip(const std::string &name, double sigma, const AffineForm &normal_force,
                       const AffineForm &deformation) const;
 

@@ -1,8 +1,10 @@
 // A law of friction along one tangential direction, written without knowing the normal law: that
-// gives the normal force N as an affine form of the local state.
+// gives the normal force N as a form of the local state, which is affine in gap, gap rate and
+// internal states where the normal law is, and N by value where it is not.
 //
 // The force F acts on side b along the direction, against the slip rate v of b on a. A law has
-// discrete modes, as contact laws have; where N ends, so does F.
+// discrete modes, as contact laws have; where N ends, so does F. In each the force and the rates of
+// internal states are forms of the same kind, or are evaluated.
 #pragma once
 
 #include "contact/contact_law.h"
@@ -20,6 +22,21 @@ struct TangentialMode {
   std::vector<AffineForm> internal_rate{}; ///< of the law's own internal states
   AffineForm sliding_speed{};              ///< of the surfaces on each other, >= 0 [m/s]
   std::vector<Guard> guards{};             ///< targets and resets: of the law's own
+  bool evaluated = false; ///< force, internal rates and sliding speed are no forms, but evaluate()d
+};
+
+/// A number that depends on the local state, and its partial derivatives as the coefficients of a
+/// form: by the normal force, the slip, its rate and the law's internal states.
+struct TangentialValue {
+  double value = 0;
+  AffineForm by{};
+};
+
+/// What a mode gives at a local state.
+struct TangentialValues {
+  TangentialValue force{};
+  std::vector<TangentialValue> internal_rate{};
+  double sliding_speed = 0;
 };
 
 class TangentialLaw {
@@ -35,17 +52,19 @@ public:
   /// friction begins.
   virtual int mode_by_slip(int mode, double slip_rate) const = 0;
 
+  /// Of modes that are evaluated; `state` has the normal force. `values` keeps its storage.
+  virtual void evaluate(int mode, const LocalState &state, std::size_t first_internal,
+                        TangentialValues &values) const;
+
   /// Zero before friction begins.
   virtual std::vector<InternalState> internal_states() const { return {}; }
   /// k of the stored energy k z^2 / 2, z the only internal state [N/m]; 0: none is stored.
   virtual double stiffness() const { return 0; }
   /// c of what a dashpot beside that spring takes, c z'^2 [N s/m].
   virtual double damping_constant() const { return 0; }
-  /// Does the law ask for the rate of the normal force?
-  virtual bool follows_normal_rate() const { return false; }
 };
 
-/// The time derivative of a normal force that depends on the gap alone.
+/// The time derivative of a normal force.
 AffineForm rate_of_normal_force(const AffineForm &normal_force);
 
 } // namespace vibroimpact::contact

@@ -1,7 +1,10 @@
 #include "contact/friction/tangential_laws.h"
 
 #include "contact/friction/coulomb.h"
+#include "contact/friction/lugre.h"
+#include "contact/friction/piecewise_linear.h"
 #include "contact/friction/spring_slider.h"
+#include "contact/friction/stribeck.h"
 #include "contact/friction/viscous.h"
 
 #include <stdexcept>
@@ -23,6 +26,9 @@ constexpr TangentialEntry tangential_laws[] = {
     {"coulomb", "Coulomb", Coulomb::declare, Coulomb::create},
     {"spring-slider", "Spring-slider", SpringSlider::declare, SpringSlider::create},
     {"viscous", "Viscous", Viscous::declare, Viscous::create},
+    {"piecewise-linear", "Piecewise-linear", PiecewiseLinear::declare, PiecewiseLinear::create},
+    {"stribeck", "Stribeck", Stribeck::declare, Stribeck::create},
+    {"lugre", "LuGre", LuGre::declare, LuGre::create},
 };
 
 } // namespace

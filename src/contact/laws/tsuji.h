@@ -44,6 +44,7 @@ public:
     return ElasticForce{.stiffness = stiffness_, .exponent = 1.5};
   }
   std::optional<ForcePulse> force_pulse(int mode) const override;
+  bool may_pull() const override { return true; }
 
 private:
   double stiffness_;

@@ -7,7 +7,7 @@
 namespace vibroimpact::motion {
 
 namespace {
-constexpr double rounding_factor = 64 * std::numeric_limits<double>::epsilon();
+constexpr double rounding_factor = Equations::rounding_factor;
 // Of the integration. No bound but found by trial: it must lie above the error that integration
 // leaves of what is held, and below any gap that matters (tests/motion/scaled_models.cc).
 constexpr double share = 1e-11;
@@ -24,11 +24,12 @@ ContactScales::ContactScales(const Equations &equations, const Settings &setting
       turning_time_((equations.model().mass().array() /
                      equations.model().stiffness().diagonal.array().max(0.0))
                         .sqrt()),
-      of_(equations.contacts().size()) {}
+      of_(equations.contacts().size()), slopes_(equations.contacts().size()) {}
 
 void ContactScales::begin(double time, const Vector &state) {
   time_ = time;
   of_.assign(of_.size(), {});
+  slopes_.assign(of_.size(), {});
   largest_ = {};
   acceleration_ = 0;
   note(time, state, true);
@@ -40,6 +41,8 @@ void ContactScales::note(double time, const Vector &state, bool with_forces) {
   for (std::size_t c = 0; c < of_.size(); ++c) {
     of_[c].include(terms(c, time, state, elapsed));
     largest_.include(of_[c]);
+    if (equations_.sees_normal_force(c))
+      include_slopes(c, time, state);
     if (with_forces)
       include_forces(c, time, state);
   }
@@ -88,6 +91,24 @@ void ContactScales::include_forces(std::size_t contact, double time, const Vecto
         {.gap = acceleration_ / (highest_ * highest_), .gap_rate = acceleration_ / highest_});
 }
 
+void ContactScales::include_slopes(std::size_t contact, double time, const Vector &state) {
+  contact::LawResponse response;
+  equations_.contacts().pairs()[contact].law->evaluate(
+      equations_.modes()[contact],
+      equations_.local_state(contact, time, ConstVectorView(state.data(), state.size())), response);
+  slopes_[contact].include(
+      {.gap = std::abs(response.force_by_gap), .gap_rate = std::abs(response.force_by_gap_rate)});
+}
+
+// What a form has of the normal force by value and of its rate, for errors of gap, gap rate and gap
+// acceleration.
+double ContactScales::of_normal_force(std::size_t contact, const contact::AffineForm &form,
+                                      double length, double speed, double acceleration) const {
+  const Sizes &slopes = slopes_[contact];
+  return std::abs(form.normal_force) * (slopes.gap * length + slopes.gap_rate * speed) +
+         std::abs(form.normal_force_rate) * (slopes.gap * speed + slopes.gap_rate * acceleration);
+}
+
 double ContactScales::rounding(std::size_t contact) const {
   return rounding_factor * of_[contact].gap;
 }
@@ -109,11 +130,14 @@ double ContactScales::error(std::size_t contact, const contact::AffineForm &form
   }
   for (const double coefficient : form.internal)
     sum += std::abs(coefficient) * length(contact);
-  for (int d = 0; d < directions; ++d)
+  const double of_forces = share * acceleration_ + absolute_speed_ * highest_;
+  const bool by_value = equations_.sees_normal_force(contact);
+  if (by_value)
+    sum += of_normal_force(contact, form, length(contact), speed(contact), of_forces);
+  for (int d = by_value ? 1 : 0; d < directions; ++d)
     if (const double factor = form.along(d).force; factor != 0)
       sum += std::abs(factor) *
-             equations_.contacts().effective_mass(contact, equations_.model(), d) *
-             (share * acceleration_ + absolute_speed_ * highest_);
+             equations_.contacts().effective_mass(contact, equations_.model(), d) * of_forces;
   return sum;
 }
 
@@ -125,6 +149,9 @@ double ContactScales::error_of_step(std::size_t contact, const contact::AffineFo
     const Sizes sizes = terms(pair.along(d), end, state, 0);
     const contact::DirectionForm of = form.along(d);
     sum += share * (std::abs(of.position) * sizes.gap + std::abs(of.rate) * sizes.gap_rate);
+    if (d == 0 && equations_.sees_normal_force(contact))
+      sum += of_normal_force(contact, form, share * sizes.gap, share * sizes.gap_rate,
+                             share * acceleration_);
   }
   return sum;
 }

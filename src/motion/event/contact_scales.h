@@ -53,14 +53,19 @@ private:
   Sizes terms(const contact::Direction &along, double time, const Vector &state,
               double elapsed) const;
   void include_forces(std::size_t contact, double time, const Vector &state);
+  void include_slopes(std::size_t contact, double time, const Vector &state);
+  double of_normal_force(std::size_t contact, const contact::AffineForm &form, double length,
+                         double speed, double acceleration) const;
 
   const Equations &equations_;
   double highest_;                   ///< frequency [rad/s]
   double absolute_, absolute_speed_; ///< [m], [m/s]
-  Vector turning_time_;     ///< 1 / w of each coordinate [s]; infinite: it does not oscillate
-  double time_ = 0;         ///< the motion was looked at last [s]
-  std::vector<Sizes> of_;   ///< each contact
-  Sizes largest_;           ///< of all
+  Vector turning_time_;   ///< 1 / w of each coordinate [s]; infinite: it does not oscillate
+  double time_ = 0;       ///< the motion was looked at last [s]
+  std::vector<Sizes> of_; ///< each contact
+  Sizes largest_;         ///< of all
+  /// Largest derivatives of the normal force by gap and gap rate, where friction sees it by value.
+  std::vector<Sizes> slopes_;
   double acceleration_ = 0; ///< of a gap, each of its terms alone [m/s^2]
 };
 

@@ -62,31 +62,33 @@ private:
   std::vector<Bernstein> coordinates_, velocities_, others_;
 };
 
-double force_at(const StepView &view, std::size_t contact, int direction, double time,
-                const Vector &state) {
-  return contact::AffineForm::force_along(direction)(
-      view.equations().local_state(contact, time, ConstVectorView(state.data(), state.size())));
-}
-
 } // namespace
 
-Bernstein constraint_force(const StepView &view, std::size_t contact, int direction) {
-  if (!view.equations().mode(contact).holds(direction))
-    return Bernstein(0);
+Bernstein local_curve(const StepView &view, std::size_t contact, const LocalValue &value) {
   static const Matrix to_coefficients = coefficients_from_values();
   const DenseState motion(view);
+  const auto at = [&](double time, const Vector &state) {
+    return value(
+        view.equations().local_state(contact, time, ConstVectorView(state.data(), state.size())));
+  };
   Vector values(degree + 1);
   Vector state;
   for (Index i = 1; i < degree; ++i) {
     motion.at(node(i), state);
-    values[i] = force_at(view, contact, direction, view.start() + node(i) * view.length(), state);
+    values[i] = at(view.start() + node(i) * view.length(), state);
   }
-  values[0] = force_at(view, contact, direction, view.start(), view.start_state());
-  values[degree] = force_at(view, contact, direction, view.end(), view.end_state());
+  values[0] = at(view.start(), view.start_state());
+  values[degree] = at(view.end(), view.end_state());
   Vector coefficients = to_coefficients * values;
   coefficients[0] = values[0];
   coefficients[degree] = values[degree];
   return Bernstein::of_coefficients({coefficients.data(), static_cast<std::size_t>(degree + 1)});
+}
+
+Bernstein constraint_force(const StepView &view, std::size_t contact, int direction) {
+  if (!view.equations().mode(contact).holds(direction))
+    return Bernstein(0);
+  return local_curve(view, contact, contact::AffineForm::force_along(direction));
 }
 
 } // namespace vibroimpact::motion

@@ -5,15 +5,13 @@
 
 namespace vibroimpact::motion {
 
-/// constant + row * [y, then s, s', s'' of each source]
-struct LinearRow {
-  RowVector row; ///< physical size + 3 sources
-  double constant = 0;
-};
-
-/// A form of the local state of a contact.
+/// A form of the local state of a contact whose present mode is affine, or that sees no forces.
 LinearRow linear_row(const Equations &equations, std::size_t contact,
                      const contact::AffineForm &form);
+
+/// The gradient of such a form in any modes, at a state; its constant is that of no value.
+LinearRow tangent_row(const Equations &equations, std::size_t contact,
+                      const contact::AffineForm &form, double time, const Vector &state);
 
 /// The force along a direction in a mode that is affine: that of the law, or the one that holds it.
 contact::AffineForm force_along(const contact::Mode &mode, int direction);

@@ -47,11 +47,6 @@ contact::AffineForm affine_form(const SlipForm &form) {
                    : contact::AffineForm::position_along(form.direction);
 }
 
-// Contacts with friction are affine in all their modes.
-contact::AffineForm affine_form(const FrictionForm &form, const Equations &equations) {
-  return force_along(equations.mode(form.contact), form.direction);
-}
-
 } // namespace
 
 LinearForm linear_form(const OutputForm &form, const Equations &equations) {
@@ -67,7 +62,8 @@ LinearForm linear_form(const OutputForm &form, const Equations &equations) {
                  },
                  [&](const FrictionForm &friction) {
                    return LinearForm{.row = linear_row(equations, friction.contact,
-                                                       affine_form(friction, equations))};
+                                                       force_along(equations.mode(friction.contact),
+                                                                   friction.direction))};
                  },
                  [](const CurveForm & /*curve*/) -> LinearForm {
                    throw std::logic_error("this output is not linear in the motion");
@@ -95,8 +91,7 @@ Bernstein curve(const OutputForm &form, const StepView &view) {
                                                   : view.position(slip.contact, slip.direction);
                                },
                                [&](const FrictionForm &friction) {
-                                 return view.indicator(friction.contact,
-                                                       affine_form(friction, view.equations()));
+                                 return view.friction_force(friction.contact, friction.direction);
                                },
                                [&](const CurveForm &along) { return along(view); }},
                     form);

@@ -148,6 +148,21 @@ Bernstein StepView::constraint_force(std::size_t contact, int direction) const {
   return motion::constraint_force(*this, contact, direction);
 }
 
+Bernstein StepView::friction_force(std::size_t contact, int direction) const {
+  const contact::Mode &mode = equations().mode(contact);
+  if (mode.holds(direction))
+    return constraint_force(contact, direction);
+  const auto place = static_cast<std::size_t>(direction - 1);
+  if (mode.affine)
+    return indicator(contact, mode.affine->tangential_force[place]);
+  return local_curve(*this, contact, [&](const contact::LocalState &state) {
+    contact::LawResponse response;
+    equations().contacts().pairs()[contact].law->evaluate(equations().modes()[contact], state,
+                                                          response);
+    return response.tangential[place].force;
+  });
+}
+
 Bernstein StepView::indicator(std::size_t contact, const contact::AffineForm &form) const {
   const contact::ContactPair &pair = equations().contacts().pairs()[contact];
   Bernstein sum;
@@ -169,9 +184,14 @@ Bernstein StepView::indicator(std::size_t contact, const contact::AffineForm &fo
   for (std::size_t i = 0; i < form.internal.size(); ++i)
     if (form.internal[i] != 0)
       add(form.internal[i], internal(pair.internal_offset + static_cast<Index>(i)));
-  for (int d = 0; d < pair.n_directions(); ++d)
+  const bool by_value = form.sees_normal_force() && !equations().mode(contact).holds_gap;
+  for (int d = by_value ? 1 : 0; d < pair.n_directions(); ++d)
     if (form.along(d).force != 0)
       add(form.along(d).force, constraint_force(contact, d));
+  if (by_value)
+    add(1, local_curve(*this, contact,
+                       contact::AffineForm{.normal_force = form.normal_force,
+                                           .normal_force_rate = form.normal_force_rate}));
   return sum;
 }
 

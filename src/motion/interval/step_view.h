@@ -69,6 +69,8 @@ public:
   Bernstein drive(Index i) const;
   /// The force that holds a direction of a contact in its present mode; zero in other modes.
   Bernstein constraint_force(std::size_t contact, int direction = 0) const;
+  /// Tangential force by the law, or the one that holds the sides.
+  Bernstein friction_force(std::size_t contact, int direction) const;
   Bernstein indicator(std::size_t contact, const contact::AffineForm &form) const;
 
   ContactCurves contact_curves(std::size_t contact) const;

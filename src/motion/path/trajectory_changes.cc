@@ -33,7 +33,7 @@ constexpr long maximum_events_at_once = 100;
 // |factor| for which form = factor * other; 0 when there is none.
 double proportion(const AffineForm &form, const AffineForm &other) {
   const auto coefficients = [](const AffineForm &from, std::size_t n_internal) {
-    std::vector<double> list = {from.constant};
+    std::vector<double> list = {from.constant, from.normal_force_rate};
     for (int d = 0; d <= static_cast<int>(contact::most_tangential); ++d) {
       const contact::DirectionForm along = from.along(d);
       list.insert(list.end(), {along.position, along.rate, along.force});

@@ -10,7 +10,8 @@ namespace vibroimpact::motion {
 namespace {
 
 // The forms that make up the local state of a contact: gap, its rate, internal states, the force
-// that holds it, and for each tangential direction slip, slip rate and the force that holds it.
+// that holds it and the rate of the normal force, and for each tangential direction slip, slip rate
+// and the force that holds it.
 std::vector<contact::AffineForm> local_forms(const contact::ContactPair &pair) {
   using contact::AffineForm;
   const auto n_internal = static_cast<std::size_t>(pair.n_internal());
@@ -20,6 +21,8 @@ std::vector<contact::AffineForm> local_forms(const contact::ContactPair &pair) {
     forms.back().internal[i] = 1;
   }
   forms.push_back(AffineForm::force_along(0));
+  if (!pair.tangential.empty())
+    forms.push_back({.normal_force_rate = 1});
   for (int d = 1; d < pair.n_directions(); ++d)
     forms.insert(forms.end(), {AffineForm::position_along(d), AffineForm::rate_along(d),
                                AffineForm::force_along(d)});
@@ -34,6 +37,8 @@ contact::LocalState local_state(const Vector &x, const contact::ContactPair &pai
                             .gap_rate = x[1],
                             .internal = {x.data() + 2, n_internal},
                             .normal_force = *next++};
+  if (!pair.tangential.empty())
+    state.normal_force_rate = *next++;
   for (int d = 1; d < pair.n_directions(); ++d, next += 3)
     state.tangential[static_cast<std::size_t>(d - 1)] = {
         .slip = next[0], .slip_rate = next[1], .force = next[2]};

@@ -57,7 +57,8 @@ void HighOrderStepper::recall_steps() {
 // The third derivative needs those of the sources.
 void HighOrderStepper::read_sources(double time) {
   sources_.clear();
-  has_higher_ = equations_.model().linear() && equations_.holding().empty();
+  has_higher_ =
+      equations_.model().linear() && equations_.holding().empty() && !equations_.sees_force_rates();
   for (const model::Source &source : equations_.model().sources()) {
     std::optional<model::ExponentialForm> form = source.function->exponential_form(time);
     if (!form)

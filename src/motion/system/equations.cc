@@ -40,9 +40,13 @@ Equations::Equations(const model::Model &model, const contact::ContactSet &conta
 
 void Equations::list_acting() {
   acting_.clear();
-  for (std::size_t c = 0; c < contacts_.size(); ++c)
+  following_.clear();
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
     if (!inactive(c) && !mode(c).holds_gap)
       acting_.push_back({.contact = c, .pair = &contacts_.pairs()[c]});
+    if (mode(c).sees_force_rate)
+      following_.push_back(c);
+  }
 }
 
 void Equations::set_mode(std::size_t contact, int mode) {
@@ -101,6 +105,8 @@ void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
       acceleration[j] /= model_.mass()[j];
   if (!constraints_.empty())
     input_power += hold(time, x, dxdt);
+  if (!following_.empty())
+    follow_force_rates(time, x, dxdt);
   dxdt[layout_.input_work()] = input_power;
   dxdt[layout_.absolute_input_work()] = std::abs(input_power);
   dxdt[layout_.damping_work()] = damping_power;
@@ -177,6 +183,8 @@ void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const
     couple_rotors(time, x, jacobian);
   if (!constraints_.empty())
     hold(jacobian);
+  if (!following_.empty())
+    follow_force_rates(time, x, jacobian);
 }
 
 void Equations::add_cubic_stiffness(double time, ConstVectorView x, Matrix &jacobian) const {

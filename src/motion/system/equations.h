@@ -61,6 +61,10 @@ public:
   }
   /// What is held in the present modes.
   const ActiveConstraints &holding() const { return constraints_; }
+  /// Does friction see the normal force of the contact by value, or its rate?
+  bool sees_normal_force(std::size_t contact) const;
+  /// Does a present mode see the rate of its normal force?
+  bool sees_force_rates() const { return !following_.empty(); }
 
   /// The phase ends at `instant`, a break of the sources (+infinity: none). There they have the
   /// values from the right; all evaluations below see those from the left.
@@ -75,7 +79,8 @@ public:
   /// In its present mode the contact has neither force nor internal states.
   bool inactive(std::size_t contact) const;
 
-  /// Gap, slips, their rates, and the forces that hold them; the internal states refer into `x`.
+  /// Gap, slips, their rates, and the forces that hold them or that the law sees by value; the
+  /// internal states refer into `x`.
   contact::LocalState local_state(std::size_t contact, double time, ConstVectorView x) const;
 
   /// dx/dt
@@ -87,8 +92,8 @@ public:
   /// accelerations.
   double gap_acceleration(std::size_t contact, double time, ConstVectorView acceleration,
                           int direction = 0) const;
-  /// The derivative of the local state by time, that of held forces left out; the internal rates
-  /// refer into `rates`, dx/dt at x.
+  /// The derivative of the local state by time, that of held forces and of the rate of the normal
+  /// force left out; the internal rates refer into `rates`, dx/dt at x.
   contact::LocalState local_rates(std::size_t contact, double time, ConstVectorView x,
                                   ConstVectorView rates) const;
 
@@ -119,6 +124,8 @@ public:
   /// Energy a contact has stored [J].
   double contact_energy(std::size_t contact, int mode, const contact::LocalState &state) const;
 
+  static constexpr double rounding_factor = 64 * std::numeric_limits<double>::epsilon();
+
 private:
   /// A contact that adds to the rates in the present modes.
   struct Acting {
@@ -144,8 +151,16 @@ private:
   void list_acting();
   double add_contact(const Acting &acting, double time, ConstVectorView x, VectorView dxdt) const;
   double add_friction(std::size_t contact, double time, VectorView dxdt) const;
+  void write_friction(const contact::ContactPair &pair, VectorView dxdt) const;
+  void see_normal_force(std::size_t contact, double time, ConstVectorView rates,
+                        contact::LocalState &state) const;
+  void follow_force_rates(double time, ConstVectorView x, VectorView dxdt) const;
+  void follow_force_rates(double time, ConstVectorView x, Matrix &jacobian) const;
+  double normal_force_magnitude(std::size_t contact, const contact::AffineForm &form, double time,
+                                const Vector &x) const;
   void add_contact(std::size_t contact, double time, ConstVectorView x, Matrix &jacobian) const;
   void add_friction(std::size_t contact, Matrix &jacobian) const;
+  void write_internal_rates(std::size_t contact, Matrix &jacobian) const;
   double hold(double time, ConstVectorView x, VectorView dxdt) const;
   void hold(Matrix &jacobian) const;
   double force_magnitude(std::size_t contact, int direction, double time, const Vector &x) const;
@@ -162,7 +177,8 @@ private:
   double last_source_time_ = std::numeric_limits<double>::infinity();
   std::vector<std::vector<char>> inactive_; ///< per contact and mode: no force, no internal states
   std::vector<Acting> acting_;
-  std::vector<Component> components_;        ///< of all contacts
+  std::vector<std::size_t> following_; ///< contacts whose modes see the rate of their normal force
+  std::vector<Component> components_;  ///< of all contacts
   std::vector<std::size_t> first_component_; ///< of each
   mutable ActiveConstraints
       constraints_; ///< its response follows the position where there are rotors

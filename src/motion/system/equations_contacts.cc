@@ -60,10 +60,18 @@ LocalState Equations::local_motion(std::size_t contact, double time, ConstVector
 
 LocalState Equations::local_state(std::size_t contact, double time, ConstVectorView x) const {
   LocalState state = local_motion(contact, time, x);
-  if (constraints_.empty() || !constraints_.holds(contact))
+  const bool held = !constraints_.empty() && constraints_.holds(contact);
+  const bool seen = sees_normal_force(contact);
+  if (!held && !seen)
     return state;
-  held_rates_.resize(layout_.size());
-  rates(time, x, VectorView(held_rates_.data(), held_rates_.size()));
+  if (held || mode(contact).sees_force_rate) {
+    held_rates_.resize(layout_.size());
+    rates(time, x, VectorView(held_rates_.data(), held_rates_.size()));
+  }
+  if (seen)
+    see_normal_force(contact, time, ConstVectorView(held_rates_.data(), held_rates_.size()), state);
+  if (!held)
+    return state;
   for (Index k = 0; k < constraints_.size(); ++k) {
     const HeldDirection &held = constraints_.held(k);
     if (held.contact != contact)
@@ -93,6 +101,10 @@ LocalState Equations::local_rates(std::size_t contact, double time, ConstVectorV
                     .gap_rate = gap_acceleration(contact, time, acceleration),
                     .internal = {rates.data() + layout_.internal() + pair.internal_offset,
                                  local.internal.size()}};
+  if (sees_normal_force(contact)) {
+    pair.law->evaluate(modes_[contact], local, response_);
+    change.normal_force = rate_of_force(response_, change);
+  }
   for (int d = 1; d < pair.n_directions(); ++d) {
     const auto k = static_cast<std::size_t>(d - 1);
     change.tangential[k] = {.slip = local.tangential[k].slip_rate - pair.along(d).speed,
@@ -126,12 +138,14 @@ double Equations::magnitude(std::size_t contact, const contact::AffineForm &form
   for (int d = 0; d < pair.n_directions(); ++d)
     if (const double factor = form.along(d).force; factor != 0 && mode(contact).holds(d))
       sum += std::abs(factor) * force_magnitude(contact, d, time, x);
-  return sum;
+  return form.sees_normal_force() && !mode(contact).holds_gap
+             ? sum + normal_force_magnitude(contact, form, time, x)
+             : sum;
 }
 
 double Equations::rounding(std::size_t contact, const contact::AffineForm &form, double time,
                            const Vector &x) const {
-  return 64 * std::numeric_limits<double>::epsilon() * magnitude(contact, form, time, x);
+  return rounding_factor * magnitude(contact, form, time, x);
 }
 
 double Equations::acceleration_rounding(std::size_t contact, double time, const Vector &x,
@@ -144,7 +158,7 @@ double Equations::acceleration_rounding(std::size_t contact, double time, const 
   for (const BaseCoefficient &base : component.base_coefficients)
     sum += std::abs(base.factor *
                     model_.sources()[base.source].function->acceleration(source_time(time)));
-  return 64 * std::numeric_limits<double>::epsilon() * sum;
+  return rounding_factor * sum;
 }
 
 // Adds its force, before the division by the mass. Returns the power that moving bases put into it.
@@ -186,10 +200,15 @@ double Equations::add_friction(std::size_t contact, double time, VectorView dxdt
     acceleration += force * component.along.projection->row.transpose();
     power -= force * base_rate(component, time);
   }
+  write_friction(pair, dxdt);
+  return power;
+}
+
+// What friction takes, the law having been evaluated.
+void Equations::write_friction(const ContactPair &pair, VectorView dxdt) const {
   dxdt[layout_.friction_work(pair.sliding_place)] = response_.friction_power;
   dxdt[layout_.wear_work(pair.sliding_place)] = response_.force * response_.sliding_speed;
   dxdt[layout_.sliding_way(pair.sliding_place)] = response_.sliding_speed;
-  return power;
 }
 
 // By impulses along what is held: v -= M^-1 W^T (W M^-1 W^T)^-1 slip_rate.
@@ -269,16 +288,33 @@ void Equations::add_contact(std::size_t c, double time, ConstVectorView x, Matri
   jacobian.block(n, 0, n, n) += response_.force_by_gap * row.transpose() * row;
   jacobian.block(n, n, n, n) += response_.force_by_gap_rate * row.transpose() * row;
   const Index first = layout_.internal() + pair.internal_offset;
-  for (int i = 0; i < pair.n_internal(); ++i) {
+  for (int i = 0; i < pair.n_internal(); ++i)
     jacobian.col(first + i).segment(n, n) += response_.force_by_internal[i] * row.transpose();
+  write_internal_rates(c, jacobian);
+  if (!pair.tangential.empty())
+    add_friction(c, jacobian);
+}
+
+// The law having been evaluated.
+void Equations::write_internal_rates(std::size_t c, Matrix &jacobian) const {
+  const Index n = layout_.n;
+  const ContactPair &pair = contacts_.pairs()[c];
+  const RowVector &row = pair.gap.row;
+  const Index first = layout_.internal() + pair.internal_offset;
+  for (int i = 0; i < pair.n_internal(); ++i) {
     jacobian.row(first + i).head(n) = response_.internal_rate_by_gap[i] * row;
     jacobian.row(first + i).segment(n, n) = response_.internal_rate_by_gap_rate[i] * row;
     for (int j = 0; j < pair.n_internal(); ++j)
       jacobian(first + i, first + j) =
           response_.internal_rate_by_internal[i * pair.n_internal() + j];
+    for (int d = 1; d < pair.n_directions(); ++d) {
+      const std::vector<double> &by_slip_rate =
+          response_.tangential[static_cast<std::size_t>(d - 1)].internal_rate_by_slip_rate;
+      if (!by_slip_rate.empty())
+        jacobian.row(first + i).segment(n, n) +=
+            by_slip_rate[static_cast<std::size_t>(i)] * pair.along(d).projection->row;
+    }
   }
-  if (!pair.tangential.empty())
-    add_friction(c, jacobian);
 }
 
 // The law having been evaluated.
@@ -298,9 +334,6 @@ void Equations::add_friction(std::size_t c, Matrix &jacobian) const {
     for (std::size_t i = 0; i < response.by.internal.size(); ++i)
       jacobian.col(first + static_cast<Index>(i)).segment(n, n) +=
           response.by.internal[i] * row.transpose();
-    for (std::size_t i = 0; i < response.internal_rate_by_slip_rate.size(); ++i)
-      jacobian.row(first + static_cast<Index>(i)).segment(n, n) +=
-          response.internal_rate_by_slip_rate[i] * row;
   }
 }
 

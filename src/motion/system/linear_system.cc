@@ -25,19 +25,67 @@ bool LinearSystem::holds(const Equations &equations) {
   return true;
 }
 
-LinearSystem::LinearSystem(const Equations &equations) {
+namespace {
+
+std::vector<contact::AffineLaw> laws_of(const Equations &equations) {
+  std::vector<contact::AffineLaw> laws;
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+    laws.push_back(affine_law(equations, c).value_or(contact::AffineLaw{}));
+  return laws;
+}
+
+// By its derivatives at a local state, but for what internal states of friction do.
+contact::AffineLaw tangent_law(const ContactPair &pair, int mode,
+                               const contact::LocalState &local) {
+  contact::LawResponse response;
+  pair.law->evaluate(mode, local, response);
+  contact::AffineLaw law;
+  law.force = {.gap = response.force_by_gap,
+               .gap_rate = response.force_by_gap_rate,
+               .internal = response.force_by_internal};
+  for (std::size_t k = 0; k < pair.tangential.size(); ++k)
+    law.tangential_force[k] = response.tangential[k].by;
+  const auto n = static_cast<std::size_t>(pair.n_internal());
+  for (std::size_t i = 0; i < n; ++i) {
+    const double *by_internal = response.internal_rate_by_internal.data() + i * n;
+    law.internal_rate.push_back({.gap = response.internal_rate_by_gap[i],
+                                 .gap_rate = response.internal_rate_by_gap_rate[i],
+                                 .internal = {by_internal, by_internal + n}});
+  }
+  return law;
+}
+
+} // namespace
+
+LinearSystem::LinearSystem(const Equations &equations) : laws_(laws_of(equations)) {
   if (!holds(equations))
     throw std::logic_error("this phase of the motion is not linear");
-  assemble(equations);
+  assemble(equations, equations.model().stiffness().dense());
 }
 
-LinearSystem::ConstraintForces LinearSystem::constraint_forces(const Equations &equations) {
-  LinearSystem system;
-  system.assemble(equations);
-  return system.constraint_forces_;
+LinearSystem LinearSystem::of_modes(const Equations &equations) {
+  LinearSystem system(laws_of(equations));
+  system.assemble(equations, equations.model().stiffness().dense());
+  return system;
 }
 
-void LinearSystem::assemble(const Equations &equations) {
+LinearSystem LinearSystem::tangent(const Equations &equations, double time, const Vector &state) {
+  const ConstVectorView x(state.data(), state.size());
+  std::vector<contact::AffineLaw> laws;
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+    laws.push_back(tangent_law(equations.contacts().pairs()[c], equations.modes()[c],
+                               equations.local_state(c, time, x)));
+  LinearSystem system(std::move(laws));
+  Matrix stiffness = equations.model().stiffness().dense();
+  if (!equations.model().linear())
+    equations.model().add_cubic_stiffness(equations.source_time(time),
+                                          ConstVectorView(state.data(), equations.model().size()),
+                                          stiffness);
+  system.assemble(equations, stiffness);
+  return system;
+}
+
+void LinearSystem::assemble(const Equations &equations, const Matrix &stiffness) {
   const model::Model &model = equations.model();
   const Index n = model.size();
   const Index size = equations.layout().physical_size();
@@ -45,7 +93,7 @@ void LinearSystem::assemble(const Equations &equations) {
   const Vector inverse_mass = mass_.cwiseInverse();
   matrix_ = Matrix::Zero(size, size);
   matrix_.block(0, n, n, n).setIdentity();
-  matrix_.block(n, 0, n, n) = -(inverse_mass.asDiagonal() * model.stiffness().dense());
+  matrix_.block(n, 0, n, n) = -(inverse_mass.asDiagonal() * stiffness);
   matrix_.block(n, n, n, n) = -(inverse_mass.asDiagonal() * model.damping().dense());
   constant_ = Vector::Zero(size);
   for (const model::Source &source : model.sources()) {
@@ -62,6 +110,67 @@ void LinearSystem::assemble(const Equations &equations) {
       add_contact(equations, c);
   if (!equations.holding().empty())
     hold(equations);
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+    follow_normal_force(equations, c);
+}
+
+// Internal rates that go with the rate of the normal force, once the accelerations are known.
+void LinearSystem::follow_normal_force(const Equations &equations, std::size_t contact) {
+  const contact::AffineLaw &law = laws_[contact];
+  const Index first =
+      equations.layout().internal() + equations.contacts().pairs()[contact].internal_offset;
+  for (std::size_t i = 0; i < law.internal_rate.size(); ++i) {
+    const double factor = law.internal_rate[i].normal_force_rate;
+    if (factor == 0)
+      continue;
+    const LinearRow rate = derivative(row_of_motion(equations, contact, law.force));
+    const Index place = first + static_cast<Index>(i);
+    matrix_.row(place) += factor * rate.row.head(size());
+    constant_[place] += factor * rate.constant;
+    for (std::size_t k = 0; k < loads_.size(); ++k) {
+      const Index source = size() + 3 * static_cast<Index>(k);
+      loads_[k].value[place] += factor * rate.row[source];
+      loads_[k].rate[place] += factor * rate.row[source + 1];
+      loads_[k].acceleration[place] += factor * rate.row[source + 2];
+    }
+  }
+}
+
+LinearRow LinearSystem::derivative(const LinearRow &row) const {
+  const auto by_state = row.row.head(size());
+  LinearRow rate{.row = RowVector::Zero(row.row.size()), .constant = by_state.dot(constant_)};
+  rate.row.head(size()) = by_state * matrix_;
+  for (std::size_t k = 0; k < loads_.size(); ++k) {
+    const Index source = size() + 3 * static_cast<Index>(k);
+    rate.row[source] = by_state.dot(loads_[k].value);
+    rate.row[source + 1] = by_state.dot(loads_[k].rate) + row.row[source];
+    rate.row[source + 2] = by_state.dot(loads_[k].acceleration) + row.row[source + 1];
+  }
+  return rate;
+}
+
+LinearRow LinearSystem::row(const Equations &equations, std::size_t contact,
+                            const contact::AffineForm &form) const {
+  LinearRow result = row_of_motion(equations, contact, form);
+  if (!form.sees_forces())
+    return result;
+  const auto add = [&](double factor, const LinearRow &other) {
+    result.row += factor * other.row;
+    result.constant += factor * other.constant;
+  };
+  const ActiveConstraints &holding = equations.holding();
+  const contact::Mode &mode = equations.mode(contact);
+  for (int d = 0; d < equations.contacts().pairs()[contact].n_directions(); ++d)
+    if (const Index k = holding.place(contact, d); k < holding.size())
+      add(form.along(d).force,
+          {.row = constraint_forces_.rows.row(k), .constant = constraint_forces_.constants[k]});
+  if (mode.holds_gap || !form.sees_normal_force())
+    return result;
+  const LinearRow force = row_of_motion(equations, contact, laws_[contact].force);
+  add(form.normal_force, force);
+  if (form.normal_force_rate != 0)
+    add(form.normal_force_rate, derivative(force));
+  return result;
 }
 
 // The forces of equations.holding() as rows, and what they add to the equations.
@@ -109,7 +218,7 @@ void LinearSystem::hold(const Equations &equations) {
 void LinearSystem::add_contact(const Equations &equations, std::size_t contact) {
   const ContactPair &pair = equations.contacts().pairs()[contact];
   const StateLayout &layout = equations.layout();
-  const contact::AffineLaw &law = *affine_law(equations, contact);
+  const contact::AffineLaw &law = laws_[contact];
   for (int d = 0; d < pair.n_directions(); ++d) {
     Vector into = Vector::Zero(size());
     into.segment(layout.n, layout.n) = equations.model().mass().cwiseInverse().cwiseProduct(
@@ -144,6 +253,32 @@ void LinearSystem::add_form(const Equations &equations, std::size_t contact,
     matrix_.col(layout.internal() + pair.internal_offset + static_cast<Index>(i)) +=
         form.internal[i] * into;
   constant_ += constant * into;
+}
+
+LinearRow row_of_motion(const Equations &equations, std::size_t contact,
+                        const contact::AffineForm &form) {
+  const ContactPair &pair = equations.contacts().pairs()[contact];
+  const StateLayout &layout = equations.layout();
+  const auto n_sources = static_cast<Index>(equations.model().sources().size());
+  LinearRow result{.row = RowVector::Zero(layout.physical_size() + 3 * n_sources),
+                   .constant = form.constant};
+  RowVector &row = result.row;
+  for (int d = 0; d < pair.n_directions(); ++d) {
+    const contact::DirectionForm of = form.along(d);
+    const contact::Direction along = pair.along(d);
+    const std::vector<double> &base = along.projection->base_coefficients;
+    row.head(layout.n) += of.position * along.projection->row;
+    row.segment(layout.velocity(), layout.n) += of.rate * along.projection->row;
+    result.constant += of.position * along.offset + of.rate * along.speed;
+    for (std::size_t k = 0; k < base.size(); ++k) {
+      const Index source = layout.physical_size() + 3 * static_cast<Index>(k);
+      row[source] += of.position * base[k];
+      row[source + 1] += of.rate * base[k];
+    }
+  }
+  for (std::size_t i = 0; i < form.internal.size(); ++i)
+    row[layout.internal() + pair.internal_offset + static_cast<Index>(i)] = form.internal[i];
+  return result;
 }
 
 void LinearSystem::differentiate(Matrix &rows) const {

@@ -18,6 +18,8 @@ constexpr double smooth = 3e-5;
 
 void append(const contact::AffineForm &form, std::vector<double> &list) {
   list.insert(list.end(), {form.constant, form.gap, form.gap_rate, form.normal_force});
+  if (form.normal_force_rate != 0)
+    list.push_back(form.normal_force_rate);
   list.insert(list.end(), form.internal.begin(), form.internal.end());
   for (const contact::DirectionForm &of : form.tangential)
     if (!of.zero())

@@ -26,7 +26,7 @@ Vector balanced(const Equations &equations, Vector scale) {
   return scale;
 }
 
-// Rows of gaps, gap rates and internal states, of length 1 in scaled coordinates.
+// Rows of gaps, slips, their rates and internal states, of length 1 in scaled coordinates.
 Matrix observed_rows(const Equations &equations, const Vector &scale) {
   const StateLayout &layout = equations.layout();
   std::vector<RowVector> rows;
@@ -38,8 +38,10 @@ Matrix observed_rows(const Equations &equations, const Vector &scale) {
     if (equations.mode(c).affine || equations.mode(c).holds_gap)
       continue;
     const contact::ContactPair &pair = equations.contacts().pairs()[c];
-    row_at(0, pair.gap.row);
-    row_at(layout.velocity(), pair.gap.row);
+    for (int d = 0; d < pair.n_directions(); ++d) {
+      row_at(0, pair.along(d).projection->row);
+      row_at(layout.velocity(), pair.along(d).projection->row);
+    }
     for (Index i = 0; i < pair.n_internal(); ++i)
       row_at(layout.internal() + pair.internal_offset + i, RowVector::Ones(1));
   }

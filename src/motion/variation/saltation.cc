@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace vibroimpact::motion {
 
@@ -66,7 +67,8 @@ Vector Saltations::rates_at_guard(const ContactEvent &event, const Vector &state
   Vector rates = this->rates(event.time, state);
   const AffineForm &guard = event.guard->indicator;
   const bool is_gap = guard.constant == 0 && guard.gap_rate == 0 && guard.internal.empty() &&
-                      guard.tangential[0].zero() && guard.tangential[1].zero();
+                      !guard.sees_normal_force() && guard.tangential[0].zero() &&
+                      guard.tangential[1].zero();
   if (!is_gap || equations_.mode(event.contact).holds_gap || equations_.inactive(event.contact))
     return rates;
   const contact::ContactPair &pair = equations_.contacts().pairs()[event.contact];
@@ -84,50 +86,52 @@ Vector Saltations::rates_at_guard(const ContactEvent &event, const Vector &state
   return rates;
 }
 
-RowVector Saltations::gradient(std::size_t contact, const AffineForm &form) const {
-  RowVector row = linear_row(equations_, contact, form).row;
+RowVector Saltations::gradient(const ContactEvent &event, const AffineForm &form) const {
+  RowVector row = tangent_row(equations_, event.contact, form, event.time, *event.before).row;
   row.conservativeResize(equations_.layout().physical_size());
   return row;
 }
 
-double Saltations::rate_along(std::size_t contact, const AffineForm &form,
-                              const ContactEvent &event, const Vector &rates) const {
+// Forces that a form sees are rows of the state and the sources.
+double Saltations::rate_along(const AffineForm &form, const ContactEvent &event,
+                              const Vector &rates) const {
   contact::LocalState change = equations_.local_rates(
-      contact, event.time, ConstVectorView(event.before->data(), event.before->size()),
+      event.contact, event.time, ConstVectorView(event.before->data(), event.before->size()),
       ConstVectorView(rates.data(), rates.size()));
   change.gap = event.gap_rate;
+  change.normal_force = 0;
   AffineForm slope = form;
   slope.constant = 0;
-  return slope(change) + (form.sees_forces() ? rate_of_held(contact, form, event.time, rates) : 0);
+  AffineForm forces;
+  forces.normal_force = std::exchange(slope.normal_force, 0);
+  forces.normal_force_rate = std::exchange(slope.normal_force_rate, 0);
+  for (std::size_t k = 0; k < contact::most_tangential; ++k)
+    forces.tangential[k].force = form.tangential[k].force;
+  return slope(change) + (form.sees_forces() ? rate_of_forces(forces, event, rates) : 0);
 }
 
-// The part of such a rate that comes from the forces which hold a contact: rows of the state and
-// the sources.
-double Saltations::rate_of_held(std::size_t contact, const AffineForm &form, double time,
-                                const Vector &rates) const {
-  AffineForm held;
-  held.normal_force = form.normal_force;
-  for (std::size_t k = 0; k < contact::most_tangential; ++k)
-    held.tangential[k].force = form.tangential[k].force;
-  const RowVector row = linear_row(equations_, contact, held).row;
+double Saltations::rate_of_forces(const AffineForm &forces, const ContactEvent &event,
+                                  const Vector &rates) const {
+  const RowVector row =
+      tangent_row(equations_, event.contact, forces, event.time, *event.before).row;
   const Index size = equations_.layout().physical_size();
   double rate = row.head(size).dot(rates.head(size));
   std::vector<SourceValues> values;
-  equations_.source_values(time, values);
+  equations_.source_values(event.time, values);
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const auto form_then = equations_.model().sources()[k].function->exponential_form(time);
+    const auto form_then = equations_.model().sources()[k].function->exponential_form(event.time);
     const auto of = row.segment(size + 3 * static_cast<Index>(k), 3);
     rate += of[0] * values[k][1] + of[1] * values[k][2] +
-            (form_then ? of[2] * third_derivative(*form_then, time) : 0);
+            (form_then ? of[2] * third_derivative(*form_then, event.time) : 0);
   }
   return rate;
 }
 
 Saltations::Crossing Saltations::crossing(const ContactEvent &event, const Vector &before) const {
   const AffineForm &guard = event.guard->indicator;
-  Crossing crossing{.by_state = gradient(event.contact, guard),
+  Crossing crossing{.by_state = gradient(event, guard),
                     .by_key = RowVector::Zero(static_cast<Index>(keys_.size())),
-                    .rate = rate_along(event.contact, guard, event, before)};
+                    .rate = rate_along(guard, event, before)};
   if (keys_.empty())
     return crossing;
   if (event.guard->action == contact::GuardAction::impact) { // it is the gap itself
@@ -162,8 +166,8 @@ Saltations::Reset Saltations::internal_reset(const ContactEvent &event,
     const AffineForm &form = event.guard->reset[i];
     const Index row = first + static_cast<Index>(i);
     const Vector unit = Vector::Unit(before.size(), row);
-    reset.by_state.add(unit, gradient(event.contact, form) - unit.transpose());
-    reset.rates[row] = rate_along(event.contact, form, event, before);
+    reset.by_state.add(unit, gradient(event, form) - unit.transpose());
+    reset.rates[row] = rate_along(form, event, before);
     for (std::size_t k = 0; k < keys_.size(); ++k)
       reset.by_key(row, static_cast<Index>(k)) = keys_[k]->form(
           equations_, event.contact,
@@ -228,6 +232,8 @@ bool Saltations::below_zero(const ContactEvent &event) const {
   return value < -16 * equations_.rounding(event.contact, guard, event.time, state);
 }
 
+// A guard that a jump of forces has taken below zero is passed when the change before happens,
+// whatever it is itself. The delay of that one is a row of positions, which no change moves.
 Saltation Saltations::change(const ContactEvent &event, bool at_start) {
   equations_.set_mode(event.contact, event.from);
   const Vector before = rates_at_guard(event, *event.before);
@@ -236,10 +242,16 @@ Saltation Saltations::change(const ContactEvent &event, bool at_start) {
     crossing.by_state.setZero();
     crossing.by_key.setZero();
     crossing.rate = 1;
+  } else if (last_.time == event.time && below_zero(event)) {
+    crossing = {.by_state = -last_.delay, .by_key = -last_.delay_by_key, .rate = 1};
   }
   Reset reset = internal_reset(event, before);
   equations_.set_mode(event.contact, event.to);
-  return join(std::move(crossing), std::move(reset), rates_at_guard(event, *event.state));
+  const RowVector by_key = crossing.by_key * (crossing.rate != 0 ? -1 / crossing.rate : 0);
+  Saltation saltation =
+      join(std::move(crossing), std::move(reset), rates_at_guard(event, *event.state));
+  last_ = {.time = event.time, .delay = saltation.delay, .delay_by_key = by_key};
+  return saltation;
 }
 
 Saltation Saltations::collide(const ContactEvent &event) {
@@ -266,7 +278,9 @@ std::optional<Saltation> Saltations::of(const ContactEvent &event, double start)
       return std::nullopt;
     return collide(event);
   }
-  if (event.guard->indicator.normal_force != 0) { // let go without force
+  const ContactLaw &law = *equations_.contacts().pairs()[event.contact].law;
+  if (law.modes()[static_cast<std::size_t>(event.from)].holds_gap &&
+      event.guard->indicator.normal_force != 0) { // let go without force
     equations_.set_mode(event.contact, event.to);
     return std::nullopt;
   }

@@ -19,6 +19,7 @@
 #include "motion/variation/key_tangent.h"
 #include "motion/variation/low_rank_map.h"
 
+#include <limits>
 #include <optional>
 
 namespace vibroimpact::motion {
@@ -51,14 +52,18 @@ public:
 private:
   struct Crossing; // of a guard
   struct Reset;    // of the state
+  struct LastChange {
+    double time = std::numeric_limits<double>::quiet_NaN();
+    RowVector delay, delay_by_key; ///< dt by state and keys
+  };
 
   Vector rates(double time, const Vector &state) const;
   Vector rates_at_guard(const ContactEvent &event, const Vector &state) const;
-  RowVector gradient(std::size_t contact, const contact::AffineForm &form) const;
-  double rate_along(std::size_t contact, const contact::AffineForm &form, const ContactEvent &event,
+  RowVector gradient(const ContactEvent &event, const contact::AffineForm &form) const;
+  double rate_along(const contact::AffineForm &form, const ContactEvent &event,
                     const Vector &rates) const;
-  double rate_of_held(std::size_t contact, const contact::AffineForm &form, double time,
-                      const Vector &rates) const;
+  double rate_of_forces(const contact::AffineForm &forces, const ContactEvent &event,
+                        const Vector &rates) const;
   Crossing crossing(const ContactEvent &event, const Vector &before) const;
   Reset no_reset(const Vector &before) const;
   Reset internal_reset(const ContactEvent &event, const Vector &before) const;
@@ -71,6 +76,7 @@ private:
   Equations &equations_;
   const std::vector<KeyTangent *> &keys_;
   const Vector &scale_;
+  LastChange last_;
 };
 
 } // namespace vibroimpact::motion

@@ -1,5 +1,7 @@
 #include "motion/variation/start_projection.h"
 
+#include "motion/interval/guard_forms.h"
+
 namespace vibroimpact::motion {
 
 using contact::AffineForm;
@@ -55,12 +57,43 @@ void hold(const Equations &equations, const std::vector<KeyTangent *> &keys, dou
   map.by_key.middleRows(layout.velocity(), layout.n) -= response * holding.forces(gap_rates);
 }
 
+bool stays(const AffineForm &reset, std::size_t place) {
+  return reset.internal.size() == place + 1 && reset.internal[place] == 1 && reset.gap == 0 &&
+         reset.gap_rate == 0 && reset.constant == 0 && !reset.sees_normal_force();
+}
+
+// The spring of a slider that slides is what the normal force makes of it.
+void slave_to_force(const Equations &equations, const std::vector<KeyTangent *> &keys, double time,
+                    const Vector &state, std::size_t c, LinearMap &map) {
+  const contact::ContactPair &pair = equations.contacts().pairs()[c];
+  const int mode = equations.modes()[c];
+  const std::vector<AffineForm> &reset = *reset_into(*pair.law, mode);
+  for (std::size_t i = 0; i < reset.size(); ++i) {
+    if (stays(reset[i], i))
+      continue;
+    const Index row = equations.layout().internal() + pair.internal_offset + static_cast<Index>(i);
+    const RowVector gradient =
+        tangent_row(equations, c, reset[i], time, state).row.head(map.by_state.rows());
+    map.by_state.row(row) = (gradient * map.by_state).eval();
+    map.by_key.row(row) = (gradient * map.by_key).eval();
+    for (std::size_t k = 0; k < keys.size(); ++k)
+      map.by_key(row, static_cast<Index>(k)) += keys[k]->form(
+          equations, c,
+          [&](const ContactLaw &law) -> const AffineForm & { return (*reset_into(law, mode))[i]; },
+          time, state);
+  }
+}
+
 void slave(const Equations &equations, const std::vector<KeyTangent *> &keys, double time,
            const Vector &state, std::size_t c, LinearMap &map) {
   const contact::ContactPair &pair = equations.contacts().pairs()[c];
   const int mode = equations.modes()[c];
   const std::vector<AffineForm> *reset = reset_into(*pair.law, mode);
-  if (!reset || !equations.mode(c).affine)
+  if (!reset)
+    return;
+  if (equations.mode(c).sees_force_rate)
+    return slave_to_force(equations, keys, time, state, c, map);
+  if (!equations.mode(c).affine)
     return;
   const std::vector<AffineForm> &rates = equations.mode(c).affine->internal_rate;
   for (std::size_t i = 0; i < reset->size() && i < rates.size(); ++i) {
