@@ -32,9 +32,18 @@ struct Clustering {
 constexpr Clustering clusterings[] = {
     {0.9999L, true}, {0.99L, true}, {0.0L, true}, {0.9L, false}, {0.0L, false}};
 
-// Powers of two d with D^-1 A D of rows and columns of similar size.
-Vector balance(const Matrix &matrix) {
+// Powers of two d with D^-1 A D of rows and columns of similar size. What is rounding beside the
+// rest of its row and of its column does not count: scaled up, it would hide all else (James,
+// Langou and Lowery 2014).
+Vector balance(Matrix matrix) {
+  constexpr double rounding = 1e-15;
   const Index n = matrix.rows();
+  const Vector rows = matrix.cwiseAbs().rowwise().maxCoeff();
+  const Vector columns = matrix.cwiseAbs().colwise().maxCoeff();
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j)
+      if (std::abs(matrix(i, j)) <= rounding * std::min(rows[i], columns[j]))
+        matrix(i, j) = 0;
   Vector scale = Vector::Ones(n);
   for (int sweep = 0; sweep < 20; ++sweep)
     for (Index i = 0; i < n; ++i) {

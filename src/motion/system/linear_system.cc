@@ -14,6 +14,15 @@ const std::optional<contact::AffineLaw> &affine_law(const Equations &equations,
   return pair.law->modes()[static_cast<std::size_t>(equations.modes()[contact])].affine;
 }
 
+// Adds rows of products a b. What is left of terms that cancel is none: rounding would tie
+// coordinates to each other that constraints have made independent.
+template <class Rows> void add_product(const Matrix &a, const Matrix &b, Rows &&rows) {
+  constexpr double rounding = 1e-14;
+  const Matrix sizes = rows.cwiseAbs() + a.cwiseAbs() * b.cwiseAbs();
+  rows += a * b;
+  rows = (rows.array().abs() <= rounding * sizes.array()).select(0.0, rows);
+}
+
 } // namespace
 
 bool LinearSystem::holds(const Equations &equations) {
@@ -204,14 +213,14 @@ void LinearSystem::hold(const Equations &equations) {
   const Matrix forces = -holding.forces(missing);
   constraint_forces_.rows = forces.leftCols(forces.cols() - 1);
   constraint_forces_.constants = forces.rightCols(1);
-  const Matrix added = holding.response() * forces;
-  matrix_.middleRows(n, n) += added.leftCols(size());
-  constant_.segment(n, n) += added.rightCols(1);
+  const Matrix &response = holding.response();
+  add_product(response, forces.leftCols(size()), matrix_.middleRows(n, n));
+  add_product(response, forces.rightCols(1), constant_.segment(n, n));
   for (Index s = 0; s < n_sources; ++s) {
     Load &load = loads_[static_cast<std::size_t>(s)];
-    load.value.segment(n, n) += added.col(size() + 3 * s);
-    load.rate.segment(n, n) += added.col(size() + 3 * s + 1);
-    load.acceleration.segment(n, n) += added.col(size() + 3 * s + 2);
+    add_product(response, forces.col(size() + 3 * s), load.value.segment(n, n));
+    add_product(response, forces.col(size() + 3 * s + 1), load.rate.segment(n, n));
+    add_product(response, forces.col(size() + 3 * s + 2), load.acceleration.segment(n, n));
   }
 }
 
