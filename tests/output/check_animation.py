@@ -185,6 +185,16 @@ class Motion(unittest.TestCase):
         self.assertEqual(picture.figure.texts[0].get_text(), "Mode at 12.5 Hz")
         self.assertEqual(picture.colours.get_clim(), (0, 1))
 
+    def test_more_points_with_a_force_than_can_be_told_apart_are_not_marked(self):
+        body = mesh(np.zeros((4, 3)), contact_force=np.ones((4, 3)))
+        instant = animation.Instant(0, {"frame": body})
+        for most, marks in ((4, 1), (3, 0)):
+            with mock.patch.object(animation, "MOST_MARKED", most):
+                picture = animation.Picture([instant], "contact_force", 1.0, animation.Style())
+                picture.draw(instant)
+            drawn = [type(artist).__name__ for artist in picture.axes.collections]
+            self.assertEqual(drawn.count("Path3DCollection"), marks)
+
     def test_the_largest_force_of_the_instant_has_the_longest_arrow(self):
         body = mesh(np.zeros((4, 3)))
         body.data["contact_force"] = np.array([[0, 0, 4.0], [0, 0, -2.0], [0] * 3, [0] * 3])

@@ -36,6 +36,8 @@ SHORTER = {
     "impacting-beams-branches": ["Analyses=sweep", "Analysis/sweep/Stepped sweep/Points=11"],
     "isolator-basins": ["Analyses=plane", "Analysis/plane/Basins/First axis/Cells=20",
                         "Analysis/plane/Basins/Second axis/Cells=20"],
+    "rattling-plates": [*(f"Body {body}/Interface face/Grid points=10, 6" for body in ("lower", "upper")),
+                        "Analysis/rattle/Transient/Frames=3"],
     "tube-wear": ["Analysis/sweep/Stepped sweep/Points=3", "Analysis/sweep/Stepped sweep/Recorded cycles=10"],
     "vibro-impact-absorber": ["Analyses=linear, close_motion", "Analysis/linear/Stepped sweep/Settling cycles=50",
                               "Analysis/close_motion/Steady state/Settling cycles=50"],

@@ -25,6 +25,7 @@ MAP = "viridis"
 CONTACT = "#C8102E"
 STOP = "#6E6E6E"
 MODES = "modes"  # file of the mode shapes, by frequency
+MOST_MARKED = 100  # nodes with a contact force; more of them would hide the surface, whose colour can show the force
 ARROW = 0.18  # longest arrow of a contact force relative to the size of the bodies
 SURFACE = 0.7  # opacity of shells, behind which their stops stand
 TITLES = {"displacement": ("Displacement", "m"), "velocity": ("Velocity", "m/s"),
@@ -187,6 +188,8 @@ class Picture:
             self.axes.scatter(*places.T, s=60, c=self.colours.to_rgba(values), depthshade=False, zorder=2)
         if "contact_force" in mesh.data:
             touched = places[np.linalg.norm(mesh.data["contact_force"], axis=1) > 0]
+            if len(np.unique(touched, axis=0)) > MOST_MARKED:
+                return
             self.axes.scatter(*touched.T, s=22, c=CONTACT, depthshade=False, zorder=3)
             if self.arrows_of is not None and len(touched):
                 forces = mesh.data["contact_force"]
