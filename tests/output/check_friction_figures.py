@@ -94,8 +94,17 @@ class Figures(unittest.TestCase):
         known = np.isfinite(slip)
         self.assertGreater(np.sum(drawn[known][:-1] * np.diff(slip[known])), 0)
 
+    def test_classes_share_out_the_time_in_contact(self):
+        figure = self.known(gap=-1e-4)["rub-friction-classes-floor"]()
+        counts = figure.axes[0].collections[0].get_array()
+        self.assertAlmostEqual(np.nansum(counts.filled(np.nan)), 1)
+        edges = figure.axes[0].collections[0].get_coordinates()
+        self.assertAlmostEqual(edges[..., 1].max(), 4)  # N
+
     def test_what_never_moves_along_the_normal_has_no_cycle(self):
-        self.assertNotIn("rub-cycle-floor", self.known())
+        known = self.known()
+        self.assertNotIn("rub-cycle-floor", known)
+        self.assertNotIn("rub-friction-classes-floor", known)
 
 
 if __name__ == "__main__":

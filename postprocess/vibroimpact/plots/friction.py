@@ -8,12 +8,14 @@ import functools
 
 import numpy as np
 
-from . import cycles
+from . import cycles, style
 from .envelopes import SMALLEST_JUMP
-from .motions import Motion, bases, contacts_of, is_closed
+from .labels import scale_for
+from .motions import Motion, bases, contacts_of, is_closed, parts
 from .results import Analysis, Results
 
 STUCK = 1e-12  # of the largest slip rate: rounding
+CLASSES = 12  # of normal force and of slip speed
 
 
 def figures(results: Results, analysis: Analysis):
@@ -23,6 +25,10 @@ def figures(results: Results, analysis: Analysis):
             if all(analysis.has(f"{base}contact/{contact}/{name}") for name in ("slip", "slip_rate", "friction_force")):
                 yield (f"{analysis.name}-friction-loop-{contact}",
                        functools.partial(loops, analysis, base, contact))
+            if analysis.has(f"{base}contact/{contact}/normal_force") and slides(Motion(analysis, base, None, ""), contact) \
+                    and parts(analysis, base, contact):
+                yield (f"{analysis.name}-friction-classes-{contact}",
+                       functools.partial(distribution, analysis, base, contact))
 
 
 def loops(analysis: Analysis, base: str, contact: str):
@@ -94,3 +100,30 @@ def beside(time, force, first: int, second: int, at: float) -> float:
         return force[first]
     slope = (force[second] - force[first]) / (time[second] - time[first])
     return force[first] + slope * (at - time[first])
+
+
+def distribution(analysis: Analysis, base: str, contact: str):
+    """Share of the time in contact for classes of normal force and slip speed, of all samples."""
+    entries = list(cycles.motions(analysis, base))
+    samples = [[shares(motion, contact) for motion in directions] for _, directions in entries]
+    scales = [scale_for(unit, *[part[k] for panel in samples for part in panel]) for k, unit in enumerate(("m/s", "N"))]
+    tops = [max(part[k].max(initial=0.0) for panel in samples for part in panel) / scales[k].factor for k in (0, 1)]
+    figure, panels = style.panel_grid(len(entries), height=2.6)
+    classes = []
+    for panel in samples:
+        both = [np.concatenate([part[k] for part in panel]) / scales[k].factor for k in (0, 1)]
+        counts, *edges = np.histogram2d(*both, bins=CLASSES, range=[[0, top or 1] for top in tops])
+        classes.append(np.where(counts > 0, counts / max(len(both[0]), 1), np.nan))
+    for axes, (text, _), values in zip(panels, entries, classes):
+        mesh = axes.pcolormesh(*edges, values.T, cmap=style.SEQUENCE, vmin=0, vmax=np.nanmax(classes))
+        style.panel_title(axes, text, panels)
+    style.label_grid(panels, scales[0].label("Slip speed"), scales[1].label("Normal force"))
+    figure.colorbar(mesh, ax=panels, label="Share of the time in contact", pad=0.02)
+    figure.suptitle(f"Contact {contact}", x=0.01, ha="left", fontsize=10)
+    return figure
+
+
+def shares(motion: Motion, contact: str):
+    """Slip speed and normal force of the samples in contact."""
+    speed, force = (np.abs(motion.signal(f"contact/{contact}/{name}")) for name in ("slip_rate", "normal_force"))
+    return speed[force > 0], force[force > 0]
