@@ -83,7 +83,7 @@ TEST(FrictionPublished, CapsuleThatDrivesItself) {
   const Capsule capsules[] = {{1.6, 5, 0.95, {1.094851234}},
                               {1.0, 5, 0.95, {.568739664}},
                               {1.6, 3, 0.95, {1.496900132}},
-                              {1.6, 5, 1.1, {.889891921, .125349569}}};
+                              {1.6, 5, 1.1, {.889891921413, .125349569392}}};
   for (const Capsule &of : capsules) {
     Model model({single_mass("inner", 1, 0, 0), single_mass("capsule", of.mass, 0, 0)});
     add_spring(model, {.from = 0, .to = 1, .stiffness = 1, .damping = 0.1, .cubic = 0});
