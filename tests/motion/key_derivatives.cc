@@ -7,6 +7,7 @@
 #include "contact/laws/tsuji.h"
 #include "model/pulse.h"
 #include "motion/variation/linearised_motion.h"
+#include "support/friction_models.h"
 #include "support/motion_derivative.h"
 #include "support/rigid_contacts.h"
 
@@ -91,6 +92,23 @@ Model pushed_mass(double mass, double stiffness, double damping,
   Model model({single_mass("block", mass, stiffness, damping)});
   model.add_force("push", force, {.body = 0, .point = 0}, Vector3::UnitX());
   return model;
+}
+
+// A block on a belt whose static coefficient is larger: the force jumps where it begins to slip,
+// and when it does depends on the force that holds it.
+TEST(KeyDerivativesTest, ForceAtWhichABlockBeginsToSlip) {
+  const auto block = [](double stiffness, double amplitude, double speed) {
+    Model model = pushed_mass(1, stiffness, 0.02, force_of(amplitude, 1.7));
+    ContactSet contacts(
+        {testing::sliding_along_x(model, "block.head", "", testing::coulomb(1, 0.5, 1), speed)});
+    return Parts{std::move(model), std::move(contacts)};
+  };
+  const MotionState start{.time = 0, .physical = vector_of({0, 0.2})};
+  Family{.make = [&](double k) { return block(k, 0.1, 0.2); }, .start = start, .end = 21}
+      .agrees_with_differences(4);
+  Family{
+      .make = [&](double f) { return block(1, f, 0.2); }, .value = 0.1, .start = start, .end = 21}
+      .agrees_with_differences(4);
 }
 
 // x = Re(c exp(i w t)) for the right start, c = a e^(i phi) / (i (k - m w^2 + i c w)): its

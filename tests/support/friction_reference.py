@@ -211,6 +211,55 @@ def belt(title, end, *constants):
     go.longest = 1e-3
 
 
+def capsule(title, drive, mass, frequency, periods):
+    """A driven mass 1 in a capsule that rubs on the ground with 1. State x1, x2, x1', x2'; the
+    spring 15 acts where x1 - x2 exceeds 0.02. Ways of the capsule in the last two periods."""
+
+    def coupling(y, touches):
+        return y[1] - y[0] + 0.1 * (y[3] - y[2]) - (15 * (y[0] - y[1] - 0.02) if touches else 0.0)
+
+    def rates(sigma, touches):
+        def f(t, y):
+            pull = coupling(y, touches)
+            friction = 0.0 if sigma == 0 else (-pull - sigma) / mass
+            return np.array([y[2], 0.0 if sigma == 0 else y[3], drive * np.cos(frequency * t) + pull,
+                             friction])
+        return f
+
+    modes = {}
+    for sigma, word in ((0, "stick"), (1, "slip +"), (-1, "slip -")):
+        for touches in (False, True):
+            side = -1 if touches else 1
+            guards = [(lambda t, y, side=side: side * (0.02 - y[0] + y[1]),
+                       f"{word}, {not touches}", None)]
+
+            def still(t, y):
+                return np.array([y[0], y[1], y[2], 0.0])
+
+            def after(t, y, touches=touches):
+                pull = -coupling(y, touches)
+                return f"{'slip +' if pull > 1 else 'slip -' if pull < -1 else 'stick'}, {touches}"
+
+            if sigma == 0:
+                guards += [(lambda t, y, touches=touches: 1 + coupling(y, touches),
+                            f"slip +, {touches}", None),
+                           (lambda t, y, touches=touches: 1 - coupling(y, touches),
+                            f"slip -, {touches}", None)]
+            else:
+                guards.append((lambda t, y, sigma=sigma: sigma * y[3], after, still))
+            modes[f"{word}, {touches}"] = (rates(sigma, touches), guards)
+    period = 2 * np.pi / frequency
+    go.longest = 0.2
+    y, mode, t, ways = np.zeros(4), "stick, False", 0.0, []
+    for i in range(periods):
+        before = y[1]
+        y, mode, _ = run(modes, mode, y, (i + 1) * period, 0.05, t)
+        t = (i + 1) * period
+        ways.append(y[1] - before)
+    go.longest = 1e-3
+    print(f"== {title}\n   " + ", ".join(f"{way:.12g}" for way in ways[-2:]))
+
+
 CASES = {
     "kelvin-voigt, spring-slider": lambda: oblique(
         "kelvin-voigt, spring-slider", kelvin_voigt(3e4, 90.0), 0.0, 0.3, [0.0, 0.099, 0.9, 1.0], 0.03,
@@ -232,6 +281,10 @@ CASES = {
     "stribeck on a belt, exponent 2": lambda: belt(
         "stribeck on a belt, exponent 2", 30.0, lambda v: 0.5 + 0.5 * np.exp(-(v / 0.3) ** 2), 1.0,
         0.0),
+    "capsule 1": lambda: capsule("capsule 1", 1.6, 5.0, 0.95, 400),
+    "capsule 2": lambda: capsule("capsule 2", 1.0, 5.0, 0.95, 400),
+    "capsule 3": lambda: capsule("capsule 3", 1.6, 3.0, 0.95, 400),
+    "capsule 4": lambda: capsule("capsule 4", 1.6, 5.0, 1.1, 402),
 }
 
 

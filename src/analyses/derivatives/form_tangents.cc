@@ -157,7 +157,7 @@ double FormTangents::delay(const motion::ContactEvent &event, const TangentPoint
   const std::vector<contact::Guard> &guards =
       law_of(before.equations(), event.contact).modes()[mode].guards;
   const contact::AffineForm &own = event.guard->indicator;
-  if (own.normal_force != 0 && !motion::LinearSystem::holds(before.equations()))
+  if (own.sees_normal_force() && !motion::LinearSystem::holds(before.equations()))
     return nan;
   const auto place = static_cast<std::size_t>(event.guard - guards.data());
   return to_delay(contact_form(

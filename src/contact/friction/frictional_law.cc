@@ -96,71 +96,88 @@ std::string why_no_friction(const ContactLaw &normal) {
 }
 
 struct FrictionalLaw::Product {
-  std::vector<Mode> modes;
-  std::vector<Part> parts;
-  std::vector<AffineLaw> forms;
-  std::vector<char> evaluated;
+  std::size_t n_normal = 0, n_own = 0; ///< internal states
+  std::vector<Part> parts{};
+  std::vector<Mode> modes{};
+  std::vector<AffineLaw> forms{};
 
-  int place(int normal, int tangential) const {
-    const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part &part) {
-      return part.normal == normal && (part.tangential == tangential || part.tangential == -1);
-    });
-    return static_cast<int>(found - parts.begin());
-  }
+  void list_parts(const ContactLaw &normal, const TangentialLaw &tangential);
+  void lead_guards(const Part &part, Mode &mode) const;
+  void add_friction(const Part &part, const TangentialMode &own, Mode &mode, AffineLaw &of) const;
 };
+
+int FrictionalLaw::place(const std::vector<Part> &parts, int normal, int tangential) {
+  const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part &part) {
+    return part.normal == normal && (part.tangential == tangential || part.tangential == -1);
+  });
+  return static_cast<int>(found - parts.begin());
+}
+
+void FrictionalLaw::Product::list_parts(const ContactLaw &normal, const TangentialLaw &tangential) {
+  for (int m = 0; m < static_cast<int>(normal.modes().size()); ++m) {
+    const AffineForm force = normal_force_of(normal.modes()[static_cast<std::size_t>(m)]);
+    const std::vector<TangentialMode> own = tangential.modes(force, n_normal);
+    if (force.zero())
+      parts.push_back({.normal = m});
+    for (std::size_t t = 0; t < own.size() && !force.zero(); ++t)
+      parts.push_back(
+          {.normal = m, .tangential = static_cast<int>(t), .evaluated = own[t].evaluated});
+  }
+}
 
 // Guards of the normal law: the friction goes on as it is where both modes have it, and begins or
 // ends with the force; a spring that is let go relaxes.
+void FrictionalLaw::Product::lead_guards(const Part &part, Mode &mode) const {
+  const bool acts = part.tangential >= 0;
+  for (Guard &guard : mode.guards) {
+    guard.target = place(parts, guard.target, std::max(part.tangential, 0));
+    const bool goes_on = parts[static_cast<std::size_t>(guard.target)].tangential >= 0;
+    guard.by_slip = !acts && goes_on;
+    if (!acts || goes_on || n_own == 0)
+      continue;
+    for (std::size_t i = guard.reset.size(); i < n_normal; ++i)
+      guard.reset.push_back(internal_state(i));
+    guard.reset.resize(n_normal + n_own);
+  }
+}
+
+void FrictionalLaw::Product::add_friction(const Part &part, const TangentialMode &own, Mode &mode,
+                                          AffineLaw &of) const {
+  mode.name += ", " + own.name;
+  mode.friction = own.friction;
+  mode.holds_slip = own.holds_slip;
+  mode.sees_force_rate = sees_rate(own);
+  of.tangential_force[0] = own.force;
+  of.sliding_speed = own.sliding_speed;
+  std::copy(own.internal_rate.begin(), own.internal_rate.end(),
+            of.internal_rate.begin() + static_cast<std::ptrdiff_t>(n_normal));
+  for (Guard guard : own.guards) {
+    guard.target = place(parts, part.normal, guard.target);
+    if (!guard.reset.empty())
+      for (std::size_t i = 0; i < n_normal; ++i)
+        guard.reset.insert(guard.reset.begin() + static_cast<std::ptrdiff_t>(i), internal_state(i));
+    mode.guards.push_back(std::move(guard));
+  }
+}
+
 FrictionalLaw::Product FrictionalLaw::multiply(const ContactLaw &normal,
                                                const TangentialLaw &tangential) {
-  const auto n_normal = static_cast<std::size_t>(normal.n_internal());
-  const std::size_t n_own = tangential.internal_states().size();
-  Product product;
-  for (int m = 0; m < static_cast<int>(normal.modes().size()); ++m) {
-    const AffineForm force = normal_force_of(normal.modes()[static_cast<std::size_t>(m)]);
-    const auto count = static_cast<int>(tangential.modes(force, n_normal).size());
-    for (int t = force.zero() ? -1 : 0; t < (force.zero() ? 0 : count); ++t)
-      product.parts.push_back({.normal = m, .tangential = t});
-  }
+  Product product{.n_normal = static_cast<std::size_t>(normal.n_internal()),
+                  .n_own = tangential.internal_states().size()};
+  product.list_parts(normal, tangential);
   for (const Part &part : product.parts) {
     Mode mode = normal.modes()[static_cast<std::size_t>(part.normal)];
-    const bool acts = part.tangential >= 0;
-    for (Guard &guard : mode.guards) {
-      guard.target = product.place(guard.target, std::max(part.tangential, 0));
-      const bool goes_on = product.parts[static_cast<std::size_t>(guard.target)].tangential >= 0;
-      guard.by_slip = !acts && goes_on;
-      if (!acts || goes_on || n_own == 0)
-        continue;
-      for (std::size_t i = guard.reset.size(); i < n_normal; ++i)
-        guard.reset.push_back(internal_state(i));
-      guard.reset.resize(n_normal + n_own);
-    }
+    const AffineForm force = normal_force_of(mode);
+    product.lead_guards(part, mode);
     AffineLaw &forms = product.forms.emplace_back(mode.affine.value_or(AffineLaw{}));
-    forms.internal_rate.resize(n_normal + n_own);
-    product.evaluated.push_back(0);
-    if (acts) {
-      const TangentialMode own = tangential.modes(
-          normal_force_of(mode), n_normal)[static_cast<std::size_t>(part.tangential)];
-      mode.name += ", " + own.name;
-      mode.friction = own.friction;
-      mode.holds_slip = own.holds_slip;
-      mode.sees_force_rate = sees_rate(own);
-      product.evaluated.back() = own.evaluated ? 1 : 0;
-      if (own.evaluated)
-        mode.affine.reset();
-      forms.tangential_force[0] = own.force;
-      forms.sliding_speed = own.sliding_speed;
-      std::copy(own.internal_rate.begin(), own.internal_rate.end(),
-                forms.internal_rate.begin() + static_cast<std::ptrdiff_t>(n_normal));
-      for (Guard guard : own.guards) {
-        guard.target = product.place(part.normal, guard.target);
-        if (!guard.reset.empty())
-          for (std::size_t i = 0; i < n_normal; ++i)
-            guard.reset.insert(guard.reset.begin() + static_cast<std::ptrdiff_t>(i),
-                               internal_state(i));
-        mode.guards.push_back(std::move(guard));
-      }
-    }
+    forms.internal_rate.resize(product.n_normal + product.n_own);
+    if (part.tangential >= 0)
+      product.add_friction(
+          part,
+          tangential.modes(force, product.n_normal)[static_cast<std::size_t>(part.tangential)],
+          mode, forms);
+    if (part.evaluated)
+      mode.affine.reset();
     if (mode.affine)
       mode.affine = forms;
     product.modes.push_back(std::move(mode));
@@ -176,7 +193,7 @@ FrictionalLaw::FrictionalLaw(std::shared_ptr<const ContactLaw> normal,
                              std::shared_ptr<const TangentialLaw> tangential, Product product)
     : ContactLaw(std::move(product.modes), both(*normal, *tangential)), normal_(std::move(normal)),
       tangential_(std::move(tangential)), parts_(std::move(product.parts)),
-      forms_(std::move(product.forms)), evaluated_(std::move(product.evaluated)) {}
+      forms_(std::move(product.forms)) {}
 
 std::vector<InternalState> FrictionalLaw::internal_states() const {
   std::vector<InternalState> states = normal_->internal_states();
@@ -192,8 +209,7 @@ LocalState FrictionalLaw::of_normal(const LocalState &state) const {
 }
 
 int FrictionalLaw::mode_of(int normal, int tangential) const {
-  return Product{.modes = {}, .parts = parts_, .forms = {}, .evaluated = {}}.place(normal,
-                                                                                   tangential);
+  return place(parts_, normal, tangential);
 }
 
 int FrictionalLaw::initial_mode(const LocalState &state) const {
@@ -206,150 +222,6 @@ int FrictionalLaw::mode_by_slip(int mode, const LocalState &state) const {
              ? mode
              : mode_of(part.normal,
                        tangential_->mode_by_slip(part.tangential, state.tangential[0].slip_rate));
-}
-
-// The derivatives of a rate of the force by the state, beside those that its derivatives have: at
-// constant rates of the state they are those of the derivatives of the force along it.
-void FrictionalLaw::add_curvature(int mode, const LocalState &state, const LawResponse &normal,
-                                  AffineForm &rate) const {
-  constexpr double part = 1e-4; // of the penetration
-  const auto n = static_cast<std::size_t>(normal_->n_internal());
-  const double step = std::min(1.0, part * std::abs(state.gap / state.gap_rate));
-  if (step == 0)
-    return;
-  LawResponse side;
-  std::vector<double> internal(n);
-  for (const double sign : {1.0, -1.0}) {
-    for (std::size_t i = 0; i < n; ++i)
-      internal[i] = state.internal[i] + sign * step * normal.internal_rate[i];
-    normal_->evaluate(parts_[static_cast<std::size_t>(mode)].normal,
-                      {.gap = state.gap + sign * step * state.gap_rate,
-                       .gap_rate = state.gap_rate + sign * step * state.gap_acceleration,
-                       .internal = internal},
-                      side);
-    const double weight = sign / (2 * step);
-    rate.gap += weight * side.force_by_gap;
-    rate.gap_rate += weight * side.force_by_gap_rate;
-    for (std::size_t i = 0; i < n; ++i)
-      rate.internal[i] += weight * side.force_by_internal[i];
-  }
-}
-
-// N' = N_g g' + N_g' g'' + N_z z'
-FrictionalLaw::NormalForce FrictionalLaw::normal_force(int mode, const LocalState &state,
-                                                       const LawResponse &normal) const {
-  const auto n = static_cast<std::size_t>(normal_->n_internal());
-  NormalForce made;
-  made.force = {.gap = normal.force_by_gap,
-                .gap_rate = normal.force_by_gap_rate,
-                .internal = {normal.force_by_internal.begin(), normal.force_by_internal.end()}};
-  if (!modes()[static_cast<std::size_t>(mode)].sees_force_rate)
-    return made;
-  made.rate = {.gap_rate = normal.force_by_gap, .internal = std::vector<double>(n, 0.0)};
-  made.by_gap_acceleration = normal.force_by_gap_rate;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double by_internal = normal.force_by_internal[k];
-    made.rate.gap += by_internal * normal.internal_rate_by_gap[k];
-    made.rate.gap_rate += by_internal * normal.internal_rate_by_gap_rate[k];
-    for (std::size_t j = 0; j < n; ++j)
-      made.rate.internal[j] += by_internal * normal.internal_rate_by_internal[k * n + j];
-  }
-  const Part &part = parts_[static_cast<std::size_t>(mode)];
-  if (!normal_->modes()[static_cast<std::size_t>(part.normal)].affine)
-    add_curvature(mode, state, normal, made.rate);
-  return made;
-}
-
-// At a state that has the normal force.
-TangentialValues FrictionalLaw::friction(int mode, const LocalState &state) const {
-  const auto n_normal = static_cast<std::size_t>(normal_->n_internal());
-  const Part &part = parts_[static_cast<std::size_t>(mode)];
-  const AffineLaw &forms = forms_[static_cast<std::size_t>(mode)];
-  TangentialValues values;
-  if (evaluated_[static_cast<std::size_t>(mode)]) {
-    tangential_->evaluate(part.tangential, state, n_normal, values);
-    return values;
-  }
-  const auto of = [&](const AffineForm &form) {
-    TangentialValue made{.value = form(state), .by = form};
-    made.by.constant = 0;
-    return made;
-  };
-  values.force = of(forms.tangential_force[0]);
-  for (std::size_t i = n_normal; i < forms.internal_rate.size(); ++i)
-    values.internal_rate.push_back(of(forms.internal_rate[i]));
-  values.sliding_speed = forms.sliding_speed(state);
-  return values;
-}
-
-// The internal states of the normal law stand before those of the tangential one.
-void FrictionalLaw::add_friction(const NormalForce &normal, const TangentialValues &friction,
-                                 LawResponse &response) const {
-  const auto by_state = [&](AffineForm by) {
-    const double force = std::exchange(by.normal_force, 0);
-    const double rate = std::exchange(by.normal_force_rate, 0);
-    if (force != 0)
-      by += force * normal.force;
-    if (rate != 0)
-      by += rate * normal.rate;
-    return by;
-  };
-  const auto n_normal = static_cast<std::size_t>(normal_->n_internal());
-  const auto n = static_cast<std::size_t>(n_internal());
-  TangentialResponse &tangential = response.tangential[0];
-  tangential.force = friction.force.value;
-  tangential.by = by_state(friction.force.by);
-  tangential.internal_rate_by_slip_rate.assign(n, 0);
-  for (std::vector<double> *list :
-       {&response.force_by_internal, &response.internal_rate, &response.internal_rate_by_gap,
-        &response.internal_rate_by_gap_rate})
-    list->resize(n, 0);
-  response.internal_rate_by_gap_acceleration.assign(n, 0);
-  std::vector<double> by_internal(n * n, 0.0);
-  for (std::size_t i = 0; i < n_normal; ++i)
-    std::copy_n(response.internal_rate_by_internal.data() + i * n_normal, n_normal,
-                by_internal.data() + i * n);
-  for (std::size_t i = n_normal; i < n; ++i) {
-    const TangentialValue &rate = friction.internal_rate[i - n_normal];
-    const AffineForm by = by_state(rate.by);
-    response.force_by_internal[i] = 0;
-    response.internal_rate[i] = rate.value;
-    response.internal_rate_by_gap[i] = by.gap;
-    response.internal_rate_by_gap_rate[i] = by.gap_rate;
-    response.internal_rate_by_gap_acceleration[i] =
-        rate.by.normal_force_rate * normal.by_gap_acceleration;
-    std::copy(by.internal.begin(), by.internal.end(), by_internal.data() + i * n);
-    tangential.internal_rate_by_slip_rate[i] = by.tangential[0].rate;
-  }
-  response.internal_rate_by_internal = std::move(by_internal);
-}
-
-// What goes in, less what deforms stores; where all of it deforms, what the dashpots take. Terms
-// that cancel would hide the others.
-void FrictionalLaw::add_work(int mode, const LocalState &state, const TangentialValues &friction,
-                             LawResponse &response) const {
-  const auto n_normal = static_cast<std::size_t>(normal_->n_internal());
-  const bool sticks = modes()[static_cast<std::size_t>(mode)].friction == Friction::stick;
-  response.sliding_speed = friction.sliding_speed;
-  response.friction_power = sticks ? 0 : -friction.force.value * state.tangential[0].slip_rate;
-  for (std::size_t i = 0; i < friction.internal_rate.size(); ++i) {
-    const double deformation = state.internal[n_normal + i];
-    const double rate = friction.internal_rate[i].value;
-    const double pull = tangential_->stiffness() * deformation;
-    response.stored_energy += 0.5 * pull * deformation;
-    response.friction_power += (sticks ? tangential_->damping_constant() * rate : -pull) * rate;
-  }
-  response.dissipated_power += response.friction_power;
-}
-
-void FrictionalLaw::evaluate(int mode, const LocalState &state, LawResponse &response) const {
-  normal_->evaluate(parts_[static_cast<std::size_t>(mode)].normal, of_normal(state), response);
-  LocalState seen = state;
-  seen.normal_force = response.force;
-  const TangentialValues values = friction(mode, seen);
-  const NormalForce normal = normal_force(mode, state, response);
-  add_friction(normal, values, response);
-  add_work(mode, state, values, response);
 }
 
 } // namespace vibroimpact::contact

@@ -35,10 +35,12 @@ private:
   struct Part {
     int normal = 0;
     int tangential = -1;
+    bool evaluated = false; ///< the tangential law has no forms in it
   };
   struct Product;
   FrictionalLaw(std::shared_ptr<const ContactLaw> normal,
                 std::shared_ptr<const TangentialLaw> tangential, Product product);
+  static int place(const std::vector<Part> &parts, int normal, int tangential);
   static Product multiply(const ContactLaw &normal, const TangentialLaw &tangential);
   /// Partial derivatives of the normal force and of its rate, as forms.
   struct NormalForce {
@@ -60,7 +62,6 @@ private:
   std::shared_ptr<const TangentialLaw> tangential_;
   std::vector<Part> parts_;
   std::vector<AffineLaw> forms_; ///< of the tangential law in each mode
-  std::vector<char> evaluated_;  ///< modes of which the tangential law has no forms
 };
 
 /// Why a normal law cannot be combined with friction; empty: it can.

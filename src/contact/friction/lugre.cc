@@ -17,7 +17,7 @@ void LuGre::declare(parameters::Section &friction) {
   using namespace parameters;
   Section &law = friction.subsection(
       section_name,
-      "Friction by the deflection of bristles between the surfaces, which creep where "
+      "Friction by the deflection of bristles between the surfaces, which slide slowly where "
       "they would stick; all its forces are in proportion to the normal force.");
   declare_stribeck_coefficient(law, "2");
   law.quantity("Bristle stiffness", "", dimension::any, range::positive, "\\sigma_0",

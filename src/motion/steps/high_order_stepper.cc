@@ -72,8 +72,7 @@ void HighOrderStepper::find_only_contact() {
   only_contact_.reset();
   std::size_t count = 0;
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    const contact::ContactLaw &law = *equations_.contacts().pairs()[c].law;
-    if (!law.modes()[static_cast<std::size_t>(equations_.modes()[c])].affine) {
+    if (!equations_.mode(c).affine) {
       ++count;
       only_contact_ = c;
     }
