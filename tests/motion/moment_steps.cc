@@ -71,6 +71,7 @@ TEST(MomentStepsCourseTest, HasTheMomentsOfTheForce) {
   const ContactCourse::Moments moments = course.moments(law, response);
   EXPECT_NEAR(moments[0], 3 * std::pow(0.5, 3) / 6, 1e-15);
   EXPECT_NEAR(moments[1], 3 * 3 * std::pow(0.5, 3) / 6 * (2 * 0.55 - 1), 1e-15);
+  course.sum_lacks(law, moments.data(), response);
   const auto lacking = course.lacking(law, moments.data(), 1, response);
   EXPECT_NEAR(lacking[0], 0, 1e-16);
   EXPECT_NEAR(lacking[1], 0, 1e-16);
