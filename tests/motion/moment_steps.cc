@@ -2,9 +2,9 @@
 // every kind.
 #include "common/error.h"
 #include "contact/laws/newton_restitution.h"
-#include "support/beam_on_stops.h"
 #include "motion/moments/moment_step.h"
 #include "motion/phase/exact_phases.h"
+#include "support/beam_on_stops.h"
 
 #include <gtest/gtest.h>
 
@@ -110,7 +110,7 @@ ImpactErrors compare(const std::vector<Impact> &found, const std::vector<Impact>
 void expect_agreement(const BeamOnStops &system, const Seen &found, const Seen &exact,
                       double tolerance) {
   const double factor = system.stops == 1 ? 1 : 0.2;
-  EXPECT_LT(difference(system, found.state, exact.state), 2 * factor * tolerance);
+  EXPECT_LT(energy_difference(system, found.state, exact.state), 2 * factor * tolerance);
   EXPECT_EQ(found.accuracy.events, exact.accuracy.events);
   EXPECT_LT(found.accuracy.energy_residual, 0.2 * tolerance);
   ASSERT_EQ(found.impacts.size(), exact.impacts.size());
@@ -169,7 +169,7 @@ double error_of_equal_steps(const BeamOnStops &system, int count, const Vector &
       step.go_on(phases.excitation(), i * h);
     EXPECT_TRUE(step.attempt(h, tables));
   }
-  return difference(system, step.rows_at_end().head(2 * model.size()), exact);
+  return energy_difference(system, step.rows_at_end().head(2 * model.size()), exact);
 }
 
 // A force with a kink makes one of the third derivative of a gap, which its polynomial misses by
