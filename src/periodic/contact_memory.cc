@@ -14,16 +14,11 @@ bool depends(const AffineForm &form, std::size_t i) {
   return i < form.internal.size() && form.internal[i] != 0;
 }
 
-bool is_zero(const AffineForm &form) {
-  return form.constant == 0 && form.gap == 0 && form.gap_rate == 0 && form.normal_force == 0 &&
-         std::all_of(form.internal.begin(), form.internal.end(), [](double f) { return f == 0; });
-}
-
 bool acts(const Mode &mode, std::size_t i) {
   if (!mode.affine || mode.holds_gap || depends(mode.affine->force, i))
     return true;
   const std::vector<AffineForm> &rates = mode.affine->internal_rate;
-  return i >= rates.size() || !is_zero(rates[i]) ||
+  return i >= rates.size() || !rates[i].zero() ||
          std::any_of(rates.begin(), rates.end(),
                      [i](const AffineForm &rate) { return depends(rate, i); });
 }

@@ -92,7 +92,7 @@ inline Seen move(const BeamOnStops &system, const std::string &method, double to
           .accuracy = trajectory.accuracy()};
 }
 
-inline double state_error(const BeamOnStops &system, const Vector &a, const Vector &b) {
+inline double energy_difference(const BeamOnStops &system, const Vector &a, const Vector &b) {
   const auto body = system.body();
   const auto norm = [&](const Vector &x) {
     const auto q = x.head(system.modes), v = x.tail(system.modes);

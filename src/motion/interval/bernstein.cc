@@ -90,6 +90,13 @@ Bernstein Bernstein::of_coefficients(std::span<const double> coefficients) {
   return polynomial;
 }
 
+Bernstein Bernstein::basis(int degree, int j) {
+  Bernstein polynomial;
+  polynomial.degree_ = degree;
+  polynomial.coefficients_[j] = 1;
+  return polynomial;
+}
+
 Bernstein Bernstein::line(double start, double end) {
   Bernstein polynomial;
   polynomial.degree_ = 1;
@@ -190,6 +197,15 @@ int Bernstein::sign_after_start() const {
     if (coefficients_[i] != 0)
       return coefficients_[i] > 0 ? 1 : -1;
   return 0;
+}
+
+// By de Casteljau's algorithm.
+Bernstein Bernstein::behind(double tau) const {
+  Bernstein p = *this;
+  for (int level = degree_; level > 0; --level)
+    for (int i = 0; i < level; ++i)
+      p.coefficients_[i] += tau * (p.coefficients_[i + 1] - p.coefficients_[i]);
+  return p;
 }
 
 // As many zeros in (0, 1) as that, or fewer by an even number: with x = tau / (1 - tau) the

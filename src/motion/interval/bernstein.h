@@ -37,7 +37,13 @@ public:
   /// Straight line between the values at both ends.
   static Bernstein line(double start, double end);
 
+  /// The j-th polynomial of a degree.
+  static Bernstein basis(int degree, int j);
+
   int degree() const { return degree_; }
+  std::span<const double> coefficients() const {
+    return {coefficients_.data(), static_cast<std::size_t>(degree_) + 1};
+  }
   double operator()(double tau) const;
   double start() const { return coefficients_[0]; }
   double end() const { return coefficients_[degree_]; }
@@ -53,6 +59,9 @@ public:
   /// Of odd degree n < maximum_degree: with `amount` times the middle Bernstein polynomial of
   /// degree n + 1.
   Bernstein with_middle(double amount) const;
+
+  /// The part from tau to 1, as a polynomial on [0, 1].
+  Bernstein behind(double tau) const;
 
   /// Takes the value at the start for an exact zero, and with it all leading coefficients up to the
   /// size `negligible`: the sign right after the start is not decided by errors of that size.

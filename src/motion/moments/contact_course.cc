@@ -1,8 +1,8 @@
 #include "motion/moments/contact_course.h"
 
 #include "common/decompositions.h"
+#include "contact/free_mode.h"
 #include "motion/episode/gauss_jacobi.h"
-#include "motion/interval/bernstein.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace vibroimpact::motion {
 
 namespace {
 
-constexpr std::size_t degree = GapCurve::size - 1;
+constexpr int degree = n_moments + 3;
 constexpr std::size_t most_changes = 24; ///< of one contact in a step
 /// Of the largest coefficient of the step: what rounding leaves of a guard that is zero where a
 /// mode begins.
@@ -42,73 +42,57 @@ Rule graded_rule(int count) {
   return rule;
 }
 
-// The inner coefficients from what the outer ones leave at the nodes.
-const Matrix &inner_coefficients() {
-  static const Matrix inverse = [] {
-    Matrix values(n_moments, n_moments);
-    for (Index i = 0; i < n_moments; ++i)
+double basis_at_node(int j, Index node) {
+  return Bernstein::basis(degree, j)(moment_nodes()[static_cast<std::size_t>(node)]);
+}
+
+// From both values and differences at the ends to what is left at the nodes, and from this to the
+// coefficients between: the inner ones by the outer four and the values at the nodes.
+struct InnerCoefficients {
+  Matrix by_outer = Matrix(n_moments, 4), by_nodes;
+
+  InnerCoefficients() {
+    constexpr std::array<int, 4> outer = {0, 1, degree - 1, degree};
+    Matrix inner(n_moments, n_moments);
+    for (Index i = 0; i < n_moments; ++i) {
       for (Index j = 0; j < n_moments; ++j)
-        values(i, j) = bernstein_polynomials(
-            moment_nodes()[static_cast<std::size_t>(i)])[static_cast<std::size_t>(j) + 2];
-    return vibroimpact::inverse(values);
-  }();
-  return inverse;
-}
-
-// The outer coefficients' polynomials at the nodes.
-const std::array<std::array<double, 4>, n_moments> &outer_polynomials() {
-  static const auto values = [] {
-    std::array<std::array<double, 4>, n_moments> list{};
-    for (std::size_t i = 0; i < n_moments; ++i) {
-      const auto all = bernstein_polynomials(moment_nodes()[i]);
-      list[i] = {all[0], all[1], all[degree - 1], all[degree]};
+        inner(i, j) = basis_at_node(static_cast<int>(j) + 2, i);
+      for (Index j = 0; j < 4; ++j)
+        by_outer(i, j) = -basis_at_node(outer[static_cast<std::size_t>(j)], i);
     }
-    return list;
-  }();
-  return values;
-}
+    by_nodes = vibroimpact::inverse(inner);
+    by_outer = (by_nodes * by_outer).eval();
+  }
+};
 
-// Of the part from x to 1 (de Casteljau).
-GapCurve::Coefficients behind(const GapCurve::Coefficients &coefficients, double x) {
-  GapCurve::Coefficients b = coefficients;
-  for (std::size_t first = 1; first <= degree; ++first)
-    for (std::size_t j = 0; j + first <= degree; ++j)
-      b[j] += x * (b[j + 1] - b[j]);
-  return b;
-}
-
-bool positive(const GapCurve::Coefficients &coefficients) {
-  return *std::min_element(coefficients.begin(), coefficients.end()) > 0;
-}
+bool positive(const Bernstein &curve) { return curve.lower_bound() > 0; }
 
 // The part of the step from x on at which the form falls through zero; `rounding`: of its value at
 // x = 0.
-std::optional<double> fall_behind(const GapCurve::Coefficients &form, double x, double rounding) {
-  const GapCurve::Coefficients rest = x > 0 ? behind(form, x) : form;
+std::optional<double> fall_behind(const Bernstein &form, double x, double rounding) {
+  Bernstein rest = x > 0 ? form.behind(x) : form;
   if (positive(rest))
     return {};
-  Bernstein curve = Bernstein::of_coefficients(rest);
-  double largest = 0;
-  for (const double coefficient : form)
-    largest = std::max(largest, std::abs(coefficient));
+  const double largest = std::max(std::abs(form.lower_bound()), std::abs(form.upper_bound()));
   const double negligible = std::max(zero_at_start * largest, x == 0 ? rounding : 0);
-  if (std::abs(rest[0]) <= negligible)
-    curve.clear_start(negligible);
-  const std::optional<double> fall = curve.first_down_crossing();
+  if (std::abs(rest.start()) <= negligible)
+    rest.clear_start(negligible);
+  const std::optional<double> fall = rest.first_down_crossing();
   return fall ? std::optional(x + *fall * (1 - x)) : std::nullopt;
 }
 
 // (2 k + 1) times the integral of P_k(2 x - 1) and each Bernstein polynomial.
-const std::array<std::array<double, GapCurve::size>, n_moments> &moments_of_polynomials() {
+const std::array<std::array<double, degree + 1>, n_moments> &moments_of_polynomials() {
   static const auto values = [] {
-    std::array<std::array<double, GapCurve::size>, n_moments> list{};
+    std::array<std::array<double, degree + 1>, n_moments> list{};
     const Rule rule = gauss_rule(6);
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const auto p = shifted_legendre(rule.nodes[i]);
-      const auto polynomials = bernstein_polynomials(rule.nodes[i]);
       for (std::size_t k = 0; k < n_moments; ++k)
-        for (std::size_t j = 0; j <= degree; ++j)
-          list[k][j] += (2 * static_cast<double>(k) + 1) * rule.weights[i] * p[k] * polynomials[j];
+        for (int j = 0; j <= degree; ++j)
+          list[k][static_cast<std::size_t>(j)] += (2 * static_cast<double>(k) + 1) *
+                                                  rule.weights[i] * p[k] *
+                                                  Bernstein::basis(degree, j)(rule.nodes[i]);
     }
     return list;
   }();
@@ -124,18 +108,6 @@ const Rule &rule_for(const contact::Mode &mode) {
 
 } // namespace
 
-GapCurve::Coefficients bernstein_polynomials(double x) {
-  GapCurve::Coefficients list{1};
-  for (std::size_t n = 1; n <= degree; ++n) { // one degree more
-    for (std::size_t j = n; j > 0; --j)
-      list[j] = x * list[j - 1] + (1 - x) * list[j];
-    list[0] *= 1 - x;
-  }
-  return list;
-}
-
-bool forceless(const contact::Mode &mode) { return mode.affine && mode.affine->force.zero(); }
-
 const std::array<double, n_moments> &moment_nodes() {
   static const auto nodes = [] {
     std::array<double, n_moments> list{};
@@ -147,52 +119,39 @@ const std::array<double, n_moments> &moment_nodes() {
 
 GapCurve::GapCurve(const GapValues &values, double h)
     : rounding_(values.rounding), rate_rounding_(values.rate_rounding) {
+  static const InnerCoefficients inner;
   constexpr double n = degree;
-  gap_[0] = values.start;
-  gap_[1] = values.start + h * values.start_rate / n;
-  gap_[degree - 1] = values.end - h * values.end_rate / n;
-  gap_[degree] = values.end;
-  std::array<double, n_moments> left{};
-  for (std::size_t i = 0; i < n_moments; ++i) {
-    const auto &outer = outer_polynomials()[i];
-    left[i] = values.nodes[i] - outer[0] * gap_[0] - outer[1] * gap_[1] -
-              outer[2] * gap_[degree - 1] - outer[3] * gap_[degree];
-  }
-  const Matrix &inner = inner_coefficients();
-  for (Index j = 0; j < n_moments; ++j)
+  std::array<double, degree + 1> list{};
+  list[0] = values.start;
+  list[1] = values.start + h * values.start_rate / n;
+  list[degree - 1] = values.end - h * values.end_rate / n;
+  list[degree] = values.end;
+  const Eigen::Vector4d outer(list[0], list[1], list[degree - 1], list[degree]);
+  for (Index j = 0; j < n_moments; ++j) {
+    double &coefficient = list[static_cast<std::size_t>(j) + 2];
+    coefficient = inner.by_outer.row(j) * outer;
     for (Index i = 0; i < n_moments; ++i)
-      gap_[static_cast<std::size_t>(j) + 2] += inner(j, i) * left[static_cast<std::size_t>(i)];
-  std::array<double, degree> slopes{};
-  for (std::size_t j = 0; j < degree; ++j)
-    slopes[j] = n * (gap_[j + 1] - gap_[j]) / h;
-  for (std::size_t j = 0; j <= degree; ++j) { // raised by one degree
-    const double share = static_cast<double>(j) / n;
-    rate_[j] = (j > 0 ? share * slopes[j - 1] : 0) + (j < degree ? (1 - share) * slopes[j] : 0);
+      coefficient += inner.by_nodes(j, i) * values.nodes[static_cast<std::size_t>(i)];
   }
+  gap_ = Bernstein::of_coefficients(list);
+  rate_ = gap_.derivative();
+  rate_ *= 1 / h;
 }
 
-GapCurve::Coefficients GapCurve::form(const contact::AffineForm &form) const {
-  Coefficients result{};
-  for (std::size_t j = 0; j < size; ++j)
-    result[j] = form.constant + form.gap * gap_[j] + form.gap_rate * rate_[j];
+Bernstein GapCurve::form(const contact::AffineForm &form) const {
+  Bernstein result = gap_;
+  result *= form.gap;
+  if (form.gap_rate != 0) {
+    Bernstein rate = rate_;
+    rate *= form.gap_rate;
+    result += rate;
+  }
+  result += form.constant;
   return result;
-}
-
-double GapCurve::slope(const contact::AffineForm &form, double x) const {
-  return Bernstein::of_coefficients(this->form(form)).derivative()(x);
 }
 
 double GapCurve::start_rounding(const contact::AffineForm &form) const {
   return std::abs(form.gap) * rounding_ + std::abs(form.gap_rate) * rate_rounding_;
-}
-
-contact::LocalState GapCurve::at(const Coefficients &polynomials) const {
-  contact::LocalState state;
-  for (std::size_t j = 0; j < size; ++j) {
-    state.gap += polynomials[j] * gap_[j];
-    state.gap_rate += polynomials[j] * rate_[j];
-  }
-  return state;
 }
 
 bool ContactCourse::follow(const contact::ContactLaw &law, const GapCurve &curve, int mode) {
@@ -225,21 +184,21 @@ ContactCourse::Moments ContactCourse::moments(const contact::ContactLaw &law,
   Moments result{};
   const contact::Mode &first = law.modes()[static_cast<std::size_t>(stretches_.front().mode)];
   if (!changes() && first.affine) {
-    const GapCurve::Coefficients force = curve_.form(first.affine->force);
+    const Bernstein force = curve_.form(first.affine->force);
     for (std::size_t k = 0; k < n_moments; ++k)
       for (std::size_t j = 0; j <= degree; ++j)
-        result[k] += moments_of_polynomials()[k][j] * force[j];
+        result[k] += moments_of_polynomials()[k][j] * force.coefficients()[j];
     return result;
   }
   for (const CourseStretch &stretch : stretches_) {
     const contact::Mode &mode = law.modes()[static_cast<std::size_t>(stretch.mode)];
     const double length = stretch.to - stretch.from;
-    if (forceless(mode) || length == 0)
+    if (contact::forceless(mode) || length == 0)
       continue;
     const Rule &rule = rule_for(mode);
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double x = stretch.from + length * rule.nodes[i];
-      law.evaluate(stretch.mode, curve_.at(bernstein_polynomials(x)), response);
+      law.evaluate(stretch.mode, curve_.at(x), response);
       const std::array<double, n_responses> p = shifted_legendre(x);
       for (std::size_t k = 0; k < n_moments; ++k)
         result[k] +=
@@ -249,30 +208,47 @@ ContactCourse::Moments ContactCourse::moments(const contact::ContactLaw &law,
   return result;
 }
 
-std::array<double, 2> ContactCourse::lacking(const contact::ContactLaw &law, const double *moments,
-                                             double x, contact::LawResponse &response) const {
-  std::array<double, 2> sums{};
-  for (const CourseStretch &stretch : stretches_) {
-    const double length = std::min(x, stretch.to) - stretch.from;
-    if (!(length > 0))
-      break;
-    const contact::Mode &mode = law.modes()[static_cast<std::size_t>(stretch.mode)];
-    const Rule &rule = rule_for(mode);
-    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-      const double s = stretch.from + length * rule.nodes[i];
-      const std::array<double, n_responses> p = shifted_legendre(s);
-      double force = 0;
-      for (std::size_t k = 0; k < n_moments; ++k)
-        force -= moments[k] * p[k];
-      if (!forceless(mode)) {
-        law.evaluate(stretch.mode, curve_.at(bernstein_polynomials(s)), response);
-        force += response.force;
-      }
-      sums[0] += length * rule.weights[i] * force;
-      sums[1] += length * rule.weights[i] * (x - s) * force;
+// Of F - p and s (F - p).
+ContactCourse::Lack ContactCourse::lack(const contact::ContactLaw &law, const double *moments,
+                                        const CourseStretch &stretch, double to,
+                                        contact::LawResponse &response) const {
+  Lack sums{};
+  const double length = to - stretch.from;
+  const contact::Mode &mode = law.modes()[static_cast<std::size_t>(stretch.mode)];
+  const Rule &rule = rule_for(mode);
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+    const double s = stretch.from + length * rule.nodes[i];
+    const std::array<double, n_responses> p = shifted_legendre(s);
+    double force = 0;
+    for (std::size_t k = 0; k < n_moments; ++k)
+      force -= moments[k] * p[k];
+    if (!contact::forceless(mode)) {
+      law.evaluate(stretch.mode, curve_.at(s), response);
+      force += response.force;
     }
+    sums[0] += length * rule.weights[i] * force;
+    sums[1] += length * rule.weights[i] * s * force;
   }
   return sums;
+}
+
+void ContactCourse::sum_lacks(const contact::ContactLaw &law, const double *moments,
+                              contact::LawResponse &response) {
+  lacks_.assign(1, {});
+  for (const CourseStretch &stretch : stretches_) {
+    const Lack next = lack(law, moments, stretch, stretch.to, response);
+    lacks_.push_back({lacks_.back()[0] + next[0], lacks_.back()[1] + next[1]});
+  }
+}
+
+std::array<double, 2> ContactCourse::lacking(const contact::ContactLaw &law, const double *moments,
+                                             double x, contact::LawResponse &response) const {
+  std::size_t k = 0;
+  while (k + 1 < stretches_.size() && stretches_[k].to < x)
+    ++k;
+  const Lack part = lack(law, moments, stretches_[k], x, response);
+  const double force = lacks_[k][0] + part[0];
+  return {force, x * force - lacks_[k][1] - part[1]};
 }
 
 ForceIntegrals ContactCourse::integrals(const contact::ContactLaw &law,
@@ -281,13 +257,13 @@ ForceIntegrals ContactCourse::integrals(const contact::ContactLaw &law,
                                         contact::LawResponse &response) const {
   const contact::Mode &mode = law.modes()[static_cast<std::size_t>(stretch.mode)];
   ForceIntegrals result;
-  if (forceless(mode))
+  if (contact::forceless(mode))
     return result;
   const Rule &rule = rule_for(mode);
   const double length = stretch.to - stretch.from;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     const double x = stretch.from + length * rule.nodes[i];
-    law.evaluate(stretch.mode, curve_.at(bernstein_polynomials(x)), response);
+    law.evaluate(stretch.mode, curve_.at(x), response);
     result.force += length * rule.weights[i] * response.force;
     result.dissipated += length * rule.weights[i] * response.dissipated_power;
     if (base_rate)

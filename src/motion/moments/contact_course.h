@@ -12,6 +12,7 @@
 #pragma once
 
 #include "contact/contact_law.h"
+#include "motion/interval/bernstein.h"
 #include "motion/moments/legendre_response.h"
 
 #include <array>
@@ -24,12 +25,6 @@ namespace vibroimpact::motion {
 /// Nodes of the Gauss rule, in (0, 1).
 const std::array<double, n_moments> &moment_nodes();
 
-/// The Bernstein polynomials of degree n_moments + 3 at x.
-std::array<double, n_moments + 4> bernstein_polynomials(double x);
-
-/// No force in that mode, whatever the gap.
-bool forceless(const contact::Mode &mode);
-
 /// What a step gives of a gap [m], and of its rate at both ends [m/s].
 struct GapValues {
   double start = 0, start_rate = 0;
@@ -40,24 +35,19 @@ struct GapValues {
 
 class GapCurve {
 public:
-  static constexpr std::size_t size = n_moments + 4;
-  using Coefficients = std::array<double, size>; ///< Bernstein, of degree size - 1
-
   GapCurve() = default;
   GapCurve(const GapValues &values, double h);
 
-  const Coefficients &coefficients() const { return gap_; }
+  const Bernstein &gap() const { return gap_; }
   /// What rounding may make of a form at the start of the step.
   double start_rounding(const contact::AffineForm &form) const;
   /// Of an affine form without internal states and held forces.
-  Coefficients form(const contact::AffineForm &form) const;
-  /// Rate by x of such a form at x.
-  double slope(const contact::AffineForm &form, double x) const;
-  /// Gap and rate at the part x of the step whose Bernstein polynomials are given.
-  contact::LocalState at(const Coefficients &polynomials) const;
+  Bernstein form(const contact::AffineForm &form) const;
+  /// Gap and rate at the part x of the step.
+  contact::LocalState at(double x) const { return {.gap = gap_(x), .gap_rate = rate_(x)}; }
 
 private:
-  Coefficients gap_{}, rate_{};
+  Bernstein gap_, rate_;
   double rounding_ = 0, rate_rounding_ = 0;
 };
 
@@ -95,7 +85,10 @@ public:
   /// base_rate: rate at which a moving base opens the gap at the part x of the step [m/s]; none: it
   /// does not.
   /// What the force has more than its polynomial, up to the part x of the step: the integral of
-  /// F - p, and that of (x - s) (F - p). Both are zero at the end, where x = 1.
+  /// F - p, and that of (x - s) (F - p). Both are zero at the end, where x = 1. sum_lacks() first,
+  /// behind the last change of a stretch.
+  void sum_lacks(const contact::ContactLaw &law, const double *moments,
+                 contact::LawResponse &response);
   std::array<double, 2> lacking(const contact::ContactLaw &law, const double *moments, double x,
                                 contact::LawResponse &response) const;
   ForceIntegrals integrals(const contact::ContactLaw &law, const CourseStretch &stretch,
@@ -103,8 +96,13 @@ public:
                            contact::LawResponse &response) const;
 
 private:
+  using Lack = std::array<double, 2>;
+  Lack lack(const contact::ContactLaw &law, const double *moments, const CourseStretch &stretch,
+            double to, contact::LawResponse &response) const;
+
   GapCurve curve_;
   std::vector<CourseStretch> stretches_;
+  std::vector<Lack> lacks_; ///< up to the start of each stretch
 };
 
 } // namespace vibroimpact::motion

@@ -120,8 +120,7 @@ void MomentPath::list_changes(bool observed) {
       changes_.push_back({.x = stretches[s].to, .contact = c, .stretch = s});
   }
   if (observed)
-    for (Change &change : changes_)
-      correct(change);
+    correct_changes();
   std::stable_sort(changes_.begin(), changes_.end(),
                    [](const Change &a, const Change &b) { return a.x < b.x; });
 }
@@ -168,13 +167,8 @@ void MomentPath::add_power(const EndPoint &start, const EndPoint &end) {
   Vector load, damping;
   for (Index i = 0; i < rule.nodes.size(); ++i) {
     const auto x = static_cast<double>(rule.nodes[i]);
-    const double y = 1 - x, weight = h * static_cast<double>(rule.weights[i]);
-    // Derivatives of the quintic Hermite polynomials.
-    const Vector v = 30 * x * x * y * y / h * (end.state.head(n) - start.state.head(n)) +
-                     y * y * (1 + 2 * x - 15 * x * x) * start.state.segment(n, n) +
-                     x * x * (1 + 2 * y - 15 * y * y) * end.state.segment(n, n) +
-                     h * x * y * y * (1 - 2.5 * x) * start.rates.tail(n) -
-                     h * x * x * y * (1 - 2.5 * y) * end.rates.tail(n);
+    const double weight = h * static_cast<double>(rule.weights[i]);
+    const Vector v = MomentViews::between(start, end, x).velocity;
     equations_.model().load(equations_.source_time(start.time + h * x), load);
     equations_.model().damping().apply(ConstVectorView(v.data(), n), damping);
     const double power = load.dot(v);
@@ -187,20 +181,27 @@ void MomentPath::add_power(const EndPoint &start, const EndPoint &end) {
 // From the zero of the polynomial to where the guard falls by the motion itself, whose gap the
 // polynomial misses by kinks within the step: a Newton step, unless it is no small part of the
 // stretches on both sides.
-void MomentPath::correct(Change &change) {
+void MomentPath::correct(Change &change) const {
   constexpr double small = 0.1;
   const ContactCourse &course = step_.course(change.contact);
   const CourseStretch &before = course.stretches()[change.stretch];
   const CourseStretch &after = course.stretches()[change.stretch + 1];
   const contact::AffineForm &form = guard_of(change).indicator;
-  change.slope = course.curve().slope(form, change.x);
+  change.slope = course.curve().form(form).derivative()(change.x);
   const double missed = -form(step_.contact_rows().local(static_cast<Index>(change.contact),
                                                          step_.rows_at(change.x))) /
                         change.slope;
-  if (!(std::abs(missed) < small * std::min(before.to - before.from, after.to - after.from)))
-    return;
-  change.x += missed;
-  step_.move_change(change.contact, change.stretch, change.x);
+  if (std::abs(missed) < small * std::min(before.to - before.from, after.to - after.from))
+    change.x += missed;
+}
+
+void MomentPath::correct_changes() {
+  step_.sum_lacks();
+  for (Change &change : changes_)
+    correct(change);
+  for (const Change &change : changes_)
+    step_.move_change(change.contact, change.stretch, change.x);
+  step_.sum_lacks();
 }
 
 const contact::Guard &MomentPath::guard_of(const Change &change) const {
@@ -251,9 +252,12 @@ void MomentPath::show(double time, const Report &report) {
     from = to;
     if (next == changes_.size())
       break;
-    pass(time, changes_[next], report);
+    const Change &change = changes_[next];
+    const int before = equations_.modes()[change.contact];
+    pass(time, change, report);
+    start_point_ = end_point_;
     start_point_.state = state_;
-    views_.fill(time, to, start_point_);
+    views_.pass(change.contact, before, to, start_point_);
   }
   if (report.integrals)
     for (const std::size_t c : step_.acting())

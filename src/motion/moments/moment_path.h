@@ -52,7 +52,8 @@ private:
   bool refuse(std::optional<double> error, double h);
   void accept(double time, double error, bool on_ladder, const Report *report);
   void list_changes(bool observed);
-  void correct(Change &change);
+  void correct_changes();
+  void correct(Change &change) const;
   const contact::Guard &guard_of(const Change &change) const;
   void skip_changes();
   void show(double time, const Report &report);

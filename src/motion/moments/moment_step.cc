@@ -1,5 +1,7 @@
 #include "motion/moments/moment_step.h"
 
+#include "contact/free_mode.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,13 +20,6 @@ constexpr int sweeps_to_judge = 3;
 /// How far gaps may move from where the first sweep saw them, of the way seen so far.
 constexpr double room_for_way = 1.5;
 
-int free_mode(const contact::ContactLaw &law) {
-  for (std::size_t m = 0; m < law.modes().size(); ++m)
-    if (forceless(law.modes()[m]) && !law.modes()[m].in_contact)
-      return static_cast<int>(m);
-  return -1;
-}
-
 } // namespace
 
 bool MomentStep::holds(const Equations &equations) {
@@ -32,7 +27,7 @@ bool MomentStep::holds(const Equations &equations) {
   return equations.model().linear() && !pairs.empty() &&
          std::all_of(pairs.begin(), pairs.end(), [](const contact::ContactPair &pair) {
            return pair.tangential.empty() && pair.law->n_internal() == 0 && !pair.law->rigid() &&
-                  free_mode(*pair.law) >= 0;
+                  contact::free_mode(*pair.law);
          });
 }
 
@@ -53,7 +48,7 @@ void MomentStep::make_phase() {
   const std::vector<int> present = equations_.modes();
   const auto &pairs = equations_.contacts().pairs();
   for (std::size_t c = 0; c < pairs.size(); ++c)
-    equations_.set_mode(c, free_mode(*pairs[c].law));
+    equations_.set_mode(c, *contact::free_mode(*pairs[c].law));
   const LinearSystem system(equations_);
   for (std::size_t c = 0; c < pairs.size(); ++c)
     equations_.set_mode(c, present[c]);
@@ -87,13 +82,14 @@ void MomentStep::start(const Vector &state, const Excitation &excitation, double
   start_.resize(phase_->n_coordinates());
   for (Index k = 0; k < start_.size(); ++k)
     start_[k] = amplitudes[static_cast<std::size_t>(phase_->places()[static_cast<std::size_t>(k)])];
-  const Vector rows = phase_->columns() * start_;
-  largest_ = std::max(largest_, norm(rows));
-  find_start(rows);
+  find_start();
   gap_rounding_ += 2 * uncertainty * start_rates_.cwiseAbs().maxCoeff();
 }
 
-void MomentStep::find_start(const Vector &rows) {
+void MomentStep::find_start() {
+  start_rows_ = phase_->columns() * start_;
+  const Vector &rows = start_rows_;
+  largest_ = std::max(largest_, norm(rows));
   const Index n = equations_.layout().n;
   start_gaps_ = contacts_.clearances + contacts_.rows * rows.head(n);
   start_rates_ = contacts_.rows * rows.segment(n, n);
@@ -119,9 +115,7 @@ void MomentStep::go_on(const Excitation &excitation, double time) {
   deepest_ = deepest();
   start_ = ends_.back();
   excitation.coordinates(time, start_.data() + phase_->n_modes());
-  const Vector rows = phase_->columns() * start_;
-  largest_ = std::max(largest_, norm(rows));
-  find_start(rows);
+  find_start();
 }
 
 MomentTables MomentStep::tables(double h) const {
@@ -146,15 +140,10 @@ double MomentStep::norm(const Vector &rows) const {
 void MomentStep::sweep(const MomentTables &tables) {
   const Index n = equations_.layout().n;
   const auto count = static_cast<Index>(list_.size());
-  Matrix forces = Matrix::Zero(n, n_moments);
-  if (count == contacts_.size()) {
-    forces.noalias() = contacts_.rows.transpose() * moments_;
-  } else {
-    for (const std::size_t c : list_)
-      if (moments_.row(static_cast<Index>(c)).any())
-        forces.noalias() += contacts_.rows.row(static_cast<Index>(c)).transpose() *
-                            moments_.row(static_cast<Index>(c));
-  }
+  ContactRows::RowMatrix moments(count, n_moments);
+  for (Index k = 0; k < count; ++k)
+    moments.row(k) = moments_.row(static_cast<Index>(list_[static_cast<std::size_t>(k)]));
+  const Matrix forces = packed_.topRows(count).transpose() * moments;
   loads_ = flow_->loads(forces);
   Matrix coordinates(start_.size(), n_moments + 1);
   for (std::size_t i = 0; i <= n_moments; ++i) {
@@ -170,14 +159,7 @@ void MomentStep::sweep(const MomentTables &tables) {
 // Of the listed contacts, at the nodes and the end, and the rates there.
 void MomentStep::find_gaps() {
   const auto count = static_cast<Index>(list_.size());
-  if (count == contacts_.size()) {
-    gaps_.noalias() = contacts_.rows * positions_;
-  } else {
-    gaps_.resize(count, positions_.cols());
-    for (Index k = 0; k < count; ++k)
-      gaps_.row(k).noalias() =
-          contacts_.rows.row(static_cast<Index>(list_[static_cast<std::size_t>(k)])) * positions_;
-  }
+  gaps_.noalias() = packed_.topRows(count) * positions_;
   for (Index k = 0; k < count; ++k) {
     const auto c = static_cast<Index>(list_[static_cast<std::size_t>(k)]);
     gaps_.row(k).head(n_moments + 1).array() += contacts_.clearances[c];
@@ -211,17 +193,60 @@ bool MomentStep::find_forces() {
   return true;
 }
 
+void MomentStep::take_list(std::vector<std::size_t> list) {
+  list_ = std::move(list);
+  packed_.resize(std::max(packed_.rows(), static_cast<Index>(list_.size())), contacts_.rows.cols());
+  for (std::size_t k = 0; k < list_.size(); ++k)
+    packed_.row(static_cast<Index>(k)) = contacts_.rows.row(static_cast<Index>(list_[k]));
+}
+
+bool MomentStep::open_at_start(std::size_t contact) const {
+  return contact::forceless(equations_.contacts()
+                                .pairs()[contact]
+                                .law->modes()[static_cast<std::size_t>(modes_[contact])]);
+}
+
+// Those that may touch: at each node and at the end
+//
+//   g(x) >= g(0) + h x g'(0) - sum over j of max over c |W_cj| |q_j(x) - q_j(0) - h x v_j(0)|
+//
+// and the same of moving bases. What remains is the way by which later sweeps differ.
+std::vector<std::size_t> MomentStep::within_reach() const {
+  const Index n = equations_.layout().n;
+  std::array<double, n_moments + 1> curved{};
+  for (Index i = 0; i <= n_moments; ++i) {
+    const double time = h_ * (i < n_moments ? moment_nodes()[static_cast<std::size_t>(i)] : 1);
+    double &sum = curved[static_cast<std::size_t>(i)];
+    sum = contacts_.largest.dot(
+        (positions_.col(i) - start_rows_.head(n) - time * start_rows_.segment(n, n)).cwiseAbs());
+    for (Index s = 0; s < contacts_.base.cols(); ++s)
+      sum += contacts_.base.col(s).cwiseAbs().maxCoeff() *
+             std::abs(sources_(3 * s, i) - start_rows_[2 * n + 3 * s] -
+                      time * start_rows_[2 * n + 3 * s + 1]);
+  }
+  std::vector<std::size_t> some;
+  for (const std::size_t c : all_) {
+    const auto row = static_cast<Index>(c);
+    double least = start_gaps_[row];
+    for (std::size_t i = 0; i <= n_moments; ++i)
+      least = std::min(least, start_gaps_[row] +
+                                  h_ * (i < n_moments ? moment_nodes()[i] : 1) * start_rates_[row] -
+                                  curved[i]);
+    if (least <= slack_ || !open_at_start(c))
+      some.push_back(c);
+  }
+  return some;
+}
+
 // Contacts without force whose gap the way seen so far cannot close are left out.
 void MomentStep::choose_list() {
-  list_.clear();
-  for (const std::size_t c : all_) {
-    const contact::ContactLaw &law = *equations_.contacts().pairs()[c].law;
+  std::vector<std::size_t> some;
+  for (const std::size_t c : list_) {
     const ContactCourse &course = courses_[c];
-    const bool open = !course.changes() && modes_[c] == free_mode(law);
-    const auto &gap = course.curve().coefficients();
-    if (!open || *std::min_element(gap.begin(), gap.end()) <= slack_)
-      list_.push_back(c);
+    if (course.changes() || !open_at_start(c) || course.curve().gap().lower_bound() <= slack_)
+      some.push_back(c);
   }
+  take_list(std::move(some));
 }
 
 // The most that any gap has moved since the first sweep, at the nodes and the end.
@@ -240,24 +265,27 @@ std::vector<std::size_t> MomentStep::acting() const {
 
 std::optional<double> MomentStep::attempt(double h, const MomentTables &tables) {
   h_ = h;
-  list_ = all_;
   moments_.setZero();
+  std::vector<std::size_t> closed;
   for (const std::size_t c : all_) {
-    const contact::ContactLaw &law = *equations_.contacts().pairs()[c].law;
-    const auto row = static_cast<Index>(c);
-    if (forceless(law.modes()[static_cast<std::size_t>(modes_[c])]))
+    if (open_at_start(c))
       continue;
-    law.evaluate(modes_[c], {.gap = start_gaps_[row], .gap_rate = start_rates_[row]}, response_);
+    const auto row = static_cast<Index>(c);
+    equations_.contacts().pairs()[c].law->evaluate(
+        modes_[c], {.gap = start_gaps_[row], .gap_rate = start_rates_[row]}, response_);
     moments_(row, 0) = response_.force;
+    closed.push_back(c);
   }
+  take_list(std::move(closed));
   double before = std::numeric_limits<double>::infinity();
   Vector last;
   for (int i = 0; i < most_sweeps; ++i) {
     sweep(tables);
-    if (i == 0)
+    if (i == 0) {
       first_positions_ = positions_;
-    else if (list_.size() < all_.size() && way() > slack_) {
-      list_ = all_;
+      take_list(within_reach());
+    } else if (list_.size() < all_.size() && way() > slack_) {
+      take_list(all_);
       slack_ = room_for_way * way();
     }
     find_gaps();
@@ -289,19 +317,19 @@ std::optional<double> MomentStep::attempt(double h, const MomentTables &tables) 
 
 double MomentStep::error(const MomentTable &end, double rate) const {
   const Index n = equations_.layout().n;
-  Vector lacking = Vector::Zero(n), changing = Vector::Zero(n);
-  for (const std::size_t c : list_) {
-    const auto row = static_cast<Index>(c);
-    const double last = moments_(row, n_moments - 1);
-    lacking += last * contacts_.rows.row(row).transpose();
-    if (courses_[c].changes())
-      changing += last * contacts_.rows.row(row).transpose();
+  const auto count = static_cast<Index>(list_.size());
+  ContactRows::RowMatrix last(count, 2); // of all, of those that change
+  for (Index k = 0; k < count; ++k) {
+    const std::size_t c = list_[static_cast<std::size_t>(k)];
+    last(k, 0) = moments_(static_cast<Index>(c), n_moments - 1);
+    last(k, 1) = courses_[c].changes() ? last(k, 0) : 0;
   }
+  const Matrix lacking = packed_.topRows(count).transpose() * last;
   Matrix force = Matrix::Zero(n, n_moments);
-  force.col(0) = lacking;
+  force.col(0) = lacking.col(0);
   const Vector response = flow_->response(end, flow_->loads(force).col(0));
   const double unseen =
-      h_ * std::sqrt(changing.cwiseAbs2().cwiseQuotient(equations_.model().mass()).sum());
+      h_ * std::sqrt(lacking.col(1).cwiseAbs2().cwiseQuotient(equations_.model().mass()).sum());
   return std::max(norm(phase_->columns() * response), unseen * rate / (2 * n_moments));
 }
 
@@ -310,8 +338,8 @@ double MomentStep::error(const MomentTable &end, double rate) const {
 double MomentStep::deepest() const {
   double depth = deepest_;
   for (const std::size_t c : acting()) {
-    const auto &gap = courses_[c].curve().coefficients();
-    depth = std::max(depth, -std::min(gap.front(), gap.back()));
+    const Bernstein &gap = courses_[c].curve().gap();
+    depth = std::max(depth, -std::min(gap.start(), gap.end()));
     if (courses_[c].changes() && fastest_ > 0)
       depth = std::max(depth, std::abs(start_rates_[static_cast<Index>(c)]) / fastest_);
   }
@@ -327,7 +355,6 @@ double MomentStep::gap_error(const MomentTable &middle) {
   Vector coordinates;
   flow_->move(middle, start_, loads_, coordinates);
   const Vector rows = phase_->columns() * coordinates;
-  const GapCurve::Coefficients polynomials = bernstein_polynomials(x);
   constexpr double m = n_moments;
   constexpr double twice = (2 / ((2 * m + 1) * (2 * m + 3)) + 2 / ((2 * m + 1) * (2 * m - 1))) / 4;
   double largest = 0;
@@ -335,11 +362,17 @@ double MomentStep::gap_error(const MomentTable &middle) {
     const auto row = static_cast<Index>(c);
     const double lacking =
         h_ * h_ * twice * std::abs(moments_(row, n_moments - 1)) * contacts_.flexibilities[row];
-    const double missed =
-        std::abs(contacts_.local(row, rows).gap - courses_[c].curve().at(polynomials).gap);
+    const double missed = std::abs(contacts_.local(row, rows).gap - courses_[c].curve().gap()(x));
     largest = std::max(largest, lacking + missed);
   }
   return largest / allowed;
+}
+
+void MomentStep::sum_lacks() {
+  for (const std::size_t c : list_)
+    if (courses_[c].changes())
+      courses_[c].sum_lacks(*equations_.contacts().pairs()[c].law,
+                            moments_.row(static_cast<Index>(c)).data(), response_);
 }
 
 // Within the step the motion under the true forces deviates from that under their polynomials: to

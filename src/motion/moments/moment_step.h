@@ -65,6 +65,8 @@ public:
   /// Those with a force at some instant.
   std::vector<std::size_t> acting() const;
   const ContactCourse &course(std::size_t contact) const { return courses_[contact]; }
+  /// What forces lack within the step, for rows_at(); behind the last move_change().
+  void sum_lacks();
   /// Of the motion as it is shown; where the step leads to stays.
   void move_change(std::size_t contact, std::size_t stretch, double x) {
     courses_[contact].move_change(stretch, x);
@@ -80,7 +82,10 @@ public:
 
 private:
   void make_phase();
-  void find_start(const Vector &rows);
+  void find_start();
+  void take_list(std::vector<std::size_t> list);
+  bool open_at_start(std::size_t contact) const;
+  std::vector<std::size_t> within_reach() const;
   void sweep(const MomentTables &tables);
   void find_gaps();
   bool find_forces();
@@ -99,7 +104,8 @@ private:
   std::vector<ContactCourse> courses_; ///< of each contact
   ContactRows::RowMatrix moments_;     ///< contacts x n_moments
   std::vector<std::size_t> all_, list_;
-  Vector start_; ///< coordinates
+  ContactRows::RowMatrix packed_; ///< rows of the listed contacts, and more
+  Vector start_, start_rows_;     ///< coordinates; y and sources
   Vector start_gaps_, start_rates_;
   double gap_rounding_ = 0, rate_rounding_ = 0; ///< of these
   Matrix loads_;                                ///< coordinates x n_moments

@@ -1,5 +1,7 @@
 #include "motion/moments/moment_views.h"
 
+#include "contact/free_mode.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,17 +15,20 @@ constexpr int most_view_halvings = 12;
 MomentViews::MomentViews(Equations &equations, const MomentStep &step, double tolerance)
     : equations_(equations), step_(step), tolerance_(tolerance) {}
 
-void MomentViews::add_forces(double x, Vector &force) const {
-  const GapCurve::Coefficients polynomials = bernstein_polynomials(x);
-  for (const std::size_t c : acting_) {
-    const ContactCourse &course = step_.course(c);
-    const contact::ContactPair &pair = equations_.contacts().pairs()[c];
-    const int mode = equations_.modes()[c];
-    if (forceless(pair.law->modes()[static_cast<std::size_t>(mode)]))
-      continue;
-    pair.law->evaluate(mode, course.curve().at(polynomials), response_);
-    force += response_.force * pair.gap.row.transpose();
-  }
+double MomentViews::force(std::size_t contact, int mode, double x) const {
+  const contact::ContactLaw &law = *equations_.contacts().pairs()[contact].law;
+  if (contact::forceless(law.modes()[static_cast<std::size_t>(mode)]))
+    return 0;
+  law.evaluate(mode, step_.course(contact).curve().at(x), response_);
+  return response_.force;
+}
+
+void MomentViews::pass(std::size_t contact, int from, double x, EndPoint &point) const {
+  const double jump = force(contact, equations_.modes()[contact], x) - force(contact, from, x);
+  if (jump != 0)
+    point.rates.tail(equations_.layout().n) +=
+        jump * equations_.contacts().pairs()[contact].gap.row.transpose().cwiseQuotient(
+                   equations_.model().mass());
 }
 
 void MomentViews::fill(double time, double x, EndPoint &point) const {
@@ -44,25 +49,45 @@ void MomentViews::fill(double time, double x, EndPoint &point) const {
   force -= part;
   model.damping().apply(ConstVectorView(rows.data() + n, n), part);
   force -= part;
-  add_forces(x, force);
+  for (const std::size_t c : acting_)
+    if (const double push = this->force(c, equations_.modes()[c], x); push != 0)
+      force += push * equations_.contacts().pairs()[c].gap.row.transpose();
   point.rates.resize(2 * n);
   point.rates.head(n) = rows.segment(n, n);
   point.rates.tail(n) = force.cwiseQuotient(model.mass());
 }
 
-// By the quintic with position, velocity and acceleration at both ends, of position and velocity in
-// the middle.
+MomentViews::Motion MomentViews::between(const EndPoint &start, const EndPoint &end, double tau) {
+  const double h = end.time - start.time;
+  const Index n = start.rates.size() / 2;
+  Motion motion{.position = Vector::Zero(n), .velocity = Vector::Zero(n)};
+  for (const bool at_end : {false, true})
+    for (std::size_t order = 0; order < 3; ++order) {
+      std::array<double, 3> unit{};
+      unit[order] = 1;
+      const std::array<double, 3> none{};
+      const Bernstein share =
+          at_end ? Bernstein::quintic(h, none, unit) : Bernstein::quintic(h, unit, none);
+      const EndPoint &point = at_end ? end : start;
+      const auto value = order == 0   ? point.state.head(n)
+                         : order == 1 ? point.state.segment(n, n)
+                                      : point.rates.tail(n);
+      motion.position += share(tau) * value;
+      motion.velocity += share.derivative()(tau) / h * value;
+    }
+  return motion;
+}
+
+// In the middle, in the energy norm.
 double MomentViews::missed(const EndPoint &start, const EndPoint &middle,
                            const EndPoint &end) const {
   const Index n = equations_.layout().n;
   const double h = end.time - start.time;
-  const auto &a = start.state, &b = end.state;
-  Vector rows = Vector::Zero(2 * n);
-  rows.head(n) = (a.head(n) + b.head(n)) / 2 + 5 * h / 32 * (a.segment(n, n) - b.segment(n, n)) +
-                 h * h / 64 * (start.rates.tail(n) + end.rates.tail(n)) - middle.state.head(n);
-  rows.tail(n) = 15 / (8 * h) * (b.head(n) - a.head(n)) -
-                 7.0 / 16 * (a.segment(n, n) + b.segment(n, n)) +
-                 h / 32 * (end.rates.tail(n) - start.rates.tail(n)) - middle.state.segment(n, n);
+  const auto &a = start.state;
+  const Motion seen = between(start, end, 0.5);
+  Vector rows(2 * n);
+  rows << seen.position, seen.velocity;
+  rows -= middle.state.head(2 * n);
   // Over a short part the differences of positions and of times are rounding.
   const auto size = [&](const Vector &of) {
     return std::sqrt(of.cwiseAbs2().dot(equations_.model().mass()));

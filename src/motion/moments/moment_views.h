@@ -22,13 +22,22 @@ public:
   /// equations. The integrals in the state stay.
   void fill(double time, double x, EndPoint &point) const;
 
+  /// From just before the change of a contact to just behind it, where the equations are.
+  void pass(std::size_t contact, int from, double x, EndPoint &point) const;
+
+  struct Motion {
+    Vector position, velocity;
+  };
+  /// By the quintic of each coordinate, at tau in [0, 1]: what a step view sees.
+  static Motion between(const EndPoint &start, const EndPoint &end, double tau);
+
   using Show = std::function<void(const EndPoint &start, const EndPoint &end)>;
   /// From start to end, at the parts `from` and `to` of the step.
   void show(double time, double from, const EndPoint &start, double to, const EndPoint &end,
             const Show &show) const;
 
 private:
-  void add_forces(double x, Vector &force) const;
+  double force(std::size_t contact, int mode, double x) const;
   void halve(double time, double from, const EndPoint &start, double to, const EndPoint &end,
              int depth, const Show &show) const;
   double missed(const EndPoint &start, const EndPoint &middle, const EndPoint &end) const;

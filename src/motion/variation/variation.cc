@@ -2,6 +2,7 @@
 
 #include "common/decompositions.h"
 #include "common/error.h"
+#include "contact/free_mode.h"
 #include "motion/path/trajectory.h"
 #include "motion/variation/contact_deviations.h"
 
@@ -32,15 +33,6 @@ constexpr double longest_turn = 1;
 // Of contacts that may pass as a whole.
 constexpr int most_joined_in_contact = 64;
 constexpr double longest_turn_in_contact = 8;
-
-std::optional<int> mode_without_force(const contact::ContactLaw &law) {
-  for (std::size_t i = 0; i < law.modes().size(); ++i) {
-    const contact::Mode &mode = law.modes()[i];
-    if (!mode.in_contact && !mode.holds_gap && mode.affine)
-      return static_cast<int>(i);
-  }
-  return std::nullopt;
-}
 
 bool same_instant(double one, double other) {
   return std::abs(one - other) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(other);
@@ -158,7 +150,7 @@ LinearFlow *Variation::free_flow() {
   const std::vector<int> modes = equations_.modes();
   for (std::size_t c = 0; c < modes.size(); ++c)
     if (!equations_.mode(c).affine && !equations_.mode(c).holds_gap)
-      if (const auto mode = mode_without_force(*equations_.contacts().pairs()[c].law))
+      if (const auto mode = contact::free_mode(*equations_.contacts().pairs()[c].law))
         equations_.set_mode(c, *mode);
   LinearPhase *const phase = phases_.find();
   for (std::size_t c = 0; c < modes.size(); ++c)
