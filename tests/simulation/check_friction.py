@@ -222,6 +222,14 @@ def amplitude(b, f):
     return sqrt(gain(b)**2 - loss(b)**2 * f * f)
 
 
+def multipliers(b, f):
+    """Without stops: two turns per period."""
+    turn = amplitude(b, f) * b * b
+    s, c = (turn - f) / (turn + f), cos(pi / b)
+    root = np.sqrt(complex(c * c * (1 + s)**2 / 4 - s))
+    return np.array([(c * (1 + s) / 2 + root)**2, (c * (1 + s) / 2 - root)**2])
+
+
 def limit(b):
     """Friction beyond which the mass stops, for b > 1/2."""
     return abs(gain(b)) / sqrt(loss(b)**2 + b**-4)
@@ -253,9 +261,12 @@ class Friction(ProgramRuns):
                 if count == 0:
                     self.assertAlmostEqual(value, amplitude(place, mu), delta=1e-12)
             # A stop forgets the speed.
-            sizes = np.abs(found[MULTIPLIER + "real"][:] + 1j * found[MULTIPLIER + "imaginary"][:])
-            self.assertLess(sizes[stops == 2].min(axis=1).max(), 1e-12)
-            self.assertGreater(sizes[stops == 0].min(), 1e-3)
+            both = found[MULTIPLIER + "real"][:] + 1j * found[MULTIPLIER + "imaginary"][:]
+            self.assertLess(np.abs(both[stops == 2]).min(axis=1).max(), 1e-12)
+            for place, pair in zip(b[stops == 0], both[stops == 0]):
+                expected = multipliers(place, mu)
+                self.assertAlmostEqual(pair.prod(), expected.prod(), delta=1e-12)
+                self.assertAlmostEqual(pair.sum(), expected.sum(), delta=1e-12)
             # Where the contact changes are others.
             self.assertEqual(list(found["analysis/branch/special/kind"]), [8])
             first = 2 * pi * found["analysis/branch/special/frequency"][0]
@@ -267,13 +278,11 @@ class Friction(ProgramRuns):
         found = h5py.File(self.folder / "ranks1" / "results.h5")["analysis/response"]
         stops = found["contact/ground/friction/sticks"][:]
         self.assertEqual({*stops.flat}, {0, 40})
-        # Without stops the product of both multipliers is that of the two turns.
         b = np.linspace(0.5, 0.9, 33)
         for i, j in zip(*np.nonzero(stops == 0)):
-            turn = amplitude(b[i], 0.6) * b[i]**2
-            product = ((turn - 0.6) / (turn + 0.6))**2
+            expected = np.log(np.abs(multipliers(b[i], 0.6)).max())
             exponent = found["lyapunov/exponent_per_period"][i, j]
-            self.assertAlmostEqual(exponent, np.log(product) / 2, delta=0.1 * abs(exponent))
+            self.assertAlmostEqual(exponent, expected, delta=0.1 * abs(expected))
 
     def test_derivatives_of_an_orbit_by_the_coefficient(self):
         found = self.results(OSCILLATOR + FORCE + ORBIT)["analysis/orbit"]
@@ -299,19 +308,17 @@ class Friction(ProgramRuns):
         paired = self.results(BEAM + """
 subsection Contact feet
   set Between = beam.feet, stop
-  set Pairing = stops""" + FOOT)["analysis/run"]
-        paired = {name: paired[f"contact/feet/friction/{name}"][()]
-                  for name in ("energy", "sliding_way")} if "contact/feet/friction" in paired else {
-                      name: sum(paired[f"contact/feet.{i}/friction/{name}"][()] for i in (1, 2))
-                      for name in ("energy", "sliding_way")}
+  set Pairing = stops""" + FOOT)["analysis/run/recorded/contact"]
+        taken = {name: [paired[f"feet.{i}/friction/{name}"][()] for i in (1, 2)]
+                 for name in ("energy", "sliding_way", "slips")}
         single = self.results(BEAM + "".join(
             f"subsection Contact {name}\n  set Between = beam.{name}, stop" + FOOT
-            for name in ("one", "two")))["analysis/run"]
-        for name, value in paired.items():
-            expected = sum(single[f"contact/{point}/friction/{name}"][()]
-                           for point in ("one", "two"))
-            self.assertGreater(expected, 0)
-            self.assertAlmostEqual(value, expected, delta=1e-9 * expected)
+            for name in ("one", "two")))["analysis/run/recorded/contact"]
+        for name, values in taken.items():
+            for value, point in zip(values, ("one", "two")):
+                expected = single[f"{point}/friction/{name}"][()]
+                self.assertGreater(expected, 0)
+                self.assertAlmostEqual(value, expected, delta=1e-9 * expected)
 
 
 if __name__ == "__main__":
