@@ -70,12 +70,14 @@ struct NamedCase {
   const char *name;
   Case (*make)();
 };
-constexpr NamedCase cases[] = {
-    {"bumpers", bumpers},         {"bilinear", bilinear_masses}, {"absorber", absorber},
-    {"rest", absorber_from_rest}, {"beams", beam_pair},          {"stop", beam_on_stop},
-    {"stops1", one_stop},         {"stops2", two_stops},         {"stops4", four_stops},
-    {"stops8", eight_stops},      {"stops16", sixteen_stops},    {"duffing", duffing},
-    {"rotor", motor_on_frame}};
+constexpr NamedCase cases[] = {{"bumpers", bumpers},           {"bilinear", bilinear_masses},
+                               {"absorber", absorber},         {"rest", absorber_from_rest},
+                               {"beams", beam_pair},           {"stop", beam_on_stop},
+                               {"stops1", one_stop},           {"stops2", two_stops},
+                               {"stops4", four_stops},         {"stops8", eight_stops},
+                               {"stops16", sixteen_stops},     {"turns", friction_without_stops},
+                               {"stick", friction_with_stops}, {"duffing", duffing},
+                               {"rotor", motor_on_frame}};
 
 int run(int repetitions, const char *only) {
   int failures = 0;

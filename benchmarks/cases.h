@@ -24,6 +24,9 @@ Case two_stops();
 Case four_stops();
 Case eight_stops();
 Case sixteen_stops();
+/// A mass with dry friction under a harmonic force, which turns at once or stops at every turn.
+Case friction_without_stops();
+Case friction_with_stops();
 /// A mass on a spring that stiffens with the cube of its elongation, without contacts.
 Case duffing();
 /// An unbalanced rotor with a motor of limited power on an elastic frame, without contacts.

@@ -34,10 +34,13 @@ public:
       stepper_.do_step(std::ref(system_));
       ++steps_;
       // What the step ends with, before a contact change cuts it short.
-      const double until = changed(stepper_.current_state()) ? locate() : stepper_.current_time();
+      const double until = changed(stepper_.current_state(), stepper_.current_time())
+                               ? locate()
+                               : stepper_.current_time();
       if (records_)
         record(until);
-      if (until < stepper_.current_time() || changed(stepper_.current_state()))
+      if (until < stepper_.current_time() ||
+          changed(stepper_.current_state(), stepper_.current_time()))
         change(until);
     }
     return outcome();
@@ -60,9 +63,23 @@ private:
 
   void restart(State state, double time, double step) { stepper_.initialize(state, time, step); }
 
-  bool changed(const State &x) const {
+  // Guards and changes of some systems depend on the time too.
+  double guard(std::size_t i, const State &x, double time) const {
+    if constexpr (requires { system_.guard(i, x, time); })
+      return system_.guard(i, x, time);
+    else
+      return system_.guard(i, x);
+  }
+  void pass(std::size_t i, State &x, double time) {
+    if constexpr (requires { system_.pass(i, x, time); })
+      system_.pass(i, x, time);
+    else
+      system_.pass(i, x);
+  }
+
+  bool changed(const State &x, double time) const {
     for (std::size_t i = 0; i < System::contacts; ++i)
-      if (system_.guard(i, x) < 0)
+      if (guard(i, x, time) < 0)
         return true;
     return false;
   }
@@ -77,7 +94,7 @@ private:
       if (middle <= lower || middle >= upper)
         break;
       stepper_.calc_state(middle, x);
-      (changed(x) ? upper : lower) = middle;
+      (changed(x, middle) ? upper : lower) = middle;
     }
     return upper;
   }
@@ -135,8 +152,8 @@ private:
     stepper_.calc_state(time, x);
     (in_contact() ? contact_step_ : free_step_) = stepper_.current_time_step();
     for (std::size_t i = 0; i < System::contacts; ++i)
-      if (system_.guard(i, x) < 0)
-        system_.pass(i, x);
+      if (guard(i, x, time) < 0)
+        pass(i, x, time);
     restart(x, time, in_contact() ? contact_step_ : free_step_);
   }
 

@@ -15,7 +15,8 @@ using reduction::ReducedBody;
 
 constexpr double event_tolerance = 1e-12; // the program's default
 
-// Counts the contacts and keeps the extreme values of one displacement.
+// Counts the contacts, where there is friction the stops too, and keeps the extreme values of one
+// displacement.
 class Record : public Observer {
 public:
   explicit Record(const Problem &problem)
@@ -27,8 +28,11 @@ public:
   bool sees_steps(const Equations & /*equations*/) const override { return false; }
   void event(const ContactEvent &event) override {
     const std::vector<contact::Mode> &modes = problem_.contacts.pairs()[event.contact].law->modes();
-    begun_[event.contact] += !modes[static_cast<std::size_t>(event.from)].in_contact &&
-                             modes[static_cast<std::size_t>(event.to)].in_contact;
+    const contact::Mode &from = modes[static_cast<std::size_t>(event.from)];
+    const contact::Mode &to = modes[static_cast<std::size_t>(event.to)];
+    begun_[event.contact] +=
+        (!from.in_contact && to.in_contact) ||
+        (from.friction == contact::Friction::slip && to.friction == contact::Friction::stick);
   }
   const std::vector<long> &begun() const { return begun_; }
   double excursion() const { return extent_.peak_to_peak(); }

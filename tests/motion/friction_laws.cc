@@ -112,6 +112,47 @@ TEST_P(FrictionLawsTest, SpringSliderWithADashpotUnderADampedNormalForce) {
   EXPECT_LT(trajectory.accuracy().energy_residual, error());
 }
 
+// The contact lasts until the damped normal force ends, where the acceleration is zero.
+TEST_P(FrictionLawsTest, ViscousFrictionUnderADampedNormalForce) {
+  const double m = 2, k = 3e4, c = 60, ct = 5, vt = 0.7;
+  const Model model({particle("ball", m)});
+  const ContactSet contacts(
+      {oblique_contact(model, "ball.head", 0,
+                       std::make_shared<FrictionalLaw>(std::make_shared<KelvinVoigt>(k, c),
+                                                       std::make_shared<Viscous>(ct)))});
+  Trajectory trajectory(model, contacts, settings());
+  Changes changes(contacts);
+  trajectory.start(0, vector_of({0, 0}), vector_of({vt, 1}));
+  trajectory.advance(0.1, changes);
+  const double d = c / m / 2, w = std::sqrt(k / m - d * d);
+  const double end = (pi + std::atan(2 * d * w / (d * d - w * w))) / w;
+  EXPECT_NEAR(trajectory.state()[2], vt * std::exp(-ct / m * end), error());
+  EXPECT_LT(trajectory.accuracy().energy_residual, error());
+}
+
+// A mass slides against a rigid stop beside it: friction turns with the rebound, and the mass comes
+// to rest.
+TEST_P(FrictionLawsTest, RigidStopBesideASlidingContact) {
+  const double deceleration = 0.4, way = 0.3, v = 1, e = 0.6;
+  const Model model({single_mass("block", 2, 0, 0)});
+  const ContactSet contacts(
+      {testing::contact_along_x(model, "block.head", "", way, testing::newton(e)),
+       sliding_along_x(model, "block.head", "", testing::coulomb(2, deceleration, 0.5))});
+  Trajectory trajectory(model, contacts, settings());
+  Changes changes(contacts);
+  trajectory.start(0, vector_of({0}), vector_of({v}));
+  trajectory.advance(5, changes);
+  const double meets = std::sqrt(v * v - 2 * deceleration * way);
+  EXPECT_NEAR(trajectory.state()[0], way - e * e * meets * meets / 2 / deceleration, error());
+  EXPECT_EQ(trajectory.state()[1], 0);
+  ASSERT_GE(changes.list.size(), 2u);
+  EXPECT_NEAR(changes.list[0].time, (v - meets) / deceleration, error());
+  EXPECT_NEAR(changes.list.back().time, (v - meets + e * meets) / deceleration, error());
+  EXPECT_EQ(changes.list.back().to, "stick");
+  EXPECT_NEAR(trajectory.state()[trajectory.layout().wear_work(0)],
+              2 * (way + e * e * meets * meets / 2 / deceleration), error());
+}
+
 TEST_P(FrictionLawsTest, ViscousFrictionDampsAMass) {
   const double k = 100, c = 3;
   const Model model({single_mass("block", 1, k, 0)});

@@ -74,6 +74,43 @@ TEST(FrictionVariation, ForcedMotionWithoutStops) {
   EXPECT_NEAR(std::abs(found[0].imag()), .6306157782, 1e-10);
 }
 
+// With a stop at every turn the speed is forgotten there: 0; and what is left of a deviation of the
+// place is that of the way from one stop to the next, against differences.
+TEST(FrictionVariation, ForcedMotionWithStops) {
+  const double b = 0.6, f = 0.6, period = 2 * pi / b;
+  Model model({single_mass("block", 1, 1, 0.02)});
+  model.add_force("force", std::make_shared<Harmonic>(Given::displacement, 1, b, pi / 2),
+                  {.body = 0, .point = 0}, Vector3::UnitX());
+  const ContactSet contacts({sliding_along_x(model, "block.head", "", coulomb(f, 1, 1.2))});
+  Trajectory trajectory(model, contacts, settings_of("exact"));
+  trajectory.start(0, vector_of({1.4}), vector_of({0}));
+  trajectory.advance(20.4 * period);
+  const MotionState slips = trajectory.motion_state();
+  const auto image = [&](const Vector &from) {
+    trajectory.start({.time = slips.time, .physical = from});
+    trajectory.advance(slips.time + period);
+    return trajectory.motion_state().physical;
+  };
+  trajectory.start(slips);
+  Changes changes(contacts);
+  Variation variation(trajectory, Vector::Ones(2), 1e-11);
+  variation.set_columns(Matrix::Identity(2, 2));
+  Observers both({&variation, &changes});
+  trajectory.advance(slips.time + period, both);
+  const Matrix columns = variation.columns();
+  ASSERT_EQ(changes.list.size(), 4u);
+  for (Index j = 0; j < 2; ++j) {
+    const double h = 1e-4;
+    const auto difference = [&](double step) {
+      const Vector by = step * Vector::Unit(2, j);
+      return Vector((image(slips.physical + by) - image(slips.physical - by)) / (2 * step));
+    };
+    const Vector expected = (4 * difference(h / 2) - difference(h)) / 3;
+    EXPECT_LT((expected - columns.col(j)).cwiseAbs().maxCoeff(), 1e-9) << j;
+  }
+  EXPECT_NEAR(std::abs(multipliers(columns)[0]), 0, 1e-12);
+}
+
 // On a belt nothing says when the motion begins: 1; and sticking forgets all else: 0.
 TEST(FrictionVariation, StickSlipOnABelt) {
   for (const double mu_s : {1.0, 0.5 + 1e-3}) {

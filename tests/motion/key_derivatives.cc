@@ -405,6 +405,36 @@ TEST(KeyDerivativesTest, KeyThatActsByLittleBesideLargeForces) {
   EXPECT_LT((rest.linearised().by_key.col(0) - exact).norm(), 1e-9 * exact.norm());
 }
 
+// A block on a belt that breaks away twice, and a driven one that stops at every turn; with more
+// friction at rest the force jumps where the sides begin to slip.
+TEST(KeyDerivativesTest, FrictionThatSticksAndBreaksAway) {
+  struct Rubbing {
+    double stiffness = 1, force = 0, normal = 1, mu = 0.5, mu_s = 1, belt = 0.2;
+  };
+  const auto family = [](double Rubbing::*key, Rubbing rubbing, double v, double end) {
+    const auto make = [key, rubbing](double value) mutable {
+      rubbing.*key = value;
+      Model model = pushed_mass(1, rubbing.stiffness, 0.05, force_of(rubbing.force, 0.6));
+      ContactSet contacts({testing::sliding_along_x(
+          model, "block.head", "", testing::coulomb(rubbing.normal, rubbing.mu, rubbing.mu_s),
+          rubbing.belt)});
+      return Parts{std::move(model), std::move(contacts)};
+    };
+    return Family{.make = make,
+                  .value = rubbing.*key,
+                  .start = {.time = 0, .physical = vector_of({0.3, v})},
+                  .end = end};
+  };
+  for (double Rubbing::*key :
+       {&Rubbing::stiffness, &Rubbing::normal, &Rubbing::mu, &Rubbing::mu_s, &Rubbing::belt})
+    for (const double end : {11.0, 16.5}) // in stick, in slip
+      family(key, {}, 0.5, end).agrees_with_differences(4);
+  for (double Rubbing::*key :
+       {&Rubbing::stiffness, &Rubbing::normal, &Rubbing::mu, &Rubbing::mu_s, &Rubbing::force})
+    family(key, {.force = 1, .normal = 0.6, .mu = 0.8, .belt = 0}, 0.5, 23)
+        .agrees_with_differences(6);
+}
+
 TEST(KeyDerivativesTest, KeysThatChangeTheModelItselfAreRefused) {
   const auto family = [](std::function<double(double)> mass) {
     return Family{

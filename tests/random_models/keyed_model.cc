@@ -29,7 +29,16 @@ constexpr const char *paths[] = {"Contact/k0/Clearance",
                                  "Excitation/e0/Impulse/Duration",
                                  "Connection/c0/Stiffness",
                                  "Connection/c0/Cubic stiffness",
-                                 "Body/b/Mass m0/Mass"};
+                                 "Body/b/Mass m0/Mass",
+                                 "Contact/f0/Linear penalty/Stiffness",
+                                 "Contact/f0/Constant force/Force",
+                                 "Contact/f0/Friction/Surface speed",
+                                 "Contact/f0/Friction/Coulomb/Coefficient",
+                                 "Contact/f0/Friction/Coulomb/Static coefficient",
+                                 "Contact/f0/Friction/Spring-slider/Stiffness",
+                                 "Contact/f0/Friction/Spring-slider/Coefficient",
+                                 "Contact/f0/Friction/Spring-slider/Damping constant",
+                                 "Contact/f0/Friction/Viscous/Damping constant"};
 
 } // namespace
 

@@ -115,7 +115,8 @@ public:
     return state;
   }
 
-  /// Coordinates until the end are not larger: of all displacements alike, of all velocities alike.
+  /// Coordinates until the end are not larger: of all displacements alike, of all velocities alike,
+  /// and these are what the fastest motion makes of those.
   State largest(const State &from, Real end) const {
     const std::size_t n = chain_.n();
     State state = from, bound = from;
@@ -127,8 +128,10 @@ public:
       }
       state = advance(state, end / static_cast<Real>(steps));
     }
+    const Real way = std::max(bound[0], bound[n] / fastest_);
+    const Real speed = std::max(bound[n], bound[0] * fastest_);
     for (std::size_t i = 0; i < 2 * n; ++i)
-      bound[i] = bound[i < n ? 0 : n];
+      bound[i] = i < n ? way : speed;
     return bound;
   }
 
@@ -227,7 +230,7 @@ private:
   Real fastest_ = 0;          ///< [1/s]
 };
 
-/// The first instant at which a guard is below zero by more than a band, by dense evaluation.
+/// The first instant at which a guard is below zero by more than rounding, by dense evaluation.
 class FirstFall {
 public:
   using Real = TruePhase::Real;
@@ -289,7 +292,7 @@ private:
       least += k == 0 ? p[0] : -std::abs(p[k]) * power;
     }
     const Real band_here = band(guard);
-    if (least > 2 * band_here)
+    if (least > band_here)
       return;
     const Polynomial slope = derivative(p), bend = derivative(slope);
     constexpr int samples = 12;
@@ -308,13 +311,14 @@ private:
     Real lowest = b;
     if (value(slope, a) < 0 && value(slope, b) > 0) {
       lowest = zero(slope, a, b);
-      touches += std::abs(value(p, lowest)) <= band_here ? 1 : 0;
+      touches += std::abs(value(p, lowest)) <= 4 * band_here ? 1 : 0;
     }
-    if (value(p, a) < -band_here)
+    const Real level = -4 * band_here; // where no rounding of its terms takes it for a touch
+    if (value(p, a) < level)
       lowest = a;
-    if (!(value(p, lowest) < -band_here))
+    if (!(value(p, lowest) < level))
       return false;
-    const Real t = begin + (lowest > a ? zero(p, a, lowest, -band_here) : a);
+    const Real t = begin + (lowest > a ? zero(p, a, lowest, level) : a);
     time = time ? std::min(*time, t) : t;
     return true;
   }

@@ -335,6 +335,8 @@ void KeyTangent::hold(const Equations &equations, double time, const Vector &sta
 }
 
 Vector KeyTangent::rates(const Equations &equations, double time, const Vector &state) const {
+  if (equations.layout().n_sliding > 0 && LinearSystem::holds(equations))
+    return linear_rates(equations, time, state);
   if (equations.layout().n_sliding > 0)
     throw NumericalError("contacts with friction have no known derivative by keys in models that "
                          "are not linear between contact changes");
@@ -358,6 +360,25 @@ Vector KeyTangent::rates(const Equations &equations, double time, const Vector &
     add_rates_with_rotors(equations, time, state, sources, forces.present, rates, change);
   if (!equations.holding().empty())
     hold(equations, time, state, rates, change);
+  return change;
+}
+
+// Of a linear phase, friction and what it holds included.
+Vector KeyTangent::linear_rates(const Equations &equations, double time,
+                                const Vector &state) const {
+  const LinearSystem own(equations);
+  const LinearTangent &tangent = linear(equations.modes(), own);
+  Vector change = tangent.matrix * state.head(own.size()) + tangent.constant;
+  std::vector<SourceValues> sources;
+  equations.source_values(time, sources);
+  for (std::size_t k = 0; k < own.loads().size(); ++k) {
+    const LinearSystem::Load &by_key = tangent.loads[k];
+    const LinearSystem::Load &load = own.loads()[k];
+    const std::array<double, 3> moved = sources_->at(k, time);
+    change += sources[k][0] * by_key.value + sources[k][1] * by_key.rate +
+              sources[k][2] * by_key.acceleration + moved[0] * load.value + moved[1] * load.rate +
+              moved[2] * load.acceleration;
+  }
   return change;
 }
 
@@ -402,19 +423,19 @@ Vector KeyTangent::jump(const Equations &equations, const Collision &collision, 
 }
 
 const KeyTangent::LinearTangent &KeyTangent::linear(const std::vector<int> &modes,
-                                                    const LinearSystem &own) {
+                                                    const LinearSystem &own) const {
   const auto known = linear_.find(modes);
   return known != linear_.end() ? known->second
                                 : linear_.emplace(modes, make_linear(modes, own)).first->second;
 }
 
 KeyTangent::LinearTangent KeyTangent::make_linear(const std::vector<int> &modes,
-                                                  const LinearSystem &own) {
+                                                  const LinearSystem &own) const {
   const Vector zero = Vector::Zero(own.size());
   LinearTangent tangent{.matrix = Matrix::Zero(own.size(), own.size()),
                         .constant = zero,
                         .loads = {own.loads().size(), {zero, zero, zero}}};
-  for (Near &near : near_) {
+  for (const Near &near : near_) {
     if (!near.equations)
       near.equations = std::make_unique<Equations>(*near.data.model, *near.data.contacts);
     for (std::size_t c = 0; c < modes.size(); ++c)

@@ -81,7 +81,7 @@ public:
   };
   /// For these modes of the contacts, in which the equations are `own`; kept from the first call
   /// on.
-  const LinearTangent &linear(const std::vector<int> &modes, const LinearSystem &own);
+  const LinearTangent &linear(const std::vector<int> &modes, const LinearSystem &own) const;
   /// The neighbours are linear without contacts, as a cubic spring that begins with the key is not.
   bool keeps_linear() const { return keeps_linear_; }
   /// How far the neighbours lie from the key [its unit].
@@ -92,13 +92,14 @@ public:
 private:
   struct Near {
     KeyNeighbour data;
-    std::unique_ptr<Equations> equations; ///< once they are asked for
+    mutable std::unique_ptr<Equations> equations; ///< once they are asked for
     double weight = 0;
   };
   struct Forces {
     Vector present, change; ///< of all contacts: F, and dF/dp of those that do not hold their gap
   };
-  LinearTangent make_linear(const std::vector<int> &modes, const LinearSystem &own);
+  LinearTangent make_linear(const std::vector<int> &modes, const LinearSystem &own) const;
+  Vector linear_rates(const Equations &equations, double time, const Vector &state) const;
   bool is_unchanged(const KeyNeighbour &neighbour) const {
     return neighbour.model.get() == &model_ && neighbour.contacts.get() == &contacts_;
   }
@@ -124,7 +125,7 @@ private:
   std::vector<Near> near_; ///< none where the sources alone change, as with a frequency
   std::unique_ptr<SourceTangent> sources_;
   std::unique_ptr<ModelTangent> data_;
-  std::map<std::vector<int>, LinearTangent> linear_; ///< by the modes of the contacts
+  mutable std::map<std::vector<int>, LinearTangent> linear_; ///< by the modes of the contacts
   double reach_ = 0;
   bool keeps_linear_ = false;
   long identity_;
