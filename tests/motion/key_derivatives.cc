@@ -94,23 +94,6 @@ Model pushed_mass(double mass, double stiffness, double damping,
   return model;
 }
 
-// A block on a belt whose static coefficient is larger: the force jumps where it begins to slip,
-// and when it does depends on the force that holds it.
-TEST(KeyDerivativesTest, ForceAtWhichABlockBeginsToSlip) {
-  const auto block = [](double stiffness, double amplitude, double speed) {
-    Model model = pushed_mass(1, stiffness, 0.02, force_of(amplitude, 1.7));
-    ContactSet contacts(
-        {testing::sliding_along_x(model, "block.head", "", testing::coulomb(1, 0.5, 1), speed)});
-    return Parts{std::move(model), std::move(contacts)};
-  };
-  const MotionState start{.time = 0, .physical = vector_of({0, 0.2})};
-  Family{.make = [&](double k) { return block(k, 0.1, 0.2); }, .start = start, .end = 21}
-      .agrees_with_differences(4);
-  Family{
-      .make = [&](double f) { return block(1, f, 0.2); }, .value = 0.1, .start = start, .end = 21}
-      .agrees_with_differences(4);
-}
-
 // x = Re(c exp(i w t)) for the right start, c = a e^(i phi) / (i (k - m w^2 + i c w)): its
 // derivative at fixed time less the free vibration that the same deviation of the start makes.
 TEST(KeyDerivativesTest, AmplitudeAndFrequencyOfASteadyVibration) {
@@ -429,6 +412,8 @@ TEST(KeyDerivativesTest, FrictionThatSticksAndBreaksAway) {
        {&Rubbing::stiffness, &Rubbing::normal, &Rubbing::mu, &Rubbing::mu_s, &Rubbing::belt})
     for (const double end : {11.0, 16.5}) // in stick, in slip
       family(key, {}, 0.5, end).agrees_with_differences(4);
+  // When it begins to slip depends on the force that holds it.
+  family(&Rubbing::force, {.force = 0.1}, 0.5, 16.5).agrees_with_differences(4);
   for (double Rubbing::*key :
        {&Rubbing::stiffness, &Rubbing::normal, &Rubbing::mu, &Rubbing::mu_s, &Rubbing::force})
     family(key, {.force = 1, .normal = 0.6, .mu = 0.8, .belt = 0}, 0.5, 23)

@@ -33,8 +33,7 @@ constexpr Clustering clusterings[] = {
     {0.9999L, true}, {0.99L, true}, {0.0L, true}, {0.9L, false}, {0.0L, false}};
 
 // Powers of two d with D^-1 A D of rows and columns of similar size. What is rounding beside the
-// rest of its row and of its column does not count: scaled up, it would hide all else (James,
-// Langou and Lowery 2014).
+// rest of its row and of its column does not count: scaled up, it would hide all else [james2014].
 Vector balance(Matrix matrix) {
   constexpr double rounding = 1e-15;
   const Index n = matrix.rows();

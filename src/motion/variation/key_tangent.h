@@ -114,6 +114,8 @@ private:
                              const std::vector<SourceValues> &sources, const Vector &contact_forces,
                              const Vector &rates, Vector &change) const;
   double gap_by_sources(std::size_t contact, double time, std::size_t order, int direction) const;
+  double held_forces(const Equations &equations, std::size_t contact,
+                     const contact::AffineForm &forces, double time, const Vector &state) const;
   Vector force_of_sources(const Equations &equations, double time, const Vector &state,
                           const std::vector<SourceValues> &sources) const;
   void hold(const Equations &equations, double time, const Vector &state, const Vector &rates,
