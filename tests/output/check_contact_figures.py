@@ -15,7 +15,7 @@ sys.path[:0] = [str(PROGRAM.parent), str(Path(__file__).resolve().parent)]
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.colors import to_rgb  # noqa: E402
-from plot_examples import write_all  # noqa: E402
+from plot_examples import Writer, write_all  # noqa: E402
 from vibroimpact.plots import transient  # noqa: E402
 from vibroimpact.plots.figure_list import figures  # noqa: E402
 from vibroimpact.plots.results import Results  # noqa: E402
@@ -42,6 +42,18 @@ class Contacts(unittest.TestCase):
                 longest[fine] = max(len(line.get_xdata()) for line in axes.get_lines())
             self.assertGreaterEqual(longest[True], samples)
             self.assertLess(longest[False], samples)
+
+    def test_a_contact_without_any_impact_has_no_figure_of_the_first_one(self):
+        for impacts in (0, 1):
+            with tempfile.TemporaryDirectory() as folder:
+                writer = Writer(Path(folder))
+                writer.analysis("grid", "transient", [("Variables.gap", np.arange(3.0), "m")], ["Variables/gap"])
+                for name, unit in (("peak_force", "N"), ("duration", "s"), ("restitution_coefficient", "1")):
+                    writer.field(f"contact/stop/impact/{name}", np.ones((3, impacts)), unit, ["impact"])
+                writer.file.close()
+                with Results(Path(folder)) as results:
+                    found = transient.swept_key(results.analysis("grid"), "stop")
+            self.assertEqual(found, 0 if impacts else None)
 
     def test_a_contact_has_one_colour_and_points_have_others(self):
         with tempfile.TemporaryDirectory() as folder:
