@@ -1,9 +1,14 @@
 #include "contact/free_mode.h"
 
+#include <algorithm>
+
 namespace vibroimpact::contact {
 
 bool forceless(const Mode &mode) {
-  return !mode.holds_gap && mode.affine && mode.affine->force.zero();
+  const auto zero = [](const AffineForm &form) { return form.zero(); };
+  return !mode.holds() && mode.affine && zero(mode.affine->force) &&
+         std::ranges::all_of(mode.affine->tangential_force, zero) &&
+         std::ranges::all_of(mode.affine->internal_rate, zero);
 }
 
 std::optional<int> free_mode(const ContactLaw &law) {

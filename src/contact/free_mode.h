@@ -7,7 +7,7 @@
 
 namespace vibroimpact::contact {
 
-/// No force in that mode, whatever the gap.
+/// No force in that mode, whatever the gap, and internal states at rest.
 bool forceless(const Mode &mode);
 
 /// The first mode out of contact without force; none: the sides are never free of each other.

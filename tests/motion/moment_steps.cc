@@ -59,23 +59,28 @@ TEST(MomentStepsCourseTest, HasTheMomentsOfTheForce) {
   const LinearPenalty law(3);
   const auto gap = [](double x) { return (x - 0.3) * (x - 0.8); };
   constexpr double h = 0.2;
-  GapValues values{.start = gap(0), .start_rate = -1.1 / h, .end = gap(1), .end_rate = 0.9 / h};
+  PathValues values{.start = gap(0), .start_rate = -1.1 / h, .end = gap(1), .end_rate = 0.9 / h};
   for (std::size_t i = 0; i < n_moments; ++i)
     values.nodes[i] = gap(moment_nodes()[i]);
   ContactCourse course;
-  ASSERT_TRUE(course.follow(law, GapCurve(values, h), 0));
+  course.take(0, DirectionCurve(values, h, 0));
+  ASSERT_TRUE(course.follow(law, 0, {}, {0, 0}));
   ASSERT_EQ(course.stretches().size(), 3u);
   EXPECT_NEAR(course.stretches()[1].from, 0.3, 1e-14);
   EXPECT_NEAR(course.stretches()[1].to, 0.8, 1e-14);
   LawResponse response;
-  const ContactCourse::Moments moments = course.moments(law, response);
+  const ContactCourse::Moments moments = course.moments(law, 0, response);
   EXPECT_NEAR(moments[0], 3 * std::pow(0.5, 3) / 6, 1e-15);
   EXPECT_NEAR(moments[1], 3 * 3 * std::pow(0.5, 3) / 6 * (2 * 0.55 - 1), 1e-15);
-  course.sum_lacks(law, moments.data(), response);
-  const auto lacking = course.lacking(law, moments.data(), 1, response);
+  course.sum_lacks(law, 0, moments.data(), response);
+  const auto lacking = course.lacking(law, 0, moments.data(), 1, response);
   EXPECT_NEAR(lacking[0], 0, 1e-16);
   EXPECT_NEAR(lacking[1], 0, 1e-16);
-  const double impulse = course.integrals(law, course.stretches()[1], nullptr, response).force;
+  const double impulse =
+      course
+          .integrals(
+              law, course.stretches()[1], [](std::size_t, double) { return 0.0; }, response)
+          .force;
   EXPECT_NEAR(impulse, moments[0], 1e-15);
 }
 

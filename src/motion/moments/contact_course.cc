@@ -9,12 +9,13 @@
 
 namespace vibroimpact::motion {
 
+using contact::AffineForm;
+
 namespace {
 
 constexpr int degree = n_moments + 3;
 constexpr std::size_t most_changes = 24; ///< of one contact in a step
-/// Of the largest coefficient of the step: what rounding leaves of a guard that is zero where a
-/// mode begins.
+/// Of the terms of a guard: what rounding leaves of one that is zero where a mode begins.
 constexpr double zero_at_start = 1e-13;
 
 struct Rule {
@@ -67,16 +68,19 @@ struct InnerCoefficients {
 
 bool positive(const Bernstein &curve) { return curve.lower_bound() > 0; }
 
-// The part of the step from x on at which the form falls through zero; `rounding`: of its value at
-// x = 0.
-std::optional<double> fall_behind(const Bernstein &form, double x, double rounding) {
+double largest(const Bernstein &curve) {
+  return std::max(std::abs(curve.lower_bound()), std::abs(curve.upper_bound()));
+}
+
+// The part of the step from x on at which the form falls through zero; `negligible`: what rounding
+// makes of its value at x.
+template <class Negligible>
+std::optional<double> fall_behind(const Bernstein &form, double x, const Negligible &negligible) {
   Bernstein rest = x > 0 ? form.behind(x) : form;
   if (positive(rest))
     return {};
-  const double largest = std::max(std::abs(form.lower_bound()), std::abs(form.upper_bound()));
-  const double negligible = std::max(zero_at_start * largest, x == 0 ? rounding : 0);
-  if (std::abs(rest.start()) <= negligible)
-    rest.clear_start(negligible);
+  if (const double size = negligible(); std::abs(rest.start()) <= size)
+    rest.clear_start(size);
   const std::optional<double> fall = rest.first_down_crossing();
   return fall ? std::optional(x + *fall * (1 - x)) : std::nullopt;
 }
@@ -117,8 +121,7 @@ const std::array<double, n_moments> &moment_nodes() {
   return nodes;
 }
 
-GapCurve::GapCurve(const GapValues &values, double h)
-    : rounding_(values.rounding), rate_rounding_(values.rate_rounding) {
+DirectionCurve::DirectionCurve(const PathValues &values, double h, double speed) {
   static const InnerCoefficients inner;
   constexpr double n = degree;
   std::array<double, degree + 1> list{};
@@ -133,37 +136,124 @@ GapCurve::GapCurve(const GapValues &values, double h)
     for (Index i = 0; i < n_moments; ++i)
       coefficient += inner.by_nodes(j, i) * values.nodes[static_cast<std::size_t>(i)];
   }
-  gap_ = Bernstein::of_coefficients(list);
-  rate_ = gap_.derivative();
-  rate_ *= 1 / h;
+  position = way = Bernstein::of_coefficients(list);
+  rate = position.derivative();
+  rate *= 1 / h;
+  if (speed != 0) {
+    rate += speed;
+    way += Bernstein::line(0, speed * h);
+  }
 }
 
-Bernstein GapCurve::form(const contact::AffineForm &form) const {
-  Bernstein result = gap_;
+bool ContactCourse::holds(const contact::ContactLaw &law) {
+  const auto follows = [](AffineForm form) {
+    form.gap_rate = 0;
+    for (contact::DirectionForm &along : form.tangential)
+      along.rate = 0;
+    return form.zero();
+  };
+  return !law.rigid() && std::ranges::all_of(law.modes(), [&](const contact::Mode &mode) {
+    return !mode.holds() &&
+           (law.n_internal() == 0 ||
+            (mode.affine && std::ranges::all_of(mode.affine->internal_rate, follows)));
+  });
+}
+
+contact::LocalState ContactCourse::at(const CourseStretch &stretch, double x) const {
+  contact::LocalState state{.gap = curves_[0].position(x), .gap_rate = curves_[0].rate(x)};
+  for (std::size_t k = 0; k < contact::most_tangential; ++k)
+    state.tangential[k] = {.slip = curves_[k + 1].position(x), .slip_rate = curves_[k + 1].rate(x)};
+  internal_.clear();
+  for (const Bernstein &curve : stretch.internal)
+    internal_.push_back(curve(x));
+  state.internal = internal_;
+  return state;
+}
+
+Bernstein ContactCourse::form(const AffineForm &form, const CourseStretch &stretch) const {
+  Bernstein result = curves_[0].position; // of the full degree
   result *= form.gap;
-  if (form.gap_rate != 0) {
-    Bernstein rate = rate_;
-    rate *= form.gap_rate;
-    result += rate;
-  }
   result += form.constant;
+  const auto add = [&](double factor, Bernstein curve) {
+    if (factor == 0)
+      return;
+    curve *= factor;
+    result += curve;
+  };
+  for (std::size_t d = 0; d < most_directions; ++d) {
+    const contact::DirectionForm along = form.along(static_cast<int>(d));
+    if (d > 0)
+      add(along.position, curves_[d].position);
+    add(along.rate, curves_[d].rate);
+  }
+  for (std::size_t i = 0; i < form.internal.size(); ++i)
+    add(form.internal[i], stretch.internal[i]);
   return result;
 }
 
-double GapCurve::start_rounding(const contact::AffineForm &form) const {
-  return std::abs(form.gap) * rounding_ + std::abs(form.gap_rate) * rate_rounding_;
+// From their values at x on.
+std::vector<Bernstein> ContactCourse::internal_of(const contact::Mode &mode, double x,
+                                                  std::span<const double> values) const {
+  std::vector<Bernstein> list;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    Bernstein curve(values[i]);
+    if (mode.affine && i < mode.affine->internal_rate.size())
+      for (std::size_t d = 0; d < most_directions; ++d)
+        if (const double factor = mode.affine->internal_rate[i].along(static_cast<int>(d)).rate;
+            factor != 0) {
+          Bernstein way = curves_[d].way;
+          way += -way(x);
+          way *= factor;
+          curve += way;
+        }
+    list.push_back(curve);
+  }
+  return list;
 }
 
-bool ContactCourse::follow(const contact::ContactLaw &law, const GapCurve &curve, int mode) {
-  curve_ = curve;
+// The internal states where a stretch has ended.
+std::vector<double> ContactCourse::behind(const contact::Guard &guard,
+                                          const CourseStretch &stretch) const {
+  const contact::LocalState state = at(stretch, stretch.to);
+  std::vector<double> values(state.internal.begin(), state.internal.end());
+  for (std::size_t i = 0; i < guard.reset.size(); ++i)
+    values[i] = guard.reset[i](state);
+  return values;
+}
+
+// Internal states are sums of ways, which may be far larger.
+double ContactCourse::negligible(const AffineForm &form, const CourseStretch &stretch,
+                                 const contact::Mode &mode, std::array<double, 2> rounding) const {
+  double size = std::abs(form.constant), lost = 0;
+  for (std::size_t d = 0; d < most_directions; ++d) {
+    const contact::DirectionForm along = form.along(static_cast<int>(d));
+    size += std::abs(along.position) * largest(curves_[d].position) +
+            std::abs(along.rate) * largest(curves_[d].rate);
+    lost += std::abs(along.position) * rounding[0] + std::abs(along.rate) * rounding[1];
+    for (std::size_t i = 0; i < form.internal.size(); ++i)
+      size += std::abs(form.internal[i] *
+                       mode.affine->internal_rate[i].along(static_cast<int>(d)).rate) *
+              largest(curves_[d].way);
+  }
+  for (std::size_t i = 0; i < form.internal.size(); ++i)
+    size += std::abs(form.internal[i]) * largest(stretch.internal[i]);
+  return std::max(zero_at_start * size, stretch.from == 0 ? lost : 0);
+}
+
+bool ContactCourse::follow(const contact::ContactLaw &law, int mode,
+                           std::span<const double> internal, std::array<double, 2> rounding) {
+  std::vector<double> values(internal.begin(), internal.end());
   stretches_.clear();
   double x = 0;
   for (;;) {
     const contact::Mode &present = law.modes()[static_cast<std::size_t>(mode)];
-    CourseStretch stretch{.from = x, .to = 1, .mode = mode};
+    CourseStretch stretch{
+        .from = x, .to = 1, .mode = mode, .internal = internal_of(present, x, values)};
     for (std::size_t g = 0; g < present.guards.size(); ++g) {
-      const contact::AffineForm &indicator = present.guards[g].indicator;
-      const auto fall = fall_behind(curve.form(indicator), x, curve.start_rounding(indicator));
+      const AffineForm &indicator = present.guards[g].indicator;
+      const auto fall = fall_behind(form(indicator, stretch), x, [&] {
+        return negligible(indicator, stretch, present, rounding);
+      });
       if (fall && (!stretch.guard || *fall < stretch.to)) {
         stretch.to = *fall;
         stretch.guard = g;
@@ -174,17 +264,24 @@ bool ContactCourse::follow(const contact::ContactLaw &law, const GapCurve &curve
       return true;
     if (stretches_.size() > most_changes)
       return false;
+    const contact::Guard &passed = present.guards[*stretch.guard];
+    if (!values.empty())
+      values = behind(passed, stretch);
     x = stretch.to;
-    mode = present.guards[*stretch.guard].target;
+    mode = passed.target;
+    if (passed.by_slip)
+      mode = law.mode_by_slip(mode, at(stretch, x));
   }
 }
 
-ContactCourse::Moments ContactCourse::moments(const contact::ContactLaw &law,
+ContactCourse::Moments ContactCourse::moments(const contact::ContactLaw &law, std::size_t direction,
                                               contact::LawResponse &response) const {
   Moments result{};
   const contact::Mode &first = law.modes()[static_cast<std::size_t>(stretches_.front().mode)];
   if (!changes() && first.affine) {
-    const Bernstein force = curve_.form(first.affine->force);
+    const Bernstein force =
+        form(direction == 0 ? first.affine->force : first.affine->tangential_force[direction - 1],
+             stretches_.front());
     for (std::size_t k = 0; k < n_moments; ++k)
       for (std::size_t j = 0; j <= degree; ++j)
         result[k] += moments_of_polynomials()[k][j] * force.coefficients()[j];
@@ -198,20 +295,20 @@ ContactCourse::Moments ContactCourse::moments(const contact::ContactLaw &law,
     const Rule &rule = rule_for(mode);
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double x = stretch.from + length * rule.nodes[i];
-      law.evaluate(stretch.mode, curve_.at(x), response);
+      law.evaluate(stretch.mode, at(stretch, x), response);
       const std::array<double, n_responses> p = shifted_legendre(x);
       for (std::size_t k = 0; k < n_moments; ++k)
-        result[k] +=
-            (2 * static_cast<double>(k) + 1) * length * rule.weights[i] * response.force * p[k];
+        result[k] += (2 * static_cast<double>(k) + 1) * length * rule.weights[i] *
+                     force_along(response, direction) * p[k];
     }
   }
   return result;
 }
 
 // Of F - p and s (F - p).
-ContactCourse::Lack ContactCourse::lack(const contact::ContactLaw &law, const double *moments,
-                                        const CourseStretch &stretch, double to,
-                                        contact::LawResponse &response) const {
+ContactCourse::Lack ContactCourse::lack(const contact::ContactLaw &law, std::size_t direction,
+                                        const double *moments, const CourseStretch &stretch,
+                                        double to, contact::LawResponse &response) const {
   Lack sums{};
   const double length = to - stretch.from;
   const contact::Mode &mode = law.modes()[static_cast<std::size_t>(stretch.mode)];
@@ -223,8 +320,8 @@ ContactCourse::Lack ContactCourse::lack(const contact::ContactLaw &law, const do
     for (std::size_t k = 0; k < n_moments; ++k)
       force -= moments[k] * p[k];
     if (!contact::forceless(mode)) {
-      law.evaluate(stretch.mode, curve_.at(s), response);
-      force += response.force;
+      law.evaluate(stretch.mode, at(stretch, s), response);
+      force += force_along(response, direction);
     }
     sums[0] += length * rule.weights[i] * force;
     sums[1] += length * rule.weights[i] * s * force;
@@ -232,28 +329,30 @@ ContactCourse::Lack ContactCourse::lack(const contact::ContactLaw &law, const do
   return sums;
 }
 
-void ContactCourse::sum_lacks(const contact::ContactLaw &law, const double *moments,
-                              contact::LawResponse &response) {
-  lacks_.assign(1, {});
+void ContactCourse::sum_lacks(const contact::ContactLaw &law, std::size_t direction,
+                              const double *moments, contact::LawResponse &response) {
+  std::vector<Lack> &sums = lacks_[direction];
+  sums.assign(1, {});
   for (const CourseStretch &stretch : stretches_) {
-    const Lack next = lack(law, moments, stretch, stretch.to, response);
-    lacks_.push_back({lacks_.back()[0] + next[0], lacks_.back()[1] + next[1]});
+    const Lack next = lack(law, direction, moments, stretch, stretch.to, response);
+    sums.push_back({sums.back()[0] + next[0], sums.back()[1] + next[1]});
   }
 }
 
-std::array<double, 2> ContactCourse::lacking(const contact::ContactLaw &law, const double *moments,
-                                             double x, contact::LawResponse &response) const {
+std::array<double, 2> ContactCourse::lacking(const contact::ContactLaw &law, std::size_t direction,
+                                             const double *moments, double x,
+                                             contact::LawResponse &response) const {
   std::size_t k = 0;
   while (k + 1 < stretches_.size() && stretches_[k].to < x)
     ++k;
-  const Lack part = lack(law, moments, stretches_[k], x, response);
-  const double force = lacks_[k][0] + part[0];
-  return {force, x * force - lacks_[k][1] - part[1]};
+  const Lack part = lack(law, direction, moments, stretches_[k], x, response);
+  const double force = lacks_[direction][k][0] + part[0];
+  return {force, x * force - lacks_[direction][k][1] - part[1]};
 }
 
 ForceIntegrals ContactCourse::integrals(const contact::ContactLaw &law,
                                         const CourseStretch &stretch,
-                                        const std::function<double(double)> &base_rate,
+                                        const std::function<double(std::size_t, double)> &base_rate,
                                         contact::LawResponse &response) const {
   const contact::Mode &mode = law.modes()[static_cast<std::size_t>(stretch.mode)];
   ForceIntegrals result;
@@ -261,13 +360,19 @@ ForceIntegrals ContactCourse::integrals(const contact::ContactLaw &law,
     return result;
   const Rule &rule = rule_for(mode);
   const double length = stretch.to - stretch.from;
+  const std::size_t directions = 1 + static_cast<std::size_t>(law.n_tangential());
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-    const double x = stretch.from + length * rule.nodes[i];
-    law.evaluate(stretch.mode, curve_.at(x), response);
-    result.force += length * rule.weights[i] * response.force;
-    result.dissipated += length * rule.weights[i] * response.dissipated_power;
-    if (base_rate)
-      result.carried += length * rule.weights[i] * response.force * base_rate(x);
+    const double x = stretch.from + length * rule.nodes[i], weight = length * rule.weights[i];
+    law.evaluate(stretch.mode, at(stretch, x), response);
+    result.force += weight * response.force;
+    result.dissipated += weight * response.dissipated_power;
+    for (std::size_t d = 0; d < directions; ++d)
+      result.carried += weight * force_along(response, d) * base_rate(d, x);
+    if (directions == 1)
+      continue;
+    result.friction += weight * response.friction_power;
+    result.wear += weight * response.force * response.sliding_speed;
+    result.sliding += weight * response.sliding_speed;
   }
   return result;
 }

@@ -18,6 +18,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace vibroimpact::motion {
@@ -25,30 +26,24 @@ namespace vibroimpact::motion {
 /// Nodes of the Gauss rule, in (0, 1).
 const std::array<double, n_moments> &moment_nodes();
 
-/// What a step gives of a gap [m], and of its rate at both ends [m/s].
-struct GapValues {
+/// Directions of a contact: the normal, then tangential ones.
+constexpr std::size_t most_directions = 1 + contact::most_tangential;
+
+/// What a step gives of the position along a direction [m], and of its rate at both ends [m/s].
+struct PathValues {
   double start = 0, start_rate = 0;
   std::array<double, n_moments> nodes{};
   double end = 0, end_rate = 0;
-  double rounding = 0, rate_rounding = 0; ///< of those at the start
 };
 
-class GapCurve {
-public:
-  GapCurve() = default;
-  GapCurve(const GapValues &values, double h);
+/// Along a direction: position, rate, and the way of the surfaces on each other, whose rate that
+/// is by time.
+struct DirectionCurve {
+  Bernstein position, rate, way;
 
-  const Bernstein &gap() const { return gap_; }
-  /// What rounding may make of a form at the start of the step.
-  double start_rounding(const contact::AffineForm &form) const;
-  /// Of an affine form without internal states and held forces.
-  Bernstein form(const contact::AffineForm &form) const;
-  /// Gap and rate at the part x of the step.
-  contact::LocalState at(double x) const { return {.gap = gap_(x), .gap_rate = rate_(x)}; }
-
-private:
-  Bernstein gap_, rate_;
-  double rounding_ = 0, rate_rounding_ = 0;
+  DirectionCurve() = default;
+  /// speed: of the surface itself, which the rates of the values do not have [m/s].
+  DirectionCurve(const PathValues &values, double h, double speed);
 };
 
 /// A stretch of the step in one mode.
@@ -56,23 +51,35 @@ struct CourseStretch {
   double from = 0, to = 1; ///< parts of the step
   int mode = 0;
   std::optional<std::size_t> guard{}; ///< that ended it
+  std::vector<Bernstein> internal{};  ///< states of the law
 };
 
 /// Over a stretch, dx.
 struct ForceIntegrals {
   double force = 0;      ///< of F [N]
   double dissipated = 0; ///< of the power that the law dissipates [W]
-  double carried = 0;    ///< of F times the rate at which a moving base opens the gap [W]
+  double carried =
+      0; ///< of forces times the rates by moving bases and surfaces that they act on [W]
+  double friction = 0; ///< the part of `dissipated` that friction takes [W]
+  double wear = 0;     ///< of F times the sliding speed [W]
+  double sliding = 0;  ///< of the sliding speed [m/s]
 };
 
 class ContactCourse {
 public:
   using Moments = std::array<double, n_moments>; ///< [N]
 
-  /// Follows the law from `mode` on. False: the mode changes too often for a step.
-  bool follow(const contact::ContactLaw &law, const GapCurve &curve, int mode);
+  /// Internal states follow the motion: in every mode their rates are sums of those along the
+  /// directions.
+  static bool holds(const contact::ContactLaw &law);
 
-  const GapCurve &curve() const { return curve_; }
+  void take(std::size_t direction, DirectionCurve curve) { curves_[direction] = curve; }
+  /// Follows the law from `mode` on; rounding: of position and rate at the start. False: the mode
+  /// changes too often for a step.
+  bool follow(const contact::ContactLaw &law, int mode, std::span<const double> internal,
+              std::array<double, 2> rounding);
+
+  const Bernstein &gap() const { return curves_[0].position; }
   const std::vector<CourseStretch> &stretches() const { return stretches_; }
   /// The change at the end of a stretch, to the part x of the step.
   void move_change(std::size_t stretch, double x) {
@@ -80,29 +87,45 @@ public:
   }
   bool changes() const { return stretches_.size() > 1; }
   int last_mode() const { return stretches_.back().mode; }
+  /// Valid until the next call.
+  contact::LocalState at(const CourseStretch &stretch, double x) const;
+  /// An affine form without held forces.
+  Bernstein form(const contact::AffineForm &form, const CourseStretch &stretch) const;
 
-  Moments moments(const contact::ContactLaw &law, contact::LawResponse &response) const;
-  /// base_rate: rate at which a moving base opens the gap at the part x of the step [m/s]; none: it
-  /// does not.
+  Moments moments(const contact::ContactLaw &law, std::size_t direction,
+                  contact::LawResponse &response) const;
   /// What the force has more than its polynomial, up to the part x of the step: the integral of
   /// F - p, and that of (x - s) (F - p). Both are zero at the end, where x = 1. sum_lacks() first,
   /// behind the last change of a stretch.
-  void sum_lacks(const contact::ContactLaw &law, const double *moments,
+  void sum_lacks(const contact::ContactLaw &law, std::size_t direction, const double *moments,
                  contact::LawResponse &response);
-  std::array<double, 2> lacking(const contact::ContactLaw &law, const double *moments, double x,
+  std::array<double, 2> lacking(const contact::ContactLaw &law, std::size_t direction,
+                                const double *moments, double x,
                                 contact::LawResponse &response) const;
+  /// base_rate: that of a direction by moving bases and surfaces at the part x of the step [m/s].
   ForceIntegrals integrals(const contact::ContactLaw &law, const CourseStretch &stretch,
-                           const std::function<double(double x)> &base_rate,
+                           const std::function<double(std::size_t direction, double x)> &base_rate,
                            contact::LawResponse &response) const;
 
 private:
   using Lack = std::array<double, 2>;
-  Lack lack(const contact::ContactLaw &law, const double *moments, const CourseStretch &stretch,
-            double to, contact::LawResponse &response) const;
+  Lack lack(const contact::ContactLaw &law, std::size_t direction, const double *moments,
+            const CourseStretch &stretch, double to, contact::LawResponse &response) const;
+  std::vector<Bernstein> internal_of(const contact::Mode &mode, double x,
+                                     std::span<const double> values) const;
+  double negligible(const contact::AffineForm &form, const CourseStretch &stretch,
+                    const contact::Mode &mode, std::array<double, 2> rounding) const;
+  std::vector<double> behind(const contact::Guard &guard, const CourseStretch &stretch) const;
 
-  GapCurve curve_;
+  std::array<DirectionCurve, most_directions> curves_;
   std::vector<CourseStretch> stretches_;
-  std::vector<Lack> lacks_; ///< up to the start of each stretch
+  std::array<std::vector<Lack>, most_directions> lacks_; ///< up to the start of each stretch
+  mutable std::vector<double> internal_;
 };
+
+/// Force along a direction.
+inline double force_along(const contact::LawResponse &response, std::size_t direction) {
+  return direction == 0 ? response.force : response.tangential[direction - 1].force;
+}
 
 } // namespace vibroimpact::motion

@@ -1,4 +1,4 @@
-// The gaps of all contacts as rows of the motion.
+// What all contacts see of the motion, packed for products.
 #pragma once
 
 #include "motion/system/equations.h"
@@ -7,21 +7,27 @@
 
 namespace vibroimpact::motion {
 
-/// gap = clearance + row q + base s
+/// One row for each direction of each contact, those of a contact one behind the other:
+/// position = offset + row q + base s, rate = speed + the rate of that.
 struct ContactRows {
   using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   explicit ContactRows(const Equations &equations);
 
   Index size() const { return rows.rows(); }
-  /// From y and sources in the order of the rows of a phase (phase/exact_phase.h).
-  contact::LocalState local(Index contact, const Vector &of) const;
+  Index first(std::size_t contact) const { return places[contact]; }
+  Index directions(std::size_t contact) const { return places[contact + 1] - places[contact]; }
+  /// From y and sources in the order of the rows of a phase (phase/exact_phase.h); without internal
+  /// states.
+  contact::LocalState local(std::size_t contact, const Vector &of) const;
 
-  RowMatrix rows;       ///< contacts x n
-  RowMatrix base;       ///< contacts x sources
-  Vector clearances;    ///< [m]
-  Vector flexibilities; ///< row M^-1 row^T of each contact [1/kg]
-  Vector largest;       ///< of each coordinate, |row| over all contacts
+  std::vector<Index> places;
+  RowMatrix rows;       ///< rows x n
+  RowMatrix base;       ///< rows x sources
+  Vector offsets;       ///< [m]
+  Vector speeds;        ///< of surfaces [m/s]
+  Vector flexibilities; ///< row M^-1 row^T [1/kg]
+  Vector largest;       ///< of each coordinate, |row| over all rows
 };
 
 } // namespace vibroimpact::motion

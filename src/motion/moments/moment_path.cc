@@ -87,6 +87,7 @@ bool MomentPath::advance(double &time, const Vector &state, double limit, const 
       if (refuse(error, h))
         continue;
       running_ = false;
+      rung_ = 0;
       break;
     }
     accept(time, *error, on_ladder, report);
@@ -129,33 +130,44 @@ void MomentPath::skip_changes() {
   for (const Change &change : changes_)
     equations_.set_mode(change.contact, step_.course(change.contact).last_mode());
   counts_.events += static_cast<long>(changes_.size());
+  for (const std::size_t c : step_.listed())
+    step_.set_internal(c, step_.course(c).stretches().back(), 1,
+                       state_.data() + equations_.layout().internal());
 }
 
-// Impulse and dissipated work of a contact over a stretch of its course.
+// Of a direction by moving bases and surfaces [m/s].
+double MomentPath::base_rate(Index row, double time) const {
+  const ContactRows &rows = step_.contact_rows();
+  double rate = rows.speeds[row];
+  for (Index s = 0; s < rows.base.cols(); ++s)
+    if (rows.base(row, s) != 0)
+      rate += rows.base(row, s) *
+              equations_.model().sources()[static_cast<std::size_t>(s)].function->rate(
+                  equations_.source_time(time));
+  return rate;
+}
+
+// Impulse and works of a contact over a stretch of its course.
 void MomentPath::add_integrals(double time, std::size_t contact, const CourseStretch &stretch) {
   const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
   const StateLayout &layout = equations_.layout();
-  const ContactRows &rows = step_.contact_rows();
-  const auto row = static_cast<Index>(contact);
+  const auto place = static_cast<Index>(contact);
   const double h = step_.length();
-  const auto base_rate = [&](double x) {
-    double rate = 0;
-    for (Index s = 0; s < rows.base.cols(); ++s)
-      if (rows.base(row, s) != 0)
-        rate += rows.base(row, s) *
-                equations_.model().sources()[static_cast<std::size_t>(s)].function->rate(
-                    equations_.source_time(time + h * x));
-    return rate;
+  const auto carried = [&](std::size_t direction, double x) {
+    return base_rate(step_.contact_rows().first(contact) + static_cast<Index>(direction),
+                     time + h * x);
   };
-  std::function<double(double)> carried;
-  if (rows.base.row(row).any())
-    carried = base_rate;
   const ForceIntegrals integrals =
       step_.course(contact).integrals(*pair.law, stretch, carried, response_);
-  state_[layout.impulse(row)] += h * integrals.force;
-  state_[layout.contact_work(row)] += h * integrals.dissipated;
+  state_[layout.impulse(place)] += h * integrals.force;
+  state_[layout.contact_work(place)] += h * integrals.dissipated;
   state_[layout.input_work()] -= h * integrals.carried;
   state_[layout.absolute_input_work()] += h * std::abs(integrals.carried);
+  if (pair.sliding_place < 0)
+    return;
+  state_[layout.friction_work(pair.sliding_place)] += h * integrals.friction;
+  state_[layout.wear_work(pair.sliding_place)] += h * integrals.wear;
+  state_[layout.sliding_way(pair.sliding_place)] += h * integrals.sliding;
 }
 
 // Work of loads and of damping between two ends, by a Gauss rule on the quintic of each coordinate.
@@ -168,7 +180,7 @@ void MomentPath::add_power(const EndPoint &start, const EndPoint &end) {
   for (Index i = 0; i < rule.nodes.size(); ++i) {
     const auto x = static_cast<double>(rule.nodes[i]);
     const double weight = h * static_cast<double>(rule.weights[i]);
-    const Vector v = MomentViews::between(start, end, x).velocity;
+    const Vector v = views_.between(start, end, x).velocity;
     equations_.model().load(equations_.source_time(start.time + h * x), load);
     equations_.model().damping().apply(ConstVectorView(v.data(), n), damping);
     const double power = load.dot(v);
@@ -187,10 +199,10 @@ void MomentPath::correct(Change &change) const {
   const CourseStretch &before = course.stretches()[change.stretch];
   const CourseStretch &after = course.stretches()[change.stretch + 1];
   const contact::AffineForm &form = guard_of(change).indicator;
-  change.slope = course.curve().form(form).derivative()(change.x);
-  const double missed = -form(step_.contact_rows().local(static_cast<Index>(change.contact),
-                                                         step_.rows_at(change.x))) /
-                        change.slope;
+  change.slope = course.form(form, before).derivative()(change.x);
+  contact::LocalState local = step_.contact_rows().local(change.contact, step_.rows_at(change.x));
+  local.internal = course.at(before, change.x).internal;
+  const double missed = -form(local) / change.slope;
   if (std::abs(missed) < small * std::min(before.to - before.from, after.to - after.from))
     change.x += missed;
 }
@@ -253,11 +265,10 @@ void MomentPath::show(double time, const Report &report) {
     if (next == changes_.size())
       break;
     const Change &change = changes_[next];
-    const int before = equations_.modes()[change.contact];
     pass(time, change, report);
     start_point_ = end_point_;
     start_point_.state = state_;
-    views_.pass(change.contact, before, to, start_point_);
+    views_.pass(change.contact, to, start_point_);
   }
   if (report.integrals)
     for (const std::size_t c : step_.acting())

@@ -57,6 +57,7 @@ private:
   const contact::Guard &guard_of(const Change &change) const;
   void skip_changes();
   void show(double time, const Report &report);
+  double base_rate(Index row, double time) const;
   void add_integrals(double time, std::size_t contact, const CourseStretch &stretch);
   void add_power(const EndPoint &start, const EndPoint &end);
   void note_residual(const Change &change);

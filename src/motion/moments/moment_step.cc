@@ -26,12 +26,11 @@ bool MomentStep::holds(const Equations &equations) {
   const auto &pairs = equations.contacts().pairs();
   return equations.model().linear() && !pairs.empty() &&
          std::all_of(pairs.begin(), pairs.end(), [](const contact::ContactPair &pair) {
-           return pair.tangential.empty() && pair.law->n_internal() == 0 && !pair.law->rigid() &&
-                  contact::free_mode(*pair.law);
+           return ContactCourse::holds(*pair.law);
          });
 }
 
-MomentStep::MomentStep(Equations &equations, double tolerance)
+MomentStep::MomentStep(const Equations &equations, double tolerance)
     : equations_(equations), tolerance_(tolerance), fastest_(equations.model().highest_frequency()),
       contacts_(equations), courses_(equations.contacts().size()),
       all_(equations.contacts().size()) {
@@ -45,13 +44,8 @@ void MomentStep::begin() {
 }
 
 void MomentStep::make_phase() {
-  const std::vector<int> present = equations_.modes();
-  const auto &pairs = equations_.contacts().pairs();
-  for (std::size_t c = 0; c < pairs.size(); ++c)
-    equations_.set_mode(c, *contact::free_mode(*pairs[c].law));
-  const LinearSystem system(equations_);
-  for (std::size_t c = 0; c < pairs.size(); ++c)
-    equations_.set_mode(c, present[c]);
+  const contact::ContactSet no_contacts;
+  const LinearSystem system(Equations(equations_.model(), no_contacts));
   const GuardForms none{
       .rows =
           Matrix(0, system.size() + 3 * static_cast<Index>(equations_.model().sources().size())),
@@ -74,6 +68,8 @@ bool MomentStep::take(const Excitation &excitation) {
 void MomentStep::start(const Vector &state, const Excitation &excitation, double time,
                        const std::vector<int> &modes, double uncertainty) {
   modes_ = modes;
+  const StateLayout &layout = equations_.layout();
+  internal_ = state.segment(layout.internal(), layout.n_internal);
   std::vector<double> inputs(static_cast<std::size_t>(excitation.size()));
   excitation.coordinates(time, inputs.data());
   Amplitudes amplitudes;
@@ -91,15 +87,16 @@ void MomentStep::find_start() {
   const Vector &rows = start_rows_;
   largest_ = std::max(largest_, norm(rows));
   const Index n = equations_.layout().n;
-  start_gaps_ = contacts_.clearances + contacts_.rows * rows.head(n);
+  start_positions_ = contacts_.offsets + contacts_.rows * rows.head(n);
   start_rates_ = contacts_.rows * rows.segment(n, n);
   constexpr double unit = 64 * std::numeric_limits<double>::epsilon();
   gap_rounding_ =
-      contacts_.clearances.cwiseAbs().maxCoeff() + contacts_.largest.dot(rows.head(n).cwiseAbs());
-  rate_rounding_ = contacts_.largest.dot(rows.segment(n, n).cwiseAbs());
+      contacts_.offsets.cwiseAbs().maxCoeff() + contacts_.largest.dot(rows.head(n).cwiseAbs());
+  rate_rounding_ =
+      contacts_.speeds.cwiseAbs().maxCoeff() + contacts_.largest.dot(rows.segment(n, n).cwiseAbs());
   for (Index s = 0; s < contacts_.base.cols(); ++s) {
     const double value = rows[2 * n + 3 * s], rate = rows[2 * n + 3 * s + 1];
-    start_gaps_ += value * contacts_.base.col(s);
+    start_positions_ += value * contacts_.base.col(s);
     start_rates_ += rate * contacts_.base.col(s);
     gap_rounding_ += std::abs(value) * contacts_.base.col(s).cwiseAbs().maxCoeff();
     rate_rounding_ += std::abs(rate) * contacts_.base.col(s).cwiseAbs().maxCoeff();
@@ -110,8 +107,10 @@ void MomentStep::find_start() {
 
 // Inputs go on by themselves; their rounding does not add up.
 void MomentStep::go_on(const Excitation &excitation, double time) {
-  for (const std::size_t c : list_)
+  for (const std::size_t c : list_) {
     modes_[c] = courses_[c].last_mode();
+    set_internal(c, courses_[c].stretches().back(), 1, internal_.data());
+  }
   deepest_ = deepest();
   start_ = ends_.back();
   excitation.coordinates(time, start_.data() + phase_->n_modes());
@@ -136,13 +135,20 @@ double MomentStep::norm(const Vector &rows) const {
                    rows.segment(n, n).cwiseAbs2().dot(equations_.model().mass()));
 }
 
+void MomentStep::set_internal(std::size_t contact, const CourseStretch &stretch, double x,
+                              double *all) const {
+  double *own = all + equations_.contacts().pairs()[contact].internal_offset;
+  for (const Bernstein &curve : stretch.internal)
+    *own++ = curve(x);
+}
+
 // From the moments of the listed contacts to the coordinates, and to what the contacts see.
 void MomentStep::sweep(const MomentTables &tables) {
   const Index n = equations_.layout().n;
-  const auto count = static_cast<Index>(list_.size());
+  const auto count = static_cast<Index>(listed_rows_.size());
   ContactRows::RowMatrix moments(count, n_moments);
   for (Index k = 0; k < count; ++k)
-    moments.row(k) = moments_.row(static_cast<Index>(list_[static_cast<std::size_t>(k)]));
+    moments.row(k) = moments_.row(listed_rows_[static_cast<std::size_t>(k)]);
   const Matrix forces = packed_.topRows(count).transpose() * moments;
   loads_ = flow_->loads(forces);
   Matrix coordinates(start_.size(), n_moments + 1);
@@ -156,48 +162,66 @@ void MomentStep::sweep(const MomentTables &tables) {
   sources_.noalias() = phase_->columns().bottomRows(3 * contacts_.base.cols()) * coordinates;
 }
 
-// Of the listed contacts, at the nodes and the end, and the rates there.
-void MomentStep::find_gaps() {
-  const auto count = static_cast<Index>(list_.size());
-  gaps_.noalias() = packed_.topRows(count) * positions_;
+// Of the listed rows, at the nodes and the end, and the rates there.
+void MomentStep::find_paths() {
+  const auto count = static_cast<Index>(listed_rows_.size());
+  paths_.noalias() = packed_.topRows(count) * positions_;
   for (Index k = 0; k < count; ++k) {
-    const auto c = static_cast<Index>(list_[static_cast<std::size_t>(k)]);
-    gaps_.row(k).head(n_moments + 1).array() += contacts_.clearances[c];
+    const Index row = listed_rows_[static_cast<std::size_t>(k)];
+    paths_.row(k).head(n_moments + 1).array() += contacts_.offsets[row];
     for (Index s = 0; s < contacts_.base.cols(); ++s)
-      if (const double factor = contacts_.base(c, s); factor != 0) {
-        gaps_.row(k).head(n_moments + 1) += factor * sources_.row(3 * s);
-        gaps_(k, n_moments + 1) += factor * sources_(3 * s + 1, n_moments);
+      if (const double factor = contacts_.base(row, s); factor != 0) {
+        paths_.row(k).head(n_moments + 1) += factor * sources_.row(3 * s);
+        paths_(k, n_moments + 1) += factor * sources_(3 * s + 1, n_moments);
       }
   }
 }
 
+DirectionCurve MomentStep::curve(Index listed) const {
+  const Index row = listed_rows_[static_cast<std::size_t>(listed)];
+  PathValues values{.start = start_positions_[row], .start_rate = start_rates_[row]};
+  const double *path = paths_.row(listed).data();
+  std::copy_n(path, n_moments, values.nodes.begin());
+  values.end = path[n_moments];
+  values.end_rate = path[n_moments + 1];
+  return {values, h_, contacts_.speeds[row]};
+}
+
 // False: a mode changes too often.
 bool MomentStep::find_forces() {
-  for (std::size_t k = 0; k < list_.size(); ++k) {
-    const std::size_t c = list_[k];
-    const auto row = static_cast<Index>(c);
-    const contact::ContactLaw &law = *equations_.contacts().pairs()[c].law;
-    GapValues values{.start = start_gaps_[row],
-                     .start_rate = start_rates_[row],
-                     .rounding = gap_rounding_,
-                     .rate_rounding = rate_rounding_};
-    const double *gaps = gaps_.row(static_cast<Index>(k)).data();
-    std::copy_n(gaps, n_moments, values.nodes.begin());
-    values.end = gaps[n_moments];
-    values.end_rate = gaps[n_moments + 1];
-    if (!courses_[c].follow(law, GapCurve(values, h_), modes_[c]))
+  Index listed = 0;
+  for (const std::size_t c : list_) {
+    const contact::ContactPair &pair = equations_.contacts().pairs()[c];
+    const auto directions = static_cast<std::size_t>(contacts_.directions(c));
+    for (std::size_t d = 0; d < directions; ++d)
+      courses_[c].take(d, curve(listed++));
+    if (!courses_[c].follow(*pair.law, modes_[c], internal_of(c), {gap_rounding_, rate_rounding_}))
       return false;
-    const ContactCourse::Moments moments = courses_[c].moments(law, response_);
-    std::copy(moments.begin(), moments.end(), moments_.row(row).data());
+    for (std::size_t d = 0; d < directions; ++d) {
+      const ContactCourse::Moments moments = courses_[c].moments(*pair.law, d, response_);
+      std::copy(moments.begin(), moments.end(),
+                moments_.row(contacts_.first(c) + static_cast<Index>(d)).data());
+    }
   }
   return true;
 }
 
+// At the start.
+std::span<const double> MomentStep::internal_of(std::size_t contact) const {
+  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
+  return {internal_.data() + pair.internal_offset, static_cast<std::size_t>(pair.n_internal())};
+}
+
 void MomentStep::take_list(std::vector<std::size_t> list) {
   list_ = std::move(list);
-  packed_.resize(std::max(packed_.rows(), static_cast<Index>(list_.size())), contacts_.rows.cols());
-  for (std::size_t k = 0; k < list_.size(); ++k)
-    packed_.row(static_cast<Index>(k)) = contacts_.rows.row(static_cast<Index>(list_[k]));
+  listed_rows_.clear();
+  for (const std::size_t c : list_)
+    for (Index d = 0; d < contacts_.directions(c); ++d)
+      listed_rows_.push_back(contacts_.first(c) + d);
+  const auto count = static_cast<Index>(listed_rows_.size());
+  packed_.resize(std::max(packed_.rows(), count), contacts_.rows.cols());
+  for (Index k = 0; k < count; ++k)
+    packed_.row(k) = contacts_.rows.row(listed_rows_[static_cast<std::size_t>(k)]);
 }
 
 bool MomentStep::open_at_start(std::size_t contact) const {
@@ -226,10 +250,10 @@ std::vector<std::size_t> MomentStep::within_reach() const {
   }
   std::vector<std::size_t> some;
   for (const std::size_t c : all_) {
-    const auto row = static_cast<Index>(c);
-    double least = start_gaps_[row];
+    const Index row = contacts_.first(c);
+    double least = start_positions_[row];
     for (std::size_t i = 0; i <= n_moments; ++i)
-      least = std::min(least, start_gaps_[row] +
+      least = std::min(least, start_positions_[row] +
                                   h_ * (i < n_moments ? moment_nodes()[i] : 1) * start_rates_[row] -
                                   curved[i]);
     if (least <= slack_ || !open_at_start(c))
@@ -243,7 +267,7 @@ void MomentStep::choose_list() {
   std::vector<std::size_t> some;
   for (const std::size_t c : list_) {
     const ContactCourse &course = courses_[c];
-    if (course.changes() || !open_at_start(c) || course.curve().gap().lower_bound() <= slack_)
+    if (course.changes() || !open_at_start(c) || course.gap().lower_bound() <= slack_)
       some.push_back(c);
   }
   take_list(std::move(some));
@@ -258,7 +282,8 @@ double MomentStep::way() const {
 std::vector<std::size_t> MomentStep::acting() const {
   std::vector<std::size_t> some;
   for (const std::size_t c : list_)
-    if (courses_[c].changes() || moments_.row(static_cast<Index>(c)).any())
+    if (courses_[c].changes() ||
+        moments_.middleRows(contacts_.first(c), contacts_.directions(c)).any())
       some.push_back(c);
   return some;
 }
@@ -270,10 +295,11 @@ std::optional<double> MomentStep::attempt(double h, const MomentTables &tables) 
   for (const std::size_t c : all_) {
     if (open_at_start(c))
       continue;
-    const auto row = static_cast<Index>(c);
-    equations_.contacts().pairs()[c].law->evaluate(
-        modes_[c], {.gap = start_gaps_[row], .gap_rate = start_rates_[row]}, response_);
-    moments_(row, 0) = response_.force;
+    contact::LocalState local = contacts_.local(c, start_rows_);
+    local.internal = internal_of(c);
+    equations_.contacts().pairs()[c].law->evaluate(modes_[c], local, response_);
+    for (Index d = 0; d < contacts_.directions(c); ++d)
+      moments_(contacts_.first(c) + d, 0) = force_along(response_, static_cast<std::size_t>(d));
     closed.push_back(c);
   }
   take_list(std::move(closed));
@@ -288,7 +314,7 @@ std::optional<double> MomentStep::attempt(double h, const MomentTables &tables) 
       take_list(all_);
       slack_ = room_for_way * way();
     }
-    find_gaps();
+    find_paths();
     if (!find_forces())
       return {};
     if (i == 0 && std::isfinite(slack_))
@@ -298,7 +324,7 @@ std::optional<double> MomentStep::attempt(double h, const MomentTables &tables) 
       return {};
     const bool none = !moments_.any();
     const double change = i == 0 ? before : norm(rows - last);
-    const double rate = std::isfinite(before) ? change / before : 0;
+    const double rate = std::isfinite(before) && before > 0 ? change / before : 0;
     last = rows;
     const double scale = tolerance_ * std::max(largest_, norm(rows));
     if (none && i == 0)
@@ -317,13 +343,14 @@ std::optional<double> MomentStep::attempt(double h, const MomentTables &tables) 
 
 double MomentStep::error(const MomentTable &end, double rate) const {
   const Index n = equations_.layout().n;
-  const auto count = static_cast<Index>(list_.size());
+  const auto count = static_cast<Index>(listed_rows_.size());
   ContactRows::RowMatrix last(count, 2); // of all, of those that change
-  for (Index k = 0; k < count; ++k) {
-    const std::size_t c = list_[static_cast<std::size_t>(k)];
-    last(k, 0) = moments_(static_cast<Index>(c), n_moments - 1);
-    last(k, 1) = courses_[c].changes() ? last(k, 0) : 0;
-  }
+  Index k = 0;
+  for (const std::size_t c : list_)
+    for (Index d = 0; d < contacts_.directions(c); ++d, ++k) {
+      last(k, 0) = moments_(contacts_.first(c) + d, n_moments - 1);
+      last(k, 1) = courses_[c].changes() ? last(k, 0) : 0;
+    }
   const Matrix lacking = packed_.topRows(count).transpose() * last;
   Matrix force = Matrix::Zero(n, n_moments);
   force.col(0) = lacking.col(0);
@@ -338,10 +365,10 @@ double MomentStep::error(const MomentTable &end, double rate) const {
 double MomentStep::deepest() const {
   double depth = deepest_;
   for (const std::size_t c : acting()) {
-    const Bernstein &gap = courses_[c].curve().gap();
+    const Bernstein &gap = courses_[c].gap();
     depth = std::max(depth, -std::min(gap.start(), gap.end()));
     if (courses_[c].changes() && fastest_ > 0)
-      depth = std::max(depth, std::abs(start_rates_[static_cast<Index>(c)]) / fastest_);
+      depth = std::max(depth, std::abs(start_rates_[contacts_.first(c)]) / fastest_);
   }
   return depth;
 }
@@ -359,10 +386,10 @@ double MomentStep::gap_error(const MomentTable &middle) {
   constexpr double twice = (2 / ((2 * m + 1) * (2 * m + 3)) + 2 / ((2 * m + 1) * (2 * m - 1))) / 4;
   double largest = 0;
   for (const std::size_t c : acting()) {
-    const auto row = static_cast<Index>(c);
+    const Index row = contacts_.first(c);
     const double lacking =
         h_ * h_ * twice * std::abs(moments_(row, n_moments - 1)) * contacts_.flexibilities[row];
-    const double missed = std::abs(contacts_.local(row, rows).gap - courses_[c].curve().gap()(x));
+    const double missed = std::abs(contacts_.local(c, rows).gap - courses_[c].gap()(x));
     largest = std::max(largest, lacking + missed);
   }
   return largest / allowed;
@@ -371,8 +398,9 @@ double MomentStep::gap_error(const MomentTable &middle) {
 void MomentStep::sum_lacks() {
   for (const std::size_t c : list_)
     if (courses_[c].changes())
-      courses_[c].sum_lacks(*equations_.contacts().pairs()[c].law,
-                            moments_.row(static_cast<Index>(c)).data(), response_);
+      for (Index d = 0; d < contacts_.directions(c); ++d)
+        courses_[c].sum_lacks(*equations_.contacts().pairs()[c].law, static_cast<std::size_t>(d),
+                              moments_.row(contacts_.first(c) + d).data(), response_);
 }
 
 // Within the step the motion under the true forces deviates from that under their polynomials: to
@@ -385,13 +413,16 @@ Vector MomentStep::rows_at(double x) const {
   for (const std::size_t c : list_) {
     if (!courses_[c].changes())
       continue;
-    const auto row = static_cast<Index>(c);
-    const auto lacking = courses_[c].lacking(*equations_.contacts().pairs()[c].law,
-                                             moments_.row(row).data(), x, response_);
-    const Vector response =
-        contacts_.rows.row(row).transpose().cwiseQuotient(equations_.model().mass());
-    rows.head(n) += h_ * h_ * lacking[1] * response;
-    rows.segment(n, n) += h_ * lacking[0] * response;
+    for (Index d = 0; d < contacts_.directions(c); ++d) {
+      const Index row = contacts_.first(c) + d;
+      const auto lacking =
+          courses_[c].lacking(*equations_.contacts().pairs()[c].law, static_cast<std::size_t>(d),
+                              moments_.row(row).data(), x, response_);
+      const Vector response =
+          contacts_.rows.row(row).transpose().cwiseQuotient(equations_.model().mass());
+      rows.head(n) += h_ * h_ * lacking[1] * response;
+      rows.segment(n, n) += h_ * lacking[0] * response;
+    }
   }
   return rows;
 }

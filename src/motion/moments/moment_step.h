@@ -38,11 +38,11 @@ using MomentTables = std::array<MomentTable, n_moments + 2>;
 
 class MomentStep {
 public:
-  /// Keeps a reference. The model must be linear, no law rigid or with internal states. The present
-  /// modes of the equations are changed and restored.
-  MomentStep(Equations &equations, double tolerance);
+  /// Keeps a reference. The model must be linear, holds() says what else.
+  MomentStep(const Equations &equations, double tolerance);
 
-  /// True where such steps can be taken at all.
+  /// True where such steps can be taken at all: no law is rigid or makes sides stick without giving
+  /// way, and internal states follow the motion (ContactCourse::holds).
   static bool holds(const Equations &equations);
 
   /// A motion begins.
@@ -71,6 +71,8 @@ public:
   void move_change(std::size_t contact, std::size_t stretch, double x) {
     courses_[contact].move_change(stretch, x);
   }
+  /// The internal states of a contact in a stretch at the part x of the step, among those of all.
+  void set_internal(std::size_t contact, const CourseStretch &stretch, double x, double *all) const;
   /// y and sources, r = columns x, at a part of the step (phase/exact_phase.h).
   Vector rows_at(double x) const;
   Vector rows_at_end() const { return phase_->columns() * ends_.back(); }
@@ -87,7 +89,9 @@ private:
   bool open_at_start(std::size_t contact) const;
   std::vector<std::size_t> within_reach() const;
   void sweep(const MomentTables &tables);
-  void find_gaps();
+  void find_paths();
+  DirectionCurve curve(Index listed) const;
+  std::span<const double> internal_of(std::size_t contact) const;
   bool find_forces();
   void choose_list();
   double way() const;
@@ -95,24 +99,26 @@ private:
   double gap_error(const MomentTable &middle);
   double deepest() const;
 
-  Equations &equations_;
+  const Equations &equations_;
   double tolerance_, fastest_; ///< highest frequency [rad/s]
   ContactRows contacts_;
   std::unique_ptr<ExactPhase> phase_;
   std::unique_ptr<MomentFlow> flow_;
   std::vector<int> modes_;             ///< at the start of the step
   std::vector<ContactCourse> courses_; ///< of each contact
-  ContactRows::RowMatrix moments_;     ///< contacts x n_moments
+  ContactRows::RowMatrix moments_;     ///< rows x n_moments
   std::vector<std::size_t> all_, list_;
-  ContactRows::RowMatrix packed_; ///< rows of the listed contacts, and more
-  Vector start_, start_rows_;     ///< coordinates; y and sources
-  Vector start_gaps_, start_rates_;
+  std::vector<Index> listed_rows_;
+  ContactRows::RowMatrix packed_;               ///< listed rows, and more
+  Vector start_, start_rows_;                   ///< coordinates; y and sources
+  Vector start_positions_, start_rates_;        ///< of each row; rates without those of surfaces
+  Vector internal_;                             ///< states of all laws at the start
   double gap_rounding_ = 0, rate_rounding_ = 0; ///< of these
   Matrix loads_;                                ///< coordinates x n_moments
   std::array<Vector, n_moments + 1> ends_;      ///< coordinates at the nodes and the end
   Matrix positions_, first_positions_;          ///< q there and v at the end; of the first sweep
   Matrix sources_;                              ///< s, s', s'' of each there
-  ContactRows::RowMatrix gaps_;                 ///< listed contacts x the same
+  ContactRows::RowMatrix paths_;                ///< listed rows x the same
   double h_ = 0, largest_ = 0, slack_ = 0, deepest_ = 0;
   mutable contact::LawResponse response_;
 };

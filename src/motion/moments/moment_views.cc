@@ -15,29 +15,43 @@ constexpr int most_view_halvings = 12;
 MomentViews::MomentViews(Equations &equations, const MomentStep &step, double tolerance)
     : equations_(equations), step_(step), tolerance_(tolerance) {}
 
-double MomentViews::force(std::size_t contact, int mode, double x) const {
-  const contact::ContactLaw &law = *equations_.contacts().pairs()[contact].law;
-  if (contact::forceless(law.modes()[static_cast<std::size_t>(mode)]))
-    return 0;
-  law.evaluate(mode, step_.course(contact).curve().at(x), response_);
-  return response_.force;
+void MomentViews::begin() {
+  acting_ = step_.acting();
+  stretches_.assign(equations_.contacts().size(), 0);
 }
 
-void MomentViews::pass(std::size_t contact, int from, double x, EndPoint &point) const {
-  const double jump = force(contact, equations_.modes()[contact], x) - force(contact, from, x);
-  if (jump != 0)
-    point.rates.tail(equations_.layout().n) +=
-        jump * equations_.contacts().pairs()[contact].gap.row.transpose().cwiseQuotient(
-                   equations_.model().mass());
+// Forces, and rates of internal states.
+void MomentViews::add(std::size_t contact, std::size_t stretch, double x, double factor,
+                      Vector &rates) const {
+  const CourseStretch &of = step_.course(contact).stretches()[stretch];
+  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
+  if (contact::forceless(pair.law->modes()[static_cast<std::size_t>(of.mode)]))
+    return;
+  const StateLayout &layout = equations_.layout();
+  pair.law->evaluate(of.mode, step_.course(contact).at(of, x), response_);
+  for (int d = 0; d < pair.n_directions(); ++d)
+    rates.segment(layout.velocity(), layout.n) +=
+        factor * force_along(response_, static_cast<std::size_t>(d)) *
+        pair.along(d).projection->row.transpose().cwiseQuotient(equations_.model().mass());
+  for (int i = 0; i < pair.n_internal(); ++i)
+    rates[layout.internal() + pair.internal_offset + i] +=
+        factor * response_.internal_rate[static_cast<std::size_t>(i)];
+}
+
+void MomentViews::pass(std::size_t contact, double x, EndPoint &point) {
+  std::size_t &stretch = stretches_[contact];
+  add(contact, stretch, x, -1, point.rates);
+  add(contact, ++stretch, x, 1, point.rates);
 }
 
 void MomentViews::fill(double time, double x, EndPoint &point) const {
-  const Index n = equations_.layout().n;
+  const StateLayout &layout = equations_.layout();
+  const Index n = layout.n;
   const model::Model &model = equations_.model();
   const Vector rows = step_.rows_at(x);
   point.time = time + x * step_.length();
   point.state.head(2 * n) = rows.head(2 * n);
-  point.higher.resize(2 * n, 0);
+  point.higher.resize(layout.physical_size(), 0);
   point.sources.resize(model.sources().size());
   for (std::size_t s = 0; s < point.sources.size(); ++s) {
     const Index first = 2 * n + 3 * static_cast<Index>(s);
@@ -49,17 +63,20 @@ void MomentViews::fill(double time, double x, EndPoint &point) const {
   force -= part;
   model.damping().apply(ConstVectorView(rows.data() + n, n), part);
   force -= part;
-  for (const std::size_t c : acting_)
-    if (const double push = this->force(c, equations_.modes()[c], x); push != 0)
-      force += push * equations_.contacts().pairs()[c].gap.row.transpose();
-  point.rates.resize(2 * n);
+  point.rates.setZero(layout.physical_size());
   point.rates.head(n) = rows.segment(n, n);
-  point.rates.tail(n) = force.cwiseQuotient(model.mass());
+  point.rates.segment(n, n) = force.cwiseQuotient(model.mass());
+  for (const std::size_t c : acting_) {
+    step_.set_internal(c, step_.course(c).stretches()[stretches_[c]], x,
+                       point.state.data() + layout.internal());
+    add(c, stretches_[c], x, 1, point.rates);
+  }
 }
 
-MomentViews::Motion MomentViews::between(const EndPoint &start, const EndPoint &end, double tau) {
+MomentViews::Motion MomentViews::between(const EndPoint &start, const EndPoint &end,
+                                         double tau) const {
   const double h = end.time - start.time;
-  const Index n = start.rates.size() / 2;
+  const Index n = equations_.layout().n;
   Motion motion{.position = Vector::Zero(n), .velocity = Vector::Zero(n)};
   for (const bool at_end : {false, true})
     for (std::size_t order = 0; order < 3; ++order) {
@@ -71,7 +88,7 @@ MomentViews::Motion MomentViews::between(const EndPoint &start, const EndPoint &
       const EndPoint &point = at_end ? end : start;
       const auto value = order == 0   ? point.state.head(n)
                          : order == 1 ? point.state.segment(n, n)
-                                      : point.rates.tail(n);
+                                      : point.rates.segment(n, n);
       motion.position += share(tau) * value;
       motion.velocity += share.derivative()(tau) / h * value;
     }

@@ -17,19 +17,19 @@ public:
   MomentViews(Equations &equations, const MomentStep &step, double tolerance);
 
   /// The step is another one.
-  void begin() { acting_ = step_.acting(); }
-  /// What is known at the part x of the step, which begins at `time`, in the present modes of the
-  /// equations. The integrals in the state stay.
+  void begin();
+  /// What is known at the part x of the step, which begins at `time`, behind the changes passed so
+  /// far. The integrals in the state stay.
   void fill(double time, double x, EndPoint &point) const;
 
-  /// From just before the change of a contact to just behind it, where the equations are.
-  void pass(std::size_t contact, int from, double x, EndPoint &point) const;
+  /// From just before the next change of a contact to just behind it.
+  void pass(std::size_t contact, double x, EndPoint &point);
 
   struct Motion {
     Vector position, velocity;
   };
   /// By the quintic of each coordinate, at tau in [0, 1]: what a step view sees.
-  static Motion between(const EndPoint &start, const EndPoint &end, double tau);
+  Motion between(const EndPoint &start, const EndPoint &end, double tau) const;
 
   using Show = std::function<void(const EndPoint &start, const EndPoint &end)>;
   /// From start to end, at the parts `from` and `to` of the step.
@@ -37,7 +37,7 @@ public:
             const Show &show) const;
 
 private:
-  double force(std::size_t contact, int mode, double x) const;
+  void add(std::size_t contact, std::size_t stretch, double x, double factor, Vector &rates) const;
   void halve(double time, double from, const EndPoint &start, double to, const EndPoint &end,
              int depth, const Show &show) const;
   double missed(const EndPoint &start, const EndPoint &middle, const EndPoint &end) const;
@@ -46,6 +46,7 @@ private:
   const MomentStep &step_;
   double tolerance_;
   std::vector<std::size_t> acting_;
+  std::vector<std::size_t> stretches_; ///< of each contact, the present one
   mutable contact::LawResponse response_;
 };
 
