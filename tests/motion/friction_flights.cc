@@ -19,6 +19,7 @@ TEST(FrictionFlightsTest, StickAndSlipOfChains) {
   EXPECT_GT(counts.flights, 5000);
   EXPECT_GT(counts.changes, counts.flights / 5);
   EXPECT_GT(counts.touches, 10);
+  EXPECT_LT(counts.undecided, counts.flights / 20);
 }
 
 } // namespace friction_flights_tests
