@@ -147,6 +147,41 @@ double KeyTangent::form(const Equations &equations, std::size_t contact, const P
       change += of.position * gap(contact, time, state, d);
     if (of.rate != 0)
       change += of.rate * gap_rate(contact, time, state, d);
+    if (d > 0 && of.force != 0)
+      change += of.force * held_force(equations, {contact, d}, time, state);
+  }
+  return change;
+}
+
+// Of the force by which sides stick, in linear phases. That which holds a gap counts as fixed: at
+// the instant at which it ends nothing jumps.
+double KeyTangent::held_force(const Equations &equations, const HeldDirection &held, double time,
+                              const Vector &state) const {
+  if (!LinearSystem::holds(equations))
+    return 0;
+  const Index place = equations.holding().place(held.contact, held.direction);
+  const LinearSystem::ConstraintForces own = LinearSystem::constraint_forces(equations);
+  const Index n = equations.layout().physical_size();
+  std::vector<SourceValues> sources;
+  equations.source_values(time, sources);
+  Vector at(own.rows.cols());
+  Vector moved = Vector::Zero(own.rows.cols());
+  at.head(n) = state.head(n);
+  for (std::size_t k = 0; k < sources.size(); ++k)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index entry = n + static_cast<Index>(3 * k + i);
+      at[entry] = sources[k][i];
+      moved[entry] = sources_->at(k, time)[i];
+    }
+  double change = own.rows.row(place).dot(moved);
+  for (const Near &near : near_) {
+    if (!near.equations)
+      near.equations = std::make_unique<Equations>(*near.data.model, *near.data.contacts);
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+      near.equations->set_mode(c, equations.modes()[c]);
+    const LinearSystem::ConstraintForces other = LinearSystem::constraint_forces(*near.equations);
+    change += near.weight * ((other.rows.row(place) - own.rows.row(place)).dot(at) +
+                             other.constants[place] - own.constants[place]);
   }
   return change;
 }

@@ -99,6 +99,8 @@ private:
     Vector present, change; ///< of all contacts: F, and dF/dp of those that do not hold their gap
   };
   LinearTangent make_linear(const std::vector<int> &modes, const LinearSystem &own) const;
+  double held_force(const Equations &equations, const HeldDirection &held, double time,
+                    const Vector &state) const;
   Vector linear_rates(const Equations &equations, double time, const Vector &state) const;
   bool is_unchanged(const KeyNeighbour &neighbour) const {
     return neighbour.model.get() == &model_ && neighbour.contacts.get() == &contacts_;
