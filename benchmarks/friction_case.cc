@@ -5,6 +5,8 @@
 #include "contact/laws/constant_force.h"
 #include "sides.h"
 
+#include <limits>
+
 namespace vibroimpact::benchmarks {
 
 namespace {
@@ -24,6 +26,9 @@ struct RubbingMass {
   double omega() const { return forcing; }
   double highest_frequency() const { return std::max(forcing, 1.0); }
   bool is_touching(std::size_t /*i*/) const { return slip == 0; }
+  double longest_step() const {
+    return slip == 0 ? 0.25 / forcing : std::numeric_limits<double>::infinity();
+  }
   double recorded(const State &x, double /*time*/) const { return x[0]; }
   double recorded_rate(const State &x, double /*time*/) const { return x[1]; }
   double pull(const State &x, double time) const { return std::sin(forcing * time + phase) - x[0]; }

@@ -31,6 +31,8 @@ public:
     while (stepper_.current_time() < end_) {
       if (stepper_.current_time() + stepper_.current_time_step() > end_)
         restart(stepper_.current_state(), stepper_.current_time(), end_ - stepper_.current_time());
+      if (stepper_.current_time_step() > longest_step())
+        restart(stepper_.current_state(), stepper_.current_time(), longest_step());
       stepper_.do_step(std::ref(system_));
       ++steps_;
       // What the step ends with, before a contact change cuts it short.
@@ -62,6 +64,14 @@ private:
   }
 
   void restart(State state, double time, double step) { stepper_.initialize(state, time, step); }
+
+  // Where nothing moves the error control lets steps go beyond all guards.
+  double longest_step() const {
+    if constexpr (requires { system_.longest_step(); })
+      return system_.longest_step();
+    else
+      return std::numeric_limits<double>::infinity();
+  }
 
   // Guards and changes of some systems depend on the time too.
   double guard(std::size_t i, const State &x, double time) const {

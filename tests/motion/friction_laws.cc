@@ -4,6 +4,7 @@
 #include "contact/friction/viscous.h"
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/linear_penalty.h"
+#include "model/time_function.h"
 #include "support/friction_models.h"
 
 #include <gtest/gtest.h>
@@ -110,6 +111,27 @@ TEST_P(FrictionLawsTest, SpringSliderWithADashpotUnderADampedNormalForce) {
   trajectory.advance(0.1, changes);
   EXPECT_EQ(changes.list.back().to, "open");
   EXPECT_LT(trajectory.accuracy().energy_residual, error());
+}
+
+// A mass that rests on a shaken stop slides as the stop moves: it cannot stick.
+TEST_P(FrictionLawsTest, MassOnAShakenStopBesideTheGround) {
+  const double amplitude = 1e-3, w = 40;
+  Model model({single_mass("block", 2, 0, 0)});
+  testing::add_weight(model, 9.81, {0});
+  model.add_base_motion("base",
+                        std::make_shared<Harmonic>(Given::displacement, amplitude, w, pi / 3), {0},
+                        Vector3::UnitX());
+  const ContactSet contacts(
+      {testing::stop_on_base(model, "block.head", 0, testing::newton(0.5)),
+       sliding_along_x(model, "block.head", "", testing::coulomb(2, 0.4, 0.5))});
+  Trajectory trajectory(model, contacts, settings());
+  Changes changes(contacts);
+  trajectory.start(0, vector_of({0}), vector_of({0}));
+  trajectory.advance(10 * pi / w, changes);
+  EXPECT_EQ(changes.list.size(), 10u);
+  EXPECT_NEAR(trajectory.state()[0], 0, error() * amplitude);
+  EXPECT_NEAR(trajectory.state()[trajectory.layout().sliding_way(0)], 20 * amplitude,
+              error() * amplitude);
 }
 
 // The contact lasts until the damped normal force ends, where the acceleration is zero.

@@ -133,6 +133,31 @@ subsection Analysis best
   end
 end
 """
+BASINS = """
+subsection Initial condition start
+  set Direction = x
+  set At = mass.block
+  set Displacement = 1 m
+  set Velocity = 1 m/s
+end
+subsection Analysis basins
+  set Type = basins
+  subsection Basins
+    subsection First axis
+      set Parameter = Initial condition/start/Displacement
+      set First = -5 m
+      set Last = 5 m
+      set Cells = 12
+    end
+    subsection Second axis
+      set Parameter = Initial condition/start/Velocity
+      set First = -5 m/s
+      set Last = 5 m/s
+      set Cells = 12
+    end
+  end
+end
+"""
 BEAM = """
 subsection Body beam
   set Type = beam
@@ -303,6 +328,14 @@ class Friction(ProgramRuns):
                              "Excitation/force/Frequency=1.2 rad/s")
         best = abs(gain(1.2)) / sqrt(2) / abs(loss(1.2))
         self.assertAlmostEqual(0.6 * found["analysis/best/derived/best_limit"][()], best, delta=1e-3)
+
+    def test_all_starts_lead_to_the_same_motion(self):
+        for frequency in ("0.7 rad/s", "0.55 rad/s"):
+            found = self.results(OSCILLATOR + FORCE + BASINS, "--set",
+                                 f"Excitation/force/Frequency={frequency}")["analysis/basins"]
+            self.assertEqual(list(found["attractor"]), [1])
+            for share in ("undecided_share", "no_motion_share", "other_share"):
+                self.assertTrue((found[share][()] == 0).all())
 
     def test_pairs_of_an_interface_rub_as_single_contacts_do(self):
         paired = self.results(BEAM + """

@@ -19,7 +19,8 @@ struct FrictionFlightCounts {
   long flights = 0;
   long changes = 0;       ///< flights with one, by dense evaluation
   long touches = 0;       ///< lowest values of a guard within rounding
-  long missed = 0;        ///< changes that were found later, or not at all
+  long undecided = 0;     ///< flights with touches that the program reports as undecided
+  long missed = 0;        ///< changes that were found later, or not at all, and nothing reported
   long invented = 0;      ///< found where no guard is zero to rounding
   long wrong_mode = 0;    ///< what follows is not what the force or the slip asks for
   long apart = 0;         ///< motions that end elsewhere when nobody observes them
@@ -240,6 +241,7 @@ private:
     FirstChange found;
     trajectory_.advance(flight.end, found);
     const Vector observed = trajectory_.motion_state().physical;
+    const bool undecided = trajectory_.accuracy().undecided_events > 0;
     trajectory_.start(start(flight));
     trajectory_.advance(flight.end);
     const TruePhase &phase = phases_[static_cast<std::size_t>(flight.mode)];
@@ -247,16 +249,16 @@ private:
     ++counts.flights;
     counts.changes += truth.time ? 1 : 0;
     counts.touches += truth.touches;
-    if (truth.touches == 0 &&
+    counts.undecided += undecided ? 1 : 0;
+    if (truth.touches == 0 && !undecided &&
         (observed - trajectory_.motion_state().physical).cwiseAbs().maxCoeff() >
             1e-9 * (1 + observed.cwiseAbs().maxCoeff()))
       ++counts.apart;
     const double rounding = 1e-12 * (1 + flight.end);
-    if (found.from < 0) {
-      counts.missed += truth.time && *truth.time < flight.end - rounding ? 1 : 0;
+    const double reached = found.from < 0 ? flight.end : found.time;
+    counts.missed += truth.time && reached > *truth.time + rounding && !undecided ? 1 : 0;
+    if (found.from < 0)
       return;
-    }
-    counts.missed += truth.time && found.time > *truth.time + rounding ? 1 : 0;
     judge_change(phase, flight, truth, found, counts);
   }
 
@@ -277,7 +279,7 @@ private:
         fallen = g;
       }
     }
-    counts.invented += least > 1 ? 1 : 0;
+    counts.invented += least > 4 ? 1 : 0;
     counts.worst_value = std::max(counts.worst_value, static_cast<double>(least));
     counts.wrong_mode += may_follow(phase, flight.mode, fallen, at, found.to) ? 0 : 1;
   }

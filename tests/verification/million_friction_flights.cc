@@ -26,14 +26,14 @@ TEST(MillionFrictionFlightsTest, StickAndSlipOfChains) {
   FrictionFlightCounts counts;
   for (long i = rank; counts.flights < wanted / ranks; i += ranks)
     testing::count_friction(1, static_cast<std::uint64_t>(i), flights_of_a_system, counts);
-  for (long *value : {&counts.flights, &counts.changes, &counts.touches, &counts.missed,
-                      &counts.invented, &counts.wrong_mode, &counts.apart})
+  for (long *value : {&counts.flights, &counts.changes, &counts.touches, &counts.undecided,
+                      &counts.missed, &counts.invented, &counts.wrong_mode, &counts.apart})
     MPI_Allreduce(MPI_IN_PLACE, value, 1, MPI_LONG, MPI_SUM, MPI_COMM_WORLD);
   if (rank == 0)
     std::cout << counts.flights << " flights, " << counts.changes << " with a change, "
-              << counts.touches << " touches within rounding; " << counts.missed << " missed, "
-              << counts.invented << " invented, " << counts.wrong_mode
-              << " followed by another mode, " << counts.apart
+              << counts.touches << " touches within rounding, " << counts.undecided
+              << " reported as undecided; " << counts.missed << " missed, " << counts.invented
+              << " invented, " << counts.wrong_mode << " followed by another mode, " << counts.apart
               << " that end elsewhere unobserved\n";
   EXPECT_EQ(counts.wrong(), 0);
 }

@@ -35,12 +35,35 @@ const Guard *no_stick(const Equations &equations, std::size_t contact, double ti
   return fallen == guards.end() ? nullptr : &*fallen;
 }
 
+// The slip acceleration of sides that are to stick, where what else is held makes them slide all
+// the same: one rests on what is moved. Zero: they can stick.
+double imposed_slip(const Equations &equations, std::size_t contact, double time,
+                    const Vector &state) {
+  if (equations.holding().size() < 2)
+    return 0;
+  constexpr double roundings = 1e4; // what constraints that can be held leave is far less
+  const StateLayout &layout = equations.layout();
+  Vector rates(layout.size());
+  equations.rates(time, view_of(state), {rates.data(), rates.size()});
+  const double slides =
+      equations.gap_acceleration(contact, time, {rates.data() + layout.velocity(), layout.n}, 1);
+  return std::abs(slides) > roundings * equations.acceleration_rounding(contact, time, state, 1)
+             ? slides
+             : 0;
+}
+
 // Each mode is entered once at most; a law whose guards contradict each other stays where it is.
 bool stick_or_slip(Equations &equations, std::size_t contact, double time, Vector &state) {
   const std::size_t most = equations.contacts().pairs()[contact].law->modes().size();
   bool changed = false;
   for (std::size_t i = 0; i < most && equations.mode(contact).holds_slip; ++i) {
     equations.stop_slip(time, state);
+    if (const double slides = imposed_slip(equations, contact, time, state); slides != 0) {
+      equations.set_mode(
+          contact, equations.contacts().pairs()[contact].law->mode_by_slip(
+                       equations.modes()[contact], {.tangential = {{{.slip_rate = slides}}}}));
+      return true;
+    }
     const Guard *const fallen = no_stick(equations, contact, time, state);
     if (!fallen)
       break;

@@ -32,10 +32,11 @@ SourceStep::SourceStep(const Equations &equations, double relative)
   }
 }
 
+// Or rests on what sources move, beside a contact that slides as they do.
 bool SourceStep::sticks() const {
   const ActiveConstraints &holding = equations_.holding();
   for (Index k = 0; k < holding.size(); ++k)
-    if (holding.held(k).direction > 0)
+    if (holding.held(k).direction > 0 || equations_.layout().n_sliding > 0)
       return true;
   return false;
 }

@@ -40,10 +40,11 @@ double KeyTangent::held_forces(const Equations &equations, std::size_t contact,
   const Vector phase = phase_of(equations, time, state);
   double change = 0;
   for (const Near &near : near_) {
-    Equations other(*near.data.model, *near.data.contacts);
+    if (!near.equations)
+      near.equations = std::make_unique<Equations>(*near.data.model, *near.data.contacts);
     for (std::size_t c = 0; c < contacts_.size(); ++c)
-      other.set_mode(c, equations.modes()[c]);
-    const LinearRow there = linear_row(other, contact, forces);
+      near.equations->set_mode(c, equations.modes()[c]);
+    const LinearRow there = linear_row(*near.equations, contact, forces);
     change += near.weight * ((there.row - row.row).dot(phase) + there.constant - row.constant);
   }
   const Index first = equations.layout().physical_size();
