@@ -26,7 +26,7 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
                                         progress_, counts_);
   if (settings.method == "moments" && !MomentStep::holds(equations_))
     throw InputError("Method = moments needs a linear model and contacts with finite forces, none "
-                     "of which sticks without giving way or has states that relax by themselves.");
+                     "of which holds its slip (Coulomb) or has states that relax by themselves.");
   if (path_ && MomentStep::holds(equations_))
     moments_ =
         std::make_unique<MomentPath>(equations_, steppers_.exact()->phases(), settings, counts_);
