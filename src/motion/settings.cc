@@ -9,7 +9,8 @@ void declare_integration(parameters::Section &root) {
           "Method", "exact", {"exact", "moments", "rk", "bdf", "theta", "arkimex"},
           "Time integrator: exact where everything is linear and adaptive Runge-Kutta elsewhere; "
           "moments for many contacts, in steps that no contact change ends (linear models, laws "
-          "with finite forces and without internal states); or throughout adaptive Runge-Kutta of "
+          "with finite forces that hold no slip, internal states without relaxation); or "
+          "throughout adaptive Runge-Kutta of "
           "order 5 (Dormand-Prince), backward "
           "differentiation, trapezoidal-type theta, or diagonally implicit Runge-Kutta.")
       .quantity("Relative tolerance", "1e-9", dimension::none, Range{.lower = 1e-14, .upper = 0.1},

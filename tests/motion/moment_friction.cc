@@ -1,4 +1,4 @@
-// Friction that gives way, in steps that no contact change ends: against the exact method.
+// Friction that yields, in steps that no contact change ends: against the exact method.
 #include "common/error.h"
 #include "contact/friction/coulomb.h"
 #include "contact/friction/frictional_law.h"

@@ -299,7 +299,7 @@ ContactCourse::Moments ContactCourse::moments(const contact::ContactLaw &law, st
       const std::array<double, n_responses> p = shifted_legendre(x);
       for (std::size_t k = 0; k < n_moments; ++k)
         result[k] += (2 * static_cast<double>(k) + 1) * length * rule.weights[i] *
-                     force_of(response, direction) * p[k];
+                     component_force(response, direction) * p[k];
     }
   }
   return result;
@@ -321,7 +321,7 @@ ContactCourse::Lack ContactCourse::lack(const contact::ContactLaw &law, std::siz
       force -= moments[k] * p[k];
     if (!contact::forceless(mode)) {
       law.evaluate(stretch.mode, at(stretch, s), response);
-      force += force_of(response, direction);
+      force += component_force(response, direction);
     }
     sums[0] += length * rule.weights[i] * force;
     sums[1] += length * rule.weights[i] * s * force;
@@ -367,7 +367,7 @@ ForceIntegrals ContactCourse::integrals(const contact::ContactLaw &law,
     result.force += weight * response.force;
     result.dissipated += weight * response.dissipated_power;
     for (std::size_t d = 0; d < directions; ++d)
-      result.carried += weight * force_of(response, d) * base_rate(d, x);
+      result.carried += weight * component_force(response, d) * base_rate(d, x);
     if (directions == 1)
       continue;
     result.friction += weight * response.friction_power;

@@ -124,7 +124,7 @@ private:
 };
 
 /// Force along a direction.
-inline double force_of(const contact::LawResponse &response, std::size_t direction) {
+inline double component_force(const contact::LawResponse &response, std::size_t direction) {
   return direction == 0 ? response.force : response.tangential[direction - 1].force;
 }
 

@@ -299,7 +299,7 @@ std::optional<double> MomentStep::attempt(double h, const MomentTables &tables) 
     local.internal = internal_of(c);
     equations_.contacts().pairs()[c].law->evaluate(modes_[c], local, response_);
     for (Index d = 0; d < contacts_.directions(c); ++d)
-      moments_(contacts_.first(c) + d, 0) = force_of(response_, static_cast<std::size_t>(d));
+      moments_(contacts_.first(c) + d, 0) = component_force(response_, static_cast<std::size_t>(d));
     closed.push_back(c);
   }
   take_list(std::move(closed));

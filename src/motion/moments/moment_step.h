@@ -41,8 +41,8 @@ public:
   /// Keeps a reference. The model must be linear, holds() says what else.
   MomentStep(const Equations &equations, double tolerance);
 
-  /// True where such steps can be taken at all: no law is rigid or makes sides stick without giving
-  /// way, and internal states follow the motion (ContactCourse::holds).
+  /// True where such steps can be taken at all: no law is rigid or holds the
+  /// slip, and internal states follow the motion (ContactCourse::holds).
   static bool holds(const Equations &equations);
 
   /// A motion begins.

@@ -31,7 +31,7 @@ void MomentViews::add(std::size_t contact, std::size_t stretch, double x, double
   pair.law->evaluate(of.mode, step_.course(contact).at(of, x), response_);
   for (int d = 0; d < pair.n_directions(); ++d)
     rates.segment(layout.velocity(), layout.n) +=
-        factor * force_of(response_, static_cast<std::size_t>(d)) *
+        factor * component_force(response_, static_cast<std::size_t>(d)) *
         pair.along(d).projection->row.transpose().cwiseQuotient(equations_.model().mass());
   for (int i = 0; i < pair.n_internal(); ++i)
     rates[layout.internal() + pair.internal_offset + i] +=

@@ -25,9 +25,8 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
     path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(), settings,
                                         progress_, counts_);
   if (settings.method == "moments" && !MomentStep::holds(equations_))
-    throw InputError(
-        "Method = moments needs a linear model and contacts with finite forces, without "
-        "true stick and without internal states that relax by themselves.");
+    throw InputError("Method = moments needs a linear model and contacts with finite forces, none "
+                     "of which holds its slip (Coulomb) or has states that relax by themselves.");
   if (path_ && MomentStep::holds(equations_))
     moments_ =
         std::make_unique<MomentPath>(equations_, steppers_.exact()->phases(), settings, counts_);
