@@ -9,6 +9,9 @@ namespace vibroimpact::motion {
 
 namespace {
 constexpr double next_to_zero = 1e-3; // over the scale of time
+// Over the fastest exponent; rounding makes pairs of several zeros. A scale of time that leaves a
+// slow vibration out is shorter, and as exact.
+constexpr double not_zero = 1e-8;
 } // namespace
 
 WorkIntegrals::WorkIntegrals(const PowerForms &powers, const ExactPhase &phase,
@@ -104,15 +107,14 @@ bool WorkIntegrals::is_seen(std::size_t i, std::size_t j) const {
 
 // A turn of the slowest vibration; by the fastest exponent where nothing vibrates.
 void WorkIntegrals::set_scale() {
-  double slowest = std::numeric_limits<double>::infinity();
   double fastest = 0;
-  for (const PhaseGroup &group : phase_.groups()) {
-    if (group.kind == BlockKind::dense)
-      continue;
-    fastest = std::max(fastest, std::abs(group.exponent));
-    if (group.kind == BlockKind::pair)
+  for (const PhaseGroup &group : phase_.groups())
+    if (group.kind != BlockKind::dense)
+      fastest = std::max(fastest, std::abs(group.exponent));
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const PhaseGroup &group : phase_.groups())
+    if (group.kind == BlockKind::pair && group.exponent.imag() > not_zero * fastest)
       slowest = std::min(slowest, group.exponent.imag());
-  }
   vibrates_ = std::isfinite(slowest);
   scale_ = 2 * std::numbers::pi / std::min(slowest, fastest);
 }
