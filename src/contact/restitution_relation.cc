@@ -29,8 +29,8 @@ double exact_damping(double e) {
   // Near e = 1 the root is 3/2 (1 - e) + ...; below a tenth of it the mismatch is still negative.
   const double lower = 0.1 * (1 - e);
   const double upper = inside / e;
-  if (!(exact_mismatch(e, upper) > 0))
-    return 1 / e; // e so small that the root and 1/e are one number
+  if (!std::isfinite(upper) || !(exact_mismatch(e, upper) > 0))
+    return 1 / e; // e so small that the root and 1/e are one number, or none
   return zero_between([e](double d) { return exact_mismatch(e, d); }, lower, upper);
 }
 

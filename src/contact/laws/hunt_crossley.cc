@@ -159,6 +159,9 @@ std::shared_ptr<const ContactLaw> HuntCrossley::create(const parameters::Values 
   }
   const double damping =
       dimensionless_damping(law.choice("Relation"), law.quantity("Restitution coefficient"));
+  if (!std::isfinite(damping))
+    law.reject("Restitution coefficient",
+               "Restitution coefficient is so small that its damping factor is no number.");
   if (law.has("Approach speed"))
     return with_dissipation(constants, damping / law.quantity("Approach speed"));
   return with_dimensionless_damping(constants, damping, law.quantity("Lowest approach speed"));
