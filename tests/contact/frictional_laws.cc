@@ -127,6 +127,7 @@ std::vector<std::shared_ptr<const TangentialLaw>> tangential_laws() {
               .coefficient = stribeck, .stiffness = 1e3, .damping = 3, .viscous = 0.1})};
 }
 
+// What slides is the slip less what deforms.
 TEST(FrictionalLaws, DerivativesAndPower) {
   std::mt19937_64 generator(7); // NOLINT(cert-msc51-cpp): the same states in every run
   std::uniform_real_distribution<double> part(0.2, 1);
@@ -146,6 +147,11 @@ TEST(FrictionalLaws, DerivativesAndPower) {
           x.back() = -response_at(law, mode, x).tangential[0].force / tangential->stiffness();
         if (!of.holds_slip && of.in_contact)
           expect_power(law, mode, x);
+        if (of.friction == Friction::slip && !tangential->internal_states().empty()) {
+          const LawResponse at = response_at(law, mode, x);
+          EXPECT_NEAR(std::abs(at.sliding_speed), std::abs(x[4] - at.internal_rate.back()), 1e-12)
+              << law.name() << ", " << of.name;
+        }
       }
     }
 }

@@ -238,5 +238,28 @@ TEST_P(FrictionReferencesTest, EveryChangeAndTheEnd) {
   EXPECT_LT(trajectory.accuracy().energy_residual, 1e-9);
 }
 
+// Coordinates are relative to a table; one that shakes along the normal moves nothing else.
+TEST(FrictionReferencesMovedTest, SeenFromAShakenTable) {
+  const auto shaking = std::make_shared<Harmonic>(Given::displacement, 0.02, 300, 0.3);
+  for (const Case &of : cases()) {
+    SCOPED_TRACE(of.name);
+    Model model({particle("ball", 2, of.spring)});
+    model.add_base_motion("table", shaking, {0}, Vector3::UnitY());
+    const ContactSet contacts({oblique_contact(
+        model, "ball.head", 0.1, std::make_shared<FrictionalLaw>(of.normal, of.tangential))});
+    Settings settings = settings_of("exact");
+    settings.relative_tolerance = 1e-13;
+    settings.absolute_tolerance = 0;
+    Trajectory trajectory(model, contacts, settings);
+    trajectory.start(0, vector_of({of.start, 0.099 - shaking->value(0)}),
+                     vector_of({of.speed, 1 - shaking->rate(0)}));
+    trajectory.advance(of.end);
+    Vector state = trajectory.state().head(4);
+    state[1] += shaking->value(of.end);
+    state[3] += shaking->rate(of.end);
+    expect_state(state, of.last, 1e-9);
+  }
+}
+
 } // namespace friction_references_tests
 } // namespace vibroimpact::motion

@@ -67,7 +67,10 @@ inline contact::ContactPair oblique_contact(const model::Model &model, const std
   pair.tangential.push_back({.slip = pair.gap});
   model::PointReference point;
   model.find_point(side, point);
-  pair.gap.row = -model.displacement(point, Vector3::UnitY(), true).row;
+  const model::Projection across = model.displacement(point, Vector3::UnitY(), true);
+  pair.gap.row = -across.row;
+  for (std::size_t k = 0; k < across.base_coefficients.size(); ++k)
+    pair.gap.base_coefficients[k] = -across.base_coefficients[k];
   return pair;
 }
 
