@@ -44,7 +44,7 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(Methods, FrictionLawsTest, ::testing::Values("exact", "rk"));
 
-// A mass on a spring k, held by a spring kt that gives way at mu N: sticks, slides to its turning
+// A mass on a spring k, held by a spring kt that yields at mu N: sticks, slides to its turning
 // point, sticks there, and so on. Between changes all is harmonic about a known centre.
 TEST_P(FrictionLawsTest, SpringSliderOnAFreeMass) {
   const double k = 1e4, kt = 4e5, limit = 1, start = 8.5e-4;

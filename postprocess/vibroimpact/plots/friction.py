@@ -50,7 +50,7 @@ def slides(motion: Motion, contact: str) -> bool:
 
 
 def stick_intervals(motion: Motion, contact: str) -> list[tuple[float, float]]:
-    """Begin and end of each, where the sides do not slide at all: a spring-slider always gives way a little."""
+    """Begin and end of each, where the sides do not slide at all: a spring-slider always deforms a little."""
     time, rate = motion.time(), motion.signal(f"contact/{contact}/slip_rate")
     held = np.concatenate([[False], states(rate) == 0, [False]])
     edges, when = changes(time, rate)

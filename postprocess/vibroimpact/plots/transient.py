@@ -52,7 +52,7 @@ def of_case(array: Array, analysis: Analysis, index: tuple) -> np.ndarray:
 
 def swept_key(analysis: Analysis, contact: str):
     """Number of the grid axis against which the first impacts are drawn, or None unless the grid
-    has one key with numbers, at least three of them, and there was an impact; a second key may have names."""
+    has one key with numbers, at least three of them, and there was an impact; the values of further keys may be names."""
     keys = [analysis.read(name).values for name in analysis.grid_axes]
     swept = [i for i, values in enumerate(keys) if values.dtype.kind == "f"]
     fits = len(keys) in (1, 2) and len(swept) == 1 and len(keys[swept[0]]) >= 3
