@@ -9,8 +9,8 @@ namespace vibroimpact::contact {
 
 // The derivatives of a rate of the force by the state, beside those that its derivatives have: at
 // constant rates of the state they are those of the derivatives of the force along it. By central
-// differences over a part h of the penetration, whose error is of the size h^2 / 6 = 2e-9 for powers
-// of it, and eps / h = 2e-12 by rounding; only derivatives of motions see it.
+// differences over a part h of the penetration, whose error is of the size h^2 / 6 = 2e-9 for
+// powers of it, and eps / h = 2e-12 by rounding; only derivatives of motions see it.
 void FrictionalLaw::add_curvature(int mode, const LocalState &state, const LawResponse &normal,
                                   AffineForm &rate) const {
   constexpr double part = 1e-4; // of the penetration
