@@ -79,7 +79,7 @@ Matrix ruled(const AssembledBody &body, const Vector &eigenvalues, const Matrix 
   for (const structure::NamedNode &point : body.model.points)
     point_nodes.push_back(point.node);
   Matrix shapes = node_rows(body.free, free_shapes);
-  fix_basis(eigenvalues, point_nodes, shapes);
+  fix_basis(eigenvalues, point_nodes, body.model.mesh.extent(), shapes);
   return shapes;
 }
 

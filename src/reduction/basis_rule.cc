@@ -36,13 +36,22 @@ std::vector<Index> row_order(const std::vector<int> &points, Index nodes) {
   return rows;
 }
 
+// Of the larger kind, rotations times the length of the body: a kind that stays below it in the
+// whole group is what the eigen-solution leaves of one that is zero (the angle of a vector to its
+// subspace is the square root of the error of its eigenvalue, and counts in rotations by the size
+// of an element).
+constexpr double least_kind = 1e-2;
+
 // Displacements and rotations have different units, so each kind has its own scale.
-std::array<double, 2> row_scales(Eigen::Ref<const Matrix> group) {
+std::array<double, 2> row_scales(Eigen::Ref<const Matrix> group, double length) {
   std::array<double, 2> scale{};
   for (Index row = 0; row < group.rows(); ++row) {
     double &kind = scale[row % 6 / 3];
     kind = std::max(kind, group.row(row).norm());
   }
+  if (length > 0)
+    scale = {std::max(scale[0], least_kind * scale[1] * length),
+             std::max(scale[1], least_kind * scale[0] / length)};
   return scale;
 }
 
@@ -60,8 +69,8 @@ void reflect(Eigen::Ref<Matrix> columns, Index row) {
   columns.noalias() -= 2 / square * along * normal.transpose();
 }
 
-void fix_group(Eigen::Ref<Matrix> group, const std::vector<Index> &rows) {
-  const std::array<double, 2> scale = row_scales(group);
+void fix_group(Eigen::Ref<Matrix> group, const std::vector<Index> &rows, double length) {
+  const std::array<double, 2> scale = row_scales(group, length);
   Index done = 0;
   for (double significant = 1e-3; done < group.cols() && significant > 1e-14; significant *= 1e-3)
     for (const Index row : rows) {
@@ -78,10 +87,11 @@ void fix_group(Eigen::Ref<Matrix> group, const std::vector<Index> &rows) {
 
 } // namespace
 
-void fix_basis(const Vector &eigenvalues, const std::vector<int> &points, Matrix &shapes) {
+void fix_basis(const Vector &eigenvalues, const std::vector<int> &points, double length,
+               Matrix &shapes) {
   const std::vector<Index> rows = row_order(points, shapes.rows() / 6);
   for (const Group &group : groups_of(eigenvalues))
-    fix_group(shapes.middleCols(group.first, group.size), rows);
+    fix_group(shapes.middleCols(group.first, group.size), rows, length);
 }
 
 Vector merge_multiple(const Vector &eigenvalues) {

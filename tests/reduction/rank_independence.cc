@@ -2,6 +2,7 @@
 #include "reduction/beam_bodies.h"
 #include "reduction/body_file.h"
 #include "structure/shell_examples.h"
+#include "structure/solid_examples.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,16 @@ using namespace vibroimpact::reduction;
 using namespace vibroimpact::examples;
 
 namespace {
+
+/// Modes of one frequency are free to mix, but for the rule. Vectors are as good as the root of the
+/// error of their eigenvalues.
+void expect_same_shapes(const ReducedBody &together, const ReducedBody &alone) {
+  const Matrix &shapes = alone.recovery.shapes;
+  ASSERT_EQ(together.recovery.shapes.rows(), shapes.rows());
+  for (Index j = 0; j < shapes.cols(); ++j)
+    EXPECT_LT((together.recovery.shapes.col(j) - shapes.col(j)).norm(), 1e-5 * shapes.col(j).norm())
+        << "mode " << j + 1;
+}
 
 void expect_same(const BodyDefinition &definition) {
   const ReducedBody together = reduce(definition, MPI_COMM_WORLD);
@@ -26,6 +37,7 @@ void expect_same(const BodyDefinition &definition) {
                 1e-8 * rows.cwiseAbs().maxCoeff());
     }
   EXPECT_LT((together.damping - alone.damping).norm(), 1e-8 * alone.damping.norm());
+  expect_same_shapes(together, alone);
 }
 
 void expect_same_bytes(const BodyDefinition &definition) {
@@ -100,6 +112,35 @@ TEST(RankIndependence, ShellWithStiffenerLoadsAndAttachments) {
             1e-9 * alone.recovery.static_displacement.norm());
   EXPECT_LT((together.points[0].flexibility - alone.points[0].flexibility).norm(),
             1e-9 * alone.points[0].flexibility.norm());
+}
+
+// Motions across the section come in pairs, and the face at the point does not turn in them.
+TEST(RankIndependence, SolidBarOfSquareSection) {
+  BodyDefinition definition;
+  definition.name = "bar";
+  definition.type = BodyDefinition::Type::solid;
+  definition.solid = solid_block({1, 0.02, 0.02}, {40, 2, 2}, {2e11, 0, 7800});
+  hold(definition.solid, "all", {false, true, true, false, false, false});
+  definition.solid.points.push_back({.name = "head", .at = {"", Vector3(1, 0.01, 0.01)}});
+  definition.solid.links.push_back({.name = "face", .groups = {"right"}});
+  definition.selection.number = 20;
+  definition.damping.ratios = {0.01};
+  expect_same_shapes(reduce(definition, MPI_COMM_WORLD), reduce(definition, MPI_COMM_SELF));
+  expect_same_bytes(definition);
+}
+
+// Two equal sides: pairs of modes in which the point in the middle stands still.
+TEST(RankIndependence, SquarePlateWithPairsOfModes) {
+  BodyDefinition definition;
+  definition.name = "plate";
+  definition.type = BodyDefinition::Type::shell;
+  definition.shell = square_plate(8, CellShape::quadrilateral);
+  for (const char *edge : {"left", "right", "bottom", "top"})
+    definition.shell.supports.push_back({edge, {edge, {}}, hold_all, {}});
+  definition.shell.points.push_back({"middle", {"", Vector3(5, 5, 0)}, 0, Vector3::Zero()});
+  definition.selection.number = 12;
+  definition.damping.ratios = {0.01};
+  expect_same(definition);
 }
 
 TEST(RankIndependence, MembersHingesPrestressAndMassesBesideTheAxis) {
