@@ -36,31 +36,58 @@ bool repeats(const model::TimeFunction &function, double period, double shift, d
   return true;
 }
 
+void refuse_rotors(const model::Model &model) {
+  if (!model.rotors().empty())
+    throw InputError("A periodic motion is looked for, but the model has a rotor: its speed is a "
+                     "second frequency, so that the motion repeats itself after no period.");
+}
+
+bool is_constant(const model::TimeFunction &function) {
+  return function.period() == 0 && function.highest_frequency() == 0 &&
+         !std::isfinite(function.next_break(0)) && function.rate(0) == 0 &&
+         function.acceleration(0) == 0 && function.rate(1) == 0;
+}
+
 } // namespace
 
 ForcedSystem::ForcedSystem(const model::Model &model, const contact::ContactSet &contacts,
                            const motion::Settings &settings, std::size_t source)
     : model_(model), contacts_(contacts), source_(source), trajectory_(model, contacts, settings) {
-  if (!model.rotors().empty())
-    throw InputError("A periodic motion is looked for, but the model has a rotor: its speed is a "
-                     "second frequency, so that the motion repeats itself after no period.");
+  refuse_rotors(model);
   if (const model::Source *other = source_without_period(model, period()))
     throw InputError("A periodic motion is looked for, but the excitation " + other->name +
                      " does not repeat itself after the period of " + model.sources()[source].name +
                      ".");
 }
 
-ForcedKey forced_key(const std::string &name, const ForcedSystem &system,
-                     std::vector<motion::KeyNeighbour> neighbours) {
-  std::vector<double> offsets, periods;
-  for (const motion::KeyNeighbour &neighbour : neighbours) {
+ForcedSystem::ForcedSystem(const model::Model &model, const contact::ContactSet &contacts,
+                           const motion::Settings &settings, std::shared_ptr<FreePeriod> period)
+    : model_(model), contacts_(contacts), free_(std::move(period)),
+      trajectory_(model, contacts, settings) {
+  refuse_rotors(model);
+}
+
+namespace {
+
+double period_by_key(const ForcedSystem &system, std::size_t source,
+                     const std::vector<motion::KeyNeighbour> &neighbours) {
+  std::vector<double> offsets;
+  for (const motion::KeyNeighbour &neighbour : neighbours)
     offsets.push_back(neighbour.offset);
-    periods.push_back(neighbour.histories()[system.source()]->period());
-  }
   const Vector weights = motion::derivative_weights(offsets);
   double derivative = 0;
-  for (std::size_t i = 0; i < periods.size(); ++i)
-    derivative += weights[static_cast<Index>(i)] * (periods[i] - system.period());
+  for (std::size_t i = 0; i < neighbours.size(); ++i)
+    derivative += weights[static_cast<Index>(i)] *
+                  (neighbours[i].histories()[source]->period() - system.period());
+  return derivative;
+}
+
+} // namespace
+
+ForcedKey forced_key(const std::string &name, const ForcedSystem &system,
+                     std::vector<motion::KeyNeighbour> neighbours) {
+  const double derivative =
+      system.source() ? period_by_key(system, *system.source(), neighbours) : 0;
   return {.tangent =
               motion::KeyTangent(name, system.model(), system.contacts(), std::move(neighbours)),
           .period = derivative};
@@ -74,6 +101,11 @@ const model::Source *source_without_period(const model::Model &model, double per
     if (!harmonic(*source.function) && !repeats(*source.function, period, period, 1))
       return &source;
   return nullptr;
+}
+
+bool is_autonomous(const model::Model &model) {
+  return std::all_of(model.sources().begin(), model.sources().end(),
+                     [](const model::Source &source) { return is_constant(*source.function); });
 }
 
 bool forcing_is_odd(const ForcedSystem &system) {

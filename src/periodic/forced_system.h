@@ -1,9 +1,12 @@
-// A model under forcing that repeats itself after one period T, and its motions.
+// A model under forcing that repeats itself after one period T, or under none, and its motions.
 #pragma once
 
 #include "motion/path/trajectory.h"
 #include "motion/variation/key_tangent.h"
+#include "periodic/free_period.h"
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace vibroimpact::periodic {
@@ -16,10 +19,19 @@ public:
   ForcedSystem(const model::Model &model, const contact::ContactSet &contacts,
                const motion::Settings &settings, std::size_t source);
 
+  /// Where no excitation changes with time: the period is to be found, and this is what is known of
+  /// it. InputError for a rotor.
+  ForcedSystem(const model::Model &model, const contact::ContactSet &contacts,
+               const motion::Settings &settings, std::shared_ptr<FreePeriod> period);
+
   const model::Model &model() const { return model_; }
   const contact::ContactSet &contacts() const { return contacts_; }
-  std::size_t source() const { return source_; }
-  double period() const { return period_of(model_, source_); } ///< T [s]
+  /// None where the period is free.
+  std::optional<std::size_t> source() const { return source_; }
+  /// Null where the forcing has the period.
+  const std::shared_ptr<FreePeriod> &free_period() const { return free_; }
+  /// T [s]
+  double period() const { return source_ ? period_of(model_, *source_) : free_->period(); }
   /// Advances one motion after the other.
   motion::Trajectory &trajectory() { return trajectory_; }
   const motion::Equations &equations() const { return trajectory_.equations(); }
@@ -32,7 +44,8 @@ public:
 private:
   const model::Model &model_;
   const contact::ContactSet &contacts_;
-  std::size_t source_;
+  std::optional<std::size_t> source_;
+  std::shared_ptr<FreePeriod> free_;
   motion::Trajectory trajectory_;
 };
 
@@ -50,6 +63,9 @@ ForcedKey forced_key(const std::string &name, const ForcedSystem &system,
 /// The first source that does not repeat itself after this period [s] from time zero on; nullptr:
 /// all do.
 const model::Source *source_without_period(const model::Model &model, double period);
+
+/// Does no excitation of the model change with time?
+bool is_autonomous(const model::Model &model);
 
 /// s(t + T/2) = -s(t) for every source.
 bool forcing_is_odd(const ForcedSystem &system);

@@ -310,6 +310,7 @@ Flow flow_past(const StroboscopicMap &map, const StroboscopicMap &open, double f
   chain.go(open, std::max(from, window.begin), std::min(to, window.end));
   chain.go(map, window.end, to);
   return {.state = chain.state,
+          .rates = {},
           .by_state = chain.by_state,
           .by_keys = chain.by_keys,
           .pattern = chain.pattern,

@@ -1,5 +1,7 @@
 #include "periodic/orbit.h"
 
+#include "common/error.h"
+
 #include <cmath>
 
 namespace vibroimpact::periodic {
@@ -19,15 +21,25 @@ double wrapped(double phase, const Section &section) {
   return phase - std::floor(phase / multiple) * multiple;
 }
 
+bool comes_back(const StroboscopicMap &map, const Section &section, const Vector &state,
+                double distance) {
+  try {
+    return map.norm(map.image(section, state).state - state) <= distance;
+  } catch (const NumericalError &) { // it is nowhere near
+    return false;
+  }
+}
+
 // Smallest h of which the point is a fixed point.
 long least_halves(const StroboscopicMap &map, const Orbit &orbit) {
-  const double size = map.norm(orbit.point.state);
+  const double size = map.norm(orbit.point.state), period = map.period();
   for (long halves = 1; halves < orbit.section.halves; ++halves) {
     const Section section{.phase = orbit.section.phase, .halves = halves};
     if (orbit.section.halves % halves != 0 || (section.with_symmetry() && !map.symmetric()))
       continue;
-    const Vector image = map.image(section, orbit.point.state).state;
-    if (map.norm(image - orbit.point.state) <= same_state * size)
+    const bool returns = comes_back(map, section, orbit.point.state, same_state * size);
+    map.set_period(returns ? map.period() : period);
+    if (returns)
       return halves;
   }
   return orbit.section.halves;

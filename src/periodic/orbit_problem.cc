@@ -25,6 +25,8 @@ double OrbitProblem::wrapped(double phase) const {
 Evaluation OrbitProblem::evaluate(const Point &point) {
   const StroboscopicMap &map = maps_.at(point.keys);
   const Flow image = map.image(section_at(point.chart), point.state);
+  if (FreePeriod *const free = maps_.free_period(); free != nullptr)
+    free->note(point.keys);
   return {.residual = image.state - point.state,
           .by_state = image.by_state - Matrix::Identity(map.size(), map.size()),
           .by_keys = image.by_keys,
@@ -37,11 +39,13 @@ Evaluation OrbitProblem::evaluate(const Point &point) {
 std::vector<ShorterReturn> OrbitProblem::shorter_returns(const Point &point) {
   const StroboscopicMap &map = maps_.at(point.keys);
   std::vector<ShorterReturn> returns;
+  const double period = map.period();
   for (long halves = 1; halves < halves_; ++halves) {
     const Section section{.phase = point.chart, .halves = halves};
     if (halves_ % halves == 0 && (!section.with_symmetry() || map.symmetric()))
       returns.push_back({.multiple = static_cast<int>(halves),
                          .displacement = map.image(section, point.state).state - point.state});
+    map.set_period(period);
   }
   return returns;
 }
@@ -59,7 +63,7 @@ double OrbitProblem::best_chart(const Point &point) {
 Transfer OrbitProblem::transfer(const Point &point, double chart) {
   const StroboscopicMap &map = maps_.at(point.keys);
   const double shift = wrapped(chart - point.chart);
-  const Flow flow = map.flow(point.chart, point.chart + shift, point.state);
+  const Flow flow = map.to_section(point.chart, point.chart + shift, chart, point.state);
   return {.point = {.state = flow.state, .keys = point.keys, .chart = chart},
           .by_state = flow.by_state,
           .by_keys = flow.by_keys};
@@ -68,6 +72,8 @@ Transfer OrbitProblem::transfer(const Point &point, double chart) {
 std::vector<continuation::Graze> OrbitProblem::grazes_near(const Point &point) {
   const StroboscopicMap &map = maps_.at(point.keys);
   std::vector<continuation::Graze> grazes;
+  if (map.system().free_period()) // windows are phases of a forcing
+    return grazes;
   for (const GrazeWindow &window : graze_windows(map, section_at(point.chart), point.state)) {
     grazes.push_back({.guard = static_cast<int>(windows_.size()),
                       .position = window.position,
@@ -89,6 +95,16 @@ continuation::Extension OrbitProblem::extend(const Point &point, const continuat
 std::unique_ptr<continuation::Problem> OrbitProblem::extended(const continuation::Graze &graze) {
   return std::make_unique<GrazingOrbits>(maps_, halves_, sizes_,
                                          windows_.at(static_cast<std::size_t>(graze.guard)));
+}
+
+std::vector<double> OrbitProblem::remembered() const {
+  const FreePeriod *const free = maps_.free_period();
+  return free != nullptr ? free->numbers() : std::vector<double>{};
+}
+
+void OrbitProblem::remember(const std::vector<double> &numbers) {
+  if (FreePeriod *const free = maps_.free_period(); free != nullptr && !numbers.empty())
+    free->restore(numbers);
 }
 
 Vector problem_sizes(const StroboscopicMap &map, const Orbit &orbit, const Vector &keys) {

@@ -19,6 +19,8 @@ public:
   /// NumericalError when there is no system at these values.
   virtual const StroboscopicMap &at(const Vector &keys) = 0;
   /// The same map overlooking guards; valid as long as at() of the same values.
+  /// Null where an excitation gives the period.
+  virtual FreePeriod *free_period() { return nullptr; }
   virtual const StroboscopicMap &overlooking(const Vector &keys, const Overlooked &overlooked) = 0;
 };
 
@@ -44,6 +46,9 @@ public:
   continuation::Extension extend(const continuation::Point &point,
                                  const continuation::Graze &graze) override;
   std::unique_ptr<continuation::Problem> extended(const continuation::Graze &graze) override;
+  /// Of a free period, which is found from the last one.
+  std::vector<double> remembered() const override;
+  void remember(const std::vector<double> &numbers) override;
 
 private:
   Section section_at(double chart) const { return {.phase = chart, .halves = halves_}; }

@@ -5,10 +5,23 @@
 #include "periodic/contact_memory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <tuple>
 
 namespace vibroimpact::periodic {
+
+namespace {
+
+// Of the time of a return.
+constexpr double near_return = 1e-9; // what the last step leaves is its square
+constexpr int most_return_steps = 30;
+constexpr double largest_return_step = 0.1;
+constexpr double least_return = 0.3, most_return = 3; // of the last one, where it is looked for
+constexpr int looks_for_return = 400;
+constexpr double least_angle = 1e-6; // sine of that between motion and plane, scaled
+
+} // namespace
 
 StroboscopicMap::StroboscopicMap(ForcedSystem &system, motion::VariationAccuracy accuracy,
                                  std::optional<Symmetry> symmetry)
@@ -39,6 +52,7 @@ Flow StroboscopicMap::flow(double from, double to, const Vector &state) const {
   motion::LinearisedMotion motion =
       (*lineariser_)({.time = begin, .physical = state}, end, keys, &pattern);
   Flow flow{.state = std::move(motion.end.physical),
+            .rates = motion.rates,
             .by_state = std::move(motion.by_state),
             .by_keys = Matrix(size(), static_cast<Index>(keys_.size())),
             .pattern = pattern.pattern(end),
@@ -64,14 +78,117 @@ Flow StroboscopicMap::image(const Section &section, const Vector &state) const {
   const std::vector<Index> unseen = idle(section.phase, state);
   Vector begin = state;
   begin(unseen).setZero();
-  Flow image = flow(section.phase, section.phase + section.length(), begin);
+  Flow image =
+      system_.free_period()
+          ? return_to_plane(section, begin)
+          : mirrored(section, flow(section.phase, section.phase + section.length(), begin));
   image.by_state(Eigen::all, unseen).setZero();
-  if (section.with_symmetry()) {
-    image.state = mirrored(section, image.state);
-    image.by_state = mirrored(section, image.by_state);
-    image.by_keys = mirrored(section, image.by_keys);
-  }
   return image;
+}
+
+Flow StroboscopicMap::mirrored(const Section &section, Flow flow) const {
+  if (!section.with_symmetry())
+    return flow;
+  flow.state = mirrored(section, flow.state);
+  flow.rates = mirrored(section, flow.rates);
+  flow.by_state = mirrored(section, flow.by_state);
+  flow.by_keys = mirrored(section, flow.by_keys);
+  return flow;
+}
+
+void StroboscopicMap::set_period(double period) const {
+  if (system_.free_period())
+    system_.free_period()->set_period(period);
+}
+
+// What a short time more or less on the motion makes up.
+void StroboscopicMap::project(const Plane &plane, Flow &flow) {
+  const double approach = plane.normal.dot(flow.rates);
+  const Vector along = flow.rates / approach;
+  flow.state -= along * plane.distance(flow.state);
+  flow.by_state -= along * (plane.normal.transpose() * flow.by_state);
+  flow.by_keys -= along * (plane.normal.transpose() * flow.by_keys);
+}
+
+// The period becomes that of the return, by Newton's method from the last one; false where that
+// leads away from it.
+bool StroboscopicMap::refine_return(const Section &section, const Plane &plane,
+                                    const Vector &begin) const {
+  for (int i = 0; i < most_return_steps; ++i) {
+    const Vector there = carry(0, section.length(), begin);
+    const Vector speed = mirrored(section, rates(0, there));
+    const double approach = plane.normal.dot(speed);
+    const double size =
+        plane.normal.cwiseQuotient(scale()).norm() * speed.cwiseProduct(scale()).norm();
+    if (!(approach > least_angle * size))
+      return false;
+    const double step = -plane.distance(mirrored(section, there)) / approach;
+    const double share = step / (section.length() * period());
+    if (std::abs(share) > largest_return_step)
+      return false;
+    set_period(period() * (1 + share));
+    if (std::abs(share) <= near_return)
+      return true;
+  }
+  return false;
+}
+
+// The passage that is nearest to the last return.
+double StroboscopicMap::look_for_return(const Section &section, const Plane &plane,
+                                        const Vector &begin) const {
+  const double last = section.length() * period();
+  motion::Trajectory &trajectory = start(0, begin);
+  const std::vector<Passage> found =
+      passages(plane, scale(), least_return * last, most_return * last, looks_for_return,
+               [&](double time) -> Vector {
+                 trajectory.advance(time);
+                 return mirrored(section, trajectory.motion_state().physical);
+               });
+  const auto nearest =
+      std::min_element(found.begin(), found.end(), [&](const Passage &a, const Passage &b) {
+        return std::abs(a.time - last) < std::abs(b.time - last);
+      });
+  return nearest == found.end() ? 0 : nearest->time / section.length();
+}
+
+void StroboscopicMap::find_return(const Section &section, const Plane &plane,
+                                  const Vector &begin) const {
+  const double last = period();
+  if (refine_return(section, plane, begin))
+    return;
+  set_period(last);
+  if (const double seen = look_for_return(section, plane, begin); seen > 0) {
+    set_period(seen);
+    if (refine_return(section, plane, begin))
+      return;
+  }
+  throw NumericalError("the motion does not come back to where it is cut near the period of " +
+                       std::to_string(last) + " s");
+}
+
+Flow StroboscopicMap::return_to_plane(const Section &section, const Vector &begin) const {
+  const Plane &plane = system_.free_period()->plane(
+      section.phase, [&] { return plane_across(begin, rates(0, begin), scale()); });
+  const double before = period();
+  try {
+    find_return(section, plane, begin);
+    Flow image = mirrored(section, flow(0, section.length(), begin));
+    project(plane, image);
+    return image;
+  } catch (const NumericalError &) {
+    set_period(before);
+    throw;
+  }
+}
+
+Flow StroboscopicMap::to_section(double from, double to, double phase, const Vector &state) const {
+  Flow there = flow(from, to, state);
+  if (!system_.free_period())
+    return there;
+  Plane plane = plane_across(there.state, there.rates, scale());
+  project(plane, there);
+  system_.free_period()->set_plane(phase, std::move(plane));
+  return there;
 }
 
 Vector StroboscopicMap::carry(double from, double to, const Vector &state) const {

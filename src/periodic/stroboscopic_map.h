@@ -11,6 +11,10 @@
 //
 // with x_p, x_x at fixed times and f = dx/dt.
 //
+// Where no excitation gives the period, the map goes back to a plane across the motion
+// (free_period.h), phases are times since the start in parts of the period and name the planes, and
+// a map of h half periods is one to the h-th return near there.
+//
 // Seen from another phase the same motion has another state but the same multipliers. An event that
 // passes the phase along a branch makes a kink in the state though the motion is smooth, so that
 // the phase is placed away from events.
@@ -40,6 +44,7 @@ struct Section {
 /// A motion with its derivatives; n physical states.
 struct Flow {
   Vector state;    ///< at the end, behind sigma^h
+  Vector rates;    ///< dx/dt there
   Matrix by_state; ///< n x n
   Matrix by_keys;  ///< n x keys, per unit of each
   EventPattern pattern;
@@ -69,6 +74,10 @@ public:
 
   /// NumericalError when the motion or its variation fails, Interrupted.
   Flow image(const Section &section, const Vector &state) const;
+  /// The same on the way to another section, onto its plane where the period is free.
+  Flow to_section(double from, double to, double phase, const Vector &state) const;
+  /// Of a free period, after motions that were only looked at; does nothing otherwise.
+  void set_period(double period) const;
   /// From one phase to a later one, which may be beyond the period.
   Flow flow(double from, double to, const Vector &state) const;
   /// The state alone.
@@ -91,6 +100,13 @@ public:
   }
 
 private:
+  Flow mirrored(const Section &section, Flow flow) const;
+  Flow return_to_plane(const Section &section, const Vector &begin) const;
+  void find_return(const Section &section, const Plane &plane, const Vector &begin) const;
+  bool refine_return(const Section &section, const Plane &plane, const Vector &begin) const;
+  double look_for_return(const Section &section, const Plane &plane, const Vector &begin) const;
+  static void project(const Plane &plane, Flow &flow);
+
   ForcedSystem &system_;
   motion::VariationAccuracy accuracy_;
   std::shared_ptr<motion::Lineariser> lineariser_; ///< of the system

@@ -48,8 +48,7 @@ public:
     return oscillator(lambda_, mu, f, stops_);
   }
   std::unique_ptr<StepRecord> steps(const std::vector<std::size_t> & /*index*/) override {
-    auto record = std::make_unique<Handed>(known, fresh);
-    return record;
+    return std::make_unique<testing::HandedSteps>(known, fresh);
   }
   System system() const { return oscillator(lambda_, mu_, f_, stops_); }
 
@@ -57,17 +56,6 @@ public:
   std::vector<std::string> known, fresh;
 
 private:
-  /// Leaves what it has been given to keep.
-  class Handed : public StepsInMemory {
-  public:
-    Handed(std::vector<std::string> known, std::vector<std::string> &into)
-        : StepsInMemory(std::move(known)), into_(into) {}
-    ~Handed() override { into_ = std::move(fresh); }
-
-  private:
-    std::vector<std::string> &into_;
-  };
-
   double lambda_, mu_, f_;
   Stops stops_;
 };

@@ -36,6 +36,18 @@ private:
   std::size_t taken_ = 0;
 };
 
+/// Leaves what it has been given to keep.
+class HandedSteps : public StepsInMemory {
+public:
+  /// Keeps a reference to `into`.
+  HandedSteps(std::vector<std::string> known, std::vector<std::string> &into)
+      : StepsInMemory(std::move(known)), into_(into) {}
+  ~HandedSteps() override { into_ = std::move(fresh); }
+
+private:
+  std::vector<std::string> &into_;
+};
+
 inline std::vector<std::string> first_of(const std::vector<std::string> &steps, std::size_t count) {
   return {steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(count)};
 }

@@ -6,10 +6,10 @@ U = sin(pi/b) / (b (1 + cos(pi/b))): amplitude sqrt(V^2 - U^2 f^2), as long as f
 (sin(s/b) + b U (cos s - cos(s/b))) / (b sin s) between 0 and pi. Free decay loses 2 f in each half cycle.
 """
 import numpy
+import scipy.optimize
 
 from systems import Table
 
-BELT_PERIOD = 5 + 2 * (numpy.pi - numpy.arctan(2.5))  # 2 (mu_s - mu) N / (k V) and the way back
 # With a stop in each half cycle, by integration with located events: b, f, amplitude.
 STOPS = [(0.6, 0.6, 1.4432241317), (2.0, 0.6, 0.1453942681)]
 # Time, x of siconos-tutorials, FrictionOscillator.ref, by steps of 0.01 of first order.
@@ -71,8 +71,45 @@ def check_belt(table, belt):
     top = numpy.flatnonzero((place[1:-1] > place[:-2]) & (place[1:-1] >= place[2:])) + 1
     step = time[1] - time[0]
     bend = (place[top - 1] - place[top + 1]) / (2 * (place[top - 1] - 2 * place[top] + place[top + 1]))
-    table.add("belt: period", BELT_PERIOD, numpy.diff(time[top] + step * bend).mean(), 1e-5)
+    table.add("belt: period", belt_period(0.2), numpy.diff(time[top] + step * bend).mean(), 1e-5)
     table.add("belt: largest displacement", 0.5 + numpy.sqrt(0.29), place.max(), 1e-4)
+
+
+def regained_speed(speed, ratio):
+    """Largest speed of the mass after it has slid back, less that of the belt; drop of the friction 0.5, damping ratio."""
+    omega = numpy.sqrt(1 - ratio**2)
+    offset = 0.5 - 2 * ratio * speed
+    start = numpy.array([offset, speed])
+    system = numpy.array([[0, 1], [-1, -2 * ratio]])
+
+    def state(time):
+        turn = numpy.cos(omega * time) * numpy.eye(2) + numpy.sin(omega * time) / omega * (system + ratio * numpy.eye(2))
+        return numpy.exp(-ratio * time) * turn @ start
+
+    top = scipy.optimize.brentq(lambda time: (system @ state(time))[1], numpy.pi / omega, 2 * numpy.pi / omega,
+                                xtol=1e-15)
+    return state(top)[1] - speed
+
+
+def belt_period(speed):
+    """Of stick and slip for m = k = N = 1 and a drop of the coefficient of 0.5, and no dashpot."""
+    return 1 / speed + 2 * (numpy.pi - numpy.arctan(0.5 / speed))
+
+
+def check_cycles(table):
+    """Motions that no excitation times."""
+    results = table.run("verification/belt.prm", "belt")
+    table.add("limit cycle: period", belt_period(0.2), results["analysis/cycle/period"][()], 1e-12)
+    table.add_whole("limit cycle: stable", [1], [int(results["analysis/cycle/stable"][()])])
+    branch = results["analysis/branch"]
+    speed, period = branch["Variables.speed"][:], branch["period"][:]
+    closed = belt_period(speed)
+    worst = numpy.argmax(abs(period / closed - 1))
+    table.add("limit cycles: period, worst along the speed", closed[worst], period[worst], 1e-12)
+    damped = table.run("verification/belt.prm", "damped", "Analyses=branch", "Variables/zeta=0.05")
+    end = scipy.optimize.brentq(regained_speed, 0.3, 1, args=(0.05,), xtol=1e-14)
+    table.add("speed at which stick ends, 5 % of critical damping", end,
+              damped["analysis/branch/Variables.speed"][:].max(), 1e-8)
 
 
 def check_benchmarks(table):
@@ -106,8 +143,14 @@ def boundary():
             for b in [*numpy.linspace(0.56, 0.92, 37), *numpy.linspace(1.08, 2, 47)]]
 
 
+def belt_periods():
+    """Rows of published/friction-belt-closed-form.csv: speed, period."""
+    return [(f"{speed:.2f}", f"{belt_period(speed):.6f}") for speed in numpy.linspace(0.1, 2, 20)]
+
+
 def check_curves(table):
-    for name, rows in (("friction-closed-form", closed_forms()), ("friction-boundary", boundary())):
+    for name, rows in (("friction-closed-form", closed_forms()), ("friction-boundary", boundary()),
+                       ("friction-belt-closed-form", belt_periods())):
         file = table.arguments.source / "docs" / "gallery" / "published" / f"{name}.csv"
         lines = [line for line in file.read_text(encoding="utf-8").splitlines() if not line.startswith("#")][1:]
         table.add_whole(f"points of {name}.csv", [len(rows)],
@@ -118,6 +161,7 @@ def check(table):
     results = table.run("friction-oscillator.prm", "oscillator")
     check_response(table, results)
     check_belt(table, results["analysis/belt"])
+    check_cycles(table)
     check_benchmarks(table)
     check_curves(table)
 

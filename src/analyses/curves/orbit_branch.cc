@@ -51,7 +51,7 @@ std::shared_ptr<const Analysis> OrbitBranch::create(const parameters::Values &an
 
 void OrbitBranch::check(const System &system) const {
   check_start(settings_.parameter, settings_.start_value, system, settings_.excitation, "A branch");
-  const std::size_t source = sweep_source(system, settings_.excitation, "A branch");
+  const auto source = period_source(system, settings_.excitation, "A branch");
   OrbitSearch search(system, source, settings_.start);
   search.forced().trajectory().start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
@@ -64,7 +64,7 @@ std::vector<std::vector<parameters::Override>> OrbitBranch::variants() const {
 PointResult OrbitBranch::compute(System &system, LineContext &context) const {
   const double value = start_value(settings_.parameter, settings_.start_value, system,
                                    settings_.excitation, "A branch");
-  OrbitSearch search(system, sweep_source(system, settings_.excitation, "A branch"),
+  OrbitSearch search(system, period_source(system, settings_.excitation, "A branch"),
                      settings_.start);
   const std::unique_ptr<StepRecord> steps = context.steps({});
   const periodic::Orbit orbit =
@@ -72,7 +72,8 @@ PointResult OrbitBranch::compute(System &system, LineContext &context) const {
   const double range = settings_.parameter.values.back() - settings_.parameter.values.front();
   const Vector sizes = problem_sizes(search.map(), orbit, Vector::Constant(1, range));
   KeyedMap maps({settings_.parameter}, settings_.excitation, system, context,
-                orbit_accuracy(system, search.forced()), search.map().norm(orbit.point.state));
+                orbit_accuracy(system, search.forced()), search.map().norm(orbit.point.state),
+                search.free_period());
   const long halves = maps.symmetric() ? orbit.section.halves : 2 * orbit.multiple();
   const auto problem = std::make_shared<OrbitProblem>(maps, halves, sizes);
   BranchTable table(settings_.parameter, maps, settings_.recorders);

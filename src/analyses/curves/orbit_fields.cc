@@ -25,6 +25,7 @@ struct OrbitLabels {
   Label phase{"section_phase", "1",
               "phase of the forcing, as a share of its period, at which the motion was cut, away "
               "from contact changes"};
+  Label period{"period", "s", "time after which the motion repeats itself"};
   Label iterations{"newton_iterations", "1", "iterations of Newton's method for the motion"};
   Label without{
       "events_without_derivative", "1",
@@ -83,6 +84,8 @@ void add_orbit(const FieldWriter &result, const periodic::StroboscopicMap &map,
   listed.number(labels.multiple, static_cast<double>(orbit.multiple()));
   listed.number(labels.symmetric, orbit.symmetric() ? 1 : 0);
   listed.number(labels.phase, orbit.section.phase);
+  if (map.system().free_period())
+    listed.number(labels.period, static_cast<double>(orbit.multiple()) * map.period());
   listed.number(labels.iterations, static_cast<double>(orbit.iterations));
   listed.number(labels.without, static_cast<double>(orbit.point.image.without_derivative));
   result.array(labels.state, state_at_zero);

@@ -120,7 +120,7 @@ void OrbitLocus::check(const System &system) const {
   for (std::size_t k = 0; k < 2; ++k)
     check_start(settings_.keys[k], settings_.start_values[k], system, settings_.excitation,
                 locus_subject);
-  OrbitSearch search(system, sweep_source(system, settings_.excitation, locus_subject),
+  OrbitSearch search(system, period_source(system, settings_.excitation, locus_subject),
                      settings_.start);
   search.forced().trajectory().start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
@@ -132,7 +132,7 @@ std::vector<std::vector<parameters::Override>> OrbitLocus::variants() const {
 
 OrbitLocus::Motion OrbitLocus::first_motion(System &system, LineContext &context,
                                             StepRecord *steps) const {
-  OrbitSearch search(system, sweep_source(system, settings_.excitation, locus_subject),
+  OrbitSearch search(system, period_source(system, settings_.excitation, locus_subject),
                      settings_.start);
   Motion motion{.orbit = search.run([&](long /*periods*/) { context.note_progress(0); }, steps)};
   Vector ranges(2);
@@ -142,12 +142,14 @@ OrbitLocus::Motion OrbitLocus::first_motion(System &system, LineContext &context
   motion.sizes = problem_sizes(search.map(), motion.orbit, ranges);
   motion.accuracy = orbit_accuracy(system, search.forced());
   motion.size = search.map().norm(motion.orbit.point.state);
+  motion.period = search.free_period();
   return motion;
 }
 
 KeyedMap OrbitLocus::maps(std::vector<SweptParameter> keys, const Motion &motion, System &system,
                           LineContext &context) const {
-  return {std::move(keys), settings_.excitation, system, context, motion.accuracy, motion.size};
+  return {std::move(keys), settings_.excitation, system,       context,
+          motion.accuracy, motion.size,          motion.period};
 }
 
 // At the second key's value in the file.

@@ -40,7 +40,8 @@ private:
     periodic::Orbit orbit;
     Vector sizes{}; ///< of OrbitProblem in two keys
     motion::VariationAccuracy accuracy{};
-    double size = 0; ///< of its state, scaled
+    double size = 0;                                ///< of its state, scaled
+    std::shared_ptr<periodic::FreePeriod> period{}; ///< where it is free
   };
   Vector start_values(const System &system) const;
   Motion first_motion(System &system, LineContext &context, StepRecord *steps) const;

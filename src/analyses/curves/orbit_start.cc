@@ -1,5 +1,6 @@
 #include "analyses/curves/orbit_start.h"
 
+#include "analyses/curves/first_return.h"
 #include "analyses/run/single_point.h"
 #include "analyses/run/stored_state.h"
 #include "analyses/sweeps/steadiness.h"
@@ -7,6 +8,7 @@
 #include "common/recorded_step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace vibroimpact::analyses {
@@ -23,9 +25,10 @@ struct FoundOrbit {
   double phase = 0; ///< of the section [periods]
   long halves = 0;
   Vector state;
+  std::vector<double> free_period; ///< periodic::FreePeriod::numbers()
 };
 void members(auto &visit, As<FoundOrbit> auto &found) {
-  visit(found.phase, found.halves, found.state);
+  visit(found.phase, found.halves, found.state, found.free_period);
 }
 
 } // namespace
@@ -45,12 +48,19 @@ void declare_orbit_start(parameters::Section &section) {
       "Period multiple", "0", Range{.lower = 0, .upper = 1000}, "p",
       "Forcing periods after which the motion repeats itself, or a multiple of them; 0: "
       "those of the settled motion, 1 where it is not steady yet or a state is given.");
+  section.quantity(
+      "Period", "0", dimension::time, range::non_negative, "T_0",
+      "About the period of a motion that no excitation times, such as that of a belt: where "
+      "nothing changes with time the period is found together with the motion. Settling cycles are "
+      "of this length, and the first return within twenty of them is where Newton's method starts. "
+      "0: the period of the lowest natural frequency.");
 }
 
 OrbitStart read_orbit_start(const parameters::Values &section) {
   OrbitStart start{.settling = read_settling(section),
                    .state = section.quantities("State"),
                    .multiple = section.integer("Period multiple"),
+                   .period = section.quantity("Period"),
                    .section = section};
   if (section.has("State run") && section.has("State"))
     section.reject("State run", "must not be set when State is set");
@@ -64,15 +74,29 @@ OrbitStart read_orbit_start(const parameters::Values &section) {
 
 namespace {
 
-// A direction without stiffness: M^(-1/2) K M^(-1/2), with the squares of the natural frequencies
-// as eigenvalues, is singular up to rounding.
-bool moves_as_a_rigid_body(const model::Model &model) {
+// Squares of the natural frequencies, ascending, those of rigid-body motions zero [rad^2/s^2]: the
+// eigenvalues of M^(-1/2) K M^(-1/2).
+Vector squared_frequencies(const model::Model &model) {
   constexpr double rounding = 1e-10;
   if (model.size() == 0)
-    return false;
+    return {};
   const auto unit = model.mass().cwiseSqrt().cwiseInverse().asDiagonal();
-  const Vector squares = symmetric_eigen(unit * model.stiffness().dense() * unit).values.cwiseAbs();
-  return squares.minCoeff() <= rounding * squares.maxCoeff();
+  const Vector squares = symmetric_eigen(unit * model.stiffness().dense() * unit).values;
+  const double negligible = rounding * squares.cwiseAbs().maxCoeff();
+  return squares.unaryExpr([&](double square) { return square > negligible ? square : 0; });
+}
+
+bool moves_as_a_rigid_body(const model::Model &model) {
+  const Vector squares = squared_frequencies(model);
+  return squares.size() > 0 && squares[0] == 0;
+}
+
+/// [s]; 0: there is no natural frequency.
+double longest_natural_period(const model::Model &model) {
+  for (const double square : squared_frequencies(model))
+    if (square > 0)
+      return 2 * std::numbers::pi / std::sqrt(square);
+  return 0;
 }
 
 } // namespace
@@ -106,9 +130,24 @@ motion::VariationAccuracy orbit_accuracy(const System &system,
           .tolerance = std::min(1e-10, system.integration.relative_tolerance)};
 }
 
-OrbitSearch::OrbitSearch(const System &system, std::size_t source, const OrbitStart &start)
-    : system_(system), start_(start),
-      forced_(system.model, system.contacts, system.integration, source) {
+namespace {
+
+periodic::ForcedSystem periodic_system(const System &system, std::optional<std::size_t> source,
+                                       const OrbitStart &start) {
+  if (source)
+    return {system.model, system.contacts, system.integration, *source};
+  auto free = std::make_shared<periodic::FreePeriod>(
+      start.period > 0 ? start.period : longest_natural_period(system.model));
+  if (!(free->period() > 0))
+    start.section.value().reject("Period", "must be given: the model has no natural frequency");
+  return {system.model, system.contacts, system.integration, std::move(free)};
+}
+
+} // namespace
+
+OrbitSearch::OrbitSearch(const System &system, std::optional<std::size_t> source,
+                         const OrbitStart &start)
+    : system_(system), start_(start), forced_(periodic_system(system, source, start)) {
   const auto size = static_cast<std::size_t>(forced_.layout().physical_size());
   if (!start.state.empty() && start.state.size() != size)
     start.section.value().reject(
@@ -117,15 +156,30 @@ OrbitSearch::OrbitSearch(const System &system, std::size_t source, const OrbitSt
             " numbers: coordinates, their rates, internal states of contacts; or none");
 }
 
+// Without forcing the motion is only let go on: it repeats itself after no time that is known.
 OrbitSearch::FirstState
 OrbitSearch::first_state(const std::function<void(long periods)> &after_period) {
+  FirstState first = settled_state(after_period);
+  if (free_period()) {
+    first.multiple = 1;
+    first.period = first_return(forced_, first.state, scale_);
+  }
+  return first;
+}
+
+OrbitSearch::FirstState
+OrbitSearch::settled_state(const std::function<void(long periods)> &after_period) {
   if (!start_.state.empty())
     return {.state = ConstVectorView(start_.state.data(), static_cast<Index>(start_.state.size()))};
   motion::Trajectory &trajectory = forced_.trajectory();
   trajectory.start(0, system_.initial.displacement, system_.initial.velocity);
-  const SettledMotion settled =
-      Settler(trajectory)(forced_.period(), scale_, start_.settling, after_period);
-  if (start_.settling.maximum > 0)
+  SettlingRule rule = start_.settling;
+  if (free_period()) {
+    rule.newton_after.reset();
+    rule.without_approach = 0;
+  }
+  const SettledMotion settled = Settler(trajectory)(forced_.period(), scale_, rule, after_period);
+  if (start_.settling.maximum > 0 && !free_period())
     settled_multiple_ = settled.multiple;
   return {.state = settled.state.physical,
           .multiple = std::max(1L, settled.multiple),
@@ -139,6 +193,8 @@ periodic::Orbit OrbitSearch::run(const std::function<void(long periods)> &after_
   const FirstState first =
       recorded(steps, "settled motion", [&] { return first_state(after_period); });
   cycles_ = first.cycles;
+  if (free_period())
+    free_period()->set_period(first.period);
   const double size = first.state.cwiseProduct(scale_).cwiseAbs().maxCoeff();
   map_.emplace(forced_, std::move(accuracy), Symmetry::find(forced_, scale_, size > 0 ? size : 1));
   const long multiple = start_.multiple > 0 ? start_.multiple : first.multiple;
@@ -146,8 +202,11 @@ periodic::Orbit OrbitSearch::run(const std::function<void(long periods)> &after_
     return find_orbit(*map_, multiple, first.state);
   const FoundOrbit found = recorded(steps, "orbit", [&] {
     const periodic::Orbit orbit = find_orbit(*map_, multiple, first.state);
-    return FoundOrbit{orbit.section.phase, orbit.section.halves, orbit.point.state};
+    return FoundOrbit{orbit.section.phase, orbit.section.halves, orbit.point.state,
+                      free_period() ? free_period()->numbers() : std::vector<double>{}};
   });
+  if (free_period())
+    free_period()->restore(found.free_period);
   return {.section = {.phase = found.phase, .halves = found.halves},
           .point = {.state = found.state, .image = {}}};
 }

@@ -16,20 +16,23 @@ namespace vibroimpact::analyses {
 struct OrbitStart {
   SettlingRule
       settling{}; ///< from the initial conditions; no periods: they are the start themselves
-  std::vector<double> state{};                 ///< at phase 0; empty: the settled one
-  long multiple = 0;                           ///< [periods]; 0: that of the settled motion
+  std::vector<double> state{}; ///< at phase 0; empty: the settled one
+  long multiple = 0;           ///< [periods]; 0: that of the settled motion
+  /// About the period where no excitation gives one; 0: that of the lowest natural frequency [s]
+  double period = 0;
   std::optional<parameters::Values> section{}; ///< for messages
 };
 
 void declare_orbit_start(parameters::Section &section);
 OrbitStart read_orbit_start(const parameters::Values &section);
 
-/// A forced system with its map, which knows whether it is symmetric, and how motions of it begin.
+/// A system with its map, which knows whether it is symmetric, and how motions of it begin.
 class OrbitSearch {
 public:
-  /// Keeps references. InputError when the system has no periodic motions, or a state of the start
-  /// another number of entries.
-  OrbitSearch(const System &system, std::size_t source, const OrbitStart &start);
+  /// Keeps references. `source`: the excitation that gives the period, none where it is free.
+  /// InputError when the system has no periodic motions, or a state of the start another number of
+  /// entries.
+  OrbitSearch(const System &system, std::optional<std::size_t> source, const OrbitStart &start);
 
   /// Settles, finds the symmetry, and shoots. `after_period` as for Settler. Where steps are kept,
   /// the orbit is one, without its image. NumericalError.
@@ -37,6 +40,8 @@ public:
                       StepRecord *steps = nullptr);
 
   periodic::ForcedSystem &forced() { return forced_; }
+  /// Null where an excitation gives the period.
+  const std::shared_ptr<periodic::FreePeriod> &free_period() const { return forced_.free_period(); }
   /// Made by run().
   periodic::StroboscopicMap &map() { return *map_; }
   long settling_cycles() const { return cycles_; }
@@ -49,13 +54,15 @@ private:
   struct FirstState {
     Vector state;
     long multiple = 1;
-    long cycles = 0; ///< until it had settled
+    long cycles = 0;   ///< until it had settled
+    double period = 0; ///< where it is free [s]
 
     friend void members(auto &visit, As<FirstState> auto &first) {
-      visit(first.state, first.multiple, first.cycles);
+      visit(first.state, first.multiple, first.cycles, first.period);
     }
   };
   FirstState first_state(const std::function<void(long periods)> &after_period);
+  FirstState settled_state(const std::function<void(long periods)> &after_period);
 
   const System &system_;
   const OrbitStart &start_;

@@ -34,8 +34,12 @@ std::shared_ptr<const Analysis> PeriodicOrbit::create(const parameters::Values &
 }
 
 void PeriodicOrbit::check(const System &system) const {
-  OrbitSearch search(system, sweep_source(system, settings_.excitation, "A periodic orbit"),
+  OrbitSearch search(system, period_source(system, settings_.excitation, "A periodic orbit"),
                      settings_.start);
+  if (search.free_period() && !settings_.keys.empty())
+    throw InputError(
+        "Derivatives of a periodic orbit need an excitation that gives the period; here "
+        "nothing changes with time, and the period is found with the motion.");
   search.forced().trajectory().start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
 }
@@ -58,7 +62,7 @@ void PeriodicOrbit::add_all_derivatives(PointResult &result, const RecordedOrbit
 }
 
 PointResult PeriodicOrbit::compute(const System &system, LineContext &context) const {
-  OrbitSearch search(system, sweep_source(system, settings_.excitation, "A periodic orbit"),
+  OrbitSearch search(system, period_source(system, settings_.excitation, "A periodic orbit"),
                      settings_.start);
   const periodic::Orbit orbit = search.run([&](long periods) {
     context.note_progress(static_cast<double>(periods) /

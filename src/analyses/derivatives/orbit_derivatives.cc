@@ -55,7 +55,7 @@ struct Recorded {
 
 Recorded record(const System &system, const Vector &state, const RecordedOrbit &motion) {
   periodic::ForcedSystem forced(system.model, system.contacts, system.integration,
-                                motion.map.system().source());
+                                *motion.map.system().source());
   const double start = motion.orbit.section.phase * forced.period();
   WindowRecording recording(motion.recorders, system);
   forced.trajectory().start({.time = start, .physical = state});
@@ -144,7 +144,7 @@ void add_derivatives(const FieldWriter &result, const OrbitKey &key, const Recor
                                                      &motion.system);
   const std::vector<KeyNeighbour> neighbours =
       key.parameter.is_frequency()
-          ? frequency_neighbours(present_system, motion.map.system().source())
+          ? frequency_neighbours(present_system, *motion.map.system().source())
           : key_neighbours(key.parameter, key.parameter.values[0], build);
   periodic::ForcedKey forced = forced_key(key.name, motion.map.system(), neighbours);
   motion.map.set_keys({&forced});

@@ -103,7 +103,7 @@ PointResult measure_tangents(const RecordedOrbit &motion, periodic::ForcedKey &k
                              const std::vector<motion::KeyNeighbour> &neighbours,
                              const Vector &by_key) {
   periodic::ForcedSystem forced(motion.system.model, motion.system.contacts,
-                                motion.system.integration, motion.map.system().source());
+                                motion.system.integration, *motion.map.system().source());
   const double phase = motion.orbit.section.phase, start = phase * forced.period();
   const TangentWindow window{
       .start = {.time = start, .physical = motion.orbit.point.state},

@@ -71,13 +71,14 @@ continuation::Settings read_steps(const parameters::Values &section) {
 
 double start_value(const SweptParameter &parameter, double read, const System &system,
                    const std::string &excitation, const std::string &who) {
+  if (!parameter.is_frequency())
+    return read;
   const std::size_t source = sweep_source(system, excitation, who);
-  return parameter.is_frequency() ? 1 / system.model.sources()[source].function->period() : read;
+  return 1 / system.model.sources()[source].function->period();
 }
 
 void check_start(const SweptParameter &parameter, double read, const System &system,
                  const std::string &excitation, const std::string &who) {
-  const model::Source &source = system.model.sources()[sweep_source(system, excitation, who)];
   const double value = start_value(parameter, read, system, excitation, who);
   const double first = parameter.values.front(), last = parameter.values.back();
   if (value < first || value > last)
@@ -85,7 +86,10 @@ void check_start(const SweptParameter &parameter, double read, const System &sys
                      std::to_string(value) + " " + parameter.unit +
                      ", which must lie between its ends, " + std::to_string(first) + " and " +
                      std::to_string(last) + " " + parameter.unit + ".");
-  if (parameter.is_frequency() && !source.function->with_frequency(1))
+  if (!parameter.is_frequency())
+    return;
+  const model::Source &source = system.model.sources()[sweep_source(system, excitation, who)];
+  if (!source.function->with_frequency(1))
     throw InputError("The excitation " + source.name +
                      " has no frequency that a branch could change; its History must be harmonic.");
 }

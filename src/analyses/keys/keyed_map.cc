@@ -13,9 +13,18 @@ using periodic::StroboscopicMap;
 using periodic::Symmetry;
 
 KeyedMap::KeyedMap(std::vector<SweptParameter> keys, const std::string &excitation, System &system,
-                   const LineContext &context, motion::VariationAccuracy accuracy, double size)
-    : keyed_(std::move(keys), excitation, "A branch", system, context),
+                   const LineContext &context, motion::VariationAccuracy accuracy, double size,
+                   std::shared_ptr<periodic::FreePeriod> period)
+    : keyed_(std::move(keys), excitation, "A branch", system, context), free_(std::move(period)),
       accuracy_(std::move(accuracy)) {
+  if (free_) {
+    Vector ranges(static_cast<Index>(keyed_.keys().size()));
+    for (Index k = 0; k < ranges.size(); ++k) {
+      const std::vector<double> &values = keyed_.keys()[static_cast<std::size_t>(k)].values;
+      ranges[k] = values.back() - values.front();
+    }
+    free_->set_key_sizes(std::move(ranges));
+  }
   find_symmetry(size);
 }
 
@@ -43,7 +52,9 @@ void KeyedMap::make_forced(Maps &maps) const {
   const System &present = system();
   const contact::ContactSet &contacts = maps.contacts ? *maps.contacts : present.contacts;
   maps.forced =
-      std::make_unique<ForcedSystem>(present.model, contacts, present.integration, keyed_.source());
+      free_ ? std::make_unique<ForcedSystem>(present.model, contacts, present.integration, free_)
+            : std::make_unique<ForcedSystem>(present.model, contacts, present.integration,
+                                             keyed_.source());
   if (maps.forced->layout().physical_size() == accuracy_.scale.size())
     return;
   const std::vector<SweptParameter> &keys = keyed_.keys();
@@ -99,6 +110,8 @@ Vector KeyedMap::within_ends(Vector values) const {
 
 const StroboscopicMap &KeyedMap::at(const Vector &point) {
   const Vector values = within_ends(point);
+  if (free_)
+    free_->recall(values);
   if (values_ && *values_ == values)
     return *maps_.map;
   try {

@@ -12,14 +12,17 @@ namespace vibroimpact::analyses {
 
 class KeyedMap : public periodic::MapAlongKeys {
 public:
-  /// Keys, system and context as for KeyedSystem. Maps measure states by `accuracy`; `size` as for
-  /// Symmetry::find(), which must hold at all ends of the keys. InputError.
+  /// Keys, system and context as for KeyedSystem; `period`: where it is free, null otherwise. Maps
+  /// measure states by `accuracy`; `size` as for Symmetry::find(), which must hold at all ends of
+  /// the keys. InputError.
   KeyedMap(std::vector<SweptParameter> keys, const std::string &excitation, System &system,
-           const LineContext &context, motion::VariationAccuracy accuracy, double size);
+           const LineContext &context, motion::VariationAccuracy accuracy, double size,
+           std::shared_ptr<periodic::FreePeriod> period = {});
 
   const periodic::StroboscopicMap &at(const Vector &point) override;
   const periodic::StroboscopicMap &overlooking(const Vector &values,
                                                const periodic::Overlooked &overlooked) override;
+  periodic::FreePeriod *free_period() override { return free_.get(); }
   /// Of the last at().
   const System &system() const { return *keyed_.system(); }
   motion::Trajectory &trajectory() { return maps_.forced->trajectory(); }
@@ -44,6 +47,7 @@ private:
   Neighbours neighbours(const Vector &values) const;
 
   KeyedSystem keyed_;
+  std::shared_ptr<periodic::FreePeriod> free_;
   motion::VariationAccuracy accuracy_;
   std::optional<periodic::Symmetry> symmetry_;
   Maps maps_;

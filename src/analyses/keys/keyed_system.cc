@@ -1,6 +1,7 @@
 #include "analyses/keys/keyed_system.h"
 
 #include "common/error.h"
+#include "periodic/forced_system.h"
 
 #include <algorithm>
 #include <array>
@@ -45,6 +46,13 @@ std::size_t sweep_source(const System &system, const std::string &name, const st
     throw InputError("The excitation " + sources[found].name +
                      " has no frequency; its History must be harmonic or ramped harmonic.");
   return found;
+}
+
+std::optional<std::size_t> period_source(const System &system, const std::string &name,
+                                         const std::string &who) {
+  if (name.empty() && periodic::is_autonomous(system.model))
+    return std::nullopt;
+  return sweep_source(system, name, who);
 }
 
 std::vector<motion::KeyNeighbour> key_neighbours(const SweptParameter &key, double value,

@@ -6,6 +6,7 @@
 #include "motion/variation/key_tangent.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,11 @@ namespace vibroimpact::analyses {
 /// it: "A stepped sweep".
 std::size_t sweep_source(const System &system, const std::string &name,
                          const std::string &who = "A stepped sweep");
+
+/// The same for periodic motions; none where no excitation is named and none changes with time: the
+/// period is then to be found.
+std::optional<std::size_t> period_source(const System &system, const std::string &name,
+                                         const std::string &who);
 
 /// Four neighbours of the system at `value` of the key [its unit], a thousandth of the value apart
 /// (of the largest of its values where it is zero), on both sides or, where the system cannot be
