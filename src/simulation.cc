@@ -352,9 +352,10 @@ RunSummary Simulation::run(const RunOptions &options) {
     outlines.push_back(reduction::beam_outlines(parameters_->root().instance("Body", body->name),
                                                 body->name, file_folder(), communicator_));
   }
-  output::FileSink sink(
-      communicator_, folder, run_information(*parameters_, options.command_line, communicator_),
-      reduced, std::chrono::seconds(60), std::move(derived), contacts, std::move(outlines));
+  output::FileSink sink(communicator_, folder,
+                        run_information(*parameters_, options.command_line, communicator_), reduced,
+                        std::chrono::seconds(60), std::move(derived), contacts, std::move(outlines),
+                        output::read_yield_stresses(parameters_->root(), reduced));
   int rank = 0;
   MPI_Comm_rank(communicator_, &rank);
   if (rank == 0) {

@@ -12,7 +12,7 @@ project = "vibroimpact"
 author = copyright = "The vibroimpact developers"  # noqa: A001
 root_doc = "README"
 include_patterns = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md", "docs/developer/*.md",
-                    "docs/gallery/*.md", "docs/tutorials/*.md"]
+                    "docs/gallery/*.md", "docs/parameters/*.md", "docs/tutorials/*.md"]
 extensions = ["myst_parser", "sphinx.ext.mathjax"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 6
@@ -34,7 +34,7 @@ WORKS = sources.entries()
 ROOT = Path(__file__).resolve().parents[2]
 LINK = re.compile(r"\]\(([\w./-]+\.md)\)")
 FOLDER = re.compile(r"\[([^\]]+)\]\((?:published|tables)\)")  # links to these have no page
-GALLERY = "docs/gallery/README"
+FOLDERS = {"docs/gallery/README": "Gallery", "docs/parameters/README": "Parameters"}
 
 
 def page(link):
@@ -59,9 +59,9 @@ def add_contents(app, name, source):
         source[0] += sources.listed(WORKS)
     if name == root_doc:
         source[0] += "".join(contents())
-    elif name == GALLERY:
-        pages = sorted(file.stem for file in (ROOT / "docs" / "gallery").glob("*.md") if file.stem != "README")
-        source[0] += toctree("Gallery", pages)
+    elif name in FOLDERS:
+        pages = sorted(file.stem for file in (ROOT / name).parent.glob("*.md") if file.stem != "README")
+        source[0] += toctree(FOLDERS[name], pages)
     elif name == "docs/README":
         source[0] = "---\norphan: true\n---\n" + source[0]
 

@@ -330,6 +330,14 @@ void write_body(Hdf5File &file, const ReducedBody &body, bool dimensionless) {
   write_recovery(group, body.recovery);
 }
 
+void write_yield_stresses(Hdf5File &file, const YieldStresses &yield_stresses, bool dimensionless) {
+  for (const auto &[body, stress] : yield_stresses) {
+    const std::string path = "/body/" + body + "/yield_stress";
+    file.write(path, {}, std::vector<double>{stress});
+    describe(file, path, dimensionless ? "1" : "Pa", "Yield stress of the Material");
+  }
+}
+
 void write_contacts(Hdf5File &file, const std::vector<contact::ContactFigures> &contacts,
                     bool dimensionless) {
   if (contacts.empty())

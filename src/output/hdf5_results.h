@@ -18,6 +18,7 @@
 #include "contact/truncation.h"
 #include "derived/analysis_arrays.h"
 #include "derived/labelled_array.h"
+#include "output/yield_excess.h"
 #include "reduction/reduced_body.h"
 
 #include <string>
@@ -39,6 +40,8 @@ struct RunInformation {
 
 void write_information(Hdf5File &file, const RunInformation &information);
 void write_body(Hdf5File &file, const reduction::ReducedBody &body, bool dimensionless);
+/// Behind the bodies: /body/NAME/yield_stress of those that have one.
+void write_yield_stresses(Hdf5File &file, const YieldStresses &yield_stresses, bool dimensionless);
 /// Nothing without contacts.
 void write_contacts(Hdf5File &file, const std::vector<contact::ContactFigures> &contacts,
                     bool dimensionless);

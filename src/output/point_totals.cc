@@ -33,6 +33,7 @@ void PointTotals::add(const PointResult &point) {
   elsewhere_ += analyses::settled_elsewhere(point) ? 1 : 0;
   unbalanced_ += analyses::unbalanced(point) ? 1 : 0;
   undecided_ += analyses::undecided_events(point);
+  yield_.add(point);
   has_motion_ = has_motion_ || !point.motion.empty();
   if (point.status != Status::failed)
     return;
@@ -62,6 +63,7 @@ void PointTotals::add_to(SummaryList &list, const std::string &prefix) const {
   add(prefix + ".unsettled_points", static_cast<double>(unsettled_));
   add(prefix + ".unbalanced_points", static_cast<double>(unbalanced_));
   add(prefix + ".total_undecided_events", undecided_);
+  yield_.add_to(list, prefix);
 }
 
 std::string PointTotals::failures() const {

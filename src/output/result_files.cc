@@ -34,10 +34,12 @@ bool same_axes(const AnalysisHeader &one, const AnalysisHeader &other) {
 FileSink::FileSink(MPI_Comm communicator, RunFolder &folder, RunInformation information,
                    std::vector<ReducedBody> bodies, std::chrono::duration<double> rebuild_interval,
                    derived::DerivedQuantities derived,
-                   std::vector<contact::ContactFigures> contacts, Outlines outlines)
+                   std::vector<contact::ContactFigures> contacts, Outlines outlines,
+                   YieldStresses yield_stresses)
     : communicator_(communicator), folder_(folder), information_(std::move(information)),
       bodies_(std::move(bodies)), derived_(std::move(derived)), contacts_(std::move(contacts)),
-      outlines_(std::move(outlines)), rebuild_interval_(rebuild_interval),
+      outlines_(std::move(outlines)), yield_stresses_(std::move(yield_stresses)),
+      rebuild_interval_(rebuild_interval),
       next_rebuild_(Clock::now() + std::chrono::duration_cast<Clock::duration>(rebuild_interval)) {
   run_on_all_ranks(communicator_, [this] {
     record_writer_ = std::make_unique<RecordWriter>(folder_.journal_file(rank_in(communicator_)));
@@ -136,6 +138,8 @@ void FileSink::tell_totals() const {
     log::warning(prefix + elsewhere);
   if (const std::string unsettled = totals_.unsettled(); !unsettled.empty())
     log::info(prefix + unsettled);
+  for (const std::string &excess : totals_.yield().warnings())
+    log::warning(prefix + excess);
 }
 
 std::vector<StoredAnalysis> FileSink::replace_files() {
@@ -161,6 +165,7 @@ std::vector<SummaryList> FileSink::write_results(const std::filesystem::path &fi
   write_information(results, information_);
   for (const ReducedBody &body : bodies_)
     write_body(results, body, information_.dimensionless);
+  write_yield_stresses(results, yield_stresses_, information_.dimensionless);
   write_contacts(results, contacts_, information_.dimensionless);
   for (const auto &[stored, points] : analyses) {
     AnalysisHeader header = stored;
@@ -202,7 +207,7 @@ SummaryList FileSink::summary(const std::vector<StoredAnalysis> &analyses,
     list.append(body_summary(body));
   list.append(contact_summary(contacts_));
   for (std::size_t a = 0; a < analyses.size(); ++a) {
-    PointTotals totals;
+    PointTotals totals(yield_stresses_);
     list.append(analysis_summary(analyses[a].header, analyses[a].points.sequence(), totals));
     list.append(derived[a]);
     if (analyses[a].header.name == header_.name)

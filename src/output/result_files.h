@@ -29,7 +29,7 @@ public:
            std::chrono::duration<double> rebuild_interval = std::chrono::seconds(60),
            derived::DerivedQuantities derived = {},
            std::vector<contact::ContactFigures> contacts = {},
-           std::vector<std::vector<Matrix>> outlines = {});
+           std::vector<std::vector<Matrix>> outlines = {}, YieldStresses yield_stresses = {});
 
   /// Throws std::logic_error when the analysis was begun before in this run, and InputError when a
   /// resumed folder holds the analysis with other axes.
@@ -79,8 +79,9 @@ private:
   derived::DerivedQuantities derived_;
   std::vector<contact::ContactFigures> contacts_;
   std::vector<std::vector<Matrix>> outlines_; ///< of the cross-sections of each body
-  std::vector<std::string> problems_;         ///< of derived quantities, on rank 0
-  std::string unwritten_; ///< why the last files could not be written, on rank 0
+  YieldStresses yield_stresses_;
+  std::vector<std::string> problems_; ///< of derived quantities, on rank 0
+  std::string unwritten_;             ///< why the last files could not be written, on rank 0
   std::unique_ptr<RecordWriter> record_writer_;
   std::set<std::string> begun_;
   AnalysisHeader header_;

@@ -56,7 +56,11 @@ void declare_material(Section &body) {
           "Counts for the torsion of beams, for shells and for solids, where it is less than 0.5.")
       .quantity("Density", "", dimension::density, range::non_negative, "\\rho",
                 "0 for a massless body between lumped masses.")
-      .required("Type = beam, or shell or solid with a section that has none");
+      .required("Type = beam, or shell or solid with a section that has none")
+      .quantity(
+          "Yield stress", "", dimension::stress, range::positive, "\\sigma_y",
+          "Of the whole body. Recorded von Mises stresses beyond it are reported; it changes no "
+          "result.");
 }
 
 void declare_support(Section &body) {

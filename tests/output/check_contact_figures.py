@@ -4,6 +4,7 @@ import sys
 import tempfile
 import unittest
 import unittest.mock
+import warnings
 from pathlib import Path
 
 PROGRAM = Path(sys.argv[1]).resolve()
@@ -18,6 +19,7 @@ from matplotlib.colors import to_rgb  # noqa: E402
 from plot_examples import Writer, write_all  # noqa: E402
 from vibroimpact.plots import transient  # noqa: E402
 from vibroimpact.plots.figure_list import figures  # noqa: E402
+from vibroimpact.plots.labels import Scale  # noqa: E402
 from vibroimpact.plots.results import Results  # noqa: E402
 
 
@@ -42,6 +44,21 @@ class Contacts(unittest.TestCase):
                 longest[fine] = max(len(line.get_xdata()) for line in axes.get_lines())
             self.assertGreaterEqual(longest[True], samples)
             self.assertLess(longest[False], samples)
+
+    def test_a_case_with_fewer_impacts_than_another_has_as_many_stems(self):
+        times = np.array([[0.1, 0.2, 0.3], [0.1, np.nan, np.nan]])
+        with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
+            warnings.simplefilter("error")
+            writer = Writer(Path(folder))
+            writer.analysis("grid", "transient", [("Variables.gap", np.arange(2.0), "m")], ["Variables/gap"])
+            for name, unit, factor in (("peak_time", "s", 1), ("peak_force", "N", 10)):
+                writer.field(f"contact/stop/impact/{name}", factor * times, unit, ["impact"])
+            writer.file.close()
+            axes = plt.figure().subplots()
+            with Results(Path(folder)) as results:
+                grid = results.analysis("grid")
+                transient.draw_peaks(axes, grid, transient.impact_peaks(grid, "stop"), Scale(1.0, "s"), Scale(1.0, "N"))
+        self.assertEqual([len(stems.get_segments()) for stems in axes.collections], [3, 1])
 
     def test_a_contact_without_any_impact_has_no_figure_of_the_first_one(self):
         for impacts in (0, 1):
@@ -68,6 +85,26 @@ class Contacts(unittest.TestCase):
                          to_rgb(force.get_lines()[0].get_color()))
         self.assertNotIn(to_rgb(force.get_lines()[0].get_color()),
                          [to_rgb(line.get_color()) for line in motion.get_lines()])
+
+
+class Stresses(unittest.TestCase):
+    def test_the_yield_stress_is_a_line_across_the_stresses(self):
+        self.addCleanup(plt.close, "all")
+        stress = "point/beam.root/von_mises_stress/maximum"
+        with tempfile.TemporaryDirectory() as folder:
+            writer = Writer(Path(folder))
+            for body in ("beam", "other"):
+                writer.file.create_dataset(f"body/{body}/yield_stress", data=240e6)
+            writer.analysis("grid", "steady state", [("Variables.gap", np.arange(3.0), "m")], ["Variables/gap"])
+            writer.field(stress, np.array([1e8, 2e8, 3e8]), "Pa")
+            writer.field("point/beam.root/displacement_x/maximum", np.ones(3), "m")
+            writer.file.close()
+            with Results(Path(folder)) as results:
+                known = dict(figures(results, results.analysis("grid")))
+                drawn = {name: [[line.get_ydata()[0] for line in axes.get_lines() if line.get_linestyle() == ":"]
+                                for axes in draw().axes] for name, draw in known.items()}
+        lines = {name: marked for name, marked in drawn.items() if any(marked)}
+        self.assertEqual(list(lines.values()), [[[240]]], drawn)
 
 
 if __name__ == "__main__":

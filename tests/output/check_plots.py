@@ -249,7 +249,7 @@ class Kinds(unittest.TestCase):
         line, = axes.get_lines()
         np.testing.assert_allclose(np.interp([0, 2, 4, 5], *self.xy(line).T), [2, 6, 10, 10])
         self.assertEqual(self.legend(axes),
-                         ["the ends of the record show", "frequency of table"])
+                         ["edge effects", "excitation frequency (table)"])
 
     def test_map_has_derived_curves_bands_and_level_lines_on_top(self):
         axes, bar = self.axes("plane-map-largest")

@@ -117,6 +117,19 @@ class Stress(unittest.TestCase):
         self.assertIn("body.beam.von_mises_stress.maximum", summary)
         self.assertFalse((out / "swing.pvd").exists())
 
+    def test_a_stress_beyond_the_yield_stress_is_reported(self):
+        for factor, beyond in ((0.8, True), (1.25, False)):
+            material = "    set Poisson ratio = 0\n"
+            given = material + f"    set Yield stress = {factor * STRESS} Pa\n"
+            out, printed = self.run_text(BEAM, "start", change=(material, given))
+            self.assertEqual(" times the Yield stress" in printed, beyond, printed)
+            name, _, value = next(line for line in (out / "summary.txt").read_text().splitlines()
+                                  if "yield_ratio" in line).partition(" = ")
+            self.assertEqual(name, "analysis.swing.body.beam.yield_ratio")
+            self.assertAlmostEqual(float(value.split()[0]) * factor, 1, delta=(ROOT / 40)**2)
+            with h5py.File(out / "results.h5") as file:
+                self.assertAlmostEqual(file["body/beam/yield_stress"][()] / (factor * STRESS), 1, delta=1e-12)
+
     def test_the_envelope_is_the_shape_of_the_curvature(self):
         out, _ = self.run_text(BEAM, "start")
         found = self.largest(out)

@@ -1,10 +1,10 @@
-"""Tables in pages: short ones stand there whole, long ones as CSV behind a link, with a few rows of a study's."""
+"""Tables in pages: short ones stand there whole, of long ones the first rows, and all of them as CSV behind a link."""
 import csv
 import re
 
 BEGIN, END = "<!-- table made by {} -->", "<!-- end of table -->"
 LONGEST = 20  # rows of a table that stands whole
-SHOWN = 8  # rows of a longer one of a study
+SHOWN = 8  # first rows of a longer one
 
 
 def markdown(lines):
@@ -53,9 +53,9 @@ def shortened(path, name, text):
     with open(file, "w", encoding="utf-8", newline="") as stream:
         csv.writer(stream, lineterminator="\n").writerows([head, *body])
     rest = [line for line in lines if not line.startswith("|")]
-    link = f"\n{len(body)} rows in all: [tables/{file.name}](tables/{file.name})\n"
-    told = telling(head, body)
-    return (markdown([head, *told]) if told else "") + link + "".join(f"{line}\n" for line in rest)
+    shown = shown_rows(body)
+    link = f"\n{len(body) - len(shown)} more of {len(body)} rows: [tables/{file.name}](tables/{file.name})\n"
+    return markdown([head, *shown]) + link + "".join(f"{line}\n" for line in rest)
 
 
 def cells(line):
@@ -67,8 +67,6 @@ def slug(name):
     return re.sub(r"[^a-z0-9]+", "-", name.lower().replace(".py", "")).strip("-")
 
 
-def telling(head, body):
-    """Of a check, which holds values against references, what is beyond a tolerance; of a study the first rows."""
-    if "reference" not in head:
-        return body[:SHOWN]
-    return [row for row in body if any("**" in cell for cell in row)]
+def shown_rows(body):
+    """The first rows, and those behind them that are beyond a tolerance."""
+    return body[:SHOWN] + [row for row in body[SHOWN:] if any("**" in cell for cell in row)]

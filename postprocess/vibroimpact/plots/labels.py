@@ -62,7 +62,7 @@ def finite(array) -> np.ndarray:
 
 def words(name: str) -> str:
     """"contact_duration" as "contact duration"."""
-    return name.replace("peak_to_peak", "peak-to-peak").replace("_", " ")
+    return name.replace("peak_to_peak", "peak-to-peak").replace("_", " ").replace("von mises", "von Mises")
 
 
 def quantity_label(quantity: str) -> str:

@@ -5,6 +5,7 @@ recorded transient motion over a grid holds.
 from __future__ import annotations
 
 import functools
+import re
 
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
@@ -18,6 +19,7 @@ from .measures import Panel, Sheet, field_of, magnitude, sheets
 from .results import Analysis, Results
 
 CHARACTERS = ["not repeating", "periodic", "settling", "quasi-periodic", "chaotic", "not decided"]
+STRESS = re.compile(r"(?:^|/)point/([^./]+)\.[^/]+/von_mises_stress/")
 ORDER_RANGE = 1e-5  # smallest amplitude of an order that is shown, of the largest
 
 
@@ -62,6 +64,7 @@ def draw_panel(axes, layout: Layout, panel: Panel, colours: dict) -> None:
     for path, text in panel.curves:
         draw(axes, layout, path,
              [case.colour if layout.family else colours[text] for case in layout.cases()], scale)
+    draw_yield_stresses(axes, layout.analysis, [path for path, _ in panel.curves], scale)
     axes.set_ylabel(scale.label(panel.label))
     along = layout.analysis.read(layout.along).unit
     note(axes, axis_meaning.Panel(
@@ -69,6 +72,16 @@ def draw_panel(axes, layout: Layout, panel: Panel, colours: dict) -> None:
         Meaning(tuple(path for path, _ in panel.curves), arrays[0].unit, scale),
         family_of(layout)))
     adapt_axis(axes, panel.curves[0][0], max(magnitude(array) for array in arrays) / scale.factor)
+
+
+def draw_yield_stresses(axes, analysis: Analysis, paths: list[str], scale) -> None:
+    """A line across at the yield stress of each body whose stress is drawn."""
+    bodies = {found.group(1) for path in paths if (found := STRESS.search(path))}
+    for body in sorted(bodies & analysis.yield_stresses.keys()):
+        level = analysis.yield_stresses[body] / scale.factor
+        axes.axhline(level, color=style.GREY, linestyle=":", linewidth=0.9)
+        axes.annotate(f"yield stress of {body}", (0.01, level), xycoords=axes.get_yaxis_transform(), xytext=(0, 2),
+                      textcoords="offset points", fontsize=8, color=style.GREY)
 
 
 def adapt_axis(axes, path: str, largest: float) -> None:

@@ -41,6 +41,12 @@ def read_array(dataset: h5py.Dataset) -> Array:
     return Array(np.asarray(values), str(dataset.attrs.get("unit", "1")))
 
 
+def yield_stresses(file: h5py.File) -> dict[str, float]:
+    """Of the bodies that have one, by their names [Pa]."""
+    return {name: float(body["yield_stress"][()]) for name, body in file.get("body", {}).items()
+            if "yield_stress" in body}
+
+
 class Analysis:
     """One analysis: outer axes (grid axes first), and fields by their path."""
 
@@ -55,6 +61,8 @@ class Analysis:
         self.overlays: list[Analysis] = []  # drawn over the figures of this one
         self.shown: dict[str, tuple] = {}  # scale and label of an axis that a figure chooses
         self._read: dict[str, Array] = {}
+        self._dimensions: dict[str, list[str]] = {}
+        self.yield_stresses = yield_stresses(group.file)
 
     @property
     def file(self) -> str:
@@ -109,7 +117,9 @@ class Analysis:
 
     def dimensions(self, path: str) -> list[str]:
         """Names of the dimensions of a field."""
-        return [dimension.label for dimension in self._group[path].dims]
+        if path not in self._dimensions:  # figures ask for those of `status` all the time
+            self._dimensions[path] = [dimension.label for dimension in self._group[path].dims]
+        return list(self._dimensions[path])
 
     def is_coordinate(self, path: str) -> bool:
         return h5py.h5ds.is_scale(self._group[path].id)

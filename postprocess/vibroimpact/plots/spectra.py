@@ -15,6 +15,7 @@ from .layout import Layout, axis_name, layout_of, place_of, places
 from .results import Analysis, Results
 
 DECADES = 4  # below the largest amplitude that are shown
+CORNER = 0.15  # decades that a label keeps away from the corner of the axes
 MOST_CASES = 4
 LEAST_COLUMNS = 8
 MOST_ORDERS = 12
@@ -67,13 +68,26 @@ def spectra(analysis: Analysis, root: str, path: str):
         style.panel_title(axes, place.text, panels, pad=12)
         note(axes, Panel(Meaning(("frequency",), "Hz", across), Meaning((path,), amplitude.unit, scale),
                          place=place_of(analysis, place)))
-        axes.set_yscale("log")
-    largest = np.nanmax(amplitude.values) / scale.factor
-    panels[0].set_ylim(largest / 10**DECADES, 2 * largest)
+    logarithmic(panels, np.nanmax(amplitude.values) / scale.factor)
     style.label_grid(panels, across.label("Frequency"), scale.label("Amplitude"))
     figure.suptitle(what(path), x=0.01, ha="left", fontsize=10)
     style.legend_beside(style.upper_right(panels), direction_handles(analysis))
     return figure
+
+
+def logarithmic(panels, largest: float) -> None:
+    """Some decades below the largest value; where all are zero there is no logarithm."""
+    if largest <= 0:
+        return
+    for axes in panels:
+        axes.set_yscale("log")
+    panels[0].set_ylim(below_decade(largest / 10**DECADES), 2 * largest)
+
+
+def below_decade(lower: float) -> float:
+    """The lower end of a logarithmic axis, moved down where the label of a decade would stand at the corner."""
+    above = np.ceil(np.log10(lower)) - np.log10(lower)
+    return lower * 10 ** -CORNER if above < CORNER else lower
 
 
 def draw_orders(axes, frequency, order) -> None:

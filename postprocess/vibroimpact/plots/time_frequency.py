@@ -80,7 +80,7 @@ def along(analysis: Analysis, path: str, dimension: str, place: Place, direction
 
 
 def draw_edges(axes, analysis, root, place, direction, time, frequency, x_scale, y_scale) -> list:
-    """Hatched where the ends of the record show in the transform."""
+    """Hatched where the transform has edge effects of the record."""
     if not analysis.has(f"{root}wavelet_edge") or axes.get_yscale() != "log":
         return []
     edge = analysis.read(f"{root}wavelet_edge")
@@ -90,8 +90,7 @@ def draw_edges(axes, analysis, root, place, direction, time, frequency, x_scale,
     y = frequency / y_scale.factor
     axes.fill_betweenx(y, time[0] / x_scale.factor, (time[0] + width) / x_scale.factor, **look)
     axes.fill_betweenx(y, (time[-1] - width) / x_scale.factor, time[-1] / x_scale.factor, **look)
-    return [Patch(facecolor="#BBBBBB", edgecolor="white", hatch="/",
-                  label="the ends of the record show")]
+    return [Patch(facecolor="#BBBBBB", edgecolor="white", hatch="/", label="edge effects")]
 
 
 def draw_excitations(axes, analysis: Analysis, time, x_scale, y_scale) -> list[Line2D]:
@@ -100,5 +99,5 @@ def draw_excitations(axes, analysis: Analysis, time, x_scale, y_scale) -> list[L
     for number, (name, frequency) in enumerate(frequencies(analysis, time)):
         look = dict(color=["#FF6F4E", "white"][number % 2], linestyle="--", linewidth=0.9)
         axes.plot(time / x_scale.factor, frequency / y_scale.factor, **look)
-        handles.append(Line2D([], [], label=f"frequency of {name}", **look))
+        handles.append(Line2D([], [], label=f"excitation frequency ({name})", **look))
     return handles

@@ -176,12 +176,15 @@ def shows_contacts(analysis: Analysis, path: str) -> bool:
 
 
 def draw_peaks(axes, analysis: Analysis, peaks, time_scale, scale) -> Line2D:
-    """A stem for every impact; of many their ends alone, which stems would hide."""
+    """A stem for every impact; of many their ends alone, which stems would hide. Rows behind the last impact of a case
+    are NaN."""
     times, forces = peaks
     for case in cases(analysis):
         at, height = (of_case(times, analysis, case.index) / time_scale.factor,
                       of_case(forces, analysis, case.index) / scale.factor)
-        few = np.count_nonzero(np.isfinite(at)) <= MOST_STEMS
+        known = np.isfinite(at)
+        at, height = at[known], height[known]
+        few = len(at) <= MOST_STEMS
         if few:
             axes.vlines(at, 0, height, color=case.colour, linewidth=0.9)
         axes.plot(at, height, "o", fillstyle="none", color=case.colour, markeredgewidth=0.6,
