@@ -15,7 +15,8 @@ double slope_size(const PhaseView &view, std::size_t guard, const double *amplit
   double sum = 0;
   for (std::size_t j = 0; j < n; ++j) {
     const double size = std::abs(amplitudes[j]) + std::abs(amplitudes[n + j]);
-    const double exponent = std::hypot(view.rate[j], view.frequency[j]);
+    const double exponent =
+        std::sqrt(view.rate[j] * view.rate[j] + view.frequency[j] * view.frequency[j]);
     sum += std::max(std::abs(rows[j] * amplitudes[j]) + std::abs(rows[n + j] * amplitudes[n + j]),
                     view.sizes[guard * n + j] * exponent * size);
   }
