@@ -28,6 +28,7 @@ namespace {
 // t (1 - t) = 1/5 and t = 1/2. Of a two-point Hermite interpolant these bound the errors of the
 // derivatives too (Birkhoff and Priver 1967).
 constexpr double value_error = 1.0 / 46080;
+constexpr double middle_error = 1.0 / 14400; // t^3 (1 - t)^3 / 720 is the third of degree six
 constexpr double slope_error = 2.23606797749979 / 30000;
 constexpr double curvature_error = 1.0 / 1920;
 constexpr double output_rounding = 16 * epsilon;
@@ -180,6 +181,14 @@ inline void quintic(const V8 *start, const V8 *end, double h, V8 *b) {
   b[3] = fused(all(2), b[4], fused(bend, end[2], all(0) - end[0]));
 }
 
+// From degree five to six.
+inline void raise_degree(const V8 *b, V8 *c) {
+  c[0] = b[0];
+  for (int i = 1; i < 6; ++i)
+    c[i] = fused(all(i / 6.0), b[i - 1] - b[i], b[i]);
+  c[6] = b[5];
+}
+
 template <int count> V8 lowest(const V8 *b) {
   V8 least = b[0];
   for (int i = 1; i < count; ++i)
@@ -327,17 +336,19 @@ private:
     store(minimum, lower(load(minimum), lower(at_start, at_end)));
   }
 
-  // Forms that may exceed the extremes so far.
+  // Forms that may exceed the extremes so far. In degree six the error of the quintic stands at the
+  // middle coefficient alone, |f - p| <= h^6 M / 6! tau^3 (1 - tau)^3 = h^6 M / (20 6!) B_3(tau).
   unsigned beyond() {
     quintic(a_->values.smooth, z_->values.smooth, h_, b_);
-    V8 low;
-    V8 high;
+    V8 c[7], low, high;
+    raise_degree(b_, c);
     fast_range(p_, rows_, 0, a_->amplitudes, z_->amplitudes, h_, low, high);
     const V8 constant = load(o_.constants + 8 * block_);
-    const V8 error = sixth_ * all(value_error);
-    return below(load(o_.maximum + 8 * block_) + rounding_,
-                 constant + highest<6>(b_) + error + high) |
-           below(constant + lowest<6>(b_) - error + low, load(o_.minimum + 8 * block_) - rounding_);
+    const V8 error = sixth_ * all(middle_error);
+    const V8 most = upper(highest<7>(c), c[3] + error);
+    const V8 least = lower(lowest<7>(c), c[3] - error);
+    return below(load(o_.maximum + 8 * block_) + rounding_, constant + most + high) |
+           below(constant + least + low, load(o_.minimum + 8 * block_) - rounding_);
   }
 
   // Forms whose slope, times h, has one sign.
@@ -363,11 +374,13 @@ private:
            below(fused(high, unit, most + error), all(0));
   }
 
-  // Forms whose slope differs in sign at the ends.
+  // Forms whose slope differs in sign at the ends, of one sign of the curvature. Where a slope is
+  // next to zero, the end is exceeded by |slope| h at most.
   unsigned turns() const {
     const V8 s = a_->values.smooth[1] + a_->values.fast[1];
     const V8 t = z_->values.smooth[1] + z_->values.fast[1];
-    return below(all(0), s) ^ below(all(0), t);
+    return (below(all(0), s) ^ below(all(0), t)) &
+           below(rounding_, lower(magnitude(s), magnitude(t)) * all(h_));
   }
 
   // The zero of the slope of the quintic through both ends, decays and all, by Newton's method from

@@ -152,16 +152,22 @@ bool ExactPath::enter_phase(const Transition &next, std::size_t contact, double 
       2 * std::max(time_tolerance(origin_), std::abs(march_.value / march_.slope));
   const auto known_to = [&](std::size_t g, const double *f) {
     return std::max({guards_.hidden(next.target->view(), g, amplitudes), uncertain * std::abs(f[1]),
-                     next.proportion[g] * std::abs(march_.value)});
+                     next.proportion.empty() ? 0 : next.proportion[g] * std::abs(march_.value)});
+  };
+  const auto order = [&](std::size_t g, const double *f) {
+    return rising_order(*next.target, g, amplitudes, f);
   };
   return guards_.enter(*next.target, contact, amplitudes, guards_.next_rounding(),
-                       std::ref(known_to));
+                       std::ref(known_to), std::ref(order));
 }
 
 // The contact has changed and the motion stands in another phase, at the amplitudes `next`.
-void ExactPath::enter(double time, KnownPhase &target) {
+void ExactPath::enter(double time, KnownPhase &target, const FrictionRoutes::Route *route) {
   progress_.note(passed_guard().contact, time, known_->view().fastest, time_tolerance(time));
-  if (observation_.observed())
+  if (observation_.observed() && route)
+    observation_.report_friction(time, passed_guard(), march_.turned, *route, target.phase(),
+                                 buffers_.next.data());
+  else if (observation_.observed())
     observation_.report_change(time, passed_guard(), march_.turned);
   else
     ++counts_.events;
@@ -178,10 +184,12 @@ bool ExactPath::change_phase(double limit, long &most_events) {
   const auto passed = static_cast<std::size_t>(march_.guard);
   if (time - last_event_ <= time_tolerance(time) || progress_.slow() || exact_phases_.crowded())
     return false;
-  if (!equations_.contacts().pairs()[passed_guard().contact].tangential.empty())
-    return change_friction(time);
-  Transition *next = phases_.transition(*known_, passed);
-  if (!next) {
+  const FrictionRoutes::Route *route = nullptr;
+  Transition *const next = has_friction(passed_guard().contact)
+                               ? phases_.friction_transition(*known_, passed, march_.turned,
+                                                             guards_.rounding().data(), route)
+                               : phases_.transition(*known_, passed);
+  if (!next && !route) {
     const std::optional<StepReason> left =
         most_events > 0 ? pass_contact(time, passed, limit) : StepReason::interrupted;
     if (left)
@@ -190,12 +198,12 @@ bool ExactPath::change_phase(double limit, long &most_events) {
       --most_events;
     return !left;
   }
-  if (!enter_phase(*next, passed_guard().contact, time)) {
+  if (!next || !enter_phase(*next, passed_guard().contact, time)) {
     guards_.stay(*known_);
     running_ = false;
     return false;
   }
-  enter(time, *next->target);
+  enter(time, *next->target, route);
   return true;
 }
 

@@ -88,9 +88,10 @@ private:
   void part_the_phase(double time);
   bool change_phase(double limit, long &most_events);
   bool enter_phase(const Transition &next, std::size_t contact, double time);
-  bool change_friction(double time);
-  bool begin_behind(KnownPhase &target, double time, const Vector &state);
-  void enter(double time, KnownPhase &target);
+  void enter(double time, KnownPhase &target, const FrictionRoutes::Route *route);
+  bool has_friction(std::size_t contact) const {
+    return !equations_.contacts().pairs()[contact].tangential.empty();
+  }
   std::optional<StepReason> pass_contact(double time, std::size_t passed, double limit);
   bool enter_behind(Transition *behind, const PhaseEpisode &contact);
   int rising_order(const KnownPhase &phase, std::size_t guard, const double *amplitudes,

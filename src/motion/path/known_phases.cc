@@ -1,7 +1,6 @@
 #include "motion/path/known_phases.h"
 
 #include "common/memory.h"
-#include "motion/event/mode_change.h"
 
 #include <cmath>
 #include <limits>
@@ -39,7 +38,7 @@ std::size_t Transition::bytes() const {
   std::size_t sum = bytes_of(proportion) + (change ? change->bytes() : 0);
   for (const auto &[mode, transition] : behind)
     sum += transition->bytes();
-  return sum + (contact ? contact->bytes() : 0);
+  return sum + (contact ? contact->bytes() : 0) + (routes ? routes->bytes() : 0);
 }
 
 std::size_t KnownPhase::bytes() const {
@@ -125,33 +124,56 @@ ContactPart *KnownPhases::contact_beyond(KnownPhase &from, std::size_t guard) {
 }
 
 Transition *KnownPhases::behind(KnownPhase &from, std::size_t guard, const PhaseEpisode &contact) {
-  std::vector<int> modes = from.linear.forms().contact_modes();
-  if (contact.mode_after() == modes[contact.contact()])
+  const int mode = contact.mode_after();
+  if (mode == from.linear.forms().contact_modes()[contact.contact()])
     return nullptr;
-  std::unique_ptr<Transition> &behind = from.transitions[guard]->behind[contact.mode_after()];
-  if (!behind) {
-    modes[contact.contact()] = contact.mode_after();
-    const std::vector<int> before = equations_.modes();
-    set_modes(modes);
-    behind = std::make_unique<Transition>(Transition{.target = present(), .proportion = {}});
-    set_modes(before);
-  }
+  std::unique_ptr<Transition> &behind =
+      from.transitions[guard]->behind[static_cast<std::size_t>(mode)];
+  if (!behind)
+    behind = std::make_unique<Transition>(lead_to(from, contact.contact(), mode));
   static const std::vector<PhaseForms::Reset> none;
   renew(from, *behind, none);
   return behind.get();
 }
 
-KnownPhase *KnownPhases::behind_friction(const KnownPhase &from, const PhaseGuard &passed,
-                                         double time, Vector &state) {
+// To the phase with another mode of one contact. Leaves the equations as they are.
+Transition KnownPhases::lead_to(const KnownPhase &from, std::size_t contact, int mode) {
+  const std::vector<int> before = equations_.modes();
   set_modes_of(from);
-  const Vector before = state;
-  pass_guard(
-      equations_, passed.contact, equations_.mode(passed.contact).guards[passed.guard], time,
-      equations_.local_state(passed.contact, time, ConstVectorView(before.data(), before.size())),
-      state);
-  KnownPhase *const target = present();
-  set_modes_of(from);
-  return target;
+  equations_.set_mode(contact, mode);
+  Transition transition{.target = present(), .proportion = {}};
+  set_modes(before);
+  return transition;
+}
+
+FrictionRoutes &KnownPhases::friction_routes(KnownPhase &from, std::size_t guard) {
+  std::unique_ptr<Transition> &known = from.transitions[guard];
+  if (!known)
+    known = std::make_unique<Transition>();
+  const long excitation = phases_.excitation().generation();
+  if (!known->routes) {
+    set_modes_of(from);
+    known->routes = std::make_unique<FrictionRoutes>(equations_, from.linear, from.phase(), guard);
+  } else if (known->excitation != excitation) {
+    known->routes->renew();
+  }
+  known->excitation = excitation;
+  return *known->routes;
+}
+
+Transition *KnownPhases::friction_transition(KnownPhase &from, std::size_t guard,
+                                             const double *amplitudes, const double *rounding,
+                                             const FrictionRoutes::Route *&route) {
+  FrictionRoutes &routes = friction_routes(from, guard);
+  const std::size_t chosen = routes.choose(amplitudes, rounding);
+  route = &routes.route(chosen);
+  std::unique_ptr<Transition> &behind = from.transitions[guard]->behind[chosen];
+  if (!behind)
+    behind = std::make_unique<Transition>(lead_to(from, from.guards()[guard].contact, route->mode));
+  if (!behind->target)
+    return nullptr;
+  renew(from, *behind, route->resets);
+  return behind.get();
 }
 
 } // namespace vibroimpact::motion

@@ -8,6 +8,7 @@
 #include "motion/path/exact_outputs.h"
 #include "motion/phase/exact_change.h"
 #include "motion/phase/exact_phases.h"
+#include "motion/phase/friction_routes.h"
 
 #include <map>
 #include <memory>
@@ -76,8 +77,10 @@ struct Transition {
   long excitation = -1; ///< that the change is for
   bool contact_known = false;
   std::unique_ptr<ContactPart> contact{}; ///< of a target that is not linear; none: left to others
-  /// The linear phase behind a contact, by the mode that it ends in.
-  std::map<int, std::unique_ptr<Transition>> behind{};
+  std::unique_ptr<FrictionRoutes> routes{}; ///< of a contact with friction
+  /// The linear phase behind a contact, by the mode that it ends in; of one with friction by the
+  /// route.
+  std::map<std::size_t, std::unique_ptr<Transition>> behind{};
 };
 
 /// What depends on the excitation is renewed when it is asked for under another one.
@@ -112,10 +115,10 @@ public:
   /// Where the law cuts its force off while the sides still overlap, the phase behind the contact
   /// is another one than that before. nullptr: the same.
   Transition *behind(KnownPhase &from, std::size_t guard, const PhaseEpisode &contact);
-  /// The phase that a contact with friction comes to through a guard (event/mode_change.h), where
-  /// `state` changes with it; nullptr: not linear. Leaves the equations in the modes of `from`.
-  KnownPhase *behind_friction(const KnownPhase &from, const PhaseGuard &passed, double time,
-                              Vector &state);
+  /// The same as transition() of a contact with friction, by the amplitudes at the guard, each
+  /// known to `rounding`; `route` is that which was taken.
+  Transition *friction_transition(KnownPhase &from, std::size_t guard, const double *amplitudes,
+                                  const double *rounding, const FrictionRoutes::Route *&route);
   /// The equations take the modes of a phase.
   void set_modes_of(const KnownPhase &phase) { set_modes(phase.linear.forms().contact_modes()); }
 
@@ -124,6 +127,8 @@ private:
   void renew(KnownPhase &from, Transition &transition,
              const std::vector<PhaseForms::Reset> &resets);
   Transition find_transition(const KnownPhase &from, const PhaseGuard &passed);
+  Transition lead_to(const KnownPhase &from, std::size_t contact, int mode);
+  FrictionRoutes &friction_routes(KnownPhase &from, std::size_t guard);
 
   Equations &equations_;
   ExactPhases &phases_;

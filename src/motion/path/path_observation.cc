@@ -110,6 +110,21 @@ void PathObservation::report_change(double time, const PhaseGuard &passed,
   observers_->change(time, passed.contact, passed.guard, state_);
 }
 
+void PathObservation::report_friction(double time, const PhaseGuard &passed,
+                                      const double *amplitudes, const FrictionRoutes::Route &route,
+                                      const ExactPhase &next, const double *behind) {
+  end_part(time, amplitudes);
+  behind_.resize(next.n_modes());
+  if (!route.resets.empty())
+    next.state(behind, behind_.data());
+  observers_->known_change({.time = time,
+                            .contact = passed.contact,
+                            .guard = passed.guard,
+                            .route = route,
+                            .behind = behind_},
+                           state_);
+}
+
 // In the modes of the contact.
 ObservedContact &PathObservation::observation_of(ContactPart &part) const {
   const Observers &observers = observers_->observers;

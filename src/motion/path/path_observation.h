@@ -11,12 +11,22 @@
 
 namespace vibroimpact::motion {
 
+/// A contact change of which it is known what it leads to.
+struct KnownChange {
+  double time = 0;
+  std::size_t contact = 0;
+  std::size_t guard = 0;
+  const FrictionRoutes::Route &route;
+  const Vector &behind; ///< the physical state, where the route changes it
+};
+
 /// Who observes, and what a contact change takes: `state` is that just before, with its work
 /// integrals, in the modes before; the change is that of `contact` through `guard`.
 struct PathObservers {
   const Observers &observers;
   bool integrals = true; ///< of work and impulses are to be kept
   std::function<void(double time, std::size_t contact, std::size_t guard, Vector &state)> change;
+  std::function<void(const KnownChange &change, Vector &state)> known_change;
 };
 
 class PathObservation {
@@ -49,6 +59,10 @@ public:
   /// Reports a contact change at the end of the part, which takes the equations to the modes after
   /// it.
   void report_change(double time, const PhaseGuard &passed, const double *amplitudes);
+  /// The same of a contact with friction, which comes to amplitudes of another phase.
+  void report_friction(double time, const PhaseGuard &passed, const double *amplitudes,
+                       const FrictionRoutes::Route &route, const ExactPhase &next,
+                       const double *behind);
   /// Reports the contact that was passed last, which begins at a guard at the end of the part.
   void report_contact(ContactPart &part, double time, const PhaseGuard &passed,
                       const double *amplitudes);
@@ -72,6 +86,7 @@ private:
   Start start_;
   Amplitudes start_copy_; ///< of amplitudes that do not stay
   Vector start_state_;
+  Vector behind_; ///< physical state, behind a contact change
   double part_limit_ = 0;
   // Of a step that is shown:
   Amplitudes step_start_, step_end_;

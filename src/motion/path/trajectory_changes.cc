@@ -14,6 +14,7 @@
 
 #include "common/error.h"
 #include "motion/event/mode_change.h"
+#include "motion/path/change_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,36 +61,19 @@ double proportion(const AffineForm &form, const AffineForm &other) {
 
 void Trajectory::change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
                              const Observers &observers) {
-  const contact::Guard &passed = guard_of(contact, guard);
-  const contact::ContactPair &pair = equations_.contacts().pairs()[contact];
   before_ = state;
-  LocalState local =
+  const int from = equations_.modes()[contact];
+  const LocalState local =
       equations_.local_state(contact, instant, ConstVectorView(before_.data(), before_.size()));
-  ContactEvent event{.time = instant,
-                     .contact = contact,
-                     .from = equations_.modes()[contact],
-                     .to = passed.target,
-                     .onset = false,
-                     .gap = local.gap,
-                     .gap_rate = local.gap_rate,
-                     .gap_rate_after = local.gap_rate,
-                     .state = &state,
-                     .before = &before_,
-                     .guard = &passed,
-                     .layout = &layout()};
-  const double stored =
-      balance_.integrals ? equations_.contact_energy(contact, event.from, local) : 0;
-  const bool apart = !equations_.mode(contact).in_contact;
-  motion::pass_guard(equations_, contact, passed, instant, local, state);
-  event.to = equations_.modes()[contact];
-  local.internal = {state.data() + layout().internal() + pair.internal_offset,
-                    local.internal.size()};
-  event.onset = apart && equations_.mode(contact).in_contact;
-  // What the new mode stores no more is lost at this instant.
-  if (balance_.integrals)
-    state[layout().contact_work(static_cast<Index>(contact))] +=
-        stored - equations_.contact_energy(contact, event.to, local);
-  observers.event(event);
+  motion::pass_guard(equations_, contact, guard_of(contact, guard), instant, local, state);
+  report_change(equations_,
+                {.time = instant,
+                 .contact = contact,
+                 .from = from,
+                 .guard = guard,
+                 .local = local,
+                 .before = before_},
+                balance_.integrals, state, observers);
   ++counts_.events;
 }
 

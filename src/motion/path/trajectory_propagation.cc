@@ -1,5 +1,6 @@
 // What a motion does without steps, and how steps take over.
 #include "motion/moments/moment_path.h"
+#include "motion/path/change_report.h"
 #include "motion/path/exact_path.h"
 #include "motion/path/trajectory.h"
 
@@ -7,6 +8,32 @@
 #include <limits>
 
 namespace vibroimpact::motion {
+
+namespace {
+
+// Takes state and equations to what is behind. The local state before is that of motion alone, the
+// same in the modes before and behind; in those that hold nothing it asks for no force.
+PassedChange take_known_change(Equations &equations, const KnownChange &change,
+                               const Vector &before, Vector &state) {
+  const ConstVectorView seen(before.data(), before.size());
+  PassedChange passed{.time = change.time,
+                      .contact = change.contact,
+                      .from = equations.modes()[change.contact],
+                      .guard = change.guard,
+                      .local = {},
+                      .before = before};
+  const bool held = equations.mode(change.contact).holds();
+  if (!held)
+    passed.local = equations.local_state(change.contact, change.time, seen);
+  for (const PhaseForms::Reset &reset : change.route.resets)
+    state[reset.entry] = change.behind[reset.entry];
+  equations.set_mode(change.contact, change.route.mode);
+  if (held)
+    passed.local = equations.local_state(change.contact, change.time, seen);
+  return passed;
+}
+
+} // namespace
 
 // Goes on in closed form as far as that is clear. False: a step is next.
 bool Trajectory::propagate(double limit, const Observers &observers) {
@@ -19,9 +46,15 @@ bool Trajectory::propagate(double limit, const Observers &observers) {
   const PathObservers path_observers{
       .observers = observers,
       .integrals = balance_.integrals,
-      .change = [&](double when, std::size_t contact, std::size_t guard, Vector &changed) {
-        change_mode(when, contact, guard, changed, observers);
-      }};
+      .change = [&](double when, std::size_t contact, std::size_t guard,
+                    Vector &changed) { change_mode(when, contact, guard, changed, observers); },
+      .known_change =
+          [&](const KnownChange &change, Vector &changed) {
+            before_ = changed;
+            report_change(equations_, take_known_change(equations_, change, before_, changed),
+                          balance_.integrals, changed, observers);
+            ++counts_.events;
+          }};
   const long most_events = settings_.maximum_events > 0 ? settings_.maximum_events - before.events
                                                         : std::numeric_limits<long>::max();
   const bool moved = path_->advance(instant, state(), limit, most_events, zero_at_start_,
