@@ -17,7 +17,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.colors import to_rgb  # noqa: E402
 from plot_examples import Writer, write_all  # noqa: E402
-from vibroimpact.plots import transient  # noqa: E402
+from vibroimpact.plots import style, transient  # noqa: E402
 from vibroimpact.plots.figure_list import figures  # noqa: E402
 from vibroimpact.plots.labels import Scale  # noqa: E402
 from vibroimpact.plots.results import Results  # noqa: E402
@@ -85,6 +85,20 @@ class Contacts(unittest.TestCase):
                          to_rgb(force.get_lines()[0].get_color()))
         self.assertNotIn(to_rgb(force.get_lines()[0].get_color()),
                          [to_rgb(line.get_color()) for line in motion.get_lines()])
+
+
+class LogarithmicAxes(unittest.TestCase):
+    def test_a_narrow_axis_has_more_than_one_label(self):
+        self.addCleanup(plt.close, "all")
+        for ends, wanted in (((0.17, 1.7), ["2\\cdot10^{-1}", "5\\cdot10^{-1}"]), ((0.17, 17), []),
+                             ((0.6, 6), ["2\\cdot10^{0}", "5\\cdot10^{0}"])):
+            axes = plt.figure().subplots()
+            axes.set(yscale="log", ylim=ends)
+            style.label_between_decades(axes.yaxis)
+            axes.figure.canvas.draw()
+            found = [tick.label1.get_text().strip("$") for tick in axes.yaxis.get_minor_ticks()
+                     if ends[0] <= tick.get_loc() <= ends[1]]
+            self.assertEqual([text for text in found if text], wanted, ends)
 
 
 class Stresses(unittest.TestCase):

@@ -97,7 +97,7 @@ def over_displacement(analysis: Analysis, base: str, contacts, point: str, axis:
 
     figure = cycles(fine_motions(analysis, base, contacts), curve, f"Displacement ${axis}$",
                        f"Contact force along ${axis}$")
-    figure.suptitle(f"Contact forces on {point}", x=0.01, ha="left", fontsize=10)
+    figure.suptitle(f"Force of {point} on its contacts", x=0.01, ha="left", fontsize=10)
     return figure
 
 

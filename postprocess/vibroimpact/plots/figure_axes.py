@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from . import style
 from .choice import is_called
 from .errors import ResultError
 from .labels import Scale, quantity_label, scale_for
@@ -53,6 +54,7 @@ class FigureAxis:
         axes.set(**{f"{letter}label": self.scale.label(self.label)})
         if self.logarithmic:
             axes.set(**{f"{letter}scale": "log"})
+            style.label_between_decades(getattr(axes, f"{letter}axis"))
         if self.range:
             axes.set(**{f"{letter}lim": self.range})
 

@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 WIDTH = 6.3  # inches, a page's text width
 PANEL_HEIGHT = 1.9
@@ -138,6 +138,17 @@ def is_logarithmic(values) -> bool:
         return False
     steps, factors = np.diff(values), np.diff(np.log(values))
     return np.ptp(factors) / abs(factors.mean()) < 0.5 * np.ptp(steps) / abs(steps.mean())
+
+
+def label_between_decades(axis) -> None:
+    """Labels at 2 and 5 of each decade of a logarithmic axis where fewer than two powers of ten are in view."""
+    def text(value: float, _) -> str:
+        low, high = np.log10(np.sort(axis.get_view_interval()))
+        power = np.floor(np.log10(value) + 1e-9)
+        digit = round(value / 10**power)
+        few = np.floor(high) - np.ceil(low) < 1
+        return rf"${digit}\cdot10^{{{power:.0f}}}$" if few and digit in (2, 5) else ""
+    axis.set_minor_formatter(FuncFormatter(text))
 
 
 def panel_grid(count: int, columns: int = 3, height: float = 2.0, share: bool = True,
