@@ -1,4 +1,4 @@
-// What observers are told of a contact change, and what it takes from the energies.
+// What observers are shown of a contact change, and what it takes from the energies.
 #pragma once
 
 #include "motion/interval/observer.h"
@@ -17,7 +17,8 @@ struct PassedChange {
   const Vector &before;
 };
 
-/// Tells the observers. Where the integrals are kept, what the new mode stores no more is lost.
+/// Shows it to the observers. Where the integrals are kept, what the new mode stores no more is
+/// lost.
 void report_change(const Equations &equations, const PassedChange &change, bool integrals,
                    Vector &state, const Observers &observers);
 
