@@ -100,8 +100,12 @@ void MomentRanges::include_force(const Output &output, std::size_t contact,
   });
   if (peak.force <= output.range->maximum)
     return;
-  // The polynomials say where it is, the motion itself how large.
   const double x = stretch.from + peak.tau * length;
+  if (x == 0 || x == 1) { // there the polynomials are the motion
+    output.range->include(peak.force);
+    return;
+  }
+  // Within the step they say where it is, the motion itself how large.
   contact::LocalState local = step_.contact_rows().local(contact, step_.rows_at(x));
   local.internal = course.at(stretch, x).internal;
   law.evaluate(stretch.mode, local, response_);
