@@ -141,8 +141,8 @@ void Model::add_rotor(Rotor rotor, const PointReference &at, const Vector3 &firs
   rotors_.add(std::move(rotor));
 }
 
-Vector Model::rotor_frame(double time) const {
-  Vector frame = Vector::Zero(2 * static_cast<Index>(rotors_.list().size()));
+void Model::rotor_frame(double time, Vector &frame) const {
+  frame.setZero(2 * static_cast<Index>(rotors_.list().size()));
   for (std::size_t i = 0; i < rotors_.list().size(); ++i) {
     const Rotor &rotor = rotors_.list()[i];
     const auto first = 2 * static_cast<Index>(i);
@@ -160,7 +160,6 @@ Vector Model::rotor_frame(double time) const {
       }
     }
   }
-  return frame;
 }
 
 void Model::set_frequency(std::size_t source, double angular_frequency) {
@@ -173,27 +172,24 @@ void Model::set_frequency(std::size_t source, double angular_frequency) {
 void Model::list_drives() {
   drives_.clear();
   for (std::size_t k = 0; k < sources_.size(); ++k) {
-    const auto add = [&](Vector Source::*load, double (TimeFunction::*factor)(double) const) {
+    const auto add = [&](Vector Source::*load, std::size_t derivative) {
       if (!(sources_[k].*load).isZero(0))
-        drives_.push_back({.source = k, .load = load, .factor = factor});
+        drives_.push_back({.source = k, .load = load, .derivative = derivative});
     };
-    add(&Source::load, &TimeFunction::value);
-    add(&Source::inertial_load, &TimeFunction::acceleration);
-    add(&Source::rate_load, &TimeFunction::rate);
+    add(&Source::load, 0);
+    add(&Source::inertial_load, 2);
+    add(&Source::rate_load, 1);
   }
 }
 
 void Model::load(double time, Vector &f) const {
-  f.resize(size());
-  for (Index i = 0; i < f.size(); ++i)
-    f[i] = 0;
-  for (const Drive &drive : drives_) {
-    const Source &source = sources_[drive.source];
-    const Vector &load = source.*drive.load;
-    const double factor = ((*source.function).*drive.factor)(time);
-    for (Index i = 0; i < f.size(); ++i)
-      f[i] += factor * load[i];
-  }
+  const auto source = [&](std::size_t k, std::size_t derivative) {
+    const TimeFunction &function = *sources_[k].function;
+    return derivative == 0   ? function.value(time)
+           : derivative == 1 ? function.rate(time)
+                             : function.acceleration(time);
+  };
+  load(source, f);
 }
 
 Vector Model::static_load() const {

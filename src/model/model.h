@@ -14,6 +14,7 @@
 #include "model/time_function.h"
 #include "reduction/reduced_body.h"
 
+#include <concepts>
 #include <memory>
 #include <string>
 #include <vector>
@@ -123,6 +124,19 @@ public:
 
   /// f(t), n entries.
   void load(double time, Vector &f) const;
+  /// Likewise, from s, s', s'' of the sources: source(index, derivative).
+  template <std::invocable<std::size_t, std::size_t> Values>
+  void load(const Values &source, Vector &f) const {
+    f.resize(size());
+    for (Index i = 0; i < f.size(); ++i)
+      f[i] = 0;
+    for (const Drive &drive : drives_) {
+      const Vector &load = sources_[drive.source].*drive.load;
+      const double factor = source(drive.source, drive.derivative);
+      for (Index i = 0; i < f.size(); ++i)
+        f[i] += factor * load[i];
+    }
+  }
 
   /// Of the sources that do not vary in time, and the weight of rotors on the points that carry
   /// them: n entries.
@@ -160,7 +174,7 @@ public:
 
   /// Acceleration of the base less gravity at each rotor's point, along its two directions: 2 per
   /// rotor [m/s^2].
-  Vector rotor_frame(double time) const;
+  void rotor_frame(double time, Vector &frame) const;
 
   /// Highest natural angular frequency of the uncoupled coordinates and the sources [rad/s].
   double highest_frequency() const;
@@ -174,7 +188,7 @@ private:
   struct Drive {
     std::size_t source = 0;
     Vector Source::*load = nullptr;
-    double (TimeFunction::*factor)(double) const = nullptr;
+    std::size_t derivative = 0; ///< of s, that multiplies it
   };
   void list_drives();
 

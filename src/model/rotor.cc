@@ -7,6 +7,32 @@
 
 namespace vibroimpact::model {
 
+namespace {
+
+// Cholesky's decomposition of a positive definite matrix, of which the lower half is given, and the
+// two solutions. For a few numbers; general routines take longer to set up than to compute.
+void solve_in_place(Matrix &matrix, Vector &x) {
+  const Index n = x.size();
+  for (Index i = 0; i < n; ++i) {
+    for (Index j = 0; j <= i; ++j) {
+      double sum = matrix(i, j);
+      for (Index k = 0; k < j; ++k)
+        sum -= matrix(i, k) * matrix(j, k);
+      matrix(i, j) = i == j ? std::sqrt(sum) : sum / matrix(j, j);
+    }
+    for (Index k = 0; k < i; ++k)
+      x[i] -= matrix(i, k) * x[k];
+    x[i] /= matrix(i, i);
+  }
+  for (Index i = n; i-- > 0;) {
+    for (Index k = i + 1; k < n; ++k)
+      x[i] -= matrix(k, i) * x[k];
+    x[i] /= matrix(i, i);
+  }
+}
+
+} // namespace
+
 void RotorSet::add(Rotor rotor) {
   if (rotor.motor)
     rotor.motor->drive = n_drive_++;
@@ -53,6 +79,15 @@ Matrix RotorSet::centre_rows(ConstVectorView q) const {
   return rows;
 }
 
+const RotorSet::Turn &RotorSet::turn(std::size_t rotor, ConstVectorView q) const {
+  scratch_.turns.resize(rotors_.size());
+  Turn &known = scratch_.turns[rotor];
+  const double angle = q[rotors_[rotor].angle];
+  if (angle != known.angle)
+    known = {.angle = angle, .sine = std::sin(angle), .cosine = std::cos(angle)};
+  return known;
+}
+
 void RotorSet::fill_centre_rows(ConstVectorView q, Matrix &rows) const {
   rows.resize(2 * static_cast<Index>(rotors_.size()), q.size());
   for (std::size_t i = 0; i < rotors_.size(); ++i) {
@@ -60,8 +95,9 @@ void RotorSet::fill_centre_rows(ConstVectorView q, Matrix &rows) const {
     const auto first = 2 * static_cast<Index>(i);
     rows.row(first) = rotor.first.row;
     rows.row(first + 1) = rotor.second.row;
-    rows(first, rotor.angle) -= rotor.eccentricity * std::sin(q[rotor.angle]);
-    rows(first + 1, rotor.angle) += rotor.eccentricity * std::cos(q[rotor.angle]);
+    const Turn &now = turn(i, q);
+    rows(first, rotor.angle) -= rotor.eccentricity * now.sine;
+    rows(first + 1, rotor.angle) += rotor.eccentricity * now.cosine;
   }
 }
 
@@ -90,24 +126,33 @@ void RotorSet::couple(const Vector &mass, ConstVectorView q, ConstVectorView vel
                       const Vector &frame, VectorView acceleration) const {
   Scratch &s = scratch_;
   fill_centre_rows(q, s.rows);
-  s.weighted.resize(s.rows.rows(), s.rows.cols());
-  for (Index j = 0; j < s.rows.cols(); ++j)
-    s.weighted.col(j) = s.rows.col(j) / mass[j];
-  // Products of a few numbers: the general ones take longer to set up than to compute.
-  s.schur = s.weighted.lazyProduct(s.rows.transpose());
-  s.reaction = -s.rows.lazyProduct(acceleration) - frame;
+  const Index count = s.rows.rows();
+  s.weighted.resize(count, s.rows.cols());
+  s.schur.setZero(count, count);
+  s.reaction.resize(count);
   for (std::size_t i = 0; i < rotors_.size(); ++i) {
     const Rotor &rotor = rotors_[i];
     const auto first = 2 * static_cast<Index>(i);
-    s.schur.diagonal().segment(first, 2).array() += 1 / rotor.mass;
-    const double speed = velocity[rotor.angle];
-    const double outward = rotor.eccentricity * speed * speed;
-    s.reaction[first] += outward * std::cos(q[rotor.angle]);
-    s.reaction[first + 1] += outward * std::sin(q[rotor.angle]);
+    const Turn &now = turn(i, q);
+    const double outward = rotor.eccentricity * velocity[rotor.angle] * velocity[rotor.angle];
+    s.reaction[first] = outward * now.cosine - frame[first];
+    s.reaction[first + 1] = outward * now.sine - frame[first + 1];
+    s.schur(first, first) = s.schur(first + 1, first + 1) = 1 / rotor.mass;
   }
-  s.factor.compute(s.schur);
-  s.factor.solveInPlace(s.reaction);
-  acceleration += s.weighted.transpose().lazyProduct(s.reaction);
+  for (Index j = 0; j < s.rows.cols(); ++j) {
+    const double *row = s.rows.col(j).data();
+    double *weighted = s.weighted.col(j).data();
+    for (Index a = 0; a < count; ++a) {
+      weighted[a] = row[a] / mass[j];
+      s.reaction[a] -= row[a] * acceleration[j];
+      for (Index b = 0; b <= a; ++b)
+        s.schur(a, b) += weighted[a] * row[b];
+    }
+  }
+  solve_in_place(s.schur, s.reaction);
+  for (Index j = 0; j < s.rows.cols(); ++j)
+    for (Index a = 0; a < count; ++a)
+      acceleration[j] += s.weighted(a, j) * s.reaction[a];
 }
 
 // With S = 1/m + H D^-1 H^T and R = -S^-1 (H a + c), a = D^-1 F:
@@ -165,8 +210,9 @@ double RotorSet::input_power(ConstVectorView q, ConstVectorView velocity, ConstV
     const Rotor &rotor = rotors_[i];
     const auto first = 2 * static_cast<Index>(i);
     const double turning = rotor.eccentricity * velocity[rotor.angle];
-    const double along_first = rotor.first.row.dot(velocity) - turning * std::sin(q[rotor.angle]);
-    const double along_second = rotor.second.row.dot(velocity) + turning * std::cos(q[rotor.angle]);
+    const Turn &now = turn(i, q);
+    const double along_first = rotor.first.row.dot(velocity) - turning * now.sine;
+    const double along_second = rotor.second.row.dot(velocity) + turning * now.cosine;
     power -= rotor.mass * (frame[first] * along_first + frame[first + 1] * along_second);
     if (rotor.motor)
       power += drive[rotor.motor->drive] * velocity[rotor.angle];

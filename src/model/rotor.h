@@ -21,8 +21,7 @@
 
 #include "model/projection.h"
 
-#include <Eigen/Cholesky>
-
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -87,6 +86,11 @@ public:
                      const Vector &frame) const;
 
 private:
+  struct Turn {
+    double angle = std::numeric_limits<double>::quiet_NaN();
+    double sine = 0, cosine = 0;
+  };
+  const Turn &turn(std::size_t rotor, ConstVectorView q) const;
   void fill_centre_rows(ConstVectorView q, Matrix &rows) const;
   Matrix centre_rows(ConstVectorView q) const;
   Vector curvature(ConstVectorView q, ConstVectorView velocity) const;
@@ -99,7 +103,7 @@ private:
   struct Scratch {
     Matrix rows, weighted, schur; ///< H, H D^-1, 1/m + H D^-1 H^T
     Vector reaction;
-    Eigen::LDLT<Matrix> factor;
+    std::vector<Turn> turns; ///< of each rotor, where it was asked last
   };
   mutable Scratch scratch_;
 };

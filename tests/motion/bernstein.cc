@@ -117,6 +117,16 @@ TEST(BernsteinTest, Extrema) {
   EXPECT_NEAR(p.minimum(), std::sin(a + h), 1e-15);
 }
 
+TEST(BernsteinTest, APartIsThePolynomialThere) {
+  const Bernstein whole = from_roots({-0.3, 0.2, 0.45, 0.9, 1.4}, 7);
+  for (const auto &[from, to] : {std::pair(0.0, 0.4), std::pair(0.3, 0.7), std::pair(0.6, 1.0),
+                                 std::pair(0.5, 0.5), std::pair(1.0, 1.0)}) {
+    const Bernstein part = whole.between(from, to);
+    for (const double tau : {0.0, 0.25, 0.7, 1.0})
+      EXPECT_NEAR(part(tau), whole(from + tau * (to - from)), 1e-14) << from << " " << to;
+  }
+}
+
 TEST(BernsteinTest, SumRaisesTheDegree) {
   Bernstein sum = Bernstein::cubic(1, {1, 2}, {3, -1});
   sum += from_roots({0.1, 0.2, 0.3, 0.4, 0.5}, 1);

@@ -198,6 +198,90 @@ TEST(MomentStepsTest, HaveTheOrderOfTheirKinks) {
   }
 }
 
+// Extreme values of what it is asked for, by steps or not.
+class Ranges : public Observer {
+public:
+  Ranges(const Model &model, std::size_t contacts, bool in_steps) : in_steps_(in_steps) {
+    const Projection head = model.displacement({.body = 0, .point = 0}, Vector3::UnitX(), false);
+    forms_ = {PointForm{head}, PointForm{head, 1}};
+    for (std::size_t c = 0; c < contacts; ++c)
+      forms_.insert(forms_.end(), {GapForm{c}, ForceForm{c}});
+    ranges.resize(forms_.size());
+  }
+  void outputs(const Equations & /*equations*/, std::vector<Output> &list) override {
+    for (std::size_t i = 0; i < forms_.size(); ++i)
+      list.push_back({&forms_[i], &ranges[i]});
+  }
+  bool sees_steps(const Equations & /*equations*/) const override { return in_steps_; }
+  void step(const StepView &view) override {
+    ++steps;
+    interval(view);
+  }
+  void interval(const Interval &part) override { shown += part.length(); }
+
+  std::vector<ValueRange> ranges;
+  double shown = 0; ///< [s]
+  long steps = 0;
+
+private:
+  bool in_steps_;
+  std::vector<OutputForm> forms_;
+};
+
+Ranges ranges_of(const BeamOnStops &system, double tolerance, bool in_steps) {
+  const Model model = system.model();
+  const ContactSet contacts = system.contacts(model);
+  Settings settings;
+  settings.method = "moments";
+  settings.relative_tolerance = tolerance;
+  Trajectory trajectory(model, contacts, settings);
+  trajectory.start(0, Vector::Zero(model.size()), Vector::Zero(model.size()));
+  Ranges ranges(model, contacts.size(), in_steps);
+  trajectory.advance(system.duration, ranges);
+  return ranges;
+}
+
+// What is shown as a whole has the extreme values of the steps, also of stops that nothing touches;
+// free motions over many periods of a mode are shown in steps.
+TEST(MomentStepsTest, HaveTheSameExtremeValuesInPartsAsInSteps) {
+  for (const StopLaw &law : testing::stop_laws()) {
+    SCOPED_TRACE(law.name);
+    const BeamOnStops system{.stops = 16, .law = law.make(16)};
+    for (const double tolerance : {1e-6, 1e-9}) {
+      const Ranges parts = ranges_of(system, tolerance, false);
+      const Ranges steps = ranges_of(system, tolerance, true);
+      EXPECT_LT(parts.steps, steps.steps);
+      EXPECT_NEAR(parts.shown, system.duration, 1e-12);
+      std::array<double, 4> sizes{}; // displacement, velocity, gaps, forces
+      const auto kind = [](std::size_t i) { return i < 2 ? i : 2 + i % 2; };
+      for (std::size_t i = 0; i < steps.ranges.size(); ++i)
+        sizes[kind(i)] = std::max(sizes[kind(i)], steps.ranges[i].peak());
+      for (std::size_t i = 0; i < steps.ranges.size(); ++i) {
+        EXPECT_NEAR(parts.ranges[i].maximum, steps.ranges[i].maximum,
+                    2 * tolerance * sizes[kind(i)])
+            << i;
+        EXPECT_NEAR(parts.ranges[i].minimum, steps.ranges[i].minimum,
+                    2 * tolerance * sizes[kind(i)])
+            << i;
+      }
+    }
+  }
+}
+
+// Where 256 Hertz contacts touch together `exact` goes over to such steps, with one it does not.
+TEST(MomentStepsTest, TakeOverFromManyNonlinearContacts) {
+  const StopLaw law = testing::stop_laws()[2];
+  for (const int stops : {1, 256}) {
+    const BeamOnStops system{.stops = stops, .law = law.make(stops)};
+    const Seen found = move(system, "exact", 1e-8);
+    EXPECT_EQ(found.accuracy.moment_steps > 0, stops > 1);
+    EXPECT_EQ(move(system, "exact", 1e-8, false).state, found.state);
+    const Seen known = move(system, stops > 1 ? "moments" : "exact", 1e-11);
+    EXPECT_LT(energy_difference(system, found.state, known.state), 1e-8);
+    EXPECT_EQ(found.accuracy.events, known.accuracy.events);
+  }
+}
+
 // A free mass between two stops: rigid motion is a group of its own.
 TEST(MomentStepsTest, AFreeMassBetweenStops) {
   const Model model({single_mass("block", 2, 0, 0)});

@@ -73,8 +73,9 @@ struct Seen {
   motion::Accuracy accuracy;
 };
 
+/// instants: those of the largest forces are wanted, which only steps tell.
 inline Seen move(const BeamOnStops &system, const std::string &method, double tolerance,
-                 bool observed = true) {
+                 bool observed = true, bool instants = false) {
   const model::Model model = system.model();
   const contact::ContactSet contacts = system.contacts(model);
   motion::Settings settings;
@@ -82,7 +83,7 @@ inline Seen move(const BeamOnStops &system, const std::string &method, double to
   settings.relative_tolerance = tolerance;
   motion::Trajectory trajectory(model, contacts, settings);
   trajectory.start(0, Vector::Zero(model.size()), Vector::Zero(model.size()));
-  motion::ImpactLog log(contacts, 0);
+  motion::ImpactLog log(contacts, 0, instants);
   if (observed)
     trajectory.advance(system.duration, log);
   else

@@ -18,6 +18,7 @@ public:
   bool sees_steps(const motion::Equations &equations) const override {
     return variation_.sees_steps(equations);
   }
+  bool follows_phases() const override { return true; }
   void step(const motion::StepView &view) override { variation_.step(view); }
   void interval(const motion::Interval &interval) override { variation_.interval(interval); }
   bool wants_integrals() const override { return false; }

@@ -68,11 +68,14 @@ void ImpactLog::step(const StepView &view) {
 
 void ImpactLog::interval(const Interval &interval) {
   for (std::size_t c = 0; c < tracks_.size(); ++c)
-    if (interval.equations().mode(c).in_contact) {
-      Impact &impact = tracks_[c].current;
-      impact.peak_force = std::max(impact.peak_force, tracks_[c].force.maximum);
-      impact.maximum_penetration = std::max(impact.maximum_penetration, -tracks_[c].gap.minimum);
-    }
+    if (interval.equations().mode(c).in_contact)
+      take_ranges(tracks_[c]);
+}
+
+void ImpactLog::take_ranges(Track &track) {
+  Impact &impact = track.current;
+  impact.peak_force = std::max(impact.peak_force, track.force.maximum);
+  impact.maximum_penetration = std::max(impact.maximum_penetration, -track.gap.minimum);
 }
 
 void ImpactLog::begin(Track &track, const ContactEvent &event) const {
@@ -102,6 +105,7 @@ void ImpactLog::finish(Track &track, const ContactEvent &event) const {
   }
   if (!track.complete)
     return;
+  take_ranges(track);
   const StateLayout &layout = *event.layout;
   const auto contact = static_cast<Index>(event.contact);
   Impact &impact = track.current;

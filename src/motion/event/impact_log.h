@@ -81,6 +81,7 @@ private:
     OutputForm force, gap;
   };
   bool in_contact(std::size_t contact, int mode) const;
+  static void take_ranges(Track &track);
   void begin(Track &track, const ContactEvent &event) const;
   void finish(Track &track, const ContactEvent &event) const;
   void note_step(Track &track, const StepView &view, std::size_t contact) const;

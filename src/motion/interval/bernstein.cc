@@ -208,6 +208,17 @@ Bernstein Bernstein::behind(double tau) const {
   return p;
 }
 
+// The left part by the other side of de Casteljau's triangle.
+Bernstein Bernstein::between(double from, double to) const {
+  Bernstein p = from > 0 ? behind(from) : *this;
+  const double tau = from < 1 ? (to - from) / (1 - from) : 0;
+  for (int level = 1; tau < 1 && level <= degree_; ++level)
+    for (int i = degree_; i >= level; --i)
+      p.coefficients_[i] =
+          p.coefficients_[i - 1] + tau * (p.coefficients_[i] - p.coefficients_[i - 1]);
+  return p;
+}
+
 // As many zeros in (0, 1) as that, or fewer by an even number: with x = tau / (1 - tau) the
 // polynomial is (1 - tau)^n times sum C(n, i) b_i x^i, for which Descartes' rule of signs says so.
 int Bernstein::sign_changes() const {

@@ -62,6 +62,8 @@ public:
 
   /// The part from tau to 1, as a polynomial on [0, 1].
   Bernstein behind(double tau) const;
+  /// The part from `from` to `to`, likewise: 0 <= from <= to <= 1.
+  Bernstein between(double from, double to) const;
 
   /// Takes the value at the start for an exact zero, and with it all leading coefficients up to the
   /// size `negligible`: the sign right after the start is not decided by errors of that size.

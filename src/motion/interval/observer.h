@@ -53,6 +53,9 @@ public:
   /// ranges grow by their polynomials, too. In a contact that is solved as a whole all see steps
   /// as soon as one does.
   virtual bool sees_steps(const Equations & /*equations*/) const { return true; }
+  /// Does it follow the equations of each phase itself? Then it sees steps wherever the motion is
+  /// not known in closed form.
+  virtual bool follows_phases() const { return false; }
   virtual void step(const StepView &view) { interval(view); }
   /// A part that is not shown in steps.
   virtual void interval(const Interval & /*interval*/) {}

@@ -23,11 +23,10 @@ bool may_peak_inside(const std::array<double, samples + 1> &values, int best) {
 
 } // namespace
 
-PeakForce sampled_peak_force(const StepView &view, std::size_t contact) {
-  const ContactCurves curves = view.contact_curves(contact);
+PeakForce sampled_peak(const std::function<double(double)> &force) {
   std::array<double, samples + 1> values{};
   for (int i = 0; i <= samples; ++i)
-    values[i] = view.force(contact, curves, static_cast<double>(i) / samples);
+    values[i] = force(static_cast<double>(i) / samples);
   const auto best =
       static_cast<int>(std::max_element(values.begin(), values.end()) - values.begin());
   const PeakForce sample{.force = values[best], .tau = static_cast<double>(best) / samples};
@@ -35,9 +34,13 @@ PeakForce sampled_peak_force(const StepView &view, std::size_t contact) {
     return sample;
   const double lower = std::max(0, best - 1) / static_cast<double>(samples);
   const double upper = std::min(samples, best + 1) / static_cast<double>(samples);
-  const Minimum minimum =
-      minimum_between([&](double tau) { return -view.force(contact, curves, tau); }, lower, upper);
+  const Minimum minimum = minimum_between([&](double tau) { return -force(tau); }, lower, upper);
   return -minimum.value > sample.force ? PeakForce{-minimum.value, minimum.place} : sample;
+}
+
+PeakForce sampled_peak_force(const StepView &view, std::size_t contact) {
+  const ContactCurves curves = view.contact_curves(contact);
+  return sampled_peak([&](double tau) { return view.force(contact, curves, tau); });
 }
 
 double peak_force(const StepView &view, std::size_t contact) {

@@ -3,6 +3,8 @@
 
 #include "motion/interval/step_view.h"
 
+#include <functional>
+
 namespace vibroimpact::motion {
 
 struct PeakForce {
@@ -10,7 +12,8 @@ struct PeakForce {
   double tau = 0;   ///< in the step
 };
 
-/// From samples, refined around the largest one.
+/// From samples at tau in [0, 1], refined around the largest one.
+PeakForce sampled_peak(const std::function<double(double tau)> &force);
 PeakForce sampled_peak_force(const StepView &view, std::size_t contact);
 
 /// Likewise, but exact where the law is affine [N].

@@ -80,6 +80,7 @@ public:
               std::array<double, 2> rounding);
 
   const Bernstein &gap() const { return curves_[0].position; }
+  const DirectionCurve &curve(std::size_t direction) const { return curves_[direction]; }
   const std::vector<CourseStretch> &stretches() const { return stretches_; }
   /// The change at the end of a stretch, to the part x of the step.
   void move_change(std::size_t stretch, double x) {

@@ -23,7 +23,7 @@ MomentPath::MomentPath(Equations &equations, ExactPhases &phases, const Settings
                        Accuracy &counts)
     : equations_(equations), phases_(phases), counts_(counts),
       step_(equations, settings.relative_tolerance),
-      views_(equations, step_, settings.relative_tolerance),
+      views_(equations, step_, settings.relative_tolerance), ranges_(equations, step_),
       unit_(equations.model().highest_frequency() > 0 ? 1 / equations.model().highest_frequency()
                                                       : 1),
       event_tolerance_(settings.event_tolerance),
@@ -103,10 +103,12 @@ void MomentPath::accept(double time, double error, bool on_ladder, const Report 
   ++counts_.steps;
   ++counts_.moment_steps;
   list_changes(report != nullptr);
-  if (report)
-    show(time, *report);
-  else
+  if (!report)
     skip_changes();
+  else if (ranges_.ask(report->observers) && step_.resolved())
+    show_whole(time, *report);
+  else
+    show(time, *report);
   const Index n = equations_.layout().n;
   state_.head(2 * n) = step_.rows_at_end().head(2 * n);
   if (on_ladder && error < std::exp2(-(n_moments + 1.0) / rungs_per_octave))
@@ -170,19 +172,20 @@ void MomentPath::add_integrals(double time, std::size_t contact, const CourseStr
   state_[layout.sliding_way(pair.sliding_place)] += h * integrals.sliding;
 }
 
-// Work of loads and of damping between two ends, by a Gauss rule on the quintic of each coordinate.
-void MomentPath::add_power(const EndPoint &start, const EndPoint &end) {
-  static const GaussRule rule = JacobiPolynomials(0, 0, 5).rule();
+// Work of loads and of damping over a time, by a Gauss rule that integrates the square of the
+// velocity exactly; velocity: at a part of it, a polynomial of degree 6 at most.
+void MomentPath::add_power(double start, double end,
+                           const std::function<Vector(double)> &velocity) {
+  static const GaussRule rule = JacobiPolynomials(0, 0, 7).rule();
   const StateLayout &layout = equations_.layout();
-  const Index n = layout.n;
-  const double h = end.time - start.time;
+  const double h = end - start;
   Vector load, damping;
   for (Index i = 0; i < rule.nodes.size(); ++i) {
     const auto x = static_cast<double>(rule.nodes[i]);
     const double weight = h * static_cast<double>(rule.weights[i]);
-    const Vector v = views_.between(start, end, x).velocity;
-    equations_.model().load(equations_.source_time(start.time + h * x), load);
-    equations_.model().damping().apply(ConstVectorView(v.data(), n), damping);
+    const Vector v = velocity(x);
+    equations_.model().load(equations_.source_time(start + h * x), load);
+    equations_.model().damping().apply(ConstVectorView(v.data(), v.size()), damping);
     const double power = load.dot(v);
     state_[layout.input_work()] += weight * power;
     state_[layout.absolute_input_work()] += weight * std::abs(power);
@@ -222,10 +225,10 @@ const contact::Guard &MomentPath::guard_of(const Change &change) const {
   return modes[static_cast<std::size_t>(stretch.mode)].guards[*stretch.guard];
 }
 
-void MomentPath::note_residual(const Change &change) {
+// In the state just before it.
+void MomentPath::note_residual(double time, const Change &change) {
   const contact::LocalState local =
-      equations_.local_state(change.contact, end_point_.time,
-                             ConstVectorView(end_point_.state.data(), end_point_.state.size()));
+      equations_.local_state(change.contact, time, ConstVectorView(state_.data(), state_.size()));
   if (change.slope != 0)
     counts_.event_residual =
         std::max(counts_.event_residual,
@@ -235,7 +238,7 @@ void MomentPath::note_residual(const Change &change) {
 // The mode itself changes in the report.
 void MomentPath::pass(double time, const Change &change, const Report &report) {
   const CourseStretch &stretch = step_.course(change.contact).stretches()[change.stretch];
-  note_residual(change);
+  note_residual(time + change.x * step_.length(), change);
   if (report.integrals)
     add_integrals(time, change.contact, stretch);
   report.change(time + change.x * step_.length(), change.contact, *stretch.guard, state_);
@@ -254,7 +257,8 @@ void MomentPath::show(double time, const Report &report) {
       views_.show(time, from, start_point_, to, end_point_,
                   [&](const EndPoint &a, const EndPoint &b) {
                     if (report.integrals)
-                      add_power(a, b);
+                      add_power(a.time, b.time,
+                                [&](double tau) { return views_.between(a, b, tau).velocity; });
                     report.show(StepView(equations_, a, b));
                   });
       state_.head(end_point_.rates.size()) = end_point_.state.head(end_point_.rates.size());
@@ -273,6 +277,58 @@ void MomentPath::show(double time, const Report &report) {
   if (report.integrals)
     for (const std::size_t c : step_.acting())
       add_integrals(time, c, step_.course(c).stretches().back());
+}
+
+// Over the whole step.
+void MomentPath::add_power(double time) {
+  const Index n = equations_.layout().n;
+  std::vector<Bernstein> rates;
+  for (Index j = 0; j < n; ++j)
+    rates.push_back(step_.coordinate(j).rate);
+  add_power(time, time + step_.length(), [&](double x) {
+    return Vector(
+        Vector::NullaryExpr(n, [&](Index j) { return rates[static_cast<std::size_t>(j)](x); }));
+  });
+}
+
+// From where the last one has ended.
+void MomentPath::show_part(double end, const Report &report) {
+  if (!(end > start_point_.time))
+    return;
+  const Interval part(equations_, start_point_.time, start_point_.state, end, state_);
+  for (Observer *observer : report.observers)
+    observer->interval(part);
+  start_point_.time = end;
+}
+
+// As parts between contact changes, with the extreme values by the step's own polynomials. The
+// power, and the forces that last to the end, are integrated over the step as a whole.
+void MomentPath::show_whole(double time, const Report &report) {
+  const StateLayout &layout = equations_.layout();
+  start_point_.state = state_;
+  start_point_.time = time;
+  for (const Change &change : changes_) {
+    const CourseStretch &stretch = step_.course(change.contact).stretches()[change.stretch];
+    state_.head(2 * layout.n) = step_.rows_at(change.x).head(2 * layout.n);
+    step_.set_internal(change.contact, stretch, change.x, state_.data() + layout.internal());
+    if (change.stretch > 0)
+      ranges_.ask(report.observers);
+    ranges_.include(change.contact, stretch);
+    show_part(time + change.x * step_.length(), report);
+    pass(time, change, report);
+    start_point_.state = state_;
+  }
+  state_.head(2 * layout.n) = step_.rows_at_end().head(2 * layout.n);
+  for (const std::size_t c : step_.listed())
+    step_.set_internal(c, step_.course(c).stretches().back(), 1, state_.data() + layout.internal());
+  if (report.integrals) {
+    for (const std::size_t c : step_.acting())
+      add_integrals(time, c, step_.course(c).stretches().back());
+    add_power(time);
+  }
+  ranges_.ask(report.observers);
+  ranges_.include_ends();
+  show_part(time + step_.length(), report);
 }
 
 } // namespace vibroimpact::motion

@@ -4,6 +4,7 @@
 // the last step before a limit has another length.
 #pragma once
 
+#include "motion/moments/moment_ranges.h"
 #include "motion/moments/moment_views.h"
 #include "motion/path/accuracy.h"
 #include "motion/phase/exact_phases.h"
@@ -19,9 +20,11 @@ public:
   /// Keeps references.
   MomentPath(Equations &equations, ExactPhases &phases, const Settings &settings, Accuracy &counts);
 
-  /// To whom the motion is shown, if to anybody: steps, and contact changes, each with the state
-  /// just before it, in the modes before.
+  /// To whom the motion is shown, if to anybody: steps where one of the observers must see them or
+  /// asks for what only these tell, else parts between contact changes; and these changes, each
+  /// with the state just before it, in the modes before.
   struct Report {
+    std::vector<Observer *> observers;
     std::function<void(const StepView &)> show;
     bool integrals = true; ///< of work and impulses are to be kept
     std::function<void(double time, std::size_t contact, std::size_t guard, Vector &state)> change;
@@ -57,10 +60,13 @@ private:
   const contact::Guard &guard_of(const Change &change) const;
   void skip_changes();
   void show(double time, const Report &report);
+  void show_whole(double time, const Report &report);
+  void show_part(double end, const Report &report);
   double base_rate(Index row, double time) const;
   void add_integrals(double time, std::size_t contact, const CourseStretch &stretch);
-  void add_power(const EndPoint &start, const EndPoint &end);
-  void note_residual(const Change &change);
+  void add_power(double start, double end, const std::function<Vector(double part)> &velocity);
+  void add_power(double time);
+  void note_residual(double time, const Change &change);
   void pass(double time, const Change &change, const Report &report);
 
   Equations &equations_;
@@ -68,6 +74,7 @@ private:
   Accuracy &counts_;
   MomentStep step_;
   MomentViews views_;
+  MomentRanges ranges_;
   double unit_, event_tolerance_, longest_;
   int rung_ = 0;
   bool running_ = false;

@@ -395,36 +395,4 @@ double MomentStep::gap_error(const MomentTable &middle) {
   return largest / allowed;
 }
 
-void MomentStep::sum_lacks() {
-  for (const std::size_t c : list_)
-    if (courses_[c].changes())
-      for (Index d = 0; d < contacts_.directions(c); ++d)
-        courses_[c].sum_lacks(*equations_.contacts().pairs()[c].law, static_cast<std::size_t>(d),
-                              moments_.row(contacts_.first(c) + d).data(), response_);
-}
-
-// Within the step the motion under the true forces deviates from that under their polynomials: to
-// first order by what the difference of the two makes of free masses.
-Vector MomentStep::rows_at(double x) const {
-  Vector coordinates;
-  flow_->move(flow_->table(h_, x), start_, loads_, coordinates);
-  Vector rows = phase_->columns() * coordinates;
-  const Index n = equations_.layout().n;
-  for (const std::size_t c : list_) {
-    if (!courses_[c].changes())
-      continue;
-    for (Index d = 0; d < contacts_.directions(c); ++d) {
-      const Index row = contacts_.first(c) + d;
-      const auto lacking =
-          courses_[c].lacking(*equations_.contacts().pairs()[c].law, static_cast<std::size_t>(d),
-                              moments_.row(row).data(), x, response_);
-      const Vector response =
-          contacts_.rows.row(row).transpose().cwiseQuotient(equations_.model().mass());
-      rows.head(n) += h_ * h_ * lacking[1] * response;
-      rows.segment(n, n) += h_ * lacking[0] * response;
-    }
-  }
-  return rows;
-}
-
 } // namespace vibroimpact::motion

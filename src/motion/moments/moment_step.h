@@ -60,7 +60,7 @@ public:
   /// Error of a step over its tolerance; nothing where the sweeps do not converge.
   std::optional<double> attempt(double h, const MomentTables &tables);
 
-  /// Of the last attempt; contacts that stayed open throughout are not among them.
+  /// Of the last attempt, ascending; contacts that stayed open throughout are not among them.
   const std::vector<std::size_t> &listed() const { return list_; }
   /// Those with a force at some instant.
   std::vector<std::size_t> acting() const;
@@ -76,6 +76,15 @@ public:
   /// y and sources, r = columns x, at a part of the step (phase/exact_phase.h).
   Vector rows_at(double x) const;
   Vector rows_at_end() const { return phase_->columns() * ends_.back(); }
+  /// What a projection sees, by the values at the nodes and at both ends.
+  DirectionCurve curve_of(const model::Projection &projection) const;
+  /// Likewise a coordinate by itself.
+  DirectionCurve coordinate(Index j) const;
+  /// Do these polynomials meet the motion in the middle, to the tolerance in the energy norm? They
+  /// do not where a free motion goes over many periods of a mode.
+  bool resolved() const;
+  /// States of all laws at the start.
+  const Vector &internal() const { return internal_; }
   double length() const { return h_; }
   const ContactRows &contact_rows() const { return contacts_; }
   /// |(q, v)| and the largest so far.

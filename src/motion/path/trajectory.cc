@@ -20,7 +20,7 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
                        const Settings &settings)
     : settings_(settings), equations_(model, contacts), scales_(equations_, settings_),
       collisions_(equations_, settings_, scales_), steppers_(equations_, settings),
-      ts_(MotionTs::create(settings, equations_.layout().size())) {
+      ts_(MotionTs::create(settings, equations_.layout().size())), costs_(equations_) {
   if (steppers_.exact())
     path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(), settings,
                                         progress_, counts_);
@@ -71,6 +71,7 @@ void Trajectory::start(const MotionState &from) {
   collisions_.settle(from.time, settings_.event_tolerance, state);
   if (path_)
     path_->begin();
+  costs_.begin();
   if (moments_)
     moments_->begin();
   steppers_.forget(); // so that a case does not depend on what was integrated before it
@@ -365,9 +366,12 @@ void Trajectory::move(double end, const Observers &observers) {
     if (steps_outdated_)
       take_over();
     ++counts_.steps;
+    const long rejected = steppers_.rejected_steps();
     steppers_.step(limit);
     Crossing crossing;
     const bool changes = changes_in_step(crossing);
+    if (moments_ && !steppers_.present().exact())
+      costs_.note_step(1 + steppers_.rejected_steps() - rejected, changes);
     steppers_.present().accept(balance_.integrals);
     balance_.exact = balance_.exact && steppers_.present().exact();
     if (steppers_.present().time() > steppers_.present().previous_time())

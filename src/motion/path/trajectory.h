@@ -13,6 +13,7 @@
 #include "motion/interval/observer.h"
 #include "motion/path/accuracy.h"
 #include "motion/path/stall.h"
+#include "motion/path/step_costs.h"
 #include "motion/settings.h"
 #include "motion/steps/motion_ts.h"
 #include "motion/steps/steppers.h"
@@ -160,8 +161,9 @@ private:
   ContactScales scales_;
   Collisions collisions_;
   Steppers steppers_;
-  std::unique_ptr<MotionTs> ts_;        ///< none: nobody looks at it by PETSc's means
-  std::unique_ptr<ExactPath> path_;     ///< none where the method is another
+  std::unique_ptr<MotionTs> ts_;    ///< none: nobody looks at it by PETSc's means
+  std::unique_ptr<ExactPath> path_; ///< none where the method is another
+  StepCosts costs_;
   std::unique_ptr<MomentPath> moments_; ///< none where such steps cannot be taken or are not due
   bool steps_outdated_ = false;         ///< the steppers must begin anew to take a step
   Balance balance_;

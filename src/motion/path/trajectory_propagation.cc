@@ -37,9 +37,10 @@ PassedChange take_known_change(Equations &equations, const KnownChange &change,
 
 // Goes on in closed form as far as that is clear. False: a step is next.
 bool Trajectory::propagate(double limit, const Observers &observers) {
-  if (!path_ || keeps_modes())
+  if (!path_ || !equations_.model().linear() || keeps_modes())
     return false;
-  if (moments_ && (settings_.method == "moments" || steppers_.exact()->phases().crowded()))
+  if (moments_ &&
+      (settings_.method == "moments" || steppers_.exact()->phases().crowded() || costs_.crowded()))
     return propagate_by_moments(limit, observers);
   double instant = time();
   const Accuracy before = counts_;
@@ -81,6 +82,7 @@ bool Trajectory::propagate(double limit, const Observers &observers) {
 // Through contact changes of any number. False: a step is next.
 bool Trajectory::propagate_by_moments(double limit, const Observers &observers) {
   const MomentPath::Report report{
+      .observers = observers.list(),
       .show = [&](const StepView &step) { show(step); },
       .integrals = balance_.integrals,
       .change = [&](double when, std::size_t contact, std::size_t guard,

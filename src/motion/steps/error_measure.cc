@@ -141,7 +141,9 @@ void ErrorMeasure::set_step(const EndPoint &start, const EndPoint &end) {
            .impulse = there.impulse,
            .work = there.work,
            .rounding = std::max(before.rounding, there.rounding)};
+    now.speed = mass_[c] > 0 ? std::sqrt(2 * std::max(now.energy, 0.0) / mass_[c]) : 0;
   }
+  find_speed_tolerances();
 }
 
 void ErrorMeasure::accept() {
@@ -169,12 +171,6 @@ double ErrorMeasure::speed(Index coordinate) const {
   return std::sqrt(2 * std::max(energy, 0.0) / equations_.model().mass()[coordinate]);
 }
 
-double ErrorMeasure::speed(std::size_t contact) const {
-  return mass_[contact] > 0
-             ? std::sqrt(2 * std::max(present_.of[contact].energy, 0.0) / mass_[contact])
-             : 0;
-}
-
 // Rounding of a contact's force: its own, and that of its gap, amplified by dF/dg ~ 2 F / u.
 double ErrorMeasure::noise(std::size_t contact) const {
   const OfContact &of = present_.of[contact];
@@ -184,13 +180,13 @@ double ErrorMeasure::noise(std::size_t contact) const {
 
 double ErrorMeasure::gap_tolerance(std::size_t contact, double length) const {
   const OfContact &of = present_.of[contact];
-  return absolute_gap_ + contact_part * relative_ * (of.gap + length * speed(contact)) +
+  return absolute_gap_ + contact_part * relative_ * (of.gap + length * of.speed) +
          step_rounding_factor * of.rounding + length * rounding_of_speed(mass_[contact]);
 }
 
 double ErrorMeasure::gap_rate_tolerance(std::size_t contact, double length) const {
   const OfContact &of = present_.of[contact];
-  return relative_ * (of.gap_rate + speed(contact)) + length * noise(contact) / mass_[contact] +
+  return relative_ * (of.gap_rate + of.speed) + length * noise(contact) / mass_[contact] +
          rounding_of_speed(mass_[contact]);
 }
 
@@ -200,33 +196,36 @@ double ErrorMeasure::rounding_of_speed(double mass) const {
          std::sqrt(2 * std::max(present_.turnover, largest_turnover_) / mass);
 }
 
-double ErrorMeasure::displacement_tolerance(Index coordinate, double length) const {
+double ErrorMeasure::displacement_tolerance(Index coordinate) const {
   return absolute_[coordinate] + relative_ * present_.values[coordinate] +
-         length * relative_speed_tolerance(coordinate, length);
+         length_ * speed_tolerances_[coordinate];
 }
 
-double ErrorMeasure::speed_tolerance(Index coordinate, double length) const {
-  return absolute_[equations_.layout().velocity() + coordinate] +
-         relative_speed_tolerance(coordinate, length);
+double ErrorMeasure::speed_tolerance(Index coordinate) const {
+  return absolute_[equations_.layout().velocity() + coordinate] + speed_tolerances_[coordinate];
 }
 
 // By its own speed; by what the contacts that act can make of it, sqrt(2 E m_c) being the momentum
 // of the mass m_c that meets with their energy; by a small part of what its body's energy could, or
 // each of the forces alone, which may cancel; and by the rounding of the forces.
-double ErrorMeasure::relative_speed_tolerance(Index coordinate, double length) const {
-  const double mass = equations_.model().mass()[coordinate];
-  double scale = present_.values[equations_.layout().velocity() + coordinate] +
-                 part_of_energy * speed(coordinate);
-  double rounding = rounding_of_speed(mass);
+void ErrorMeasure::find_speed_tolerances() {
+  const StateLayout &layout = equations_.layout();
+  const Vector &mass = equations_.model().mass();
+  speed_tolerances_.resize(layout.n);
+  for (Index j = 0; j < layout.n; ++j)
+    speed_tolerances_[j] =
+        relative_ * (present_.values[layout.velocity() + j] + part_of_energy * speed(j)) +
+        rounding_of_speed(mass[j]);
   for (std::size_t c = 0; c < mass_.size(); ++c) {
-    if (present_.of[c].force == 0 && present_.of[c].energy == 0)
+    const OfContact &of = present_.of[c];
+    if (of.force == 0 && of.energy == 0)
       continue;
-    const double row = std::abs(equations_.contacts().pairs()[c].gap.row[coordinate]) / mass;
-    if (present_.of[c].energy > 0)
-      scale += row * mass_[c] * speed(c);
-    rounding += length * (noise(c) + part_of_energy * relative_ * present_.of[c].force) * row;
+    const double factor = relative_ * mass_[c] * of.speed +
+                          length_ * (noise(c) + part_of_energy * relative_ * of.force);
+    const RowVector &row = equations_.contacts().pairs()[c].gap.row;
+    for (Index j = 0; j < layout.n; ++j)
+      speed_tolerances_[j] += factor * std::abs(row[j]) / mass[j];
   }
-  return relative_ * scale + rounding;
 }
 
 // Of the bodies that meet there.
@@ -262,8 +261,7 @@ double ErrorMeasure::work_at_rest() const {
     const RowVector &row = equations_.contacts().pairs()[c].gap.row;
     for (Index j = 0; j < row.size(); ++j)
       if (row[j] != 0)
-        sum += present_.of[c].force * length_ * std::abs(row[j]) *
-               relative_speed_tolerance(j, length_);
+        sum += present_.of[c].force * length_ * std::abs(row[j]) * speed_tolerances_[j];
   }
   return sum;
 }
@@ -301,7 +299,7 @@ double ErrorMeasure::of_work(const Vector &error) const {
       continue;
     const OfContact &of = present_.of[c];
     const auto contact = static_cast<Index>(c);
-    const double momentum = mass_[c] * speed(c);
+    const double momentum = mass_[c] * of.speed;
     largest = std::max({largest,
                         ratio(std::abs(error[layout.contact_work(contact)]),
                               relative_ * (energy_at(c) + of.work) +
@@ -340,8 +338,8 @@ double ErrorMeasure::of_step(const Vector &error) const {
   double largest = 0;
   for (Index j = 0; j < layout.n; ++j) {
     const Index v = layout.velocity() + j;
-    largest = std::max({largest, ratio(std::abs(error[j]), displacement_tolerance(j, length_)),
-                        ratio(std::abs(error[v]), speed_tolerance(j, length_))});
+    largest = std::max({largest, ratio(std::abs(error[j]), displacement_tolerance(j)),
+                        ratio(std::abs(error[v]), speed_tolerance(j))});
   }
   for (Index i = layout.internal(); i < layout.physical_size(); ++i) {
     double allowed = absolute_[i] + relative_ * present_.values[i];
@@ -360,7 +358,7 @@ double ErrorMeasure::of_dense(const Vector &error) const {
     return std::numeric_limits<double>::infinity();
   double largest = 0;
   for (Index j = 0; j < error.size(); ++j)
-    largest = std::max(largest, ratio(std::abs(error[j]), displacement_tolerance(j, length_)));
+    largest = std::max(largest, ratio(std::abs(error[j]), displacement_tolerance(j)));
   for (std::size_t c = 0; c < mass_.size(); ++c)
     if (acts(c))
       largest =

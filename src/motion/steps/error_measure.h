@@ -52,6 +52,7 @@ private:
     double force = 0, impulse = 0;
     double work = 0;     ///< dissipated
     double rounding = 0; ///< of the gap
+    double speed = 0;    ///< that its energy could make of the mass that meets
   };
   struct Scales {
     Vector values;             ///< |x| of the physical part
@@ -65,15 +66,14 @@ private:
   void read_contact(std::size_t contact, const EndPoint &point, Scales &scales) const;
   bool acts(std::size_t contact) const;
   double speed(Index coordinate) const;
-  double speed(std::size_t contact) const;
   double noise(std::size_t contact) const;
   double reached(std::size_t contact, double length) const;
   double rounding_of_speed(double mass) const;
   double gap_tolerance(std::size_t contact, double length) const;
   double gap_rate_tolerance(std::size_t contact, double length) const;
-  double displacement_tolerance(Index coordinate, double length) const;
-  double speed_tolerance(Index coordinate, double length) const;
-  double relative_speed_tolerance(Index coordinate, double length) const;
+  double displacement_tolerance(Index coordinate) const;
+  double speed_tolerance(Index coordinate) const;
+  void find_speed_tolerances();
   double work_at_rest() const;
   double negligible_work() const;
   double negligible_impulse(std::size_t contact) const;
@@ -92,6 +92,7 @@ private:
   Vector internal_scale_by_gap_;           ///< 1: an internal state that is a length
   std::vector<std::size_t> contact_of_internal_;
   Scales recent_, at_end_, present_;
+  Vector speed_tolerances_;     ///< of each coordinate in the step, without the absolute ones
   double largest_turnover_ = 0; ///< of the motion; what is below its rounding does not count
   double length_ = 0;
   bool possible_ = true; ///< the step's end has no more energy than there can be

@@ -3,7 +3,6 @@
 #include "common/error.h"
 #include "motion/steps/dormand_prince_8.h"
 #include "motion/system/decayed_states.h"
-#include "motion/system/friction_rates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +22,16 @@ constexpr double smallest_growth = 0.2, largest_growth = 4;
 constexpr double exponent = 1.0 / 8; // of the step's error and of the polynomial's alike
 
 ConstVectorView view_of(const Vector &x) { return {x.data(), x.size()}; }
+
+// a |a| / sqrt(a^2 + b^2), by the ratio of the two, lest the squares of a small model's figures
+// vanish.
+double corrected(double a, double b) {
+  const double large = std::max(std::abs(a), std::abs(b));
+  if (large == 0)
+    return 0;
+  const double share = std::abs(a) / large, other = std::abs(b) / large;
+  return a * share / std::sqrt(share * share + other * other);
+}
 
 } // namespace
 
@@ -52,20 +61,6 @@ void HighOrderStepper::recall_steps() {
   const double highest = equations_.model().highest_frequency();
   steps_ = {.first = highest > 0 ? 0.01 / highest : 1e-6,
             .last = std::numeric_limits<double>::infinity()};
-}
-
-// The third derivative needs those of the sources.
-void HighOrderStepper::read_sources(double time) {
-  sources_.clear();
-  has_higher_ =
-      equations_.model().linear() && equations_.holding().empty() && !equations_.sees_force_rates();
-  for (const model::Source &source : equations_.model().sources()) {
-    std::optional<model::ExponentialForm> form = source.function->exponential_form(time);
-    if (!form)
-      has_higher_ = false;
-    else
-      sources_.push_back(*std::move(form));
-  }
 }
 
 void HighOrderStepper::find_only_contact() {
@@ -176,9 +171,7 @@ double HighOrderStepper::step_error() {
       fifth += method::fifth[i] * stages_(m, i);
       third += method::third[i] * stages_(m, i);
     }
-    // Scaled, lest the squares of a small model's figures vanish.
-    const double part = std::hypot(fifth, 0.1 * third);
-    error_[m] = part > 0 ? fifth * (std::abs(fifth) / part) : 0;
+    error_[m] = corrected(fifth, 0.1 * third);
   }
   return measure_.of_step(error_);
 }
@@ -213,51 +206,6 @@ void HighOrderStepper::complete(EndPoint &point) {
     add_higher(point);
   else
     point.higher.resize(0, 0);
-}
-
-// m q''' = f' - K q' - C q'' + forces of the contacts by the chain rule, and likewise for internal
-// states.
-void HighOrderStepper::add_higher(EndPoint &point) {
-  const StateLayout &layout = equations_.layout();
-  const model::Model &model = equations_.model();
-  const Index n = layout.n;
-  const ConstVectorView velocity(point.rates.data(), n);
-  const ConstVectorView acceleration(point.rates.data() + n, n);
-  point.higher.resize(layout.physical_size(), 1);
-  model.stiffness().apply(velocity, elastic_);
-  model.damping().apply(acceleration, damping_);
-  point.higher.col(0).head(n) = acceleration;
-  auto third = point.higher.col(0).segment(n, n);
-  third = -elastic_ - damping_;
-  for (std::size_t k = 0; k < sources_.size(); ++k) {
-    const model::Source &source = model.sources()[k];
-    SourceValues &s = point.sources[k];
-    s[3] = third_derivative(sources_[k], point.time);
-    third += s[1] * source.load + s[2] * source.rate_load + s[3] * source.inertial_load;
-  }
-  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    if (equations_.inactive(c))
-      continue;
-    const contact::ContactPair &pair = equations_.contacts().pairs()[c];
-    const LocalState local = equations_.local_state(c, point.time, view_of(point.state));
-    const double gap_acceleration = equations_.gap_acceleration(c, point.time, acceleration);
-    pair.law->evaluate(equations_.modes()[c], local, response_);
-    double force =
-        response_.force_by_gap * local.gap_rate + response_.force_by_gap_rate * gap_acceleration;
-    const int count = pair.n_internal();
-    const Index first = layout.internal() + pair.internal_offset;
-    for (int i = 0; i < count; ++i) {
-      force += response_.force_by_internal[i] * point.rates[first + i];
-      double second = response_.internal_rate_by_gap[i] * local.gap_rate +
-                      response_.internal_rate_by_gap_rate[i] * gap_acceleration;
-      for (int j = 0; j < count; ++j)
-        second += response_.internal_rate_by_internal[i * count + j] * point.rates[first + j];
-      point.higher(first + i, 0) = second;
-    }
-    third += force * pair.gap.row.transpose();
-    add_friction_rates(equations_, c, response_, point);
-  }
-  third.array() /= model.mass().array();
 }
 
 bool HighOrderStepper::opening() const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace vibroimpact::motion {
@@ -9,7 +10,6 @@ namespace vibroimpact::motion {
 using contact::ContactPair;
 using contact::LocalState;
 using model::RotorSet;
-using model::TimeFunction;
 
 Equations::Equations(const model::Model &model, const contact::ContactSet &contacts)
     : model_(model), contacts_(contacts), layout_{.n = model.size(),
@@ -17,7 +17,7 @@ Equations::Equations(const model::Model &model, const contact::ContactSet &conta
                                                   .n_drive = model.n_drive(),
                                                   .n_contacts = static_cast<Index>(contacts.size()),
                                                   .n_sliding = contacts.n_sliding()},
-      modes_(contacts.size(), 0) {
+      modes_(contacts.size(), 0), sources_(model) {
   for (const ContactPair &pair : contacts.pairs()) {
     std::vector<char> inactive;
     for (const contact::Mode &mode : pair.law->modes())
@@ -35,18 +35,23 @@ Equations::Equations(const model::Model &model, const contact::ContactSet &conta
     }
   }
   constraints_ = ActiveConstraints(model_, contacts_, modes_);
-  list_acting();
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    list(c);
 }
 
-void Equations::list_acting() {
-  acting_.clear();
-  following_.clear();
-  for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    if (!inactive(c) && !mode(c).holds_gap)
-      acting_.push_back({.contact = c, .pair = &contacts_.pairs()[c]});
-    if (mode(c).sees_force_rate)
-      following_.push_back(c);
-  }
+// In the present mode of the contact; both lists ascend.
+void Equations::list(std::size_t contact) {
+  const auto keep = [&](auto &list, auto key, const auto &entry, bool wanted) {
+    const auto place = std::ranges::lower_bound(list, contact, {}, key);
+    const bool listed = place != list.end() && std::invoke(key, *place) == contact;
+    if (wanted && !listed)
+      list.insert(place, entry);
+    else if (listed && !wanted)
+      list.erase(place);
+  };
+  keep(acting_, &Acting::contact, Acting{.contact = contact, .pair = &contacts_.pairs()[contact]},
+       !inactive(contact) && !mode(contact).holds_gap);
+  keep(following_, std::identity{}, contact, mode(contact).sees_force_rate);
 }
 
 void Equations::set_mode(std::size_t contact, int mode) {
@@ -54,7 +59,7 @@ void Equations::set_mode(std::size_t contact, int mode) {
     return;
   const bool held = this->mode(contact).holds();
   modes_[contact] = mode;
-  list_acting();
+  list(contact);
   if (held || this->mode(contact).holds())
     constraints_ = ActiveConstraints(model_, contacts_, modes_);
 }
@@ -71,18 +76,20 @@ void Equations::set_source_break(double instant) {
 }
 
 void Equations::source_values(double time, std::vector<SourceValues> &values) const {
-  const double instant = source_time(time);
   values.resize(model_.sources().size());
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const TimeFunction &function = *model_.sources()[k].function;
-    values[k] = {function.value(instant), function.rate(instant), function.acceleration(instant)};
-  }
+  for (std::size_t k = 0; k < values.size(); ++k)
+    values[k] = {source(k, 0, time), source(k, 1, time), source(k, 2, time)};
+}
+
+void Equations::load(double time) const {
+  model_.load([&](std::size_t k, std::size_t derivative) { return source(k, derivative, time); },
+              load_);
 }
 
 void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
   const Index n = layout_.n;
   const ConstVectorView velocity(x.data() + layout_.velocity(), n);
-  model_.load(source_time(time), load_);
+  load(time);
   model_.stiffness().apply(ConstVectorView(x.data(), n), elastic_);
   model_.damping().apply(velocity, damping_);
 
@@ -134,11 +141,11 @@ Matrix Equations::response_to(const Matrix &rows, double time, ConstVectorView x
   const Index n = layout_.n;
   const ConstVectorView q(x.data(), n);
   const ConstVectorView velocity(x.data() + layout_.velocity(), n);
-  const Vector frame = model_.rotor_frame(source_time(time));
+  model_.rotor_frame(source_time(time), frame_);
   Vector unloaded = Vector::Zero(n);
-  rotors.couple(model_.mass(), q, velocity, frame, VectorView(unloaded.data(), n));
+  rotors.couple(model_.mass(), q, velocity, frame_, VectorView(unloaded.data(), n));
   for (Index k = 0; k < response.cols(); ++k)
-    rotors.couple(model_.mass(), q, velocity, frame, VectorView(response.col(k).data(), n));
+    rotors.couple(model_.mass(), q, velocity, frame_, VectorView(response.col(k).data(), n));
   return response.colwise() - unloaded;
 }
 
@@ -155,12 +162,12 @@ double Equations::add_nonlinear_forces(double time, ConstVectorView x, VectorVie
     acceleration.array() /= model_.mass().array();
     return power;
   }
-  const Vector frame = model_.rotor_frame(source_time(time));
+  model_.rotor_frame(source_time(time), frame_);
   rotors.add_torques(drive, acceleration);
   acceleration.array() /= model_.mass().array();
-  rotors.couple(model_.mass(), q, velocity, frame, acceleration);
+  rotors.couple(model_.mass(), q, velocity, frame_, acceleration);
   rotors.drive_rates(velocity, drive, VectorView(dxdt.data() + layout_.drive(), layout_.n_drive));
-  return power + rotors.input_power(q, velocity, drive, frame);
+  return power + rotors.input_power(q, velocity, drive, frame_);
 }
 
 // Of the work integrals, whose integrals do not act back, only the work of loads and the impulses:
@@ -173,7 +180,7 @@ void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const
   if (!model_.linear())
     add_cubic_stiffness(time, x, jacobian);
   jacobian.block(n, n, n, n) = -model_.damping().dense();
-  model_.load(source_time(time), load_);
+  load(time);
   jacobian.row(layout_.input_work()).segment(n, n) = load_.transpose();
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     if (!inactive(c) && !mode(c).holds_gap)
@@ -206,8 +213,8 @@ void Equations::couple_rotors(double time, ConstVectorView x, Matrix &jacobian) 
     }
   const ConstVectorView q(x.data(), n);
   const ConstVectorView velocity(x.data() + layout_.velocity(), n);
-  const Vector frame = model_.rotor_frame(source_time(time));
-  rotors.couple_jacobian(model_.mass(), q, velocity, frame, uncoupled_acceleration(time, x),
+  model_.rotor_frame(source_time(time), frame_);
+  rotors.couple_jacobian(model_.mass(), q, velocity, frame_, uncoupled_acceleration(time, x),
                          jacobian.middleRows(n, n));
 }
 
@@ -215,7 +222,7 @@ void Equations::couple_rotors(double time, ConstVectorView x, Matrix &jacobian) 
 Vector Equations::uncoupled_acceleration(double time, ConstVectorView x) const {
   const Index n = layout_.n;
   const ConstVectorView q(x.data(), n);
-  model_.load(source_time(time), load_);
+  load(time);
   model_.stiffness().apply(q, elastic_);
   model_.damping().apply(ConstVectorView(x.data() + layout_.velocity(), n), damping_);
   Vector force = load_ - elastic_ - damping_;

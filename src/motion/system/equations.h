@@ -9,6 +9,7 @@
 #include "model/model.h"
 #include "motion/interval/end_point.h"
 #include "motion/system/active_constraints.h"
+#include "motion/system/source_memory.h"
 
 #include <algorithm>
 #include <limits>
@@ -75,6 +76,9 @@ public:
 
   /// s, s', s'' of all sources; no higher derivatives.
   void source_values(double time, std::vector<SourceValues> &values) const;
+
+  /// Contacts with a force by their law in the present modes.
+  std::size_t n_acting() const { return acting_.size(); }
 
   /// In its present mode the contact has neither force nor internal states.
   bool inactive(std::size_t contact) const;
@@ -144,11 +148,16 @@ private:
   const Component &component(std::size_t contact, int direction) const {
     return components_[first_component_[contact] + static_cast<std::size_t>(direction)];
   }
+  /// At the instant at which the phase has it.
+  double source(std::size_t source, std::size_t derivative, double time) const {
+    return sources_(source, derivative, source_time(time));
+  }
+  void load(double time) const;
   std::pair<double, double> motion_along(const Component &component, double time,
                                          ConstVectorView x) const;
   contact::LocalState local_motion(std::size_t contact, double time, ConstVectorView x) const;
   double base_rate(const Component &component, double time) const;
-  void list_acting();
+  void list(std::size_t contact);
   double add_contact(const Acting &acting, double time, ConstVectorView x, VectorView dxdt) const;
   double add_friction(std::size_t contact, double time, VectorView dxdt) const;
   void write_friction(const contact::ContactPair &pair, VectorView dxdt) const;
@@ -182,8 +191,9 @@ private:
   std::vector<std::size_t> first_component_; ///< of each
   mutable ActiveConstraints
       constraints_; ///< its response follows the position where there are rotors
+  mutable SourceMemory sources_;
   mutable contact::LawResponse response_;
-  mutable Vector load_, elastic_, damping_, held_rates_, held_forces_;
+  mutable Vector load_, elastic_, damping_, held_rates_, held_forces_, frame_;
 };
 
 } // namespace vibroimpact::motion

@@ -38,9 +38,8 @@ std::pair<double, double> Equations::motion_along(const Component &component, do
     rate += row[j] * velocity[j];
   }
   for (const BaseCoefficient &base : component.base_coefficients) {
-    const TimeFunction &function = *model_.sources()[base.source].function;
-    position += base.factor * function.value(source_time(time));
-    rate += base.factor * function.rate(source_time(time));
+    position += base.factor * source(base.source, 0, time);
+    rate += base.factor * source(base.source, 1, time);
   }
   return {position, rate};
 }
@@ -88,7 +87,7 @@ double Equations::gap_acceleration(std::size_t contact, double time, ConstVector
   const Component &component = this->component(contact, direction);
   double value = component.along.projection->row.dot(acceleration);
   for (const BaseCoefficient &base : component.base_coefficients)
-    value += base.factor * model_.sources()[base.source].function->acceleration(source_time(time));
+    value += base.factor * source(base.source, 2, time);
   return value;
 }
 
@@ -126,9 +125,8 @@ double Equations::magnitude(std::size_t contact, const contact::AffineForm &form
     double position = std::abs(component.along.offset) + of_row(0);
     double rate = std::abs(component.along.speed) + of_row(layout_.velocity());
     for (const BaseCoefficient &base : component.base_coefficients) {
-      const TimeFunction &function = *model_.sources()[base.source].function;
-      position += std::abs(base.factor * function.value(source_time(time)));
-      rate += std::abs(base.factor * function.rate(source_time(time)));
+      position += std::abs(base.factor * source(base.source, 0, time));
+      rate += std::abs(base.factor * source(base.source, 1, time));
     }
     sum += std::abs(along.position) * position + std::abs(along.rate) * rate;
   }
@@ -156,8 +154,7 @@ double Equations::acceleration_rounding(std::size_t contact, double time, const 
   double sum = force_magnitude(contact, direction, time, x) /
                contacts_.effective_mass(contact, model_, direction);
   for (const BaseCoefficient &base : component.base_coefficients)
-    sum += std::abs(base.factor *
-                    model_.sources()[base.source].function->acceleration(source_time(time)));
+    sum += std::abs(base.factor * source(base.source, 2, time));
   return rounding_factor * sum;
 }
 
@@ -176,8 +173,7 @@ double Equations::add_contact(const Acting &acting, double time, ConstVectorView
   dxdt[layout_.contact_work(contact)] = response_.dissipated_power;
   double power = 0;
   for (const BaseCoefficient &base : component(acting.contact, 0).base_coefficients)
-    power -= response_.force * base.factor *
-             model_.sources()[base.source].function->rate(source_time(time));
+    power -= response_.force * base.factor * source(base.source, 1, time);
   return pair.tangential.empty() ? power : power + add_friction(acting.contact, time, dxdt);
 }
 
@@ -185,7 +181,7 @@ double Equations::add_contact(const Acting &acting, double time, ConstVectorView
 double Equations::base_rate(const Component &component, double time) const {
   double rate = component.along.speed;
   for (const BaseCoefficient &base : component.base_coefficients)
-    rate += base.factor * model_.sources()[base.source].function->rate(source_time(time));
+    rate += base.factor * source(base.source, 1, time);
   return rate;
 }
 
@@ -264,7 +260,7 @@ double Equations::hold(double time, ConstVectorView x, VectorView dxdt) const {
 double Equations::force_magnitude(std::size_t contact, int direction, double time,
                                   const Vector &x) const {
   const Index n = layout_.n;
-  model_.load(source_time(time), load_);
+  load(time);
   Vector &forces = elastic_;
   forces = load_.cwiseAbs();
   add_magnitudes(model_.stiffness(), x.data(), forces);

@@ -203,7 +203,9 @@ Vector KeyTangent::acceleration(const model::Model &model, const contact::Contac
   const VectorView acceleration(force.data(), n);
   rotors.add_torques(ConstVectorView(state.data() + drive, rotors.n_drive()), acceleration);
   force = force.cwiseQuotient(model.mass()).eval();
-  rotors.couple(model.mass(), q, velocity, model.rotor_frame(time), acceleration);
+  Vector frame;
+  model.rotor_frame(time, frame);
+  rotors.couple(model.mass(), q, velocity, frame, acceleration);
   return force;
 }
 

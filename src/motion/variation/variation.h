@@ -68,6 +68,7 @@ public:
   /// Linear phases pass as a whole, unless a key makes them something else; through nonlinear
   /// contacts keys ask for short parts.
   bool sees_steps(const Equations &equations) const override;
+  bool follows_phases() const override { return true; }
   void step(const StepView &view) override;
   void interval(const Interval &interval) override;
   void event(const ContactEvent &event) override;
