@@ -56,6 +56,15 @@ double proportion(const AffineForm &form, const AffineForm &other) {
   return std::abs(factor);
 }
 
+double angle_of_contact(const Equations &equations, std::size_t contact, double time,
+                        const Vector &state) {
+  if (!equations.contacts().pairs()[contact].circle)
+    return nan;
+  const contact::CircularFrame at =
+      equations.frame(contact, time, ConstVectorView(state.data(), state.size()));
+  return std::atan2(at.normal[1], at.normal[0]);
+}
+
 } // namespace
 
 void Trajectory::change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
@@ -73,6 +82,7 @@ void Trajectory::change_mode(double instant, std::size_t contact, std::size_t gu
                      .gap = local.gap,
                      .gap_rate = local.gap_rate,
                      .gap_rate_after = local.gap_rate,
+                     .angle = angle_of_contact(equations_, contact, instant, before_),
                      .state = &state,
                      .before = &before_,
                      .guard = &passed,

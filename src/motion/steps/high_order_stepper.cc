@@ -235,28 +235,9 @@ void HighOrderStepper::add_higher(EndPoint &point) {
     s[3] = third_derivative(sources_[k], point.time);
     third += s[1] * source.load + s[2] * source.rate_load + s[3] * source.inertial_load;
   }
-  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    if (equations_.inactive(c))
-      continue;
-    const contact::ContactPair &pair = equations_.contacts().pairs()[c];
-    const LocalState local = equations_.local_state(c, point.time, view_of(point.state));
-    const double gap_acceleration = equations_.gap_acceleration(c, point.time, acceleration);
-    pair.law->evaluate(equations_.modes()[c], local, response_);
-    double force =
-        response_.force_by_gap * local.gap_rate + response_.force_by_gap_rate * gap_acceleration;
-    const int count = pair.n_internal();
-    const Index first = layout.internal() + pair.internal_offset;
-    for (int i = 0; i < count; ++i) {
-      force += response_.force_by_internal[i] * point.rates[first + i];
-      double second = response_.internal_rate_by_gap[i] * local.gap_rate +
-                      response_.internal_rate_by_gap_rate[i] * gap_acceleration;
-      for (int j = 0; j < count; ++j)
-        second += response_.internal_rate_by_internal[i * count + j] * point.rates[first + j];
-      point.higher(first + i, 0) = second;
-    }
-    third += force * pair.gap.row.transpose();
-    add_friction_rates(equations_, c, response_, point);
-  }
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
+    if (!equations_.inactive(c))
+      add_contact_rates(equations_, c, response_, point);
   third.array() /= model.mass().array();
 }
 
@@ -298,7 +279,7 @@ void HighOrderStepper::accept(double error) {
 double HighOrderStepper::rest_of_contact() const {
   const LocalState local = contact_at(start_);
   const double acceleration = equations_.gap_acceleration(
-      *only_contact_, start_.time,
+      *only_contact_, start_.time, view_of(start_.state),
       ConstVectorView(start_.rates.data() + equations_.layout().velocity(), equations_.layout().n));
   const double elastic = std::max(0.0, -0.8 * acceleration * local.gap);
   const double kinetic = local.gap_rate * local.gap_rate;
