@@ -103,5 +103,28 @@ def bolted_joint():
     return sketch
 
 
-SKETCHES = {"friction-oscillator": friction_oscillator, "wear": wear, "damped-buildings": damped_buildings,
+def rotor_rub():
+    sketch = Sketch("Left: a disc on an elastic shaft within a stator. Right: the disc in its clearance, with an unbalance, rubbing on "
+                    "the stator")
+    sketch.line((60, 30), (60, 250), width=6)
+    for y in (30, 250):
+        sketch.path([(60, y), (46, y + 12), (74, y + 12)] if y > 100 else [(60, y), (46, y - 12), (74, y - 12)],
+                    closed=True, fill="white")
+    sketch.line((36, 140), (84, 140), width=10)
+    for x in (26, 94):
+        sketch.line((x, 128), (x, 152), colour=CONTACT, width=5)
+    sketch.symbol((68, 80), "k, c", anchor="start")
+    centre, disc = (260, 140), (276, 128)
+    sketch.circle(centre, 80, fill="white")
+    sketch.circle(disc, 58)
+    sketch.line((336, 115), (336, 65), colour=CONTACT, width=4)
+    sketch.symbol((346, 92), "k_s, μ", colour=CONTACT, anchor="start")
+    sketch.arrow(disc, (250, 112))
+    sketch.symbol((244, 106), "e", colour=MOTION)
+    sketch.clearance((180, 140), (218, 140), "Δ", offset=96, side=1)
+    sketch.symbol((286, 164), "Ω", colour=MOTION)
+    return sketch
+
+
+SKETCHES = {"rotor-rub": rotor_rub, "friction-oscillator": friction_oscillator, "wear": wear, "damped-buildings": damped_buildings,
             "bolted-joint": bolted_joint}

@@ -1,8 +1,13 @@
 #include "contact/contact_set.h"
 
+#include <algorithm>
+
 namespace vibroimpact::contact {
 
 Direction ContactPair::along(int direction) const {
+  if (circle)
+    return {.projection = direction == 0 ? &gap : &circle->second(),
+            .offset = circle->centres()[static_cast<std::size_t>(direction)]};
   if (direction == 0)
     return {.projection = &gap, .offset = clearance};
   const TangentialDirection &t = tangential[static_cast<std::size_t>(direction - 1)];
@@ -25,6 +30,11 @@ Vector ContactSet::initial_internal() const {
     for (int i = 0; i < pair.n_internal(); ++i)
       internal[pair.internal_offset + i] = pair.law->initial_internal()[i];
   return internal;
+}
+
+bool ContactSet::has_circles() const {
+  return std::any_of(pairs_.begin(), pairs_.end(),
+                     [](const ContactPair &pair) { return pair.circle != nullptr; });
 }
 
 double ContactSet::effective_mass(std::size_t pair, const model::Model &model,

@@ -1,9 +1,11 @@
 // All contacts of a model: where they are (projections of the motion), and which law each follows.
 //
 // gap = clearance + (u_b - u_a) . n, n pointing from side a to side b; a positive normal force
-// pushes the two apart, so that it acts on the coordinates as gap_row^T force.
+// pushes the two apart, so that it acts on the coordinates as gap_row^T force. Where the gap is not
+// that of a plane, a CircularGap makes gap and slip of two projections.
 #pragma once
 
+#include "contact/circular_gap.h"
 #include "contact/contact_law.h"
 #include "model/model.h"
 #include "parameters/values.h"
@@ -21,8 +23,8 @@ struct TangentialDirection {
   Vector3 direction = Vector3::Zero(); ///< t
 };
 
-/// One direction of a contact, the normal or a tangential one: position = offset + projection, its
-/// rate that of the projection + speed.
+/// One direction of a contact, the normal or a tangential one, or one across the axis of a circular
+/// gap: position = offset + projection, its rate that of the projection + speed.
 struct Direction {
   const model::Projection *projection = nullptr;
   double offset = 0; ///< [m]
@@ -33,7 +35,8 @@ struct ContactPair {
   std::string name;
   std::string side_a, side_b; ///< "body.point"; side_b is "stop" or "base" for a stop
   double clearance = 0;       ///< gap of the undeformed model [m]; negative is a prestress
-  model::Projection gap;      ///< gap - clearance as a projection of the motion
+  /// gap - clearance as a projection of the motion; of a circular gap u_1 - that of the centres.
+  model::Projection gap;
   std::shared_ptr<const ContactLaw> law;
   bool accept_initial_penetration = false;
   std::string origin;        ///< where the parameter file declares it, for messages
@@ -44,11 +47,12 @@ struct ContactPair {
   double largest_impact_error = 0;               ///< above it too
   std::vector<TangentialDirection> tangential{}; ///< as many as the law sees
   Index sliding_place = -1;                      ///< among the contacts with tangential directions
+  std::shared_ptr<const CircularGap> circle{};   ///< none: the gap is that of a plane
 
   int n_internal() const { return law->n_internal(); }
-  /// Directions 0, the normal, and 1, 2: all that affine forms of the local state see of the
-  /// motion.
-  int n_directions() const { return 1 + static_cast<int>(tangential.size()); }
+  /// All that the contact sees of the motion: directions 0, the normal, and 1, 2, which affine
+  /// forms of the local state see; of a circular gap 0 and 1, those across its axis.
+  int n_directions() const { return circle ? 2 : 1 + static_cast<int>(tangential.size()); }
   Direction along(int direction) const;
 };
 
@@ -74,6 +78,8 @@ public:
   Vector initial_internal() const;
   /// Contacts with tangential directions.
   Index n_sliding() const { return n_sliding_; }
+  /// Is there a circular gap among them?
+  bool has_circles() const;
 
   /// 1 / (row M^-1 row^T): the mass that meets at the contact along a direction [kg]; infinite
   /// where nothing can move.

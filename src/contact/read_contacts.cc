@@ -1,7 +1,9 @@
 // The sections "Contact NAME" of a parameter file and what they stand for.
+#include "contact/circular_gap_keys.h"
 #include "contact/contact_group.h"
 #include "contact/contact_sections.h"
 #include "contact/contact_set.h"
+#include "contact/curved_gap_law.h"
 #include "contact/friction/frictional_law.h"
 #include "contact/friction/tangential_laws.h"
 #include "contact/laws.h"
@@ -66,11 +68,15 @@ public:
     if (!has_friction(contact))
       return;
     law_ = create_tangential_law(contact);
-    friction_.require("Direction");
-    direction_ = model::read_direction(friction_, "Direction");
+    if (has_circular_gap(contact))
+      refuse_direction();
+    else
+      direction_ = read_direction();
     if (!model.rotors().empty())
       friction_.reject("Law", "Law must be none in models with rotors.");
   }
+
+  bool given() const { return law_ != nullptr; }
 
   /// A pair with its normal law, and now with friction too.
   void add(ContactPair &pair, const Meeting &meeting, const std::string &fixed) const {
@@ -79,6 +85,8 @@ public:
     if (const std::string reason = why_no_friction(*pair.law); !reason.empty())
       friction_.reject("Law", "Law must be none with " + reason +
                                   ", which Law = " + pair.law->name() + " of the contact has.");
+    if (pair.circle)
+      return add_to_circle(pair);
     constexpr double right_angle = 1e-9;
     if (std::abs(direction_.dot(pair.normal)) > right_angle)
       friction_.reject("Direction",
@@ -94,6 +102,23 @@ public:
   }
 
 private:
+  Vector3 read_direction() const {
+    friction_.require("Direction");
+    return model::read_direction(friction_, "Direction");
+  }
+  void refuse_direction() const {
+    if (friction_.has("Direction"))
+      friction_.reject("Direction",
+                       "Direction must not be set when the gap is circular: it is Axis x n.");
+  }
+  // Before the gap is known to be curved the normal law says whether it may pull.
+  void add_to_circle(ContactPair &pair) const {
+    pair.tangential.push_back({.slip = pair.circle->second(),
+                               .surface_speed = pair.circle->surface_speed(),
+                               .direction = pair.circle->axis().cross(pair.normal)});
+    pair.law = std::make_shared<FrictionalLaw>(std::make_shared<CurvedGapLaw>(pair.law), law_);
+  }
+
   Values friction_;
   const Model &model_;
   std::shared_ptr<const TangentialLaw> law_; ///< none: no friction
@@ -127,7 +152,11 @@ public:
                      .normal = meeting.normal,
                      .least_flexibility_share = contact_.quantity("Least flexibility share"),
                      .largest_impact_error = contact_.quantity("Largest impact error")};
+    if (has_circular_gap(contact_))
+      bend_gap(contact_, meeting, fixed, model_, made);
     friction_.add(made, meeting, fixed);
+    if (made.circle && !friction_.given())
+      made.law = std::make_shared<CurvedGapLaw>(made.law);
     return made;
   }
 
@@ -164,7 +193,7 @@ ContactPair read_contact(const ContactSection &section, const std::string &name,
       model::relative_displacement(meeting.a, meeting.b, fixed != side_base, meeting.normal, model);
   ContactPair pair =
       ContactMaker(contact, model, lumped_mass(meeting, gap, model)).pair(name, meeting, fixed);
-  if (pair.gap.row.isZero(0) && !pair.law->always_in_contact())
+  if (pair.gap.row.isZero(0) && !pair.circle && !pair.law->always_in_contact())
     contact.reject(
         "Direction",
         "Direction must be a direction along which at least one of the two sides can move.");
@@ -173,6 +202,8 @@ ContactPair read_contact(const ContactSection &section, const std::string &name,
 
 ContactGroup read_group(const Values &contact, const std::string &name, const Model &model,
                         std::vector<ContactPair> &pairs) {
+  if (has_circular_gap(contact))
+    contact.reject("Gap", "Gap must be plane when Pairing = " + contact.choice("Pairing") + ".");
   if (contact.has("Clearance"))
     read_clearance(contact);
   const Meetings meetings = find_meetings(contact, model);
@@ -211,7 +242,7 @@ void declare_contacts(parameters::Section &root) {
       .required()
       .text("Direction", "x",
             "Contact normal n, from the first side to the second: x, -y or three "
-            "numbers.")
+            "numbers. Of a circular gap the direction across Axis from which angles count.")
       .quantity("Clearance", "", dimension::length, range::any, "g_0",
                 "Gap of the undeformed model. Pairs of two interfaces have that of the geometry "
                 "when it is not given.")
@@ -221,6 +252,7 @@ void declare_contacts(parameters::Section &root) {
           "Says that a negative clearance is meant: the two sides press on each other at rest.")
       .choice("Initial penetration", "refuse", {"refuse", "accept"},
               "What to do when a motion starts with the two sides overlapping.");
+  declare_circular_gap(contact);
   declare_mirror(contact);
   declare_pairing(contact);
   contact

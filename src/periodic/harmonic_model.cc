@@ -94,6 +94,9 @@ void check_harmonic(const model::Model &model, const contact::ContactSet &contac
     if (pair.law->rigid())
       throw InputError(refusal + ("the contact " + pair.name) + " is rigid (Law = " +
                        pair.law->name() + "): its force is no function of time.");
+    if (pair.circle)
+      throw InputError(refusal + ("the contact " + pair.name) +
+                       " has a circular gap, for which it is not built.");
     if (!pair.tangential.empty())
       throw InputError(refusal + ("the contact " + pair.name) +
                        " has friction, for which it is not built.");

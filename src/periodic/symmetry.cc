@@ -101,6 +101,8 @@ bool Symmetry::matches(const ContactPair &a, const ContactPair &b) const {
   for (Index i = 0; i < row.size(); ++i)
     row[taken_from_[static_cast<std::size_t>(i)]] += factor_[i] * a.gap.row[i];
   const double largest = row.cwiseAbs().maxCoeff();
+  if (a.circle || b.circle) // their second direction is not looked at here
+    return false;
   if (!near(a.clearance, b.clearance) ||
       (row - RowVector(b.gap.row)).cwiseAbs().maxCoeff() > equal_up_to * largest)
     return false;

@@ -9,6 +9,7 @@ from . import (
     bifurcation,
     branches,
     chosen_figures,
+    circular_gaps,
     cycles,
     derivatives,
     derived_curves,
@@ -31,8 +32,8 @@ from . import (
     transient,
 )
 
-KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, friction, portraits,
-         relative_motion, spectra, time_frequency, maps, derivatives, derived_curves]
+KINDS = [modal, transient, identify, response_curves, bifurcation, histories, cycles, friction, circular_gaps,
+         portraits, relative_motion, spectra, time_frequency, maps, derivatives, derived_curves]
 # Analyses whose fields are of their own kind.
 OWN = {**{name: [branches] for name in branches.TYPES}, loci.TYPE: [loci],
        searches.TYPE: [searches, derived_curves],

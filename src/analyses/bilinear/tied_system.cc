@@ -35,6 +35,10 @@ void check_contact(const System &system) {
         std::to_string(pairs.size()) + (names.empty() ? "" : ": " + parameters::join(names, ", ")) +
         "; the key Active contacts of the analysis chooses among them.");
   }
+  if (pairs[0].circle)
+    throw InputError(std::string(approximation_subject) +
+                     " must have a contact with Gap = plane; " + pairs[0].name +
+                     " has a circular one.");
   if (!pairs[0].tangential.empty())
     throw InputError(std::string(approximation_subject) +
                      " must have a contact without friction; " + pairs[0].name + " has the law " +

@@ -40,7 +40,7 @@ double load_amplitude(const model::Source &source) {
 }
 
 bool is_stop(const contact::ContactPair &pair) {
-  return pair.side_b == "stop" && pair.law->name() == "bilinear stop";
+  return pair.side_b == "stop" && !pair.circle && pair.law->name() == "bilinear stop";
 }
 
 bool nearly_equal(double one, double other) {

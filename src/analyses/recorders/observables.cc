@@ -35,8 +35,9 @@ void add_channel(const Channel &channel, bool fixed, std::vector<Observable> &li
 void add_friction(const contact::ContactSet &contacts, std::size_t c,
                   std::vector<Observable> &list) {
   const std::string base = "contact/" + contacts.pairs()[c].name + "/";
-  list.push_back({base + "slip", "slip", "m", "slip of the second side on the first",
-                  motion::SlipForm{.contact = c}});
+  if (!contacts.pairs()[c].circle)
+    list.push_back({base + "slip", "slip", "m", "slip of the second side on the first",
+                    motion::SlipForm{.contact = c}});
   list.push_back({base + "slip_rate", "slip", "m/s",
                   "slip rate of the second side's surface on the first",
                   motion::SlipForm{.contact = c, .rate = true}});
@@ -45,12 +46,32 @@ void add_friction(const contact::ContactSet &contacts, std::size_t c,
                   " on the second side along the direction of friction"});
 }
 
+void add_place_in_ring(const contact::ContactSet &contacts, std::size_t c,
+                       std::vector<Observable> &list) {
+  constexpr const char *meanings[] = {
+      "place of the first side relative to the second's centre along Direction",
+      "place of the first side relative to the second's centre along Axis x Direction"};
+  for (int d = 0; d < 2; ++d) {
+    list.push_back({"contact/" + contacts.pairs()[c].name + "/place_" + std::to_string(d + 1),
+                    "place", "m", meanings[d], [c, d](const StepView &view) {
+                      const contact::Direction along =
+                          view.equations().contacts().pairs()[c].along(d);
+                      Bernstein place = view.displacement(*along.projection);
+                      place += along.offset;
+                      place *= -1;
+                      return place;
+                    }});
+  }
+}
+
 void add_contact(const contact::ContactSet &contacts, std::size_t c,
                  std::vector<Observable> &list) {
   const contact::ContactPair &pair = contacts.pairs()[c];
   const std::string base = "contact/" + pair.name + "/";
   list.push_back(gap_of(contacts, c));
   list.push_back(normal_force(contacts, c));
+  if (pair.circle)
+    add_place_in_ring(contacts, c, list);
   if (!pair.tangential.empty())
     add_friction(contacts, c, list);
   Index place = pair.internal_offset;
@@ -164,8 +185,9 @@ StepFunction along(const Observable &observable, const StepView &view) {
 namespace {
 
 const std::vector<std::string> quantity_kinds = {
-    "displacement", "absolute_displacement", "velocity", "acceleration", "gap", "normal_force",
-    "slip",         "friction_force",        "stop",     "rotor"};
+    "displacement", "absolute_displacement", "velocity", "acceleration",   "gap",
+    "place",        "normal_force",          "slip",     "friction_force", "stop",
+    "rotor"};
 
 // An empty list means all.
 std::vector<std::string> without_all(std::vector<std::string> names) {
@@ -206,7 +228,8 @@ void declare_selection_of_quantities(parameters::Section &section,
   section.names("Points", "all", "Points that are observed: all, or their names as BODY.POINT.")
       .names("Quantities", "all",
              "What is observed: all, or some of" + list.substr(1) +
-                 ". stop: internal states of contact laws, such as the deformation of a stop; "
+                 ". place: the two coordinates in a circular gap; stop: internal states of contact "
+                 "laws, such as the deformation of a stop; "
                  "rotor: speed, torque and current.");
 }
 

@@ -98,6 +98,17 @@ constexpr PatternColumn columns[] = {
      [](const Impact &i) { return i.finished ? 1.0 : 0.0; }},
 };
 
+constexpr PatternColumn angle_column{"angle", "rad",
+                                     "where the sides meet, from Direction on about Axis",
+                                     [](const Impact &i) { return i.angle; }};
+
+std::vector<PatternColumn> columns_of(const contact::ContactPair &pair) {
+  std::vector<PatternColumn> list(std::begin(columns), std::end(columns));
+  if (pair.circle)
+    list.push_back(angle_column);
+  return list;
+}
+
 } // namespace
 
 void add_settled(const FieldWriter &result, bool steady, long multiple, long cycles) {
@@ -178,7 +189,8 @@ void add_impacts(const FieldWriter &result, const contact::ContactSet &contacts,
     const std::string &name = contacts.pairs()[c].name;
     const FieldWriter of = result.below("contact/" + name + "/");
     const std::vector<Impact> &impacts = log.impacts(c);
-    for (const PatternColumn &column : columns) {
+    const std::vector<PatternColumn> listed = columns_of(contacts.pairs()[c]);
+    for (const PatternColumn &column : listed) {
       std::vector<double> values;
       std::transform(impacts.begin(), impacts.end(), std::back_inserter(values), column.value);
       of.series(std::string("impact/") + column.name, "impact_" + name, std::move(values),
@@ -186,7 +198,7 @@ void add_impacts(const FieldWriter &result, const contact::ContactSet &contacts,
     }
     of.line("impacts", static_cast<double>(impacts.size()), "1");
     for (std::size_t i = 0; i < std::min(summary_lines, impacts.size()); ++i)
-      for (const PatternColumn &column : columns)
+      for (const PatternColumn &column : listed)
         of.line("impact[" + std::to_string(i + 1) + "]." + column.name, column.value(impacts[i]),
                 column.unit);
   }

@@ -43,8 +43,10 @@ void declare_friction(parameters::Section &contact) {
                   "slip is that of the second side on the first.");
   friction.choice("Law", none, names, "Law of friction; its constants stand in its own section.")
       .text("Direction", "",
-            "Tangential direction, at a right angle to the contact normal: x, -y or three numbers.")
-      .required("Law is not none")
+            "Tangential direction, at a right angle to the contact normal: x, -y or three numbers. "
+            "Of "
+            "a circular gap it is Axis x n.")
+      .required("Law is not none and Gap = plane")
       .quantity("Surface speed", "0 m/s", dimension::velocity, range::any, "V",
                 "Speed of the second side's surface along the direction, as of a belt or of a disc "
                 "that turns; it adds to the slip rate.");

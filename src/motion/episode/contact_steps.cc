@@ -44,8 +44,9 @@ void ContactSteps::fill(const PhaseEpisode &contact, double time, const double *
   const contact::ContactPair &pair = equations_.contacts().pairs()[contact.contact()];
   const LocalState local =
       equations_.local_state(contact.contact(), time, step_view_of(point.state));
-  const double acceleration = equations_.gap_acceleration(
-      contact.contact(), time, ConstVectorView(point.rates.data() + n, n));
+  const double acceleration =
+      equations_.gap_acceleration(contact.contact(), time, step_view_of(point.state),
+                                  ConstVectorView(point.rates.data() + n, n));
   pair.law->evaluate(equations_.modes()[contact.contact()], local, response_);
   const double force_rate =
       response_.force_by_gap * local.gap_rate + response_.force_by_gap_rate * acceleration;

@@ -144,7 +144,7 @@ double Collisions::gap_acceleration(std::size_t contact, double time, const Vect
   Vector rates(state.size());
   equations_.rates(time, ConstVectorView(state.data(), state.size()),
                    VectorView(rates.data(), rates.size()));
-  return equations_.gap_acceleration(contact, time,
+  return equations_.gap_acceleration(contact, time, ConstVectorView(state.data(), state.size()),
                                      ConstVectorView(rates.data() + layout.velocity(), layout.n));
 }
 

@@ -90,6 +90,7 @@ void ImpactLog::begin(Track &track, const ContactEvent &event) const {
                    .peak_time = instants_ ? event.time : nan,
                    .impulse = -integrals[layout.impulse(contact)],
                    .dissipated_energy = -integrals[layout.contact_work(contact)],
+                   .angle = event.angle,
                    .chatter_duration = event.chatter_duration};
   track.force = track.gap = {};
   track.complete = true;

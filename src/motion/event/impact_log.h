@@ -19,6 +19,7 @@ struct Impact {
   double impulse = 0;             ///< integral of the force [N s]
   double maximum_penetration = 0; ///< [m]
   double dissipated_energy = 0;   ///< by the contact law [J]
+  double angle = nan;             ///< of a circular gap: where the sides met, from a_1 [rad]
   double chatter_duration = 0;    ///< of further impacts that were completed at once [s]
   /// False: the sides were still together where the record ended. Duration, peak, impulse, overlap
   /// and energy are those up to then, and there is no separation speed (NaN).

@@ -45,8 +45,8 @@ double imposed_slip(const Equations &equations, std::size_t contact, double time
   const StateLayout &layout = equations.layout();
   Vector rates(layout.size());
   equations.rates(time, view_of(state), {rates.data(), rates.size()});
-  const double slides =
-      equations.gap_acceleration(contact, time, {rates.data() + layout.velocity(), layout.n}, 1);
+  const double slides = equations.gap_acceleration(contact, time, view_of(state),
+                                                   {rates.data() + layout.velocity(), layout.n}, 1);
   return std::abs(slides) > roundings * equations.acceleration_rounding(contact, time, state, 1)
              ? slides
              : 0;

@@ -127,9 +127,21 @@ Bernstein Bernstein::derivative() const {
 }
 
 Bernstein &Bernstein::operator*=(double factor) {
-  for (double &c : coefficients_)
-    c *= factor;
+  for (int i = 0; i <= degree_; ++i)
+    coefficients_[i] *= factor;
   return *this;
+}
+
+// The coefficient k is the sum over i + j = k of C(p, i) C(q, j) / C(p + q, k) b_i b_j.
+Bernstein Bernstein::operator*(const Bernstein &other) const {
+  Bernstein product;
+  product.degree_ = degree_ + other.degree_;
+  for (int i = 0; i <= degree_; ++i)
+    for (int j = 0; j <= other.degree_; ++j)
+      product.coefficients_[i + j] += binomials[degree_][i] * binomials[other.degree_][j] /
+                                      binomials[product.degree_][i + j] * coefficients_[i] *
+                                      other.coefficients_[j];
+  return product;
 }
 
 Bernstein Bernstein::raised() const {

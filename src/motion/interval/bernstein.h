@@ -1,4 +1,5 @@
-// Polynomials up to degree 9 on [0, 1] in the Bernstein basis: the dense output of a time step.
+// Polynomials on [0, 1] in the Bernstein basis: the dense output of a time step, up to degree 9,
+// and products of two.
 //
 // The coefficients bound the polynomial, and their sign changes bound the number of its zeros, so
 // that zeros are isolated safely by subdivision: none is skipped, whatever their distance.
@@ -12,7 +13,8 @@ namespace vibroimpact::motion {
 
 class Bernstein {
 public:
-  static constexpr int maximum_degree = 9;
+  static constexpr int dense_degree = 9;
+  static constexpr int maximum_degree = 2 * dense_degree;
 
   Bernstein() = default;
   /// A constant.
@@ -55,6 +57,9 @@ public:
   Bernstein &operator+=(const Bernstein &other);
 
   Bernstein &operator+=(double constant);
+
+  /// Product, of the sum of both degrees.
+  Bernstein operator*(const Bernstein &other) const;
 
   /// Of odd degree n < maximum_degree: with `amount` times the middle Bernstein polynomial of
   /// degree n + 1.

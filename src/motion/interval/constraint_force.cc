@@ -10,7 +10,7 @@ namespace vibroimpact::motion {
 
 namespace {
 
-constexpr Index degree = Bernstein::maximum_degree;
+constexpr Index degree = Bernstein::dense_degree;
 
 // Chebyshev points of the second kind: interpolation there is within a small factor of the best.
 double node(Index i) {

@@ -1,5 +1,8 @@
 #include "motion/interval/guard_forms.h"
 
+#include "common/error.h"
+#include "motion/interval/guard_products.h"
+
 namespace vibroimpact::motion {
 
 LinearRow linear_row(const Equations &equations, std::size_t contact,
@@ -10,8 +13,35 @@ LinearRow linear_row(const Equations &equations, std::size_t contact,
   return LinearSystem::of_modes(equations).row(equations, contact, form);
 }
 
+namespace {
+
+// N and its rate by their partial derivatives.
+contact::AffineForm without_normal_force(const Equations &equations, std::size_t contact,
+                                         const contact::AffineForm &form, double time,
+                                         ConstVectorView x) {
+  if (!form.sees_normal_force())
+    return form;
+  if (form.normal_force_rate != 0)
+    throw NumericalError("contact " + equations.contacts().pairs()[contact].name +
+                         ": derivatives of a spring-slider in a circular gap are not known");
+  contact::LawResponse response;
+  equations.contacts().pairs()[contact].law->evaluate(
+      equations.modes()[contact], equations.local_state(contact, time, x), response);
+  contact::AffineForm made = form;
+  made.normal_force = 0;
+  return made + form.normal_force * contact::normal_force_gradient(response);
+}
+
+} // namespace
+
 LinearRow tangent_row(const Equations &equations, std::size_t contact,
                       const contact::AffineForm &form, double time, const Vector &state) {
+  if (const auto &circle = equations.contacts().pairs()[contact].circle) {
+    const ConstVectorView x(state.data(), state.size());
+    return row_of_motion(equations, contact,
+                         circle->gradient(equations.frame(contact, time, x),
+                                          without_normal_force(equations, contact, form, time, x)));
+  }
   if (!form.sees_forces() || LinearSystem::holds(equations))
     return linear_row(equations, contact, form);
   return LinearSystem::tangent(equations, time, state).row(equations, contact, form);
@@ -29,18 +59,23 @@ GuardForms guard_forms(const Equations &equations) {
   const auto n_sources = static_cast<Index>(equations.model().sources().size());
   GuardForms forms{.rows = Matrix(0, equations.layout().physical_size() + 3 * n_sources),
                    .constants = Vector(0)};
-  for (std::size_t c = 0; c < equations.contacts().size(); ++c) {
-    const contact::ContactLaw &law = *equations.contacts().pairs()[c].law;
-    for (const contact::Guard &guard :
-         law.modes()[static_cast<std::size_t>(equations.modes()[c])].guards) {
-      const LinearRow form = linear_row(equations, c, guard.indicator);
-      const Index last = forms.rows.rows();
-      forms.rows.conservativeResize(last + 1, Eigen::NoChange);
-      forms.constants.conservativeResize(last + 1);
-      forms.rows.row(last) = form.row;
-      forms.constants[last] = form.constant;
+  const auto add = [&](const LinearRow &form) {
+    const Index last = forms.rows.rows();
+    forms.rows.conservativeResize(last + 1, Eigen::NoChange);
+    forms.constants.conservativeResize(last + 1);
+    forms.rows.row(last) = form.row;
+    forms.constants[last] = form.constant;
+  };
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+    for (const contact::Guard &guard : equations.mode(c).guards)
+      add(linear_row(equations, c, guard.indicator));
+  if (const auto products = guard_products(equations))
+    for (const GuardProduct &product : *products) {
+      const contact::CircularGap &circle = *equations.contacts().pairs()[product.contact].circle;
+      add(row_of_motion(equations, product.contact, touching_radius(circle, product.form)));
+      for (int d = 0; d < 2; ++d)
+        add(row_of_motion(equations, product.contact, contact::AffineForm::position_along(d)));
     }
-  }
   return forms;
 }
 

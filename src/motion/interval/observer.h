@@ -6,6 +6,7 @@
 // it asks for steps; elsewhere there are steps alone.
 #pragma once
 
+#include "common/scalar.h"
 #include "motion/interval/output.h"
 
 #include <vector>
@@ -36,6 +37,7 @@ struct ContactEvent {
   double gap_rate_after = 0;   ///< the same unless velocities jumped [m/s]
   double chatter_duration = 0; ///< time in which further impacts, infinitely many, would come to
                                ///< rest; they are replaced by rest at once [s]
+  double angle = nan;          ///< of a circular gap: from a_1 to where the sides are closest [rad]
   const Vector *state = nullptr;
   const Vector *before = nullptr;        ///< the state before resets and jumps
   const contact::Guard *guard = nullptr; ///< that was passed

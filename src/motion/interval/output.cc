@@ -2,6 +2,8 @@
 
 #include "motion/interval/peak_force.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace vibroimpact::motion {
@@ -40,6 +42,14 @@ LinearForm linear_form_of_force(const ForceForm &form, const Equations &equation
   if (!mode.affine)
     throw std::logic_error("the force of this contact is not linear in the motion");
   return {.row = linear_row(equations, form.contact, mode.affine->force)};
+}
+
+// By the squared distance, which is a polynomial.
+void include_circular_gap(const StepView &view, std::size_t contact, ValueRange &range) {
+  const contact::CircularGap &circle = *view.equations().contacts().pairs()[contact].circle;
+  const Bernstein squared = view.squared_distance(contact);
+  for (const double extreme : {squared.minimum(), squared.maximum()})
+    range.include(circle.sense() * (circle.clearance() - std::sqrt(std::max(0.0, extreme))));
 }
 
 contact::AffineForm affine_form(const SlipForm &form) {
@@ -100,6 +110,9 @@ Bernstein curve(const OutputForm &form, const StepView &view) {
 void Output::include(const StepView &view) const {
   if (const auto *force = std::get_if<ForceForm>(form))
     range->include(peak_force(view, force->contact));
+  else if (const auto *gap = std::get_if<GapForm>(form);
+           gap && view.equations().contacts().pairs()[gap->contact].circle)
+    include_circular_gap(view, gap->contact, *range);
   else
     range->include(curve(*form, view));
 }

@@ -1,6 +1,7 @@
 #include "motion/interval/step_view.h"
 
 #include "motion/interval/constraint_force.h"
+#include "motion/interval/guard_products.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,6 +116,8 @@ Bernstein StepView::coordinate(Index j) const {
 }
 
 Bernstein StepView::position(std::size_t contact, int direction) const {
+  if (equations().contacts().pairs()[contact].circle)
+    return local_curve(*this, contact, contact::AffineForm::position_along(direction));
   const contact::Direction along = equations().contacts().pairs()[contact].along(direction);
   Bernstein position = displacement(*along.projection);
   position += along.offset;
@@ -122,6 +125,8 @@ Bernstein StepView::position(std::size_t contact, int direction) const {
 }
 
 Bernstein StepView::rate(std::size_t contact, int direction) const {
+  if (equations().contacts().pairs()[contact].circle)
+    return local_curve(*this, contact, contact::AffineForm::rate_along(direction));
   const contact::Direction along = equations().contacts().pairs()[contact].along(direction);
   Bernstein rate = velocity(*along.projection);
   rate += along.speed;
@@ -163,8 +168,46 @@ Bernstein StepView::friction_force(std::size_t contact, int direction) const {
   });
 }
 
+Bernstein StepView::squared_distance(std::size_t contact) const {
+  const contact::ContactPair &pair = equations().contacts().pairs()[contact];
+  Bernstein sum;
+  for (int d = 0; d < 2; ++d) {
+    Bernstein u = displacement(*pair.along(d).projection);
+    u += pair.along(d).offset;
+    sum += u * u;
+  }
+  return sum;
+}
+
+Bernstein StepView::internal_part(std::size_t contact, const contact::AffineForm &form) const {
+  const Index first = equations().contacts().pairs()[contact].internal_offset;
+  Bernstein sum(form.constant);
+  for (std::size_t i = 0; i < form.internal.size(); ++i)
+    if (form.internal[i] != 0) {
+      Bernstein state = internal(first + static_cast<Index>(i));
+      state *= form.internal[i];
+      sum += state;
+    }
+  return sum;
+}
+
+Bernstein StepView::circular_indicator(std::size_t contact, const contact::AffineForm &form) const {
+  if (!is_product(form))
+    return local_curve(*this, contact, form);
+  const contact::CircularGap &circle = *equations().contacts().pairs()[contact].circle;
+  const Bernstein radius = internal_part(contact, touching_radius(circle, form));
+  Bernstein squared = squared_distance(contact);
+  squared *= -1;
+  Bernstein product = radius * radius;
+  product += squared;
+  product *= form.gap * circle.sense() / (2 * circle.clearance());
+  return product;
+}
+
 Bernstein StepView::indicator(std::size_t contact, const contact::AffineForm &form) const {
   const contact::ContactPair &pair = equations().contacts().pairs()[contact];
+  if (pair.circle)
+    return circular_indicator(contact, form);
   Bernstein sum;
   const auto add = [&sum](double factor, Bernstein curve) {
     curve *= factor;

@@ -61,9 +61,12 @@ public:
   Bernstein gap(std::size_t contact) const { return position(contact, 0); }
   /// Time derivative of the gap.
   Bernstein gap_rate(std::size_t contact) const { return rate(contact, 0); }
-  /// Along a direction of a contact: the gap (0) or a slip, and its rate.
+  /// Along a direction of a contact: the gap (0) or a slip, and its rate. In a circular gap through
+  /// the values at ten instants: where u passes the middle the gap has no slope.
   Bernstein position(std::size_t contact, int direction) const;
   Bernstein rate(std::size_t contact, int direction) const;
+  /// |u|^2 of a contact in a circular gap.
+  Bernstein squared_distance(std::size_t contact) const;
   Bernstein internal(Index i) const;
   /// Torque of a motor.
   Bernstein drive(Index i) const;
@@ -81,6 +84,8 @@ public:
 
 private:
   Bernstein first_order_state(Index place) const;
+  Bernstein circular_indicator(std::size_t contact, const contact::AffineForm &form) const;
+  Bernstein internal_part(std::size_t contact, const contact::AffineForm &form) const;
 
   const EndPoint *start_;
   const EndPoint *end_;

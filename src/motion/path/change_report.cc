@@ -1,6 +1,23 @@
 #include "motion/path/change_report.h"
 
+#include "common/scalar.h"
+
+#include <cmath>
+
 namespace vibroimpact::motion {
+
+namespace {
+
+double angle_of_contact(const Equations &equations, std::size_t contact, double time,
+                        const Vector &state) {
+  if (!equations.contacts().pairs()[contact].circle)
+    return nan;
+  const contact::CircularFrame at =
+      equations.frame(contact, time, ConstVectorView(state.data(), state.size()));
+  return std::atan2(at.normal[1], at.normal[0]);
+}
+
+} // namespace
 
 void report_change(const Equations &equations, const PassedChange &change, bool integrals,
                    Vector &state, const Observers &observers) {
@@ -24,6 +41,7 @@ void report_change(const Equations &equations, const PassedChange &change, bool 
                    .gap = change.local.gap,
                    .gap_rate = change.local.gap_rate,
                    .gap_rate_after = change.local.gap_rate,
+                   .angle = angle_of_contact(equations, change.contact, change.time, change.before),
                    .state = &state,
                    .before = &change.before,
                    .guard = &mode.guards[change.guard],

@@ -1,20 +1,25 @@
 #include "motion/path/exact_stepper.h"
 
 #include "common/error.h"
+#include "motion/interval/guard_products.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace vibroimpact::motion {
 
-// The guards of the phase during a step. The sixth derivative of a group is bounded by the size of
-// its amplitude and the growth since then; of a dense block by |c B^6| exp(|B| (b - a)) |x(a)|
+// The guards of the phase during a step. The k-th derivative of a group is bounded by the size of
+// its amplitude and the growth since then; of a dense block by |c B^k| exp(|B| (b - a)) |x(a)|
 // between a and b: from the start of the step on, the bound of a fast block would soon grow beyond
-// any use.
+// any use. The sixth derivative of a square is the sum of C(6, k) f^(k) f^(6 - k).
 class ExactStepper::Guards : public GuardCurves {
 public:
-  void start(const LinearPhase &known, ExactPhase &phase, const Amplitudes &amplitudes) {
+  void start(const Equations &equations, const LinearPhase &known, ExactPhase &phase,
+             const Amplitudes &amplitudes) {
+    products_ = guard_products(equations).value();
     forms_ = &known.forms().guard_forms();
     phase_ = &phase;
     amplitudes_ = &amplitudes;
@@ -24,20 +29,79 @@ public:
   Index size() const override { return forms_->constants.size(); }
 
   Jet at(Index guard, double time) const override {
-    double f[4];
-    kernel().derivatives(phase_->view(), static_cast<int>(guard), amplitudes_at(time), f);
-    return {.value = f[0], .rate = f[1], .acceleration = f[2]};
+    const double *const amplitudes = amplitudes_at(time);
+    const GuardProduct *const product = product_of(guard);
+    if (!product)
+      return jet(guard, amplitudes);
+    Jet sum;
+    for (const auto &[factor, sign] : squares(*product)) {
+      const Jet f = jet(factor, amplitudes);
+      sum.value += sign * f.value * f.value;
+      sum.rate += 2 * sign * f.value * f.rate;
+      sum.acceleration += 2 * sign * (f.rate * f.rate + f.value * f.acceleration);
+    }
+    return sum;
   }
 
   double sixth_derivative(Index guard, double from, double to) const override {
+    const GuardProduct *const product = product_of(guard);
+    if (!product)
+      return derivative(guard, 6, from, to);
+    constexpr double binomials[] = {1, 6, 15, 20, 15, 6, 1};
     double bound = 0;
-    for (const PhaseGroup &group : phase_->groups())
-      bound += group.kind == BlockKind::dense ? of_dense(guard, group, from, to)
-                                              : of_group(guard, group, from, to);
+    for (const auto &[factor, sign] : squares(*product)) {
+      double f[7];
+      for (int k = 0; k <= 6; ++k)
+        f[k] = derivative(factor, k, from, to);
+      for (int k = 0; k <= 6; ++k)
+        bound += std::abs(sign) * binomials[k] * f[k] * f[6 - k];
+    }
     return bound;
   }
 
   double rounding(Index guard) const override {
+    const GuardProduct *const product = product_of(guard);
+    if (!product)
+      return rounding_of_form(guard);
+    double sum = 0; // of f^2 by 2 |f| times that of f, which is a small part of its terms' sizes
+    for (const auto &[factor, sign] : squares(*product)) {
+      const double error = rounding_of_form(factor);
+      sum += 2 * std::abs(sign) * error * error / guard_rounding;
+    }
+    return sum;
+  }
+
+private:
+  const GuardProduct *product_of(Index guard) const {
+    const auto found =
+        std::find_if(products_.begin(), products_.end(),
+                     [guard](const GuardProduct &product) { return product.guard == guard; });
+    return found == products_.end() ? nullptr : &*found;
+  }
+
+  // The forms whose squares make the product, and the factor of each.
+  static std::array<std::pair<Index, double>, 3> squares(const GuardProduct &product) {
+    return {{{product.factors, product.scale},
+             {product.factors + 1, -product.scale},
+             {product.factors + 2, -product.scale}}};
+  }
+
+  Jet jet(Index form, const double *amplitudes) const {
+    double f[4];
+    kernel().derivatives(phase_->view(), static_cast<int>(form), amplitudes, f);
+    return {.value = f[0], .rate = f[1], .acceleration = f[2]};
+  }
+
+  // Bound of the derivative of this order between two instants.
+  double derivative(Index form, int order, double from, double to) const {
+    double bound = order == 0 ? phase_->view().constant_sizes[form] : 0;
+    for (const PhaseGroup &group : phase_->groups())
+      bound += group.kind == BlockKind::dense ? of_dense(form, group, order, from, to)
+                                              : of_group(form, group, order, from, to);
+    return bound;
+  }
+
+  double rounding_of_form(Index guard) const {
     const PhaseView &view = phase_->view();
     const auto n = static_cast<std::size_t>(view.n_padded);
     const auto g = static_cast<std::size_t>(guard);
@@ -47,7 +111,6 @@ public:
     return guard_rounding * sum;
   }
 
-private:
   // The amplitudes some time after the start of the step.
   const double *amplitudes_at(double time) const {
     if (time == 0)
@@ -64,19 +127,19 @@ private:
     return row;
   }
 
-  double of_group(Index guard, const PhaseGroup &group, double from, double to) const {
+  double of_group(Index guard, const PhaseGroup &group, int order, double from, double to) const {
     const auto j = static_cast<std::size_t>(group.first);
     const double size = std::hypot((*amplitudes_)[j], (*amplitudes_)[j + amplitudes_->size() / 2]);
     const double rate = group.exponent.real();
-    return seen(guard, group).norm() * size * std::pow(std::abs(group.exponent), 6) *
+    return seen(guard, group).norm() * size * std::pow(std::abs(group.exponent), order) *
            std::exp(rate * (rate > 0 ? to : from));
   }
 
-  double of_dense(Index guard, const PhaseGroup &group, double from, double to) const {
+  double of_dense(Index guard, const PhaseGroup &group, int order, double from, double to) const {
     const double *amplitudes = amplitudes_at(from);
     RowVector row = seen(guard, group);
-    for (int order = 0; order < 6; ++order)
-      row = row * group.generator;
+    for (int k = 0; k < order; ++k)
+      row = (row * group.generator).eval();
     Vector x(row.size());
     for (Index c = 0; c < x.size(); ++c)
       x[c] = std::abs(amplitudes[static_cast<std::size_t>(group.first + c)]);
@@ -86,6 +149,7 @@ private:
            std::exp(std::min(growth * (to - from), beyond_any_use));
   }
 
+  std::vector<GuardProduct> products_;
   const GuardForms *forms_ = nullptr;
   const ExactPhase *phase_ = nullptr;
   const Amplitudes *amplitudes_ = nullptr;
@@ -97,7 +161,9 @@ ExactStepper::ExactStepper(const Equations &equations, const Settings &settings)
 
 ExactStepper::~ExactStepper() = default;
 
-bool ExactStepper::handles(double time) { return phases_.linear() && phases_.take_sources(time); }
+bool ExactStepper::handles(double time) {
+  return phases_.linear() && guard_products(equations_) && phases_.take_sources(time);
+}
 
 void ExactStepper::restart(double time, const Vector &x) {
   place(time, x);
@@ -158,7 +224,7 @@ void ExactStepper::step(double limit) {
 }
 
 const GuardCurves *ExactStepper::guard_curves() {
-  guards_->start(*phase_, phase_->phase(), from_);
+  guards_->start(equations_, *phase_, phase_->phase(), from_);
   return guards_.get();
 }
 

@@ -21,12 +21,14 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
     : settings_(settings), equations_(model, contacts), scales_(equations_, settings_),
       collisions_(equations_, settings_, scales_), steppers_(equations_, settings),
       ts_(MotionTs::create(settings, equations_.layout().size())), costs_(equations_) {
-  if (steppers_.exact())
+  // Guards of circular gaps are no linear forms of the motion.
+  if (steppers_.exact() && !contacts.has_circles())
     path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(), settings,
                                         progress_, counts_);
   if (settings.method == "moments" && !MomentStep::holds(equations_))
     throw InputError("Method = moments needs a linear model and contacts with finite forces, none "
-                     "of which holds its slip (Coulomb) or has states that relax by themselves.");
+                     "of which has a circular gap, holds its slip (Coulomb) or has states that "
+                     "relax by themselves.");
   if (path_ && MomentStep::holds(equations_))
     moments_ =
         std::make_unique<MomentPath>(equations_, steppers_.exact()->phases(), settings, counts_);

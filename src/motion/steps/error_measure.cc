@@ -30,6 +30,24 @@ double ratio(double error, double tolerance) {
   return error > 0 ? std::abs(error) / tolerance : 0; // infinite where the tolerance is zero
 }
 
+// What contacts push along: their normals, or all directions across the axis of a circular gap.
+int n_pushed(const ContactPair &pair) { return pair.circle ? pair.n_directions() : 1; }
+
+double largest_entry(const ContactPair &pair, Index coordinate) {
+  double largest = 0;
+  for (int d = 0; d < n_pushed(pair); ++d)
+    largest = std::max(largest, std::abs(pair.along(d).projection->row[coordinate]));
+  return largest;
+}
+
+bool is_carried(const ContactPair &pair) {
+  bool carried = false;
+  for (int d = 0; d < n_pushed(pair); ++d)
+    for (const double factor : pair.along(d).projection->base_coefficients)
+      carried = carried || factor != 0;
+  return carried;
+}
+
 } // namespace
 
 ErrorMeasure::ErrorMeasure(const Equations &equations, double relative, double absolute)
@@ -47,12 +65,10 @@ ErrorMeasure::ErrorMeasure(const Equations &equations, double relative, double a
     mass_.push_back(std::isfinite(mass) ? mass : 0);
     std::vector<Index> bodies;
     for (Index j = 0; j < model.size(); ++j)
-      if (pairs[c].gap.row[j] != 0 && (bodies.empty() || bodies.back() != body_[j]))
+      if (largest_entry(pairs[c], j) != 0 && (bodies.empty() || bodies.back() != body_[j]))
         bodies.push_back(body_[j]);
     bodies_.push_back(std::move(bodies));
-    const std::vector<double> &base_coefficients = pairs[c].gap.base_coefficients;
-    carried_.push_back(std::any_of(base_coefficients.begin(), base_coefficients.end(),
-                                   [](double f) { return f != 0; }));
+    carried_.push_back(is_carried(pairs[c]));
     const std::vector<contact::InternalState> states = pairs[c].law->internal_states();
     for (std::size_t i = 0; i < states.size(); ++i) {
       const Index place = pairs[c].internal_offset + static_cast<Index>(i);
@@ -75,7 +91,7 @@ void ErrorMeasure::read_contact(std::size_t contact, const EndPoint &point, Scal
   of.gap_rate = std::abs(local.gap_rate);
   const StateLayout &layout = equations_.layout();
   of.gap_acceleration = std::abs(equations_.gap_acceleration(
-      contact, point.time, ConstVectorView(point.rates.data() + layout.velocity(), layout.n)));
+      contact, point.time, x, ConstVectorView(point.rates.data() + layout.velocity(), layout.n)));
   if (!acts(contact))
     return;
   const double stored = equations_.contact_energy(contact, equations_.modes()[contact], local);
@@ -222,9 +238,9 @@ void ErrorMeasure::find_speed_tolerances() {
       continue;
     const double factor = relative_ * mass_[c] * of.speed +
                           length_ * (noise(c) + part_of_energy * relative_ * of.force);
-    const RowVector &row = equations_.contacts().pairs()[c].gap.row;
+    const ContactPair &pair = equations_.contacts().pairs()[c];
     for (Index j = 0; j < layout.n; ++j)
-      speed_tolerances_[j] += factor * std::abs(row[j]) / mass[j];
+      speed_tolerances_[j] += factor * largest_entry(pair, j) / mass[j];
   }
 }
 
@@ -242,11 +258,14 @@ double ErrorMeasure::of_contacts(const Vector &error) const {
   for (std::size_t c = 0; c < mass_.size(); ++c) {
     if (!acts(c))
       continue;
-    const RowVector &row = equations_.contacts().pairs()[c].gap.row;
-    const double gap = std::abs(row.dot(error.head(layout.n)));
-    const double rate = std::abs(row.dot(error.segment(layout.velocity(), layout.n)));
-    largest = std::max({largest, ratio(gap, gap_tolerance(c, length_)),
-                        ratio(rate, gap_rate_tolerance(c, length_))});
+    const ContactPair &pair = equations_.contacts().pairs()[c];
+    for (int d = 0; d < n_pushed(pair); ++d) {
+      const RowVector &row = pair.along(d).projection->row;
+      const double gap = std::abs(row.dot(error.head(layout.n)));
+      const double rate = std::abs(row.dot(error.segment(layout.velocity(), layout.n)));
+      largest = std::max({largest, ratio(gap, gap_tolerance(c, length_)),
+                          ratio(rate, gap_rate_tolerance(c, length_))});
+    }
   }
   return largest;
 }
@@ -359,11 +378,12 @@ double ErrorMeasure::of_dense(const Vector &error) const {
   double largest = 0;
   for (Index j = 0; j < error.size(); ++j)
     largest = std::max(largest, ratio(std::abs(error[j]), displacement_tolerance(j)));
-  for (std::size_t c = 0; c < mass_.size(); ++c)
-    if (acts(c))
-      largest =
-          std::max(largest, ratio(std::abs(equations_.contacts().pairs()[c].gap.row.dot(error)),
-                                  gap_tolerance(c, length_)));
+  for (std::size_t c = 0; c < mass_.size(); ++c) {
+    const ContactPair &pair = equations_.contacts().pairs()[c];
+    for (int d = 0; acts(c) && d < n_pushed(pair); ++d)
+      largest = std::max(largest, ratio(std::abs(pair.along(d).projection->row.dot(error)),
+                                        gap_tolerance(c, length_)));
+  }
   return largest;
 }
 
@@ -381,10 +401,13 @@ const Vector &ErrorMeasure::source_tolerances(double length) {
     if (!carried_[c] || equations_.mode(c).holds_gap)
       continue;
     const double allowed = absolute_gap_ + relative_ * reached(c, length);
-    for (std::size_t k = 0; k < pairs[c].gap.base_coefficients.size(); ++k)
-      if (const double factor = std::abs(pairs[c].gap.base_coefficients[k]); factor > 0)
-        source_tolerances_[static_cast<Index>(k)] =
-            std::min(source_tolerances_[static_cast<Index>(k)], allowed / factor);
+    for (int d = 0; d < n_pushed(pairs[c]); ++d) {
+      const std::vector<double> &factors = pairs[c].along(d).projection->base_coefficients;
+      for (std::size_t k = 0; k < factors.size(); ++k)
+        if (const double factor = std::abs(factors[k]); factor > 0)
+          source_tolerances_[static_cast<Index>(k)] =
+              std::min(source_tolerances_[static_cast<Index>(k)], allowed / factor);
+    }
   }
   return source_tolerances_;
 }

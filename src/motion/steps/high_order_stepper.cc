@@ -246,7 +246,7 @@ void HighOrderStepper::accept(double error) {
 double HighOrderStepper::rest_of_contact() const {
   const LocalState local = contact_at(start_);
   const double acceleration = equations_.gap_acceleration(
-      *only_contact_, start_.time,
+      *only_contact_, start_.time, view_of(start_.state),
       ConstVectorView(start_.rates.data() + equations_.layout().velocity(), equations_.layout().n));
   const double elastic = std::max(0.0, -0.8 * acceleration * local.gap);
   const double kinetic = local.gap_rate * local.gap_rate;

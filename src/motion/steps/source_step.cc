@@ -23,7 +23,7 @@ SourceStep::SourceStep(const Equations &equations, double relative)
     : equations_(equations), relative_(relative) {
   for (std::size_t k = 0; k < equations.model().sources().size(); ++k) {
     const auto moved_by = [k](const contact::ContactPair &pair) {
-      return !pair.tangential.empty() ||
+      return !pair.tangential.empty() || pair.circle ||
              (k < pair.gap.base_coefficients.size() && pair.gap.base_coefficients[k] != 0);
     };
     const std::vector<contact::ContactPair> &pairs = equations.contacts().pairs();

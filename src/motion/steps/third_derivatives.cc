@@ -4,8 +4,6 @@
 
 namespace vibroimpact::motion {
 
-using contact::LocalState;
-
 // The third derivative needs those of the sources.
 void HighOrderStepper::read_sources(double time) {
   sources_.clear();
@@ -40,29 +38,9 @@ void HighOrderStepper::add_higher(EndPoint &point) {
     s[3] = third_derivative(sources_[k], point.time);
     third += s[1] * source.load + s[2] * source.rate_load + s[3] * source.inertial_load;
   }
-  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    if (equations_.inactive(c))
-      continue;
-    const contact::ContactPair &pair = equations_.contacts().pairs()[c];
-    const LocalState local = equations_.local_state(
-        c, point.time, ConstVectorView(point.state.data(), point.state.size()));
-    const double gap_acceleration = equations_.gap_acceleration(c, point.time, acceleration);
-    pair.law->evaluate(equations_.modes()[c], local, response_);
-    double force =
-        response_.force_by_gap * local.gap_rate + response_.force_by_gap_rate * gap_acceleration;
-    const int count = pair.n_internal();
-    const Index first = layout.internal() + pair.internal_offset;
-    for (int i = 0; i < count; ++i) {
-      force += response_.force_by_internal[i] * point.rates[first + i];
-      double second = response_.internal_rate_by_gap[i] * local.gap_rate +
-                      response_.internal_rate_by_gap_rate[i] * gap_acceleration;
-      for (int j = 0; j < count; ++j)
-        second += response_.internal_rate_by_internal[i * count + j] * point.rates[first + j];
-      point.higher(first + i, 0) = second;
-    }
-    third += force * pair.gap.row.transpose();
-    add_friction_rates(equations_, c, response_, point);
-  }
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c)
+    if (!equations_.inactive(c))
+      add_contact_rates(equations_, c, response_, point);
   third.array() /= model.mass().array();
 }
 

@@ -1,5 +1,7 @@
 #include "motion/system/equations.h"
 
+#include "common/error.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -57,6 +59,11 @@ void Equations::list(std::size_t contact) {
 void Equations::set_mode(std::size_t contact, int mode) {
   if (modes_[contact] == mode)
     return;
+  const ContactPair &pair = contacts_.pairs()[contact];
+  if (pair.circle && pair.law->modes()[static_cast<std::size_t>(mode)].holds())
+    throw NumericalError("contact " + pair.name +
+                         " comes to stick in its circular gap, where laws of friction slip only; a "
+                         "spring-slider sticks by a spring");
   const bool held = this->mode(contact).holds();
   modes_[contact] = mode;
   list(contact);
@@ -231,8 +238,8 @@ Vector Equations::uncoupled_acceleration(double time, ConstVectorView x) const {
   model_.rotors().add_torques(ConstVectorView(x.data() + layout_.drive(), layout_.n_drive), view);
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     if (!inactive(c))
-      force += this->force(c, modes_[c], local_state(c, time, x)) *
-               contacts_.pairs()[c].gap.row.transpose();
+      force +=
+          this->force(c, modes_[c], local_state(c, time, x)) * normal_row(c, time, x).transpose();
   return force.cwiseQuotient(model_.mass());
 }
 

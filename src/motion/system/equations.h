@@ -93,13 +93,18 @@ public:
   void jacobian(double time, ConstVectorView x, Matrix &jacobian) const;
 
   /// Second derivative of a contact's gap, or of the slip along a tangential direction, from given
-  /// accelerations.
-  double gap_acceleration(std::size_t contact, double time, ConstVectorView acceleration,
-                          int direction = 0) const;
+  /// accelerations at a state.
+  double gap_acceleration(std::size_t contact, double time, ConstVectorView x,
+                          ConstVectorView acceleration, int direction = 0) const;
   /// The derivative of the local state by time, that of held forces and of the rate of the normal
   /// force left out; the internal rates refer into `rates`, dx/dt at x.
   contact::LocalState local_rates(std::size_t contact, double time, ConstVectorView x,
                                   ConstVectorView rates) const;
+
+  /// Of a contact in a circular gap: u' in place of gap and slip, u'' in place of their rates, and
+  /// the internal rates, which refer into `rates`.
+  contact::LocalState relative_rates(std::size_t contact, double time, ConstVectorView x,
+                                     ConstVectorView rates) const;
 
   /// Takes what is left of the slip rates that the present modes hold off the velocities.
   void stop_slip(double time, Vector &x) const;
@@ -107,6 +112,11 @@ public:
   /// Bound of the rounding error of an acceleration.
   double acceleration_rounding(std::size_t contact, double time, const Vector &x,
                                int direction = 0) const;
+
+  /// Where a contact in a circular gap stands.
+  contact::CircularFrame frame(std::size_t contact, double time, ConstVectorView x) const;
+  /// The gap by the coordinates: what a normal force acts along.
+  RowVector normal_row(std::size_t contact, double time, ConstVectorView x) const;
 
   /// What a force along each row does: M^-1 rows^T at a position, n x rows.
   Matrix response_to(const Matrix &rows, double time, ConstVectorView x) const;
@@ -157,11 +167,31 @@ private:
                                          ConstVectorView x) const;
   contact::LocalState local_motion(std::size_t contact, double time, ConstVectorView x) const;
   double base_rate(const Component &component, double time) const;
+  double acceleration_along(const Component &component, double time,
+                            ConstVectorView acceleration) const;
+  contact::RelativeMotion relative_motion(std::size_t contact, double time,
+                                          ConstVectorView x) const;
+  contact::AcrossAxis relative_acceleration(std::size_t contact, double time,
+                                            ConstVectorView acceleration) const;
+  double add_circular(const Acting &acting, double time, ConstVectorView x, VectorView dxdt) const;
+  void add_circular(std::size_t contact, double time, ConstVectorView x, Matrix &jacobian) const;
+  void write_row(std::size_t contact, const contact::AffineForm &components, Index place,
+                 Matrix &jacobian) const;
+  void add_rows(std::size_t contact, const contact::AffineForm &components, const Vector &into,
+                Matrix &jacobian) const;
+  void write_circular_rates(std::size_t contact, double time, ConstVectorView x,
+                            Matrix &jacobian) const;
+  RowVector gap_acceleration_row(std::size_t contact, double time, ConstVectorView x,
+                                 const Matrix &jacobian) const;
+  double circular_magnitude(std::size_t contact, const contact::AffineForm &form, double time,
+                            const Vector &x) const;
+  std::pair<double, double> magnitude_along(const Component &component, double time,
+                                            const Vector &x) const;
   void list(std::size_t contact);
   double add_contact(const Acting &acting, double time, ConstVectorView x, VectorView dxdt) const;
   double add_friction(std::size_t contact, double time, VectorView dxdt) const;
   void write_friction(const contact::ContactPair &pair, VectorView dxdt) const;
-  void see_normal_force(std::size_t contact, double time, ConstVectorView rates,
+  void see_normal_force(std::size_t contact, double time, ConstVectorView x, ConstVectorView rates,
                         contact::LocalState &state) const;
   void follow_force_rates(double time, ConstVectorView x, VectorView dxdt) const;
   void follow_force_rates(double time, ConstVectorView x, Matrix &jacobian) const;

@@ -49,6 +49,10 @@ LocalState Equations::local_motion(std::size_t contact, double time, ConstVector
   const ContactPair &pair = contacts_.pairs()[contact];
   LocalState state{.internal = {x.data() + layout_.internal() + pair.internal_offset,
                                 static_cast<std::size_t>(pair.n_internal())}};
+  if (pair.circle) {
+    pair.circle->see(frame(contact, time, x), state);
+    return state;
+  }
   std::tie(state.gap, state.gap_rate) = motion_along(component(contact, 0), time, x);
   for (int d = 1; d < pair.n_directions(); ++d) {
     contact::TangentialState &of = state.tangential[static_cast<std::size_t>(d - 1)];
@@ -68,7 +72,8 @@ LocalState Equations::local_state(std::size_t contact, double time, ConstVectorV
     rates(time, x, VectorView(held_rates_.data(), held_rates_.size()));
   }
   if (seen)
-    see_normal_force(contact, time, ConstVectorView(held_rates_.data(), held_rates_.size()), state);
+    see_normal_force(contact, time, x, ConstVectorView(held_rates_.data(), held_rates_.size()),
+                     state);
   if (!held)
     return state;
   for (Index k = 0; k < constraints_.size(); ++k) {
@@ -82,9 +87,17 @@ LocalState Equations::local_state(std::size_t contact, double time, ConstVectorV
   return state;
 }
 
-double Equations::gap_acceleration(std::size_t contact, double time, ConstVectorView acceleration,
-                                   int direction) const {
-  const Component &component = this->component(contact, direction);
+double Equations::gap_acceleration(std::size_t contact, double time, ConstVectorView x,
+                                   ConstVectorView acceleration, int direction) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  return pair.circle ? pair.circle->acceleration(frame(contact, time, x),
+                                                 relative_acceleration(contact, time, acceleration),
+                                                 direction)
+                     : acceleration_along(component(contact, direction), time, acceleration);
+}
+
+double Equations::acceleration_along(const Component &component, double time,
+                                     ConstVectorView acceleration) const {
   double value = component.along.projection->row.dot(acceleration);
   for (const BaseCoefficient &base : component.base_coefficients)
     value += base.factor * source(base.source, 2, time);
@@ -97,7 +110,7 @@ LocalState Equations::local_rates(std::size_t contact, double time, ConstVectorV
   const LocalState local = local_motion(contact, time, x);
   const ConstVectorView acceleration(rates.data() + layout_.velocity(), layout_.n);
   LocalState change{.gap = local.gap_rate,
-                    .gap_rate = gap_acceleration(contact, time, acceleration),
+                    .gap_rate = gap_acceleration(contact, time, x, acceleration),
                     .internal = {rates.data() + layout_.internal() + pair.internal_offset,
                                  local.internal.size()}};
   if (sees_normal_force(contact)) {
@@ -107,27 +120,36 @@ LocalState Equations::local_rates(std::size_t contact, double time, ConstVectorV
   for (int d = 1; d < pair.n_directions(); ++d) {
     const auto k = static_cast<std::size_t>(d - 1);
     change.tangential[k] = {.slip = local.tangential[k].slip_rate - pair.along(d).speed,
-                            .slip_rate = gap_acceleration(contact, time, acceleration, d)};
+                            .slip_rate = gap_acceleration(contact, time, x, acceleration, d)};
   }
   return change;
+}
+
+// Sums of the absolute values of the terms of position and rate.
+std::pair<double, double> Equations::magnitude_along(const Component &component, double time,
+                                                     const Vector &x) const {
+  const auto of_row = [&](Index first) {
+    return component.along.projection->row.cwiseAbs().dot(x.segment(first, layout_.n).cwiseAbs());
+  };
+  double position = std::abs(component.along.offset) + of_row(0);
+  double rate = std::abs(component.along.speed) + of_row(layout_.velocity());
+  for (const BaseCoefficient &base : component.base_coefficients) {
+    const TimeFunction &function = *model_.sources()[base.source].function;
+    position += std::abs(base.factor * function.value(source_time(time)));
+    rate += std::abs(base.factor * function.rate(source_time(time)));
+  }
+  return {position, rate};
 }
 
 double Equations::magnitude(std::size_t contact, const contact::AffineForm &form, double time,
                             const Vector &x) const {
   const ContactPair &pair = contacts_.pairs()[contact];
   double sum = std::abs(form.constant);
-  for (int d = 0; d < pair.n_directions(); ++d) {
-    const Component &component = this->component(contact, d);
+  if (pair.circle)
+    sum += circular_magnitude(contact, form, time, x);
+  for (int d = 0; d < pair.n_directions() && !pair.circle; ++d) {
     const contact::DirectionForm along = form.along(d);
-    const auto of_row = [&](Index first) {
-      return component.along.projection->row.cwiseAbs().dot(x.segment(first, layout_.n).cwiseAbs());
-    };
-    double position = std::abs(component.along.offset) + of_row(0);
-    double rate = std::abs(component.along.speed) + of_row(layout_.velocity());
-    for (const BaseCoefficient &base : component.base_coefficients) {
-      position += std::abs(base.factor * source(base.source, 0, time));
-      rate += std::abs(base.factor * source(base.source, 1, time));
-    }
+    const auto [position, rate] = magnitude_along(component(contact, d), time, x);
     sum += std::abs(along.position) * position + std::abs(along.rate) * rate;
   }
   for (std::size_t i = 0; i < form.internal.size(); ++i)
@@ -162,6 +184,8 @@ double Equations::acceleration_rounding(std::size_t contact, double time, const 
 double Equations::add_contact(const Acting &acting, double time, ConstVectorView x,
                               VectorView dxdt) const {
   const ContactPair &pair = *acting.pair;
+  if (pair.circle)
+    return add_circular(acting, time, x, dxdt);
   const auto contact = static_cast<Index>(acting.contact);
   pair.law->evaluate(modes_[acting.contact], local_motion(acting.contact, time, x), response_);
   double *acceleration = dxdt.data() + layout_.velocity();
@@ -240,8 +264,7 @@ double Equations::hold(double time, ConstVectorView x, VectorView dxdt) const {
     }
     rate[k] = row.dot(x.segment(layout_.velocity(), layout_.n)) + carried[k];
     missing[k] =
-        -gap_acceleration(held.contact, time, ConstVectorView(acceleration.data(), layout_.n),
-                          held.direction) -
+        -acceleration_along(component, time, ConstVectorView(acceleration.data(), layout_.n)) -
         constraints_.by_rate(k) * rate[k] - constraints_.by_position(k) * position;
   }
   const Vector forces = constraints_.forces(missing);
@@ -277,6 +300,8 @@ void Equations::add_contact(std::size_t c, double time, ConstVectorView x, Matri
   const Index n = layout_.n;
   const ContactPair &pair = contacts_.pairs()[c];
   pair.law->evaluate(modes_[c], local_motion(c, time, x), response_);
+  if (pair.circle)
+    return add_circular(c, time, x, jacobian);
   const RowVector &row = pair.gap.row;
   const Index impulse = layout_.impulse(static_cast<Index>(c));
   jacobian.row(impulse).head(n) = response_.force_by_gap * row;
@@ -333,6 +358,8 @@ void Equations::add_friction(std::size_t c, Matrix &jacobian) const {
   }
 }
 
+namespace {
+
 // The rates of the tangential forces are their partial derivatives times the rates of the local
 // state.
 void add_friction_rates(const Equations &equations, std::size_t contact,
@@ -353,6 +380,35 @@ void add_friction_rates(const Equations &equations, std::size_t contact,
       point.higher(layout.internal() + pair.internal_offset + static_cast<Index>(i), 0) +=
           of.internal_rate_by_slip_rate[i] * change.tangential[k].slip_rate;
   }
+}
+
+} // namespace
+
+void add_contact_rates(const Equations &equations, std::size_t contact,
+                       contact::LawResponse &response, EndPoint &point) {
+  const ContactPair &pair = equations.contacts().pairs()[contact];
+  if (pair.circle)
+    return add_circular_rates(equations, contact, response, point);
+  const StateLayout &layout = equations.layout();
+  const ConstVectorView x(point.state.data(), point.state.size());
+  const LocalState local = equations.local_state(contact, point.time, x);
+  const double gap_acceleration = equations.gap_acceleration(
+      contact, point.time, x, ConstVectorView(point.rates.data() + layout.n, layout.n));
+  pair.law->evaluate(equations.modes()[contact], local, response);
+  double force =
+      response.force_by_gap * local.gap_rate + response.force_by_gap_rate * gap_acceleration;
+  const int count = pair.n_internal();
+  const Index first = layout.internal() + pair.internal_offset;
+  for (int i = 0; i < count; ++i) {
+    force += response.force_by_internal[i] * point.rates[first + i];
+    double second = response.internal_rate_by_gap[i] * local.gap_rate +
+                    response.internal_rate_by_gap_rate[i] * gap_acceleration;
+    for (int j = 0; j < count; ++j)
+      second += response.internal_rate_by_internal[i * count + j] * point.rates[first + j];
+    point.higher(first + i, 0) = second;
+  }
+  point.higher.col(0).segment(layout.velocity(), layout.n) += force * pair.gap.row.transpose();
+  add_friction_rates(equations, contact, response, point);
 }
 
 } // namespace vibroimpact::motion

@@ -102,8 +102,29 @@ private:
     const contact::SettledMode settled = contact::settle(*pair.law, state);
     state.internal = settled.internal;
     pair.law->evaluate(settled.mode, state, response_);
+    if (pair.circle)
+      return add_circular(c, q, force, derivative);
     force += response_.force * pair.gap.row.transpose();
     derivative += response_.force_by_gap * pair.gap.row.transpose() * pair.gap.row;
+  }
+
+  // The law having been evaluated; nothing slides.
+  void add_circular(std::size_t c, const Vector &q, Vector &force, Matrix &derivative) {
+    const contact::ContactPair &pair = equations_.contacts().pairs()[c];
+    Vector x = Vector::Zero(equations_.layout().size());
+    x.head(q.size()) = q;
+    const contact::CircularFrame at = equations_.frame(c, 0, ConstVectorView(x.data(), x.size()));
+    response_.tangential[0] = {};
+    const contact::AcrossAxis push = pair.circle->force(at, response_);
+    const std::array<contact::AffineForm, 2> by = pair.circle->force_gradient(at, response_);
+    for (int d = 0; d < 2; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      const RowVector &row = pair.along(d).projection->row;
+      force += push[k] * row.transpose();
+      for (int other = 0; other < 2; ++other)
+        derivative +=
+            by[k].along(other).position * row.transpose() * pair.along(other).projection->row;
+    }
   }
 
   const Model &model_;

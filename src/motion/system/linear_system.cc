@@ -43,11 +43,25 @@ std::vector<contact::AffineLaw> laws_of(const Equations &equations) {
   return laws;
 }
 
+// In a circular gap, by u and u'.
+contact::AffineLaw tangent_law(const ContactPair &pair, const contact::LawResponse &response,
+                               const contact::CircularFrame &frame) {
+  const std::array<contact::AffineForm, 2> force = pair.circle->force_gradient(frame, response);
+  contact::AffineLaw law{.force = force[0], .internal_rate = {}, .tangential_force = {force[1]}};
+  for (int i = 0; i < pair.n_internal(); ++i)
+    law.internal_rate.push_back(
+        pair.circle->gradient(frame, internal_rate_gradient(response, i, pair.n_internal())));
+  return law;
+}
+
 // By its derivatives at a local state, but for what internal states of friction do.
-contact::AffineLaw tangent_law(const ContactPair &pair, int mode,
-                               const contact::LocalState &local) {
+contact::AffineLaw tangent_law(const Equations &equations, std::size_t contact, double time,
+                               ConstVectorView x) {
+  const ContactPair &pair = equations.contacts().pairs()[contact];
   contact::LawResponse response;
-  pair.law->evaluate(mode, local, response);
+  pair.law->evaluate(equations.modes()[contact], equations.local_state(contact, time, x), response);
+  if (pair.circle)
+    return tangent_law(pair, response, equations.frame(contact, time, x));
   contact::AffineLaw law;
   law.force = {.gap = response.force_by_gap,
                .gap_rate = response.force_by_gap_rate,
@@ -82,8 +96,7 @@ LinearSystem LinearSystem::tangent(const Equations &equations, double time, cons
   const ConstVectorView x(state.data(), state.size());
   std::vector<contact::AffineLaw> laws;
   for (std::size_t c = 0; c < equations.contacts().size(); ++c)
-    laws.push_back(tangent_law(equations.contacts().pairs()[c], equations.modes()[c],
-                               equations.local_state(c, time, x)));
+    laws.push_back(tangent_law(equations, c, time, x));
   LinearSystem system(std::move(laws));
   Matrix stiffness = equations.model().stiffness().dense();
   if (!equations.model().linear())

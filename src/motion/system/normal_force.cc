@@ -26,15 +26,15 @@ bool Equations::sees_normal_force(std::size_t contact) const {
 }
 
 // `rates`: dx/dt, where the mode sees the rate of the force.
-void Equations::see_normal_force(std::size_t contact, double time, ConstVectorView rates,
-                                 LocalState &state) const {
+void Equations::see_normal_force(std::size_t contact, double time, ConstVectorView x,
+                                 ConstVectorView rates, LocalState &state) const {
   const contact::ContactLaw &law = *contacts_.pairs()[contact].law;
   law.evaluate(modes_[contact], state, response_);
   state.normal_force = response_.force;
   if (!mode(contact).sees_force_rate)
     return;
   state.gap_acceleration = gap_acceleration(
-      contact, time, ConstVectorView(rates.data() + layout_.velocity(), layout_.n));
+      contact, time, x, ConstVectorView(rates.data() + layout_.velocity(), layout_.n));
   state.normal_force_rate = rate_of_force(response_, {.gap = state.gap_rate,
                                                       .gap_rate = state.gap_acceleration,
                                                       .internal = response_.internal_rate});
@@ -45,7 +45,7 @@ void Equations::follow_force_rates(double time, ConstVectorView x, VectorView dx
   for (const std::size_t c : following_) {
     const ContactPair &pair = contacts_.pairs()[c];
     LocalState state = local_motion(c, time, x);
-    see_normal_force(c, time, ConstVectorView(dxdt.data(), dxdt.size()), state);
+    see_normal_force(c, time, x, ConstVectorView(dxdt.data(), dxdt.size()), state);
     pair.law->evaluate(modes_[c], state, response_);
     for (int i = 0; i < pair.n_internal(); ++i)
       dxdt[layout_.internal() + pair.internal_offset + i] = response_.internal_rate[i];
@@ -56,12 +56,15 @@ void Equations::follow_force_rates(double time, ConstVectorView x, VectorView dx
 
 // The rows of the accelerations are complete.
 void Equations::follow_force_rates(double time, ConstVectorView x, Matrix &jacobian) const {
-  const auto accelerations = jacobian.middleRows(layout_.velocity(), layout_.n);
   for (const std::size_t c : following_) {
     const ContactPair &pair = contacts_.pairs()[c];
-    pair.law->evaluate(modes_[c], local_state(c, time, x), response_);
-    write_internal_rates(c, jacobian);
-    const RowVector by_state = pair.gap.row * accelerations;
+    const LocalState local = local_state(c, time, x);
+    const RowVector by_state = gap_acceleration_row(c, time, x, jacobian);
+    pair.law->evaluate(modes_[c], local, response_);
+    if (pair.circle)
+      write_circular_rates(c, time, x, jacobian);
+    else
+      write_internal_rates(c, jacobian);
     const std::vector<double> &by_acceleration = response_.internal_rate_by_gap_acceleration;
     for (std::size_t i = 0; i < by_acceleration.size(); ++i)
       jacobian.row(layout_.internal() + pair.internal_offset + static_cast<Index>(i)) +=

@@ -49,6 +49,9 @@ Histories KeyNeighbour::histories() const {
 KeyTangent::KeyTangent(std::string key, const model::Model &model,
                        const contact::ContactSet &contacts, std::vector<KeyNeighbour> neighbours)
     : key_(std::move(key)), model_(model), contacts_(contacts), keeps_linear_(model.linear()) {
+  if (contacts.has_circles())
+    throw InputError("the motion has no known derivative by the key " + key_ +
+                     ": a contact has a circular gap (Gap).");
   static std::atomic<long> next{0};
   identity_ = next++;
   std::vector<double> offsets;

@@ -71,7 +71,6 @@ Vector Saltations::rates_at_guard(const ContactEvent &event, const Vector &state
                       guard.tangential[1].zero();
   if (!is_gap || equations_.mode(event.contact).holds_gap || equations_.inactive(event.contact))
     return rates;
-  const contact::ContactPair &pair = equations_.contacts().pairs()[event.contact];
   const ConstVectorView x(state.data(), state.size());
   contact::LocalState local = equations_.local_state(event.contact, event.time, x);
   const int mode = equations_.modes()[event.contact];
@@ -82,7 +81,9 @@ Vector Saltations::rates_at_guard(const ContactEvent &event, const Vector &state
     return rates;
   const StateLayout &layout = equations_.layout();
   rates.segment(layout.velocity(), layout.n) +=
-      (at_zero - force) * equations_.response_to(pair.gap.row, event.time, x);
+      (at_zero - force) *
+      equations_.response_to(Matrix(equations_.normal_row(event.contact, event.time, x)),
+                             event.time, x);
   return rates;
 }
 
@@ -193,6 +194,7 @@ Saltations::Reset Saltations::impact(const ContactEvent &event, const Vector &be
   for (Index k = 0; k < accelerations.size(); ++k)
     accelerations[k] =
         equations_.gap_acceleration(collision.contacts[static_cast<std::size_t>(k)], event.time,
+                                    ConstVectorView(event.before->data(), event.before->size()),
                                     ConstVectorView(before.data() + layout.velocity(), layout.n));
   reset.rates.segment(layout.velocity(), layout.n) += impulses * accelerations;
   for (std::size_t k = 0; k < keys_.size(); ++k)

@@ -20,7 +20,7 @@ public:
   /// The two conditions.
   static bool is_possible(const Equations &equations) {
     return equations.model().linear() && equations.holding().empty() &&
-           equations.layout().n_sliding == 0;
+           equations.layout().n_sliding == 0 && !equations.contacts().has_circles();
   }
 
   /// product = J columns at a state with its integrals. Returns the trace of J.
