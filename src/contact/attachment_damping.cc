@@ -12,6 +12,8 @@ namespace vibroimpact::contact {
 namespace {
 
 constexpr double enough_damping = 0.05;
+// Ratios come back from the damping matrix: one that was given as enough is so.
+constexpr double least_damping = enough_damping * (1 - 1e-9);
 
 /// Of the highest coordinate that moves the point and is no normal mode, since nothing bounds its
 /// error as one; infinite without any.
@@ -49,7 +51,7 @@ std::string attachment_damping_warning(const ContactSet &contacts, const model::
   for (const ContactPair &pair : contacts.pairs())
     for (const std::string &side : {pair.side_a, pair.side_b}) {
       const double ratio = attached_damping_ratio(side, pair.normal, model);
-      if (!(ratio < enough_damping) || !known.insert(side).second)
+      if (!(ratio < least_damping) || !known.insert(side).second)
         continue;
       least = std::min(least, ratio);
       if (++count <= most_named)
