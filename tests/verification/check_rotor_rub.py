@@ -53,7 +53,7 @@ def check(table):
     exact = numpy.array([min(radii(w), key=lambda r: abs(r - near)) for w, near in zip(speed, found["radius"])])
     force = STATOR * numpy.maximum(exact - CLEARANCE, 0)
     rubs = force > 0
-    table.add_whole("speeds at which it rubs, of 19", [int(rubs.sum())], [int((found["rate"] > 0).sum())])
+    table.add_whole("speeds at which it rubs, of 37", [int(rubs.sum())], [int((found["rate"] > 0).sum())])
     table.add_curve("radius along x, relative", found["radius"] / exact - 1, 1e-8)
     table.add_curve("radius along y, relative", found["across"] / exact - 1, 1e-8)
     table.add_curve("normal force, relative", found["force"][rubs] / force[rubs] - 1, 1e-7)
