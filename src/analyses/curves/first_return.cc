@@ -31,7 +31,9 @@ double first_return(periodic::ForcedSystem &system, const Vector &state, const V
     if (passage.away <= near * passage.farthest)
       return passage.time;
   throw NumericalError("the motion does not come back to where it was within " +
-                       std::to_string(most) + " s; a longer settling or another Period may help");
+                       std::to_string(most) +
+                       " s; a longer settling or another Period may help. The period is looked for "
+                       "because no active excitation changes with time");
 }
 
 } // namespace vibroimpact::analyses
