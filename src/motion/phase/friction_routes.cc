@@ -74,7 +74,7 @@ Resets without_slip(const Equations &equations) {
   return resets;
 }
 
-// What constraint forces take off an acceleration, W M^-1 W^T F: sizes, entry by entry.
+// The part of an acceleration that constraint forces cancel, W M^-1 W^T F: sizes, entry by entry.
 LinearRow sizes_of_holding(const Equations &equations, const LinearSystem &system,
                            const HeldDirection &held, const Resets &resets) {
   const ActiveConstraints &holding = equations.holding();
