@@ -314,7 +314,7 @@ void HighOrderStepper::step(double limit) {
   // What the event tolerance cannot tell from parted sides has no end to step to.
   const bool opens = std::isfinite(rest_of_opening) && rest_of_opening > 16 * event_tolerance_;
   const double left = opens ? rest_of_opening : std::numeric_limits<double>::infinity();
-  if (opens && left <= std::min(steps_.last, maximum_step_) &&
+  if (left <= std::min(steps_.last, maximum_step_) &&
       left <=
           (1 + 1e-9) * source_step_.limited(start_.time, left, measure_.source_tolerances(left)) &&
       take_last(left, limit))
