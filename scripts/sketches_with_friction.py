@@ -126,5 +126,26 @@ def rotor_rub():
     return sketch
 
 
-SKETCHES = {"rotor-rub": rotor_rub, "friction-oscillator": friction_oscillator, "wear": wear, "damped-buildings": damped_buildings,
+def steam_generator_tube():
+    sketch = Sketch("Left: a tube held at both ends that passes through the holes of four plates. Right: the tube in a hole, which it "
+                    "strikes and rubs")
+    sketch.ground((100, 20), (20, 20))
+    sketch.line((60, 20), (60, 270), width=6)
+    sketch.ground((20, 270), (100, 270))
+    for y in (70, 120, 170, 220):
+        for left, right in ((20, 50), (70, 100)):
+            sketch.line((left, y), (right, y), colour=CONTACT, width=5)
+    sketch.arrow((110, 145), (66, 145))
+    sketch.symbol((116, 145), "F", colour=MOTION, anchor="start")
+    centre, tube = (260, 145), (276, 133)
+    sketch.circle(centre, 80, fill="white")
+    sketch.circle(tube, 58)
+    sketch.circle(tube, 48, fill="white")
+    sketch.line((336, 120), (336, 70), colour=CONTACT, width=4)
+    sketch.symbol((346, 97), "k, c, μ", colour=CONTACT, anchor="start")
+    sketch.clearance((180, 145), (218, 145), "Δ", offset=96, side=1)
+    return sketch
+
+
+SKETCHES = {"rotor-rub": rotor_rub, "steam-generator-tube": steam_generator_tube, "friction-oscillator": friction_oscillator, "wear": wear, "damped-buildings": damped_buildings,
             "bolted-joint": bolted_joint}

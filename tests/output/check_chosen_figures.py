@@ -96,6 +96,7 @@ def write(folder):
                      ("direction", np.array(["forward", "backward"]), "1"),
                      ("frequency", FREQUENCY, "Hz")], grid=["Variables/lambda"])
     writer.field(AMPLITUDE, VALUES, "m")
+    writer.field(f"{AMPLITUDE}_error", 1e-4 + 0 * VALUES, "m")
     jump = np.full(VALUES.shape, np.nan)
     jump[0, 0, 3] = 1
     for name, at in (("jump_from", 3.4), ("jump_to", 3.6)):
@@ -174,6 +175,12 @@ class Figures(Drawn):
         own = [line for line in axes.get_lines() if line.get_color() != "black"]
         self.assertNotIn("-", [line.get_linestyle() for line in own])
         self.assertNotIn(":", [line.get_linestyle() for line in own])
+
+    def test_bars_are_two_standard_errors(self):
+        bars = [segment for lines in self.figure("curve").axes[0].collections for segment in lines.get_segments()]
+        self.assertEqual(len(bars), VALUES.size)
+        for (low, high) in bars:
+            self.assertAlmostEqual(high[1] - low[1], 4 * 1e-4 / 2e-3)
 
     def test_a_reference_that_was_not_run_is_left_out(self):
         self.results.parameters["Figure curve"]["Reference"] = "other"

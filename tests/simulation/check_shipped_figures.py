@@ -38,6 +38,8 @@ SHORTER = {
                         "Analysis/plane/Basins/Second axis/Cells=20"],
     "rattling-plates": [*(f"Body {body}/Interface face/Grid points=10, 6" for body in ("lower", "upper")),
                         "Analysis/rattle/Transient/Frames=3"],
+    "steam-generator-tube": ["Variables/modes=16", "Analysis/clearances/Stepped sweep/Points=2",
+                             "Analysis/clearances/Stepped sweep/Recorded cycles=3", "Analysis/record/Transient/Duration=0.1 s"],
     "tube-wear": ["Analysis/sweep/Stepped sweep/Points=3", "Analysis/sweep/Stepped sweep/Recorded cycles=10"],
     "vibro-impact-absorber": ["Analyses=linear, close_motion", "Analysis/linear/Stepped sweep/Settling cycles=50",
                               "Analysis/close_motion/Steady state/Settling cycles=50"],

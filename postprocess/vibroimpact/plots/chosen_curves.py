@@ -115,6 +115,10 @@ def draw_curve(axes, analysis, index, along, quantities, values, both, colour, l
         shown = traces.trace(coordinate, curve, loose_of(analysis, values_of), bracket,
                              DIRECTION in analysis.axes and bool(index[DIRECTION]))
     traces.draw(axes, shown, colour, swapped, **look)
+    error = f"{quantities[1].path}_error"
+    if swept and analysis.has(error):
+        upper = both[1].of(field(analysis, quantities[1].path, index, along) + 2 * values_of(error))
+        axes.errorbar(*values, np.nan_to_num(upper - values[1]), fmt="none", ecolor=colour, elinewidth=0.7)
     return shown.loose
 
 

@@ -84,7 +84,7 @@ def sectors(analysis: Analysis, root: str, contact: str):
         axes.tick_params(labelsize=7)
         axes.set_rlim(0, 1.05 * largest)
         axes.set_yticks(MaxNLocator(3).tick_values(0, largest)[1:])
-        style.panel_title(axes, place.text, list(grid.flat[:len(entries)]), pad=10)
+        style.panel_title(axes, place.text, list(grid.flat[:len(entries)]), pad=22)
     style.legend_beside(grid[0, min(columns, len(entries)) - 1], direction_handles(analysis))
     figure.suptitle(scale.label(f"Contact {contact}: work rate"), x=0.01, ha="left", fontsize=10)
     return figure
