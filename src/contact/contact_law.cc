@@ -13,6 +13,8 @@ double AffineForm::operator()(const LocalState &state) const {
     value += normal_force * state.normal_force;
   if (normal_force_rate != 0)
     value += normal_force_rate * state.normal_force_rate;
+  if (margin != 0)
+    value += margin * state.margin;
   for (std::size_t i = 0; i < internal.size(); ++i)
     value += internal[i] * state.internal[i];
   for (std::size_t k = 0; k < most_tangential; ++k)
@@ -46,7 +48,7 @@ AffineForm AffineForm::force_along(int direction) {
 
 bool AffineForm::zero() const {
   const auto is_zero = [](double c) { return c == 0; };
-  return constant == 0 && gap == 0 && gap_rate == 0 && !sees_normal_force() &&
+  return constant == 0 && gap == 0 && gap_rate == 0 && margin == 0 && !sees_normal_force() &&
          std::all_of(internal.begin(), internal.end(), is_zero) &&
          std::all_of(tangential.begin(), tangential.end(),
                      [](const DirectionForm &form) { return form.zero(); });
@@ -64,6 +66,7 @@ AffineForm &AffineForm::operator+=(const AffineForm &other) {
   gap_rate += other.gap_rate;
   normal_force += other.normal_force;
   normal_force_rate += other.normal_force_rate;
+  margin += other.margin;
   internal.resize(std::max(internal.size(), other.internal.size()), 0.0);
   for (std::size_t i = 0; i < other.internal.size(); ++i)
     internal[i] += other.internal[i];
@@ -76,7 +79,7 @@ AffineForm &AffineForm::operator+=(const AffineForm &other) {
 }
 
 AffineForm &AffineForm::operator*=(double factor) {
-  for (double *c : {&constant, &gap, &gap_rate, &normal_force, &normal_force_rate})
+  for (double *c : {&constant, &gap, &gap_rate, &normal_force, &normal_force_rate, &margin})
     *c *= factor;
   for (double &c : internal)
     c *= factor;
@@ -88,6 +91,24 @@ AffineForm &AffineForm::operator*=(double factor) {
 
 AffineForm operator*(double factor, AffineForm form) { return form *= factor; }
 AffineForm operator+(AffineForm form, const AffineForm &other) { return form += other; }
+
+double LimitCircle::operator()(const LocalState &state) const {
+  const double r = radius(state);
+  double value = r * r;
+  for (const AffineForm &form : across) {
+    const double part = form(state);
+    value -= part * part;
+  }
+  return value;
+}
+
+AffineForm LimitCircle::gradient(const LocalState &state) const {
+  AffineForm made = 2 * radius(state) * radius;
+  for (const AffineForm &form : across)
+    made += -2 * form(state) * form;
+  made.constant = 0;
+  return made;
+}
 
 ContactLaw::ContactLaw(std::vector<Mode> modes, std::vector<double> initial_internal)
     : modes_(std::move(modes)), initial_internal_(std::move(initial_internal)) {}

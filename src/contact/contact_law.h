@@ -13,7 +13,9 @@
 //
 // Along tangential directions the two sides may slide on each other. What a law sees there is the
 // slip of side b on side a; the tangential force acts on the coordinates as the normal one does. A
-// mode may hold the slip rate at zero (the sides stick), by whatever force that takes.
+// mode may hold the slip rate at zero (the sides stick), by whatever force that takes. Along two
+// directions the limit of friction is a circle, and what is left of it, the margin, no affine form:
+// a guard sees it by value, and linear phases as squares of affine forms.
 //
 // Rigid laws give no finite force. A guard may end its mode by an impact, in which the velocities
 // jump; a mode may hold the gap, so that the force is whatever keeps the gap rate at zero.
@@ -46,6 +48,8 @@ struct LocalState {
   double normal_force = 0;
   double gap_acceleration = 0;  ///< in modes that see the rate of the normal force [m/s^2]
   double normal_force_rate = 0; ///< likewise [N/s]
+  double margin = 0;            ///< in modes that see it: what is left until their limit
+  double slow_slip = 0; ///< of laws along two directions: a slip that is about to stop [m/s]
   std::array<TangentialState, most_tangential> tangential{};
 };
 
@@ -58,9 +62,9 @@ struct DirectionForm {
   bool zero() const { return position == 0 && rate == 0 && force == 0; }
 };
 
-/// constant + gap g + gap_rate g' + internal . z + normal_force F + normal_force_rate F' + the same
-/// of tangential directions. F and F' are those of LocalState; F' is in the form of an affine F
-/// what the time derivative of a row of the state is.
+/// constant + gap g + gap_rate g' + internal . z + normal_force F + normal_force_rate F' +
+/// margin M + the same of tangential directions. F, F' and M are those of LocalState; F' is in the
+/// form of an affine F what the time derivative of a row of the state is.
 struct AffineForm {
   double constant = 0;
   double gap = 0;
@@ -68,6 +72,7 @@ struct AffineForm {
   std::vector<double> internal{}; ///< empty: all zero
   double normal_force = 0;        ///< of modes that hold the gap or have no affine form of it
   double normal_force_rate = 0;   ///< of modes that see it
+  double margin = 0;              ///< likewise
   std::array<DirectionForm, most_tangential> tangential{};
 
   double operator()(const LocalState &state) const;
@@ -90,6 +95,16 @@ struct AffineForm {
 };
 AffineForm operator*(double factor, AffineForm form);
 AffineForm operator+(AffineForm form, const AffineForm &other);
+
+/// radius^2 - |across|^2, positive within a circle: a margin, and its partial derivatives at a
+/// state as the coefficients of a form.
+struct LimitCircle {
+  AffineForm radius{};
+  std::array<AffineForm, most_tangential> across{};
+
+  double operator()(const LocalState &state) const;
+  AffineForm gradient(const LocalState &state) const;
+};
 
 enum class GuardAction {
   change_mode, ///< the target is entered, positions and velocities stay
@@ -123,12 +138,14 @@ enum class Friction {
 
 struct Mode {
   std::string name;
-  bool in_contact = false;           ///< counts as an impact between entering and leaving
-  std::vector<Guard> guards{};       ///< in order of priority
-  std::optional<AffineLaw> affine{}; ///< present where the law is affine in this mode
-  bool holds_gap = false;            ///< the gap rate stays zero, by a force the law does not know
-  bool holds_slip = false;           ///< the slip rates stay zero, likewise
-  bool sees_force_rate = false;      ///< rates or guards depend on the rate of the normal force
+  bool in_contact = false;            ///< counts as an impact between entering and leaving
+  std::vector<Guard> guards{};        ///< in order of priority
+  std::optional<AffineLaw> affine{};  ///< present where the law is affine in this mode
+  bool holds_gap = false;             ///< the gap rate stays zero, by a force the law does not know
+  bool holds_slip = false;            ///< the slip rates stay zero, likewise
+  bool sees_force_rate = false;       ///< rates or guards depend on the rate of the normal force
+  bool sees_margin = false;           ///< a guard does
+  std::optional<LimitCircle> limit{}; ///< the margin of modes that are affine
   Friction friction = Friction::none;
 
   bool holds() const { return holds_gap || holds_slip; }
@@ -161,6 +178,8 @@ struct LawResponse {
   std::array<TangentialResponse, most_tangential> tangential{};
   double friction_power = 0; ///< the part of dissipated_power that friction takes [W]
   double sliding_speed = 0;  ///< of the surfaces on each other, >= 0, no elastic part in it [m/s]
+  double margin = 0;         ///< of modes without a limit circle
+  AffineForm margin_by{};    ///< its partial derivatives, those by N and its rate among them
 };
 
 /// What an internal state is, for the results.
@@ -226,6 +245,11 @@ public:
   /// The mode in place of `mode` by what the sides slide at: where friction begins, and where an
   /// impact has changed the velocities.
   virtual int mode_by_slip(int mode, const LocalState & /*state*/) const { return mode; }
+
+  /// Internal states where a mode is left, before the guard's resets: what they have drifted off a
+  /// limit that the mode keeps is taken off. Most laws have none.
+  virtual void leave(int /*mode*/, const LocalState & /*state*/,
+                     std::span<double> /*internal*/) const {}
 
   /// Separation speed over approach speed of an impact; for laws whose guards have that action.
   virtual double restitution(double /*approach_speed*/) const { return 0; }

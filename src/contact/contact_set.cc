@@ -37,6 +37,11 @@ bool ContactSet::has_circles() const {
                      [](const ContactPair &pair) { return pair.circle != nullptr; });
 }
 
+bool ContactSet::has_planes() const {
+  return std::any_of(pairs_.begin(), pairs_.end(),
+                     [](const ContactPair &pair) { return pair.tangential.size() == 2; });
+}
+
 double ContactSet::effective_mass(std::size_t pair, const model::Model &model,
                                   int direction) const {
   const RowVector &row = pairs_.at(pair).along(direction).projection->row;

@@ -80,6 +80,8 @@ public:
   Index n_sliding() const { return n_sliding_; }
   /// Is there a circular gap among them?
   bool has_circles() const;
+  /// Is there one with two tangential directions among them?
+  bool has_planes() const;
 
   /// 1 / (row M^-1 row^T): the mass that meets at the contact along a direction [kg]; infinite
   /// where nothing can move.

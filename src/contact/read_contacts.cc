@@ -69,7 +69,7 @@ public:
       return;
     law_ = create_tangential_law(contact);
     if (has_circular_gap(contact))
-      refuse_direction();
+      refuse_directions();
     else
       direction_ = read_direction();
     if (!model.rotors().empty())
@@ -91,13 +91,12 @@ public:
     if (std::abs(direction_.dot(pair.normal)) > right_angle)
       friction_.reject("Direction",
                        "Direction must be at a right angle to the normal of the contact.");
-    pair.tangential.push_back({.slip = model::relative_displacement(
-                                   meeting.a, meeting.b, fixed != side_base, direction_, model_),
-                               .surface_speed = friction_.quantity("Surface speed"),
-                               .direction = direction_});
+    add_direction(pair, meeting, fixed, direction_, friction_.quantity("Surface speed"));
     if (pair.tangential.front().slip.row.isZero(0))
       friction_.reject("Direction", "Direction must be a direction along which at least one of the "
                                     "two sides can move.");
+    if (law_->n_directions() == 2)
+      add_second_direction(pair, meeting, fixed);
     pair.law = std::make_shared<FrictionalLaw>(pair.law, law_);
   }
 
@@ -106,7 +105,28 @@ private:
     friction_.require("Direction");
     return model::read_direction(friction_, "Direction");
   }
-  void refuse_direction() const {
+  void add_direction(ContactPair &pair, const Meeting &meeting, const std::string &fixed,
+                     const Vector3 &direction, double surface_speed) const {
+    pair.tangential.push_back({.slip = model::relative_displacement(
+                                   meeting.a, meeting.b, fixed != side_base, direction, model_),
+                               .surface_speed = surface_speed,
+                               .direction = direction});
+  }
+  void add_second_direction(ContactPair &pair, const Meeting &meeting,
+                            const std::string &fixed) const {
+    add_direction(pair, meeting, fixed, pair.normal.cross(direction_), 0);
+    const RowVector &first = pair.tangential.front().slip.row;
+    const RowVector &second = pair.tangential.back().slip.row;
+    constexpr double parallel = 1e-12; // part of the product of their squares
+    const double products = first.dot(second);
+    const double squares = first.squaredNorm() * second.squaredNorm();
+    if (squares - products * products <= parallel * squares)
+      friction_.reject("Directions", "Directions must be one where the two sides cannot move on "
+                                     "each other along two directions across the normal.");
+  }
+  void refuse_directions() const {
+    if (law_->n_directions() > 1)
+      friction_.reject("Directions", "Directions must be one when the gap is circular.");
     if (friction_.has("Direction"))
       friction_.reject("Direction",
                        "Direction must not be set when the gap is circular: it is Axis x n.");

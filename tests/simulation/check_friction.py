@@ -337,6 +337,26 @@ class Friction(ProgramRuns):
             for share in ("undecided_share", "no_motion_share", "other_share"):
                 self.assertTrue((found[share][()] == 0).all())
 
+    def test_a_mass_that_decays_askew(self):
+        """Along two directions; at each turn it stops, and goes back at once."""
+        plane = OSCILLATOR.replace("Axis = x", "Axis = x, y").replace(
+            "Direction = x", "Direction = x\n    set Directions = two")
+        text = plane + DECAY[:DECAY.index("subsection Analysis fit")].replace(
+            "Direction = x", "Direction = 0.6, 0.8, 0")
+        found = self.results(text.replace("Record = history", "Record = history, friction"))
+        found = found["analysis/decay"]
+        t = found["recorded/history/history_time"][:]
+        expected = np.array([decaying(time, 10, 0.6) for time in t])
+        for axis, part in (("x", 0.6), ("y", 0.8)):
+            place = found[f"recorded/history/point/mass.block/displacement_{axis}"][:]
+            self.assertLess(np.abs(place - part * expected).max(), 1e-7)
+            slip = found[f"recorded/history/contact/ground/slip_{1 if axis == 'x' else 2}"][:]
+            self.assertLess(np.abs(slip + part * expected).max(), 1e-7)
+        way = 6 * 20 - 1.2 * 6 * 6 + abs(expected[-1] - decaying(6 * pi, 10, 0.6))
+        found = found["recorded/contact/ground/friction"]
+        self.assertAlmostEqual(found["sliding_way"][()], way, delta=1e-6)
+        self.assertAlmostEqual(found["energy"][()], 0.6 * way, delta=1e-6)
+
     def test_pairs_of_an_interface_rub_as_single_contacts_do(self):
         paired = self.results(BEAM + """
 subsection Contact feet

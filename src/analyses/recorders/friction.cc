@@ -160,6 +160,9 @@ void FrictionRecorder::event(const motion::ContactEvent &event) {
     return;
   Track &track = tracks_[static_cast<std::size_t>(pair.sliding_place)];
   const Friction now = pair.law->modes()[static_cast<std::size_t>(event.to)].friction;
+  const Friction before = pair.law->modes()[static_cast<std::size_t>(event.from)].friction;
+  if (pair.law->n_tangential() > 1 && before == now) // all slip along two directions is one
+    return;
   track.sticks += now == Friction::stick ? 1 : 0;
   track.slips += now == Friction::slip ? 1 : 0;
 }

@@ -45,16 +45,24 @@ void add_connection(const model::Connection &connection, std::vector<Observable>
 
 void add_friction(const contact::ContactSet &contacts, std::size_t c,
                   std::vector<Observable> &list) {
-  const std::string base = "contact/" + contacts.pairs()[c].name + "/";
-  if (!contacts.pairs()[c].circle)
-    list.push_back({base + "slip", "slip", "m", "slip of the second side on the first",
-                    motion::SlipForm{.contact = c}});
-  list.push_back({base + "slip_rate", "slip", "m/s",
-                  "slip rate of the second side's surface on the first",
-                  motion::SlipForm{.contact = c, .rate = true}});
-  list.push_back({base + "friction_force", "friction_force", "N", "friction force",
-                  motion::FrictionForm{.contact = c},
-                  " on the second side along the direction of friction"});
+  const contact::ContactPair &pair = contacts.pairs()[c];
+  const std::string base = "contact/" + pair.name + "/";
+  const int directions = static_cast<int>(pair.tangential.size());
+  for (int d = 1; d <= directions; ++d) {
+    const std::string of = directions > 1 ? "_" + std::to_string(d) : "";
+    const std::string which = directions == 1 ? "" : d == 1 ? "first " : "second ";
+    const std::string along = directions == 1 ? "" : " along the " + which + "direction";
+    if (!pair.circle)
+      list.push_back({base + "slip" + of, "slip", "m",
+                      "slip of the second side on the first" + along,
+                      motion::SlipForm{.contact = c, .direction = d}});
+    list.push_back({base + "slip_rate" + of, "slip", "m/s",
+                    "slip rate of the second side's surface on the first" + along,
+                    motion::SlipForm{.contact = c, .direction = d, .rate = true}});
+    list.push_back({base + "friction_force" + of, "friction_force", "N", "friction force",
+                    motion::FrictionForm{.contact = c, .direction = d},
+                    " on the second side along the " + which + "direction of friction"});
+  }
 }
 
 void add_place_in_ring(const contact::ContactSet &contacts, std::size_t c,

@@ -28,7 +28,7 @@ void Coulomb::declare(parameters::Section &friction) {
                 "Force per unit slip rate that is added while the sides slip.");
 }
 
-std::shared_ptr<const TangentialLaw> Coulomb::create(const parameters::Values &friction) {
+CoulombConstants read_coulomb(const parameters::Values &friction) {
   const parameters::Values law = friction.subsection(section_name);
   law.require("Coefficient");
   const double coefficient = law.quantity("Coefficient");
@@ -36,7 +36,14 @@ std::shared_ptr<const TangentialLaw> Coulomb::create(const parameters::Values &f
       law.has("Static coefficient") ? law.quantity("Static coefficient") : coefficient;
   if (at_rest < coefficient)
     law.reject("Static coefficient", "Static coefficient must not be less than Coefficient.");
-  return std::make_shared<Coulomb>(coefficient, at_rest, law.quantity("Damping constant"));
+  return {.coefficient = coefficient,
+          .static_coefficient = at_rest,
+          .damping_constant = law.quantity("Damping constant")};
+}
+
+std::shared_ptr<const TangentialLaw> Coulomb::create(const parameters::Values &friction) {
+  const CoulombConstants law = read_coulomb(friction);
+  return std::make_shared<Coulomb>(law.coefficient, law.static_coefficient, law.damping_constant);
 }
 
 std::vector<TangentialMode> Coulomb::modes(const AffineForm &normal_force,
@@ -45,14 +52,16 @@ std::vector<TangentialMode> Coulomb::modes(const AffineForm &normal_force,
       stick_until(static_coefficient_ * normal_force, forward, backward), slip_along(1, stick),
       slip_along(-1, stick)};
   for (const auto &[mode, sigma] : {std::pair(forward, 1.0), {backward, -1.0}}) {
-    AffineForm &force = modes[static_cast<std::size_t>(mode)].force;
+    AffineForm &force = modes[static_cast<std::size_t>(mode)].force[0];
     force = -sigma * coefficient_ * normal_force;
     force.tangential[0].rate -= damping_constant_;
   }
   return modes;
 }
 
-int Coulomb::mode_by_slip(int /*mode*/, double slip_rate) const {
+int Coulomb::mode_by_slip(int /*mode*/, const LocalState &state,
+                          std::size_t /*first_internal*/) const {
+  const double slip_rate = state.tangential[0].slip_rate;
   return slip_rate > 0 ? forward : slip_rate < 0 ? backward : stick;
 }
 

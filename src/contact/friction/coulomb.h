@@ -12,6 +12,13 @@
 
 namespace vibroimpact::contact {
 
+struct CoulombConstants {
+  double coefficient = 0;        ///< mu > 0
+  double static_coefficient = 0; ///< mu_s >= mu
+  double damping_constant = 0;   ///< c >= 0 [N s/m]
+};
+CoulombConstants read_coulomb(const parameters::Values &friction);
+
 class Coulomb : public TangentialLaw {
 public:
   /// 0 < coefficient <= static_coefficient, damping_constant >= 0 [N s/m]
@@ -25,7 +32,7 @@ public:
   std::string name() const override { return "coulomb"; }
   std::vector<TangentialMode> modes(const AffineForm &normal_force,
                                     std::size_t first_internal) const override;
-  int mode_by_slip(int mode, double slip_rate) const override;
+  int mode_by_slip(int mode, const LocalState &state, std::size_t first_internal) const override;
 
 private:
   double coefficient_;

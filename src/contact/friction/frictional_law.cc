@@ -21,10 +21,15 @@ bool sees_rate(const std::vector<AffineForm> &forms) {
 }
 
 bool sees_rate(const TangentialMode &mode) {
-  return sees_rate(mode.sliding_speed) || sees_rate(mode.internal_rate) ||
+  return mode.sees_force_rate || sees_rate(mode.sliding_speed) || sees_rate(mode.internal_rate) ||
          std::any_of(mode.guards.begin(), mode.guards.end(), [](const Guard &guard) {
            return sees_rate(guard.indicator) || sees_rate(guard.reset);
          });
+}
+
+bool sees_margin(const TangentialMode &mode) {
+  return std::any_of(mode.guards.begin(), mode.guards.end(),
+                     [](const Guard &guard) { return guard.indicator.margin != 0; });
 }
 
 // As a form: by value where the mode has none.
@@ -147,7 +152,9 @@ void FrictionalLaw::Product::add_friction(const Part &part, const TangentialMode
   mode.friction = own.friction;
   mode.holds_slip = own.holds_slip;
   mode.sees_force_rate = sees_rate(own);
-  of.tangential_force[0] = own.force;
+  mode.limit = own.limit;
+  mode.sees_margin = sees_margin(own);
+  of.tangential_force = own.force;
   of.sliding_speed = own.sliding_speed;
   std::copy(own.internal_rate.begin(), own.internal_rate.end(),
             of.internal_rate.begin() + static_cast<std::ptrdiff_t>(n_normal));
@@ -221,7 +228,18 @@ int FrictionalLaw::mode_by_slip(int mode, const LocalState &state) const {
   return part.tangential < 0
              ? mode
              : mode_of(part.normal,
-                       tangential_->mode_by_slip(part.tangential, state.tangential[0].slip_rate));
+                       tangential_->mode_by_slip(part.tangential, state,
+                                                 static_cast<std::size_t>(normal_->n_internal())));
+}
+
+void FrictionalLaw::leave(int mode, const LocalState &state, std::span<double> internal) const {
+  const Part &part = parts_[static_cast<std::size_t>(mode)];
+  if (part.tangential < 0 || !part.evaluated)
+    return;
+  const auto n_normal = static_cast<std::size_t>(normal_->n_internal());
+  LawResponse response;
+  normal_->evaluate(part.normal, of_normal(state), response);
+  tangential_->leave(part.tangential, response.force, internal.subspan(n_normal));
 }
 
 } // namespace vibroimpact::contact

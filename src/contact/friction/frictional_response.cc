@@ -76,7 +76,8 @@ TangentialValues FrictionalLaw::friction(int mode, const LocalState &state) cons
     made.by.constant = 0;
     return made;
   };
-  values.force = of(forms.tangential_force[0]);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(n_tangential()); ++k)
+    values.force[k] = of(forms.tangential_force[k]);
   for (std::size_t i = n_normal; i < forms.internal_rate.size(); ++i)
     values.internal_rate.push_back(of(forms.internal_rate[i]));
   values.sliding_speed = forms.sliding_speed(state);
@@ -97,10 +98,17 @@ void FrictionalLaw::add_friction(const NormalForce &normal, const TangentialValu
   };
   const auto n_normal = static_cast<std::size_t>(normal_->n_internal());
   const auto n = static_cast<std::size_t>(n_internal());
-  TangentialResponse &tangential = response.tangential[0];
-  tangential.force = friction.force.value;
-  tangential.by = by_state(friction.force.by);
-  tangential.internal_rate_by_slip_rate.assign(n, 0);
+  const auto directions = static_cast<std::size_t>(n_tangential());
+  for (std::size_t k = 0; k < directions; ++k) {
+    TangentialResponse &tangential = response.tangential[k];
+    tangential.force = friction.force[k].value;
+    tangential.by = by_state(friction.force[k].by);
+    tangential.internal_rate_by_slip_rate.assign(n, 0);
+  }
+  if (directions > 1) {
+    response.margin = friction.margin.value;
+    response.margin_by = friction.margin.by;
+  }
   for (std::vector<double> *list :
        {&response.force_by_internal, &response.internal_rate, &response.internal_rate_by_gap,
         &response.internal_rate_by_gap_rate})
@@ -120,10 +128,22 @@ void FrictionalLaw::add_friction(const NormalForce &normal, const TangentialValu
     response.internal_rate_by_gap_acceleration[i] =
         rate.by.normal_force_rate * normal.by_gap_acceleration;
     std::copy(by.internal.begin(), by.internal.end(), by_internal.data() + i * n);
-    tangential.internal_rate_by_slip_rate[i] = by.tangential[0].rate;
+    for (std::size_t k = 0; k < directions; ++k)
+      response.tangential[k].internal_rate_by_slip_rate[i] = by.tangential[k].rate;
   }
   response.internal_rate_by_internal = std::move(by_internal);
 }
+
+namespace {
+
+double power_taken(const TangentialValues &friction, const LocalState &state, int directions) {
+  double power = -friction.force[0].value * state.tangential[0].slip_rate;
+  for (std::size_t k = 1; k < static_cast<std::size_t>(directions); ++k)
+    power -= friction.force[k].value * state.tangential[k].slip_rate;
+  return power;
+}
+
+} // namespace
 
 // What goes in, less what deforms stores; where all of it deforms, what the dashpots take. Terms
 // that cancel would hide the others.
@@ -132,7 +152,7 @@ void FrictionalLaw::add_work(int mode, const LocalState &state, const Tangential
   const auto n_normal = static_cast<std::size_t>(normal_->n_internal());
   const bool sticks = modes()[static_cast<std::size_t>(mode)].friction == Friction::stick;
   response.sliding_speed = friction.sliding_speed;
-  response.friction_power = sticks ? 0 : -friction.force.value * state.tangential[0].slip_rate;
+  response.friction_power = sticks ? 0 : power_taken(friction, state, n_tangential());
   for (std::size_t i = 0; i < friction.internal_rate.size(); ++i) {
     const double deformation = state.internal[n_normal + i];
     const double rate = friction.internal_rate[i].value;

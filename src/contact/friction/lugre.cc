@@ -49,7 +49,8 @@ std::vector<TangentialMode> LuGre::modes(const AffineForm & /*normal_force*/,
   return modes;
 }
 
-int LuGre::mode_by_slip(int mode, double slip_rate) const {
+int LuGre::mode_by_slip(int mode, const LocalState &state, std::size_t /*first_internal*/) const {
+  const double slip_rate = state.tangential[0].slip_rate;
   return slip_rate > 0 ? forward : slip_rate < 0 ? backward : mode;
 }
 
@@ -76,10 +77,11 @@ void LuGre::evaluate(int mode, const LocalState &state, std::size_t first_intern
   values.internal_rate[0].by.internal.back() = by_z;
   values.internal_rate[0].by.tangential[0].rate = by_v;
   const double over_force = s0 * z + s1 * rate + s2 * v;
-  values.force = {.value = -state.normal_force * over_force, .by = {.normal_force = -over_force}};
-  values.force.by.internal.assign(first_internal + 1, 0.0);
-  values.force.by.internal.back() = -state.normal_force * (s0 + s1 * by_z);
-  values.force.by.tangential[0].rate = -state.normal_force * (s1 * by_v + s2);
+  values.force[0] = {.value = -state.normal_force * over_force,
+                     .by = {.normal_force = -over_force}};
+  values.force[0].by.internal.assign(first_internal + 1, 0.0);
+  values.force[0].by.internal.back() = -state.normal_force * (s0 + s1 * by_z);
+  values.force[0].by.tangential[0].rate = -state.normal_force * (s1 * by_v + s2);
   values.sliding_speed = std::abs(s0 * speed * z / g);
 }
 

@@ -78,8 +78,8 @@ TangentialMode PiecewiseLinear::slip(double sigma, std::size_t i,
   TangentialMode mode = slip_along(sigma, stick);
   const auto [level, slope] = piece(i);
   mode.evaluated = slope != 0 && !is_constant(normal_force);
-  mode.force = -sigma * level * normal_force;
-  mode.force.tangential[0].rate -= slope * normal_force.constant;
+  mode.force[0] = -sigma * level * normal_force;
+  mode.force[0].tangential[0].rate -= slope * normal_force.constant;
   const AffineForm speed = mode.sliding_speed;
   if (i > 0)
     mode.guards = {{.indicator = speed + AffineForm{.constant = -speeds_[i]},
@@ -102,7 +102,9 @@ std::vector<TangentialMode> PiecewiseLinear::modes(const AffineForm &normal_forc
   return modes;
 }
 
-int PiecewiseLinear::mode_by_slip(int /*mode*/, double slip_rate) const {
+int PiecewiseLinear::mode_by_slip(int /*mode*/, const LocalState &state,
+                                  std::size_t /*first_internal*/) const {
+  const double slip_rate = state.tangential[0].slip_rate;
   if (slip_rate == 0)
     return stick;
   const auto above = std::upper_bound(speeds_.begin(), speeds_.end(), std::abs(slip_rate));
@@ -116,9 +118,9 @@ void PiecewiseLinear::evaluate(int mode, const LocalState &state, std::size_t /*
   const auto [level, slope] = piece(place % speeds_.size());
   const double v = state.tangential[0].slip_rate;
   const double per_force = -sigma * level - slope * v;
-  values.force.value = per_force * state.normal_force;
-  values.force.by = {.normal_force = per_force};
-  values.force.by.tangential[0].rate = -slope * state.normal_force;
+  values.force[0].value = per_force * state.normal_force;
+  values.force[0].by = {.normal_force = per_force};
+  values.force[0].by.tangential[0].rate = -slope * state.normal_force;
   values.sliding_speed = sigma * v;
 }
 

@@ -30,7 +30,7 @@ public:
   std::string name() const override { return "piecewise-linear"; }
   std::vector<TangentialMode> modes(const AffineForm &normal_force,
                                     std::size_t first_internal) const override;
-  int mode_by_slip(int mode, double slip_rate) const override;
+  int mode_by_slip(int mode, const LocalState &state, std::size_t first_internal) const override;
   void evaluate(int mode, const LocalState &state, std::size_t first_internal,
                 TangentialValues &values) const override;
 

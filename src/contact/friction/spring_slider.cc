@@ -25,12 +25,18 @@ void SpringSlider::declare(parameters::Section &friction) {
                 "Of a dashpot beside the spring, in series with the slider.");
 }
 
-std::shared_ptr<const TangentialLaw> SpringSlider::create(const parameters::Values &friction) {
+SpringSliderConstants read_spring_slider(const parameters::Values &friction) {
   const parameters::Values law = friction.subsection(section_name);
   law.require("Stiffness");
   law.require("Coefficient");
-  return std::make_shared<SpringSlider>(law.quantity("Stiffness"), law.quantity("Coefficient"),
-                                        law.quantity("Damping constant"));
+  return {.stiffness = law.quantity("Stiffness"),
+          .coefficient = law.quantity("Coefficient"),
+          .damping_constant = law.quantity("Damping constant")};
+}
+
+std::shared_ptr<const TangentialLaw> SpringSlider::create(const parameters::Values &friction) {
+  const SpringSliderConstants law = read_spring_slider(friction);
+  return std::make_shared<SpringSlider>(law.stiffness, law.coefficient, law.damping_constant);
 }
 
 TangentialMode SpringSlider::slip(const std::string &name, double sigma,
@@ -47,7 +53,7 @@ TangentialMode SpringSlider::slip(const std::string &name, double sigma,
     stop.reset = {1 / stiffness_ * most};
   return {.name = name,
           .friction = Friction::slip,
-          .force = -1.0 * most,
+          .force = {-1.0 * most},
           .internal_rate = {rate},
           .sliding_speed = speed,
           .guards = {stop}};
@@ -69,7 +75,7 @@ std::vector<TangentialMode> SpringSlider::modes(const AffineForm &normal_force,
   }
   return {{.name = "stick",
            .friction = Friction::stick,
-           .force = -1.0 * pull,
+           .force = {-1.0 * pull},
            .internal_rate = {rate},
            .guards = {yields, yields_back}},
           slip("slip forward", 1, normal_force, deformation),
@@ -77,7 +83,9 @@ std::vector<TangentialMode> SpringSlider::modes(const AffineForm &normal_force,
 }
 
 // A jump of the slip rate leaves the spring as it is; the slider goes on only in its direction.
-int SpringSlider::mode_by_slip(int mode, double slip_rate) const {
+int SpringSlider::mode_by_slip(int mode, const LocalState &state,
+                               std::size_t /*first_internal*/) const {
+  const double slip_rate = state.tangential[0].slip_rate;
   const bool goes_on = (mode == forward && slip_rate > 0) || (mode == backward && slip_rate < 0);
   return goes_on ? mode : stick;
 }

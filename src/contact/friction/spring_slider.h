@@ -16,6 +16,13 @@
 
 namespace vibroimpact::contact {
 
+struct SpringSliderConstants {
+  double stiffness = 0;        ///< > 0 [N/m]
+  double coefficient = 0;      ///< > 0
+  double damping_constant = 0; ///< >= 0 [N s/m]
+};
+SpringSliderConstants read_spring_slider(const parameters::Values &friction);
+
 class SpringSlider : public TangentialLaw {
 public:
   /// stiffness > 0 [N/m], coefficient > 0, damping_constant >= 0 [N s/m]
@@ -28,7 +35,7 @@ public:
   std::string name() const override { return "spring-slider"; }
   std::vector<TangentialMode> modes(const AffineForm &normal_force,
                                     std::size_t first_internal) const override;
-  int mode_by_slip(int mode, double slip_rate) const override;
+  int mode_by_slip(int mode, const LocalState &state, std::size_t first_internal) const override;
   std::vector<InternalState> internal_states() const override;
   double stiffness() const override { return stiffness_; }
   double damping_constant() const override { return damping_constant_; }

@@ -73,7 +73,9 @@ std::vector<TangentialMode> Stribeck::modes(const AffineForm &normal_force,
   return modes;
 }
 
-int Stribeck::mode_by_slip(int /*mode*/, double slip_rate) const {
+int Stribeck::mode_by_slip(int /*mode*/, const LocalState &state,
+                           std::size_t /*first_internal*/) const {
+  const double slip_rate = state.tangential[0].slip_rate;
   return slip_rate > 0 ? forward : slip_rate < 0 ? backward : stick;
 }
 
@@ -83,9 +85,10 @@ void Stribeck::evaluate(int mode, const LocalState &state, std::size_t /*first_i
   const double sigma = mode == forward ? 1 : -1;
   const double v = state.tangential[0].slip_rate;
   const auto [coefficient, slope] = constants_.at(std::max(0.0, sigma * v));
-  values.force.value = -sigma * coefficient * state.normal_force - constants_.damping_constant * v;
-  values.force.by = {.normal_force = -sigma * coefficient};
-  values.force.by.tangential[0].rate = -slope * state.normal_force - constants_.damping_constant;
+  values.force[0].value =
+      -sigma * coefficient * state.normal_force - constants_.damping_constant * v;
+  values.force[0].by = {.normal_force = -sigma * coefficient};
+  values.force[0].by.tangential[0].rate = -slope * state.normal_force - constants_.damping_constant;
   values.sliding_speed = sigma * v;
 }
 

@@ -18,6 +18,9 @@ void declare_friction(parameters::Section &contact);
 /// Has the contact friction?
 bool has_friction(const parameters::Values &contact);
 
+/// Along two directions?
+bool has_two_directions(const parameters::Values &contact);
+
 /// The law that the section chooses; has_friction(). Throws InputError.
 std::shared_ptr<const TangentialLaw> create_tangential_law(const parameters::Values &contact);
 

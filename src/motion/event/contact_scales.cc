@@ -24,12 +24,15 @@ ContactScales::ContactScales(const Equations &equations, const Settings &setting
       turning_time_((equations.model().mass().array() /
                      equations.model().stiffness().diagonal.array().max(0.0))
                         .sqrt()),
-      of_(equations.contacts().size()), slopes_(equations.contacts().size()) {}
+      of_(equations.contacts().size()), slopes_(equations.contacts().size()),
+      margins_(equations.contacts().size()) {}
 
 void ContactScales::begin(double time, const Vector &state) {
   time_ = time;
   of_.assign(of_.size(), {});
   slopes_.assign(of_.size(), {});
+  for (std::size_t c = 0; c < of_.size(); ++c)
+    margins_[c].assign(equations_.contacts().pairs()[c].law->modes().size(), 0.0);
   largest_ = {};
   acceleration_ = 0;
   note(time, state, true);
@@ -45,6 +48,8 @@ void ContactScales::note(double time, const Vector &state, bool with_forces) {
       include_slopes(c, time, state);
     if (with_forces)
       include_forces(c, time, state);
+    if (equations_.mode(c).sees_margin)
+      include_margin(c, time, state);
   }
 }
 
@@ -100,6 +105,13 @@ void ContactScales::include_slopes(std::size_t contact, double time, const Vecto
       {.gap = std::abs(response.force_by_gap), .gap_rate = std::abs(response.force_by_gap_rate)});
 }
 
+void ContactScales::include_margin(std::size_t contact, double time, const Vector &state) {
+  double &largest = margins_[contact][static_cast<std::size_t>(equations_.modes()[contact])];
+  largest = std::max(
+      largest, error(contact, equations_.margin_gradient(
+                                  contact, time, ConstVectorView(state.data(), state.size()))));
+}
+
 // What a form has of the normal force by value and of its rate, for errors of gap, gap rate and gap
 // acceleration.
 double ContactScales::of_normal_force(std::size_t contact, const contact::AffineForm &form,
@@ -138,6 +150,9 @@ double ContactScales::error(std::size_t contact, const contact::AffineForm &form
     if (const double factor = form.along(d).force; factor != 0)
       sum += std::abs(factor) *
              equations_.contacts().effective_mass(contact, equations_.model(), d) * of_forces;
+  if (form.margin != 0)
+    sum += std::abs(form.margin) *
+           margins_[contact][static_cast<std::size_t>(equations_.modes()[contact])];
   return sum;
 }
 
@@ -153,6 +168,12 @@ double ContactScales::error_of_step(std::size_t contact, const contact::AffineFo
       sum += of_normal_force(contact, form, share * sizes.gap, share * sizes.gap_rate,
                              share * acceleration_);
   }
+  if (form.margin != 0)
+    sum += std::abs(form.margin) *
+           error_of_step(contact,
+                         equations_.margin_gradient(contact, end,
+                                                    ConstVectorView(state.data(), state.size())),
+                         end, state);
   return sum;
 }
 

@@ -54,6 +54,7 @@ private:
               double elapsed) const;
   void include_forces(std::size_t contact, double time, const Vector &state);
   void include_slopes(std::size_t contact, double time, const Vector &state);
+  void include_margin(std::size_t contact, double time, const Vector &state);
   double of_normal_force(std::size_t contact, const contact::AffineForm &form, double length,
                          double speed, double acceleration) const;
 
@@ -66,6 +67,8 @@ private:
   Sizes largest_;         ///< of all
   /// Largest derivatives of the normal force by gap and gap rate, where friction sees it by value.
   std::vector<Sizes> slopes_;
+  /// Largest errors of the margins, of each contact and each of its modes.
+  std::vector<std::vector<double>> margins_;
   double acceleration_ = 0; ///< of a gap, each of its terms alone [m/s^2]
 };
 

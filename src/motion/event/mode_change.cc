@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace vibroimpact::motion {
 
@@ -17,8 +18,10 @@ ConstVectorView view_of(const Vector &state) { return {state.data(), state.size(
 // From a local state whose internal states are of another vector.
 void reset(const Equations &equations, std::size_t contact, const Guard &guard,
            const LocalState &before, Vector &state) {
-  double *const internal = state.data() + equations.layout().internal() +
-                           equations.contacts().pairs()[contact].internal_offset;
+  const contact::ContactPair &pair = equations.contacts().pairs()[contact];
+  double *const internal = state.data() + equations.layout().internal() + pair.internal_offset;
+  pair.law->leave(equations.modes()[contact], before,
+                  {internal, static_cast<std::size_t>(pair.n_internal())});
   for (std::size_t i = 0; i < guard.reset.size(); ++i)
     internal[i] = guard.reset[i](before);
 }
@@ -37,24 +40,31 @@ const Guard *no_stick(const Equations &equations, std::size_t contact, double ti
   return fallen == guards.end() ? nullptr : &*fallen;
 }
 
-// The slip acceleration of sides that are to stick, where what else is held makes them slide all
-// the same: one rests on what is moved. Zero: they can stick, as what is held independently can.
-double imposed_slip(const Equations &equations, std::size_t contact, double time,
-                    const Vector &state) {
+// The slip accelerations of sides that are to stick, where what else is held makes them slide all
+// the same: one rests on what is moved. None: they can stick, as what is held independently can.
+std::optional<LocalState> imposed_slip(const Equations &equations, std::size_t contact, double time,
+                                       const Vector &state) {
+  const int directions = equations.contacts().pairs()[contact].n_directions();
   const ActiveConstraints &holding = equations.holding();
   constexpr double least_pivot = 1e-10; // rows that are the same leave 1e-15
-  if (holding.size() < 2 ||
+  if (holding.size() < directions ||
       PivotedQr(holding.rows() * holding.response(), least_pivot).rank() == holding.size())
-    return 0;
+    return std::nullopt;
   constexpr double roundings = 1e4; // what constraints that can be held leave is far less
   const StateLayout &layout = equations.layout();
   Vector rates(layout.size());
   equations.rates(time, view_of(state), {rates.data(), rates.size()});
-  const double slides = equations.gap_acceleration(contact, time, view_of(state),
-                                                   {rates.data() + layout.velocity(), layout.n}, 1);
-  return std::abs(slides) > roundings * equations.acceleration_rounding(contact, time, state, 1)
-             ? slides
-             : 0;
+  LocalState slides;
+  bool found = false;
+  for (int d = 1; d < directions; ++d) {
+    const double rate = equations.gap_acceleration(contact, time, view_of(state),
+                                                   {rates.data() + layout.velocity(), layout.n}, d);
+    if (std::abs(rate) <= roundings * equations.acceleration_rounding(contact, time, state, d))
+      continue;
+    slides.tangential[static_cast<std::size_t>(d - 1)].slip_rate = rate;
+    found = true;
+  }
+  return found ? std::optional(slides) : std::nullopt;
 }
 
 // Each mode is entered once at most; a law whose guards contradict each other stays where it is.
@@ -63,10 +73,9 @@ bool stick_or_slip(Equations &equations, std::size_t contact, double time, Vecto
   bool changed = false;
   for (std::size_t i = 0; i < most && equations.mode(contact).holds_slip; ++i) {
     equations.stop_slip(time, state);
-    if (const double slides = imposed_slip(equations, contact, time, state); slides != 0) {
-      equations.set_mode(
-          contact, equations.contacts().pairs()[contact].law->mode_by_slip(
-                       equations.modes()[contact], {.tangential = {{{.slip_rate = slides}}}}));
+    if (const auto slides = imposed_slip(equations, contact, time, state)) {
+      equations.set_mode(contact, equations.contacts().pairs()[contact].law->mode_by_slip(
+                                      equations.modes()[contact], *slides));
       return true;
     }
     const Guard *const fallen = no_stick(equations, contact, time, state);
@@ -91,6 +100,16 @@ LocalState sliding_state(const Equations &equations, std::size_t contact, double
   return local;
 }
 
+// What rounding leaves of slip rates.
+double slip_rounding(const Equations &equations, std::size_t contact, double time,
+                     const Vector &state) {
+  double largest = 0;
+  for (int d = 1; d < equations.contacts().pairs()[contact].n_directions(); ++d)
+    largest = std::max(
+        largest, equations.rounding(contact, contact::AffineForm::rate_along(d), time, state));
+  return largest;
+}
+
 bool slides(const LocalState &local) {
   return std::any_of(local.tangential.begin(), local.tangential.end(),
                      [](const contact::TangentialState &of) { return of.slip_rate != 0; });
@@ -108,9 +127,8 @@ void pass_guard(Equations &equations, std::size_t contact, const Guard &guard, d
   int target = guard.target;
   if (guard.by_slip)
     target = equations.contacts().pairs()[contact].law->mode_by_slip(
-        target, sliding_state(
-                    equations, contact, time, state,
-                    equations.rounding(contact, contact::AffineForm::rate_along(1), time, state)));
+        target, sliding_state(equations, contact, time, state,
+                              slip_rounding(equations, contact, time, state)));
   equations.set_mode(contact, target);
   if (has_friction(equations, contact))
     stick_or_slip(equations, contact, time, state);

@@ -34,8 +34,22 @@ contact::AffineForm without_normal_force(const Equations &equations, std::size_t
 
 } // namespace
 
+contact::AffineForm without_margin(const Equations &equations, std::size_t contact,
+                                   const contact::AffineForm &form, double time,
+                                   const Vector &state) {
+  contact::AffineForm made = form;
+  made.margin = 0;
+  if (form.margin != 0)
+    made += form.margin *
+            equations.margin_gradient(contact, time, ConstVectorView(state.data(), state.size()));
+  return made;
+}
+
 LinearRow tangent_row(const Equations &equations, std::size_t contact,
                       const contact::AffineForm &form, double time, const Vector &state) {
+  if (form.margin != 0)
+    return tangent_row(equations, contact, without_margin(equations, contact, form, time, state),
+                       time, state);
   if (const auto &circle = equations.contacts().pairs()[contact].circle) {
     const ConstVectorView x(state.data(), state.size());
     return row_of_motion(equations, contact,
@@ -70,12 +84,9 @@ GuardForms guard_forms(const Equations &equations) {
     for (const contact::Guard &guard : equations.mode(c).guards)
       add(linear_row(equations, c, guard.indicator));
   if (const auto products = guard_products(equations))
-    for (const GuardProduct &product : *products) {
-      const contact::CircularGap &circle = *equations.contacts().pairs()[product.contact].circle;
-      add(row_of_motion(equations, product.contact, touching_radius(circle, product.form)));
-      for (int d = 0; d < 2; ++d)
-        add(row_of_motion(equations, product.contact, contact::AffineForm::position_along(d)));
-    }
+    for (const GuardProduct &product : *products)
+      for (const contact::AffineForm &form : product.forms)
+        add(linear_row(equations, product.contact, form));
   return forms;
 }
 

@@ -9,6 +9,12 @@ namespace vibroimpact::motion {
 LinearRow linear_row(const Equations &equations, std::size_t contact,
                      const contact::AffineForm &form);
 
+/// A form with the partial derivatives of the margin at a state in place of the margin; its
+/// constant is that of no value.
+contact::AffineForm without_margin(const Equations &equations, std::size_t contact,
+                                   const contact::AffineForm &form, double time,
+                                   const Vector &state);
+
 /// The gradient of such a form in any modes, at a state; its constant is that of no value.
 LinearRow tangent_row(const Equations &equations, std::size_t contact,
                       const contact::AffineForm &form, double time, const Vector &state);

@@ -204,6 +204,22 @@ Bernstein StepView::circular_indicator(std::size_t contact, const contact::Affin
   return product;
 }
 
+// Of twice the degree where it is a sum of squares.
+Bernstein StepView::margin(std::size_t contact) const {
+  const auto &limit = equations().mode(contact).limit;
+  if (!limit)
+    return local_curve(*this, contact, contact::AffineForm{.margin = 1});
+  const Bernstein radius = indicator(contact, limit->radius);
+  Bernstein product = radius * radius;
+  for (const contact::AffineForm &form : limit->across) {
+    const Bernstein part = indicator(contact, form);
+    Bernstein square = part * part;
+    square *= -1;
+    product += square;
+  }
+  return product;
+}
+
 Bernstein StepView::indicator(std::size_t contact, const contact::AffineForm &form) const {
   const contact::ContactPair &pair = equations().contacts().pairs()[contact];
   if (pair.circle)
@@ -227,6 +243,8 @@ Bernstein StepView::indicator(std::size_t contact, const contact::AffineForm &fo
   for (std::size_t i = 0; i < form.internal.size(); ++i)
     if (form.internal[i] != 0)
       add(form.internal[i], internal(pair.internal_offset + static_cast<Index>(i)));
+  if (form.margin != 0)
+    add(form.margin, margin(contact));
   const bool by_value = form.sees_normal_force() && !equations().mode(contact).holds_gap;
   for (int d = by_value ? 1 : 0; d < pair.n_directions(); ++d)
     if (form.along(d).force != 0)

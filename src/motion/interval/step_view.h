@@ -85,6 +85,7 @@ public:
 private:
   Bernstein first_order_state(Index place) const;
   Bernstein circular_indicator(std::size_t contact, const contact::AffineForm &form) const;
+  Bernstein margin(std::size_t contact) const;
   Bernstein internal_part(std::size_t contact, const contact::AffineForm &form) const;
 
   const EndPoint *start_;

@@ -26,7 +26,7 @@ bool MomentStep::holds(const Equations &equations) {
   const auto &pairs = equations.contacts().pairs();
   return equations.model().linear() && !pairs.empty() &&
          std::all_of(pairs.begin(), pairs.end(), [](const contact::ContactPair &pair) {
-           return !pair.circle && ContactCourse::holds(*pair.law);
+           return !pair.circle && pair.law->n_tangential() < 2 && ContactCourse::holds(*pair.law);
          });
 }
 

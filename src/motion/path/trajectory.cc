@@ -16,18 +16,33 @@ namespace vibroimpact::motion {
 using contact::AffineForm;
 using contact::LocalState;
 
+namespace {
+
+// Slip rates along two directions that are about to stop: 3e-10 of the largest speeds and more,
+// which steps can follow, while a direction that is kept from there on errs by less. It is the same
+// as long as sides slip.
+void note_slow_slips(const ContactScales &scales, bool begins, Equations &equations) {
+  constexpr double errors = 30;
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+    if (begins || equations.mode(c).friction != contact::Friction::slip)
+      equations.set_slow_slip(c, errors * scales.speed(c));
+}
+
+} // namespace
+
 Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &contacts,
                        const Settings &settings)
     : settings_(settings), equations_(model, contacts), scales_(equations_, settings_),
       collisions_(equations_, settings_, scales_), steppers_(equations_, settings),
       ts_(MotionTs::create(settings, equations_.layout().size())), costs_(equations_) {
-  // Guards of circular gaps are no linear forms of the motion.
-  if (steppers_.exact() && !contacts.has_circles())
+  // Guards of circular gaps and of friction along two directions are no linear forms of the motion.
+  if (steppers_.exact() && !contacts.has_circles() && !contacts.has_planes())
     path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(), settings,
                                         progress_, counts_);
   if (settings.method == "moments" && !MomentStep::holds(equations_))
     throw InputError("Method = moments needs a linear model and contacts with finite forces, none "
-                     "of which has a circular gap, holds its slip (Coulomb) or has states that "
+                     "of which has a circular gap or two directions of friction, holds its slip "
+                     "(Coulomb) or has states that "
                      "relax by themselves.");
   if (path_ && MomentStep::holds(equations_))
     moments_ =
@@ -55,6 +70,8 @@ double Trajectory::location_tolerance() const {
 void Trajectory::begin_phase(double time, const Vector &state) {
   equations_.set_source_break(equations_.model().next_break(time));
   list_guards();
+  if (equations_.contacts().has_planes())
+    note_slow_slips(scales_, false, equations_);
   steppers_.restart(time, state);
   steps_outdated_ = false;
   if (path_)
@@ -69,6 +86,7 @@ void Trajectory::start(const MotionState &from) {
   state.head(layout().physical_size()) = from.physical;
   choose_initial_modes(from.time, state);
   scales_.begin(from.time, state);
+  note_slow_slips(scales_, true, equations_);
   settle_friction(equations_, scales_, from.time, state);
   collisions_.settle(from.time, settings_.event_tolerance, state);
   if (path_)

@@ -31,8 +31,11 @@ namespace {
 // could need means that none of them holds.
 constexpr long maximum_events_at_once = 100;
 
-// |factor| for which form = factor * other; 0 when there is none.
+// |factor| for which form = factor * other; 0 when there is none. Margins of two modes are two
+// quantities.
 double proportion(const AffineForm &form, const AffineForm &other) {
+  if (form.margin != 0 || other.margin != 0)
+    return 0;
   const auto coefficients = [](const AffineForm &from, std::size_t n_internal) {
     std::vector<double> list = {from.constant, from.normal_force_rate};
     for (int d = 0; d <= static_cast<int>(contact::most_tangential); ++d) {

@@ -19,7 +19,7 @@ Equations::Equations(const model::Model &model, const contact::ContactSet &conta
                                                   .n_drive = model.n_drive(),
                                                   .n_contacts = static_cast<Index>(contacts.size()),
                                                   .n_sliding = contacts.n_sliding()},
-      modes_(contacts.size(), 0), sources_(model) {
+      modes_(contacts.size(), 0), slow_slip_(contacts.size(), 0.0), sources_(model) {
   for (const ContactPair &pair : contacts.pairs()) {
     std::vector<char> inactive;
     for (const contact::Mode &mode : pair.law->modes())

@@ -64,6 +64,10 @@ public:
   const ActiveConstraints &holding() const { return constraints_; }
   /// Does friction see the normal force of the contact by value, or its rate?
   bool sees_normal_force(std::size_t contact) const;
+  /// A slip rate of the contact below this is about to stop [m/s].
+  void set_slow_slip(std::size_t contact, double rate) { slow_slip_[contact] = rate; }
+  /// Partial derivatives of the margin that the present mode sees, as the coefficients of a form.
+  contact::AffineForm margin_gradient(std::size_t contact, double time, ConstVectorView x) const;
   /// Does a present mode see the rate of its normal force?
   bool sees_force_rates() const { return !following_.empty(); }
 
@@ -193,6 +197,7 @@ private:
   void write_friction(const contact::ContactPair &pair, VectorView dxdt) const;
   void see_normal_force(std::size_t contact, double time, ConstVectorView x, ConstVectorView rates,
                         contact::LocalState &state) const;
+  void see_margin(std::size_t contact, contact::LocalState &state) const;
   void follow_force_rates(double time, ConstVectorView x, VectorView dxdt) const;
   void follow_force_rates(double time, ConstVectorView x, Matrix &jacobian) const;
   double normal_force_magnitude(std::size_t contact, const contact::AffineForm &form, double time,
@@ -216,6 +221,7 @@ private:
   double last_source_time_ = std::numeric_limits<double>::infinity();
   std::vector<std::vector<char>> inactive_; ///< per contact and mode: no force, no internal states
   std::vector<Acting> acting_;
+  std::vector<double> slow_slip_;      ///< of each contact
   std::vector<std::size_t> following_; ///< contacts whose modes see the rate of their normal force
   std::vector<Component> components_;  ///< of all contacts
   std::vector<std::size_t> first_component_; ///< of each

@@ -65,18 +65,14 @@ LocalState Equations::local_state(std::size_t contact, double time, ConstVectorV
   LocalState state = local_motion(contact, time, x);
   const bool held = !constraints_.empty() && constraints_.holds(contact);
   const bool seen = sees_normal_force(contact);
-  if (!held && !seen)
-    return state;
-  if (held || mode(contact).sees_force_rate) {
+  if (held || (seen && mode(contact).sees_force_rate)) {
     held_rates_.resize(layout_.size());
     rates(time, x, VectorView(held_rates_.data(), held_rates_.size()));
   }
   if (seen)
     see_normal_force(contact, time, x, ConstVectorView(held_rates_.data(), held_rates_.size()),
                      state);
-  if (!held)
-    return state;
-  for (Index k = 0; k < constraints_.size(); ++k) {
+  for (Index k = 0; held && k < constraints_.size(); ++k) {
     const HeldDirection &held = constraints_.held(k);
     if (held.contact != contact)
       continue;
@@ -84,7 +80,29 @@ LocalState Equations::local_state(std::size_t contact, double time, ConstVectorV
                          : state.tangential[static_cast<std::size_t>(held.direction - 1)].force) =
         held_forces_[k];
   }
+  if (mode(contact).sees_margin)
+    see_margin(contact, state);
   return state;
+}
+
+// By the forces that the state has.
+void Equations::see_margin(std::size_t contact, LocalState &state) const {
+  state.slow_slip = slow_slip_[contact];
+  if (const auto &limit = mode(contact).limit) {
+    state.margin = (*limit)(state);
+    return;
+  }
+  contacts_.pairs()[contact].law->evaluate(modes_[contact], state, response_);
+  state.margin = response_.margin;
+}
+
+contact::AffineForm Equations::margin_gradient(std::size_t contact, double time,
+                                               ConstVectorView x) const {
+  const LocalState state = local_state(contact, time, x);
+  if (const auto &limit = mode(contact).limit)
+    return limit->gradient(state);
+  contacts_.pairs()[contact].law->evaluate(modes_[contact], state, response_);
+  return response_.margin_by;
 }
 
 double Equations::gap_acceleration(std::size_t contact, double time, ConstVectorView x,
@@ -122,6 +140,8 @@ LocalState Equations::local_rates(std::size_t contact, double time, ConstVectorV
     change.tangential[k] = {.slip = local.tangential[k].slip_rate - pair.along(d).speed,
                             .slip_rate = gap_acceleration(contact, time, x, acceleration, d)};
   }
+  if (mode(contact).sees_margin)
+    change.margin = margin_gradient(contact, time, x)(change);
   return change;
 }
 
@@ -158,6 +178,10 @@ double Equations::magnitude(std::size_t contact, const contact::AffineForm &form
   for (int d = 0; d < pair.n_directions(); ++d)
     if (const double factor = form.along(d).force; factor != 0 && mode(contact).holds(d))
       sum += std::abs(factor) * force_magnitude(contact, d, time, x);
+  if (form.margin != 0)
+    sum += std::abs(form.margin) *
+           magnitude(contact, margin_gradient(contact, time, ConstVectorView(x.data(), x.size())),
+                     time, x);
   return form.sees_normal_force() && !mode(contact).holds_gap
              ? sum + normal_force_magnitude(contact, form, time, x)
              : sum;

@@ -52,6 +52,9 @@ KeyTangent::KeyTangent(std::string key, const model::Model &model,
   if (contacts.has_circles())
     throw InputError("the motion has no known derivative by the key " + key_ +
                      ": a contact has a circular gap (Gap).");
+  if (contacts.has_planes())
+    throw InputError("the motion has no known derivative by the key " + key_ +
+                     ": a contact has two directions of friction (Directions).");
   static std::atomic<long> next{0};
   identity_ = next++;
   std::vector<double> offsets;

@@ -66,9 +66,9 @@ Vector Saltations::rates(double time, const Vector &state) const {
 Vector Saltations::rates_at_guard(const ContactEvent &event, const Vector &state) const {
   Vector rates = this->rates(event.time, state);
   const AffineForm &guard = event.guard->indicator;
-  const bool is_gap = guard.constant == 0 && guard.gap_rate == 0 && guard.internal.empty() &&
-                      !guard.sees_normal_force() && guard.tangential[0].zero() &&
-                      guard.tangential[1].zero();
+  const bool is_gap = guard.constant == 0 && guard.margin == 0 && guard.gap_rate == 0 &&
+                      guard.internal.empty() && !guard.sees_normal_force() &&
+                      guard.tangential[0].zero() && guard.tangential[1].zero();
   if (!is_gap || equations_.mode(event.contact).holds_gap || equations_.inactive(event.contact))
     return rates;
   const ConstVectorView x(state.data(), state.size());
@@ -96,6 +96,9 @@ RowVector Saltations::gradient(const ContactEvent &event, const AffineForm &form
 // Forces that a form sees are rows of the state and the sources.
 double Saltations::rate_along(const AffineForm &form, const ContactEvent &event,
                               const Vector &rates) const {
+  if (form.margin != 0)
+    return rate_along(without_margin(equations_, event.contact, form, event.time, *event.before),
+                      event, rates);
   contact::LocalState change = equations_.local_rates(
       event.contact, event.time, ConstVectorView(event.before->data(), event.before->size()),
       ConstVectorView(rates.data(), rates.size()));
