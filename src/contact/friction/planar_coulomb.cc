@@ -10,8 +10,6 @@ enum : int { stick = 0, slip = 1, stopping = 2, starting = 3 };
 constexpr std::size_t directions = 2;
 using Plane = std::array<double, directions>;
 
-double dot(const Plane &a, const Plane &b) { return a[0] * b[0] + a[1] * b[1]; }
-
 Plane slip_rate(const LocalState &state) {
   return {state.tangential[0].slip_rate, state.tangential[1].slip_rate};
 }
