@@ -243,9 +243,8 @@ std::vector<GrazeWindow> graze_windows(const StroboscopicMap &map, const Section
   std::vector<GrazeWindow> touches, releases;
   for (const GuardMinimum &minimum : observer.minima()) {
     const ContactPair &pair = map.system().contacts().pairs()[minimum.contact];
-    if (pair.circle)
-      throw NumericalError("grazes of a contact in a circular gap, " + pair.name +
-                           ", are not followed");
+    if (pair.circle) // not followed
+      continue;
     const double size = minimum.in_contact ? observer.largest(minimum) : gap_size(map, pair, state);
     const double near = nearness_of(minimum, size, period);
     if (!(std::abs(near) < farthest_value) ||

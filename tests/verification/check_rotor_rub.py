@@ -12,9 +12,9 @@ from systems import Table
 DAMPING, ECCENTRICITY, CLEARANCE, STATOR, FRICTION, DISC = 0.1, 0.05, 0.1, 0.5, 0.1, 1.0
 
 
-def unbalanced(r, w):
-    force = STATOR * numpy.maximum(r - CLEARANCE, 0)
-    return (((1 - w * w) * r + force)**2 + (DAMPING * w * r + FRICTION * force)**2) / (ECCENTRICITY * w * w)**2 - 1
+def unbalanced(r, w, stator=STATOR, friction=FRICTION):
+    force = stator * numpy.maximum(r - CLEARANCE, 0)
+    return (((1 - w * w) * r + force)**2 + (DAMPING * w * r + friction * force)**2) / (ECCENTRICITY * w * w)**2 - 1
 
 
 def radii(w):
@@ -29,6 +29,38 @@ def radii(w):
             low, high = (middle, high) if unbalanced(middle, w) * values[i] > 0 else (low, middle)
         found.append((low + high) / 2)
     return numpy.array(found)
+
+
+def fold(stator, friction):
+    """The highest speed at which the disc rubs: there the least value over the radius is zero."""
+    def least(w):
+        low, high = CLEARANCE, 2.0
+        for _ in range(200):
+            thirds = low + (high - low) / 3, high - (high - low) / 3
+            low, high = (low, thirds[1]) if unbalanced(thirds[0], w, stator, friction) < unbalanced(thirds[1], w, stator, friction) else \
+                (thirds[0], high)
+        return unbalanced(low, w, stator, friction)
+
+    low, high = 1.0, 3.0
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if least(middle) < 0 else (low, middle)
+    return low
+
+
+def check_branch(table):
+    branch = table.run("rotor-rub.prm", "branch", "Analyses=branch")["analysis/branch"]
+    speed, radius, stable = (branch[name][:] for name in ("Variables.w", "point/rotor.disc/displacement_x/amplitude", "stable"))
+    stator, friction = 2.0, 0.02
+    slope = 1e-6 * radius
+    gradient = (unbalanced(radius + slope, speed, stator, friction) - unbalanced(radius - slope, speed, stator, friction)) / 2e-6
+    # A relative error of the radius, or near the fold, where the radius has a steep slope, of what it should balance.
+    table.add_curve("branch: radius, relative", unbalanced(radius, speed, stator, friction) / numpy.maximum(abs(gradient), 1), 1e-8)
+    turn = numpy.argmax(speed)
+    table.add("branch: speed at the fold", fold(stator, friction), branch["special/Variables.w"][0], 1e-8)
+    table.add_whole("branch: stable points from the start to the fold, and behind it", [1, 0],
+                    [int(stable[1:turn - 1].min()), int(stable[turn + 1:].max())])
+    table.add("branch: radius at its end, where the disc only touches", CLEARANCE, radius[-1], 1e-3)
 
 
 def closed_form():
@@ -59,6 +91,7 @@ def check(table):
     table.add_curve("normal force, relative", found["force"][rubs] / force[rubs] - 1, 1e-7)
     table.add_curve("work rate, relative", found["rate"][rubs] / (force * speed * (exact + DISC))[rubs] - 1, 1e-7)
     check_points(table)
+    check_branch(table)
 
 
 if __name__ == "__main__":

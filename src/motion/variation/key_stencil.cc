@@ -3,6 +3,7 @@
 #include "common/decompositions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -70,6 +71,7 @@ std::vector<std::size_t> structure_of(const model::Model &model,
                                     contacts.size()};
   for (const contact::ContactPair &pair : contacts.pairs()) {
     sizes.push_back(static_cast<std::size_t>(pair.n_internal()));
+    sizes.push_back(pair.circle ? 1 : 0);
     for (const contact::Mode &mode : pair.law->modes()) {
       sizes.push_back(mode.affine.has_value() ? 1 : 0);
       for (const contact::Guard &guard : mode.guards)
@@ -98,6 +100,10 @@ ModelData data_of(const model::Model &model, const contact::ContactSet &contacts
       add(along.projection->row);
       const double place = along.offset + along.speed; // one of them is zero
       add(Eigen::Map<const Vector>(&place, 1));
+    }
+    if (pair.circle) {
+      add(std::array{pair.circle->clearance()});
+      add(std::array{pair.circle->surface_speed()});
     }
     for (const contact::Mode &mode : pair.law->modes())
       for (const contact::Guard &guard : mode.guards) {

@@ -49,9 +49,6 @@ Histories KeyNeighbour::histories() const {
 KeyTangent::KeyTangent(std::string key, const model::Model &model,
                        const contact::ContactSet &contacts, std::vector<KeyNeighbour> neighbours)
     : key_(std::move(key)), model_(model), contacts_(contacts), keeps_linear_(model.linear()) {
-  if (contacts.has_circles())
-    throw InputError("the motion has no known derivative by the key " + key_ +
-                     ": a contact has a circular gap (Gap).");
   if (contacts.has_planes())
     throw InputError("the motion has no known derivative by the key " + key_ +
                      ": a contact has two directions of friction (Directions).");
@@ -107,73 +104,6 @@ void KeyTangent::check_smoothness() const {
   if (!is_smooth(offsets, data_of(model_, contacts_), data))
     throw NumericalError("the model does not change smoothly with the key " + key_ +
                          ": the motion has no derivative by it");
-}
-
-double KeyTangent::gap(std::size_t contact, double time, const Vector &state, int direction) const {
-  const DirectionTangent &tangent = data_->along(contact, direction);
-  return tangent.offset + tangent.projection.row.dot(state.head(model_.size())) +
-         gap_by_sources(contact, time, 0, direction);
-}
-
-double KeyTangent::gap_rate(std::size_t contact, double time, const Vector &state,
-                            int direction) const {
-  const DirectionTangent &tangent = data_->along(contact, direction);
-  return tangent.projection.row.dot(velocities(state, model_.size())) + tangent.speed +
-         gap_by_sources(contact, time, 1, direction);
-}
-
-// Of its derivative by time of the given order, through moving bases.
-double KeyTangent::gap_by_sources(std::size_t contact, double time, std::size_t order,
-                                  int direction) const {
-  const std::vector<double> &own =
-      contacts_.pairs()[contact].along(direction).projection->base_coefficients;
-  const std::vector<double> &tangent =
-      data_->along(contact, direction).projection.base_coefficients;
-  double change = 0;
-  for (std::size_t k = 0; k < own.size(); ++k) {
-    if (own[k] != 0)
-      change += own[k] * sources_->at(k, time)[order];
-    if (tangent[k] != 0)
-      change += tangent[k] * sources_->value(k, time)[order];
-  }
-  return change;
-}
-
-// dF/dp, and into `change` that of the rates of internal states.
-KeyTangent::Forces KeyTangent::forces(const Equations &equations, double time, const Vector &state,
-                                      const Vector &rates, Vector &change) const {
-  const StateLayout &layout = equations.layout();
-  Forces forces{.present = rates.segment(layout.impulse(0), layout.n_contacts),
-                .change = Vector::Zero(layout.n_contacts)};
-  LawResponse own;
-  LawResponse other;
-  for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    if (equations.inactive(c) || equations.mode(c).holds_gap)
-      continue;
-    const ContactPair &pair = contacts_.pairs()[c];
-    const LocalState local = equations.local_state(c, time, view(state));
-    const double by_gap = gap(c, time, state);
-    const double by_rate = gap_rate(c, time, state);
-    const int mode = equations.modes()[c];
-    pair.law->evaluate(mode, local, own);
-    double force = own.force_by_gap * by_gap + own.force_by_gap_rate * by_rate;
-    auto internal = change.segment(layout.internal() + pair.internal_offset, pair.n_internal());
-    for (Index i = 0; i < pair.n_internal(); ++i) {
-      const auto place = static_cast<std::size_t>(i);
-      internal[i] +=
-          own.internal_rate_by_gap[place] * by_gap + own.internal_rate_by_gap_rate[place] * by_rate;
-    }
-    for (const Near &near : near_) {
-      near.data.contacts->pairs()[c].law->evaluate(mode, local, other);
-      force += near.weight * (other.force - own.force);
-      for (Index i = 0; i < pair.n_internal(); ++i) {
-        const auto place = static_cast<std::size_t>(i);
-        internal[i] += near.weight * (other.internal_rate[place] - own.internal_rate[place]);
-      }
-    }
-    forces.change[static_cast<Index>(c)] = force;
-  }
-  return forces;
 }
 
 // With rotors, of a neighbouring model or the present one, at the forces of the contacts and the
@@ -286,9 +216,7 @@ void KeyTangent::hold(const Equations &equations, double time, const Vector &sta
 Vector KeyTangent::rates(const Equations &equations, double time, const Vector &state) const {
   if (equations.layout().n_sliding > 0 && LinearSystem::holds(equations))
     return linear_rates(equations, time, state);
-  if (equations.layout().n_sliding > 0)
-    throw NumericalError("contacts with friction have no known derivative by keys in models that "
-                         "are not linear between contact changes");
+  refuse_friction(equations);
   const StateLayout &layout = equations.layout();
   const Index n = layout.n;
   Vector rates(layout.size());
@@ -297,9 +225,7 @@ Vector KeyTangent::rates(const Equations &equations, double time, const Vector &
   equations.source_values(time, sources);
   Vector change = Vector::Zero(layout.physical_size());
   const Forces forces = this->forces(equations, time, state, rates, change);
-  Vector force = force_of_sources(equations, time, state, sources);
-  for (std::size_t c = 0; c < contacts_.size(); ++c)
-    force += forces.change[static_cast<Index>(c)] * contacts_.pairs()[c].gap.row.transpose();
+  Vector force = force_of_sources(equations, time, state, sources) + forces.change;
   if (model_.rotors().empty())
     force += data_->force(ConstVectorView(state.data(), n), ConstVectorView(state.data() + n, n),
                           ConstVectorView(rates.data() + n, n), sources, forces.present);

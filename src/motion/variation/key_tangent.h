@@ -60,7 +60,8 @@ public:
 
   /// d(dx/dt)/dp of the physical state in the present modes of `equations`.
   Vector rates(const Equations &equations, double time, const Vector &state) const;
-  /// d(gap, gap rate)/dp of a contact, or of the slip along a tangential direction.
+  /// d(gap, gap rate)/dp of a contact, or of the slip along a tangential direction; of a circular
+  /// gap as its law sees them, the slip being zero.
   double gap(std::size_t contact, double time, const Vector &state, int direction = 0) const;
   double gap_rate(std::size_t contact, double time, const Vector &state, int direction = 0) const;
 
@@ -96,7 +97,14 @@ private:
     double weight = 0;
   };
   struct Forces {
-    Vector present, change; ///< of all contacts: F, and dF/dp of those that do not hold their gap
+    Vector present; ///< F of all contacts
+    Vector change;  ///< of all that pushes them apart or along: n entries
+  };
+  /// Of a local state and what its law makes of it, at fixed coordinates and velocities.
+  struct ContactTangent {
+    double gap = 0, gap_rate = 0, slip_rate = 0;
+    double force = 0, tangential_force = 0;
+    Vector internal_rates;
   };
   LinearTangent make_linear(const std::vector<int> &modes, const LinearSystem &own) const;
   Vector linear_rates(const Equations &equations, double time, const Vector &state) const;
@@ -107,12 +115,27 @@ private:
   void check_smoothness() const;
   Forces forces(const Equations &equations, double time, const Vector &state, const Vector &rates,
                 Vector &change) const;
+  ContactTangent contact(const Equations &equations, std::size_t contact, double time,
+                         const Vector &state, contact::LawResponse &own) const;
+  Vector circular_force(const Equations &equations, std::size_t contact, double time,
+                        const Vector &state, const ContactTangent &tangent,
+                        const contact::LawResponse &own) const;
+  contact::RelativeMotion moved(std::size_t contact, double time, const Vector &state) const;
+  contact::LocalState moved_local_state(std::size_t contact, double time,
+                                        const Vector &state) const;
+  double normal_force(const Equations &equations, std::size_t contact, double time,
+                      const Vector &state) const;
+  void refuse_friction(const Equations &equations) const;
   Vector acceleration(const model::Model &model, const contact::ContactSet &contacts, double time,
                       const Vector &state, const std::vector<SourceValues> &sources,
                       const Vector &forces) const;
   void add_rates_with_rotors(const Equations &equations, double time, const Vector &state,
                              const std::vector<SourceValues> &sources, const Vector &contact_forces,
                              const Vector &rates, Vector &change) const;
+  double position(std::size_t contact, double time, const Vector &state, int direction) const;
+  double rate(std::size_t contact, double time, const Vector &state, int direction) const;
+  contact::RelativeMotion relative_motion(std::size_t contact, double time,
+                                          const Vector &state) const;
   double gap_by_sources(std::size_t contact, double time, std::size_t order, int direction) const;
   double held_forces(const Equations &equations, std::size_t contact,
                      const contact::AffineForm &forces, double time, const Vector &state) const;

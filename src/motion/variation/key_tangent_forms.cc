@@ -71,9 +71,11 @@ double KeyTangent::form(const Equations &equations, std::size_t contact, const P
     if (of.rate != 0)
       change += of.rate * gap_rate(contact, time, state, d);
   }
-  // In other phases friction has no derivative by keys, and rigid sides part without force.
+  // In other phases laws see the normal force by value, and rigid sides part without force.
   if (own.sees_forces() && LinearSystem::holds(equations))
     change += held_forces(equations, contact, forces_of(own), time, state);
+  else if (own.normal_force != 0 && !equations.mode(contact).holds_gap)
+    change += own.normal_force * normal_force(equations, contact, time, state);
   return change;
 }
 

@@ -63,6 +63,21 @@ ModelTangent::ModelTangent(const model::Model &model, const contact::ContactSet 
   take_loads(neighbours);
   take_springs(neighbours);
   take_directions(contacts, neighbours);
+  take_circles(contacts, neighbours);
+}
+
+void ModelTangent::take_circles(const contact::ContactSet &contacts, const Neighbours &neighbours) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    CircleTangent &tangent = circles_.emplace_back();
+    const contact::CircularGap *const present = contacts.pairs()[c].circle.get();
+    if (!present)
+      continue;
+    for (const WeightedModel &near : neighbours) {
+      const contact::CircularGap &other = *near.contacts->pairs()[c].circle;
+      tangent.clearance += near.weight * (other.clearance() - present->clearance());
+      tangent.surface_speed += near.weight * (other.surface_speed() - present->surface_speed());
+    }
+  }
 }
 
 void ModelTangent::take_loads(const Neighbours &neighbours) {

@@ -30,6 +30,12 @@ struct DirectionTangent {
   model::Projection projection;
 };
 
+/// Of a circular gap (contact::CircularGap).
+struct CircleTangent {
+  double clearance = 0;
+  double surface_speed = 0;
+};
+
 class ModelTangent {
 public:
   /// Keeps a reference to the model. Of models with the same structure; none: nothing changes.
@@ -39,6 +45,9 @@ public:
   const DirectionTangent &along(std::size_t contact, int direction) const {
     return directions_[contact][static_cast<std::size_t>(direction)];
   }
+
+  /// Zero of a plane gap.
+  const CircleTangent &circle(std::size_t contact) const { return circles_[contact]; }
 
   /// What the accelerations at a fixed state, fixed values of the sources and fixed contact forces
   /// [N] change by, as a force: dF/dp - dM/dp a. Rotors are left out.
@@ -57,6 +66,8 @@ private:
   };
   void take_loads(const std::vector<WeightedModel> &neighbours);
   void take_springs(const std::vector<WeightedModel> &neighbours);
+  void take_circles(const contact::ContactSet &contacts,
+                    const std::vector<WeightedModel> &neighbours);
   void take_directions(const contact::ContactSet &contacts,
                        const std::vector<WeightedModel> &neighbours);
   Vector cubic_forces(ConstVectorView q, const std::vector<SourceValues> &sources) const;
@@ -67,6 +78,7 @@ private:
   std::vector<Loads> loads_;   ///< per source
   std::vector<CubicSpring> springs_;
   std::vector<std::vector<DirectionTangent>> directions_; ///< per contact
+  std::vector<CircleTangent> circles_;                    ///< per contact
 };
 
 } // namespace vibroimpact::motion
