@@ -9,6 +9,8 @@ import numpy
 
 from systems import Table
 
+STEP = 1e-4  # of differences of the closed form
+STEPS = STEP, -STEP, 2 * STEP, -2 * STEP
 DAMPING, ECCENTRICITY, CLEARANCE, STATOR, FRICTION, DISC = 0.1, 0.05, 0.1, 0.5, 0.1, 1.0
 
 
@@ -63,6 +65,21 @@ def check_branch(table):
     table.add("branch: radius at its end, where the disc only touches", CLEARANCE, radius[-1], 1e-3)
 
 
+def check_derivatives(table):
+    """Of the rub at w = 1 by speed and friction: as dr of the closed form, and of the force that is a multiple of r."""
+    derivatives = table.run("rotor-rub.prm", "orbit", "Analyses=orbit")["analysis/orbit/derivative"]
+    radius = min(radii(1.0), key=lambda r: -r)
+    by_radius, by_speed, by_friction = (
+        sum(weight * unbalanced(*at) for weight, at in ((8, up), (-8, down), (-1, up_2), (1, down_2))) / (12 * STEP)
+        for up, down, up_2, down_2 in (
+            [(radius + h, 1.0) for h in STEPS], [(radius, 1 + h) for h in STEPS],
+            [(radius, 1.0, STATOR, FRICTION + h) for h in STEPS]))
+    for key, slope in (("w", -by_speed / by_radius), ("mu", -by_friction / by_radius)):
+        found = derivatives[key]
+        table.add(f"d radius/d {key} at w = 1", slope, found["point/rotor.disc/displacement_x/amplitude"][()], 1e-7)
+        table.add(f"d normal force/d {key} at w = 1", STATOR * slope, found["contact/stator/normal_force/maximum"][()], 1e-6)
+
+
 def closed_form():
     """Rows of published/rub-closed-form.csv: w, radius; there is one at each speed."""
     return [(f"{w:.4g}", f"{r:.6f}") for w in numpy.linspace(0.6, 1.5, 37) for r in radii(w)]
@@ -92,6 +109,7 @@ def check(table):
     table.add_curve("work rate, relative", found["rate"][rubs] / (force * speed * (exact + DISC))[rubs] - 1, 1e-7)
     check_points(table)
     check_branch(table)
+    check_derivatives(table)
 
 
 if __name__ == "__main__":
