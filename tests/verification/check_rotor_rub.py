@@ -80,6 +80,31 @@ def check_derivatives(table):
         table.add(f"d normal force/d {key} at w = 1", STATOR * slope, found["contact/stator/normal_force/maximum"][()], 1e-6)
 
 
+def whirl(friction):
+    """Speed and radius of dry backward whirl, k_s = 30: (1 - W^2) r + N = 0, c W r = mu N."""
+    ratio, stator = DAMPING / friction, 30.0
+    speed = (ratio + numpy.sqrt(ratio**2 + 4)) / 2
+    return speed, stator * CLEARANCE / (stator - ratio * speed)
+
+
+def check_whirl(table):
+    """With q = (r + a + i b) exp(-i W t): a'' = -2 W b' - c a' + (W^2 - 1 - k_s) a, b'' = 2 W a' - c b' + (c W - mu k_s) a."""
+    results = table.run("verification/dry-whirl.prm", "whirl")
+    found, branch = results["analysis/whirl"], results["analysis/branch"]
+    speed, _ = whirl(0.2)
+    generator = numpy.array([[0, 0, 1, 0], [0, 0, 0, 1], [speed**2 - 31, 0, -DAMPING, -2 * speed],
+                             [DAMPING * speed - 6, 0, 2 * speed, -DAMPING]])
+    growths = numpy.exp(numpy.sort(numpy.linalg.eigvals(generator).real) * 2 * numpy.pi / speed)
+    sizes = numpy.sort(numpy.hypot(found["multiplier_real"][:], found["multiplier_imaginary"][:]))
+    table.add("dry whirl: period", 2 * numpy.pi / speed, found["period"][()], 1e-10)
+    table.add("dry whirl: multiplier that makes it a saddle", growths[-1], sizes[-1], 1e-8)
+    table.add("dry whirl: size of the pair of multipliers", growths[0], sizes[-2], 1e-8)
+    speeds, radii_of_whirl = whirl(branch["Variables.mu"][:])
+    table.add_curve("dry whirl, friction from 0.1 to 0.4: radius, relative",
+                    branch["point/rotor.disc/displacement_x/amplitude"][:] / radii_of_whirl - 1, 1e-9)
+    table.add_curve("dry whirl: period, relative", branch["period"][:] * speeds / (2 * numpy.pi) - 1, 1e-10)
+
+
 def closed_form():
     """Rows of published/rub-closed-form.csv: w, radius; there is one at each speed."""
     return [(f"{w:.4g}", f"{r:.6f}") for w in numpy.linspace(0.6, 1.5, 37) for r in radii(w)]
@@ -110,6 +135,7 @@ def check(table):
     check_points(table)
     check_branch(table)
     check_derivatives(table)
+    check_whirl(table)
 
 
 if __name__ == "__main__":
