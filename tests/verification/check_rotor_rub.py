@@ -9,6 +9,8 @@ import numpy
 
 from systems import Table
 
+STEP = 1e-4  # of differences of the closed form
+STEPS = STEP, -STEP, 2 * STEP, -2 * STEP
 DAMPING, ECCENTRICITY, CLEARANCE, STATOR, FRICTION, DISC = 0.1, 0.05, 0.1, 0.5, 0.1, 1.0
 
 
@@ -63,6 +65,46 @@ def check_branch(table):
     table.add("branch: radius at its end, where the disc only touches", CLEARANCE, radius[-1], 1e-3)
 
 
+def check_derivatives(table):
+    """Of the rub at w = 1 by speed and friction: as dr of the closed form, and of the force that is a multiple of r."""
+    derivatives = table.run("rotor-rub.prm", "orbit", "Analyses=orbit")["analysis/orbit/derivative"]
+    radius = min(radii(1.0), key=lambda r: -r)
+    by_radius, by_speed, by_friction = (
+        sum(weight * unbalanced(*at) for weight, at in ((8, up), (-8, down), (-1, up_2), (1, down_2))) / (12 * STEP)
+        for up, down, up_2, down_2 in (
+            [(radius + h, 1.0) for h in STEPS], [(radius, 1 + h) for h in STEPS],
+            [(radius, 1.0, STATOR, FRICTION + h) for h in STEPS]))
+    for key, slope in (("w", -by_speed / by_radius), ("mu", -by_friction / by_radius)):
+        found = derivatives[key]
+        table.add(f"d radius/d {key} at w = 1", slope, found["point/rotor.disc/displacement_x/amplitude"][()], 1e-7)
+        table.add(f"d normal force/d {key} at w = 1", STATOR * slope, found["contact/stator/normal_force/maximum"][()], 1e-6)
+
+
+def whirl(friction):
+    """Speed and radius of dry backward whirl, k_s = 30: (1 - W^2) r + N = 0, c W r = mu N."""
+    ratio, stator = DAMPING / friction, 30.0
+    speed = (ratio + numpy.sqrt(ratio**2 + 4)) / 2
+    return speed, stator * CLEARANCE / (stator - ratio * speed)
+
+
+def check_whirl(table):
+    """With q = (r + a + i b) exp(-i W t): a'' = -2 W b' - c a' + (W^2 - 1 - k_s) a, b'' = 2 W a' - c b' + (c W - mu k_s) a."""
+    results = table.run("verification/dry-whirl.prm", "whirl")
+    found, branch = results["analysis/whirl"], results["analysis/branch"]
+    speed, _ = whirl(0.2)
+    generator = numpy.array([[0, 0, 1, 0], [0, 0, 0, 1], [speed**2 - 31, 0, -DAMPING, -2 * speed],
+                             [DAMPING * speed - 6, 0, 2 * speed, -DAMPING]])
+    growths = numpy.exp(numpy.sort(numpy.linalg.eigvals(generator).real) * 2 * numpy.pi / speed)
+    sizes = numpy.sort(numpy.hypot(found["multiplier_real"][:], found["multiplier_imaginary"][:]))
+    table.add("dry whirl: period", 2 * numpy.pi / speed, found["period"][()], 1e-10)
+    table.add("dry whirl: multiplier that makes it a saddle", growths[-1], sizes[-1], 1e-8)
+    table.add("dry whirl: size of the pair of multipliers", growths[0], sizes[-2], 1e-8)
+    speeds, radii_of_whirl = whirl(branch["Variables.mu"][:])
+    table.add_curve("dry whirl, friction from 0.1 to 0.4: radius, relative",
+                    branch["point/rotor.disc/displacement_x/amplitude"][:] / radii_of_whirl - 1, 1e-9)
+    table.add_curve("dry whirl: period, relative", branch["period"][:] * speeds / (2 * numpy.pi) - 1, 1e-10)
+
+
 def closed_form():
     """Rows of published/rub-closed-form.csv: w, radius; there is one at each speed."""
     return [(f"{w:.4g}", f"{r:.6f}") for w in numpy.linspace(0.6, 1.5, 37) for r in radii(w)]
@@ -92,6 +134,8 @@ def check(table):
     table.add_curve("work rate, relative", found["rate"][rubs] / (force * speed * (exact + DISC))[rubs] - 1, 1e-7)
     check_points(table)
     check_branch(table)
+    check_derivatives(table)
+    check_whirl(table)
 
 
 if __name__ == "__main__":
