@@ -52,6 +52,12 @@ std::vector<TangentialMode> Coulomb::modes(const AffineForm &normal_force,
   return modes;
 }
 
+std::optional<TangentialLaw::Coefficients> Coulomb::coefficients() const {
+  if (damping_constant_ > 0)
+    return std::nullopt;
+  return Coefficients{.sliding = coefficient_, .at_rest = static_coefficient_};
+}
+
 int Coulomb::mode_by_slip(int /*mode*/, double slip_rate) const {
   return slip_rate > 0 ? forward : slip_rate < 0 ? backward : stick;
 }
