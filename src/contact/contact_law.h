@@ -222,6 +222,11 @@ struct ForcePulse {
   std::vector<End> ends{};
 };
 
+/// What the restitution coefficient of an impact with friction is the ratio of: the work that the
+/// normal force gives back and takes (Stronge), its square root; speeds (Newton); impulses
+/// (Poisson).
+enum class RestitutionHypothesis { energetic, newton, poisson };
+
 class ContactLaw {
 public:
   virtual ~ContactLaw() = default;
@@ -253,6 +258,11 @@ public:
 
   /// Separation speed over approach speed of an impact; for laws whose guards have that action.
   virtual double restitution(double /*approach_speed*/) const { return 0; }
+  virtual RestitutionHypothesis hypothesis() const { return RestitutionHypothesis::energetic; }
+  /// Tangential over normal impulse while rigid sides slide on each other, and force over force at
+  /// which they begin to; 0: no friction acts.
+  virtual double impact_friction() const { return 0; }
+  virtual double static_friction() const { return 0; }
 
   /// True when some guard is an impact: the sides cannot overlap.
   bool rigid() const;

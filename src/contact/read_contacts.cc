@@ -82,9 +82,9 @@ public:
   void add(ContactPair &pair, const Meeting &meeting, const std::string &fixed) const {
     if (!law_)
       return;
-    if (const std::string reason = why_no_friction(*pair.law); !reason.empty())
+    if (const std::string reason = why_no_friction(*pair.law, *law_); !reason.empty())
       friction_.reject("Law", "Law must be none with " + reason +
-                                  ", which Law = " + pair.law->name() + " of the contact has.");
+                                  " which Law = " + pair.law->name() + " of the contact has.");
     if (pair.circle)
       return add_to_circle(pair);
     constexpr double right_angle = 1e-9;

@@ -63,7 +63,8 @@ bool same_law(const ContactLaw &a, const ContactLaw &b, double size) {
           !same_response(a, b, static_cast<int>(mode), state))
         return false;
     if (a.rigid() &&
-        !near(a.restitution(std::abs(state.gap_rate)), b.restitution(std::abs(state.gap_rate))))
+        (!near(a.restitution(std::abs(state.gap_rate)), b.restitution(std::abs(state.gap_rate))) ||
+         a.hypothesis() != b.hypothesis()))
       return false;
   }
   return true;

@@ -157,10 +157,15 @@ TEST(FrictionalLaws, DerivativesAndPower) {
 }
 
 TEST(FrictionalLaws, SaysWhatCannotBeCombined) {
+  const Coulomb coulomb(0.3, 0.4);
   for (const auto &normal : normal_laws())
-    EXPECT_EQ(why_no_friction(*normal), "");
-  EXPECT_EQ(why_no_friction(Tsuji(1e5, 3)), "a normal force that may pull");
-  EXPECT_EQ(why_no_friction(NewtonRestitution(0.5)), "rigid sides");
+    EXPECT_EQ(why_no_friction(*normal, coulomb), "");
+  EXPECT_EQ(why_no_friction(Tsuji(1e5, 3), coulomb), "a normal force that may pull,");
+  const NewtonRestitution rigid(0.5);
+  EXPECT_EQ(why_no_friction(rigid, coulomb), "");
+  const std::string reason = "rigid sides (coulomb without Damping constant is possible),";
+  EXPECT_EQ(why_no_friction(rigid, Coulomb(0.3, 0.4, 1)), reason);
+  EXPECT_EQ(why_no_friction(rigid, Viscous(2)), reason);
 }
 
 } // namespace frictional_laws_tests

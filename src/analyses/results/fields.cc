@@ -33,6 +33,10 @@ struct AccuracyLabels {
                          "touches within the rounding of the gap, taken for none"};
   Label chatters{"chatters", "1",
                  "infinite sequences of rigid impacts that were completed at once"};
+  Label reduced_restitutions{
+      "reduced_restitutions", "1",
+      "impacts of several rigid contacts with friction whose restitution was "
+      "reduced, so that the energy did not grow"};
   Label contact_episodes{"contact_episodes", "1",
                          "contacts with a nonlinear law that were solved as a whole"};
   Label moment_steps{"moment_steps", "1",
@@ -133,6 +137,8 @@ void add_accuracy(const FieldWriter &result, const motion::Accuracy &accuracy,
   listed.number(labels.chatters, static_cast<double>(accuracy.chatters));
   listed.number(labels.contact_episodes, static_cast<double>(accuracy.contact_episodes));
   listed.number(labels.stepped_contacts, static_cast<double>(accuracy.stepped_contacts()));
+  const auto reduced = static_cast<double>(accuracy.reduced_restitutions);
+  (reduced > 0 ? listed : result).number(labels.reduced_restitutions, reduced);
   const auto by_moments = static_cast<double>(accuracy.moment_steps);
   (by_moments > 0 ? listed : result).number(labels.moment_steps, by_moments);
   for (std::size_t i = 0; i < motion::n_step_reasons; ++i) {

@@ -59,6 +59,12 @@ std::vector<TangentialMode> Coulomb::modes(const AffineForm &normal_force,
   return modes;
 }
 
+std::optional<TangentialLaw::Coefficients> Coulomb::coefficients() const {
+  if (damping_constant_ > 0)
+    return std::nullopt;
+  return Coefficients{.sliding = coefficient_, .at_rest = static_coefficient_};
+}
+
 int Coulomb::mode_by_slip(int /*mode*/, const LocalState &state,
                           std::size_t /*first_internal*/) const {
   const double slip_rate = state.tangential[0].slip_rate;

@@ -33,6 +33,7 @@ public:
   std::vector<TangentialMode> modes(const AffineForm &normal_force,
                                     std::size_t first_internal) const override;
   int mode_by_slip(int mode, const LocalState &state, std::size_t first_internal) const override;
+  std::optional<Coefficients> coefficients() const override;
 
 private:
   double coefficient_;

@@ -38,9 +38,9 @@ AffineForm normal_force_of(const Mode &mode) {
 }
 
 std::vector<double> coefficients(const AffineForm &form, std::size_t n_internal) {
-  std::vector<double> list = {form.constant, form.gap, form.gap_rate};
+  std::vector<double> list = {form.constant, form.gap, form.gap_rate, form.normal_force};
   list.insert(list.end(), form.internal.begin(), form.internal.end());
-  list.resize(3 + n_internal, 0.0);
+  list.resize(4 + n_internal, 0.0);
   return list;
 }
 
@@ -90,13 +90,13 @@ void TangentialLaw::evaluate(int /*mode*/, const LocalState & /*state*/,
   throw std::logic_error("a law of friction has a mode that it does not evaluate: " + name());
 }
 
-std::string why_no_friction(const ContactLaw &normal) {
-  if (normal.rigid())
-    return "rigid sides";
+std::string why_no_friction(const ContactLaw &normal, const TangentialLaw &tangential) {
+  if (normal.rigid() && !tangential.coefficients())
+    return "rigid sides (coulomb without Damping constant is possible),";
   const auto n_internal = static_cast<std::size_t>(normal.n_internal());
   for (const Mode &mode : normal.modes())
     if (mode.affine ? !only_pushes(mode, n_internal) : normal.may_pull())
-      return "a normal force that may pull";
+      return "a normal force that may pull,";
   return "";
 }
 
@@ -207,6 +207,18 @@ std::vector<InternalState> FrictionalLaw::internal_states() const {
   for (InternalState &own : tangential_->internal_states())
     states.push_back(std::move(own));
   return states;
+}
+
+double FrictionalLaw::impact_friction() const {
+  return normal_->rigid()
+             ? tangential_->coefficients().value_or(TangentialLaw::Coefficients{}).sliding
+             : 0;
+}
+
+double FrictionalLaw::static_friction() const {
+  return normal_->rigid()
+             ? tangential_->coefficients().value_or(TangentialLaw::Coefficients{}).at_rest
+             : 0;
 }
 
 LocalState FrictionalLaw::of_normal(const LocalState &state) const {

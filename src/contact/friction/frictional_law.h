@@ -8,6 +8,9 @@
 // Where the normal law has no affine form, neither has the product: forms of the tangential law
 // then see the normal force by value, and its rate by the chain rule from gap rate and
 // acceleration.
+//
+// Rigid sides slide by the force that holds the gap, which is a form like others. Their impacts and
+// what they begin to do at rest depend on the coefficients of friction alone.
 #pragma once
 
 #include "contact/friction/tangential_law.h"
@@ -18,7 +21,7 @@ namespace vibroimpact::contact {
 
 class FrictionalLaw : public ContactLaw {
 public:
-  /// The normal law must have no rigid modes and never pull; see why_no_friction().
+  /// The two must fit together; see why_no_friction().
   FrictionalLaw(std::shared_ptr<const ContactLaw> normal,
                 std::shared_ptr<const TangentialLaw> tangential);
 
@@ -30,6 +33,12 @@ public:
   void leave(int mode, const LocalState &state, std::span<double> internal) const override;
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
   std::optional<ElasticForce> elastic_force() const override { return normal_->elastic_force(); }
+  double restitution(double approach_speed) const override {
+    return normal_->restitution(approach_speed);
+  }
+  RestitutionHypothesis hypothesis() const override { return normal_->hypothesis(); }
+  double impact_friction() const override;
+  double static_friction() const override;
 
 private:
   /// What a mode is made of; tangential: -1 where no friction acts.
@@ -65,7 +74,7 @@ private:
   std::vector<AffineLaw> forms_; ///< of the tangential law in each mode
 };
 
-/// Why a normal law cannot be combined with friction; empty: it can.
-std::string why_no_friction(const ContactLaw &normal);
+/// Why a normal law cannot be combined with a law of friction; empty: it can.
+std::string why_no_friction(const ContactLaw &normal, const TangentialLaw &tangential);
 
 } // namespace vibroimpact::contact

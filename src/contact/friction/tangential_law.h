@@ -65,6 +65,13 @@ public:
   virtual void evaluate(int mode, const LocalState &state, std::size_t first_internal,
                         TangentialValues &values) const;
 
+  /// mu and mu_s of laws whose force is -sigma mu N in slip and whose sides stick up to mu_s N, and
+  /// nothing else: those that rigid sides can have. None: it is another law.
+  struct Coefficients {
+    double sliding = 0, at_rest = 0;
+  };
+  virtual std::optional<Coefficients> coefficients() const { return std::nullopt; }
+
   /// Zero before friction begins.
   virtual std::vector<InternalState> internal_states() const { return {}; }
   /// k of the stored energy k z^2 / 2, z the only internal state [N/m]; 0: none is stored.

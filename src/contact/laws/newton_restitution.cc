@@ -20,10 +20,16 @@ std::vector<Mode> make_modes() {
            .holds_gap = true}};
 }
 
+RestitutionHypothesis hypothesis_of(const std::string &name) {
+  return name == "newton"    ? RestitutionHypothesis::newton
+         : name == "poisson" ? RestitutionHypothesis::poisson
+                             : RestitutionHypothesis::energetic;
+}
+
 } // namespace
 
-NewtonRestitution::NewtonRestitution(double coefficient)
-    : ContactLaw(make_modes(), {}), coefficient_(coefficient) {}
+NewtonRestitution::NewtonRestitution(double coefficient, RestitutionHypothesis hypothesis)
+    : ContactLaw(make_modes(), {}), coefficient_(coefficient), hypothesis_(hypothesis) {}
 
 void NewtonRestitution::declare(parameters::Section &contact_section) {
   using namespace parameters;
@@ -34,14 +40,21 @@ void NewtonRestitution::declare(parameters::Section &contact_section) {
           "speed; they remain in contact while they are pressed together.")
       .quantity("Restitution coefficient", "", dimension::none, Range{.lower = 0, .upper = 1}, "e",
                 "Separation speed over approach speed; 1 loses no energy.")
-      .required();
+      .required()
+      .choice(
+          "Hypothesis", "energetic", {"energetic", "newton", "poisson"},
+          "What the coefficient is a ratio of where friction acts between the sides: the square "
+          "root of the work that the normal force gives back and takes (Stronge), the speeds "
+          "along the normal, or the impulses of restitution and compression. Without friction "
+          "all are the same.");
 }
 
 std::shared_ptr<const ContactLaw>
 NewtonRestitution::create(const parameters::Values &contact_values) {
   const parameters::Values law = contact_values.subsection(section_name);
   law.require("Restitution coefficient");
-  return std::make_shared<NewtonRestitution>(law.quantity("Restitution coefficient"));
+  return std::make_shared<NewtonRestitution>(law.quantity("Restitution coefficient"),
+                                             hypothesis_of(law.choice("Hypothesis")));
 }
 
 // Sides that touch begin open: whether they are pressed together is for the whole system to tell.

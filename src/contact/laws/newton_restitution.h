@@ -3,6 +3,9 @@
 //
 //   gap_rate+ = -e gap_rate-           e  restitution coefficient, 0 <= e <= 1
 //
+// Where the sides rub on each other the coefficient needs a hypothesis
+// (contact/frictional_impact.h); without friction all of them are this rule.
+//
 // There is no force of finite size during such an impact, only an impulse >= 0, which follows from
 // the masses that meet; e = 1 loses no energy, e = 0 leaves the two sides together. Modes:
 //   open     no force; ended by an impact where the gap falls to zero
@@ -24,7 +27,8 @@ namespace vibroimpact::contact {
 class NewtonRestitution : public ContactLaw {
 public:
   /// 0 <= coefficient <= 1
-  explicit NewtonRestitution(double coefficient);
+  explicit NewtonRestitution(double coefficient,
+                             RestitutionHypothesis hypothesis = RestitutionHypothesis::energetic);
 
   static void declare(parameters::Section &contact);
   static std::shared_ptr<const ContactLaw> create(const parameters::Values &contact);
@@ -33,9 +37,11 @@ public:
   int initial_mode(const LocalState &state) const override;
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
   double restitution(double /*approach_speed*/) const override { return coefficient_; }
+  RestitutionHypothesis hypothesis() const override { return hypothesis_; }
 
 private:
   double coefficient_;
+  RestitutionHypothesis hypothesis_;
 };
 
 } // namespace vibroimpact::contact

@@ -3,6 +3,7 @@
 #include "common/decompositions.h"
 #include "contact/impulses.h"
 #include "motion/event/mode_change.h"
+#include "motion/event/rubbing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,8 +56,9 @@ struct Collisions::Instant {
   Vector restitution;                    // 0 where nothing approaches
   Matrix rows, response, effect;         // W, M^-1 W^T, W M^-1 W^T
   std::vector<Index> taking_part;
-  Vector impulse, after;    // after: gap rates
-  Vector chatter_durations; // of the chatters that are left out
+  Vector impulse, after;          // after: gap rates
+  Vector chatter_durations;       // of the chatters that are left out
+  std::optional<Rubbing> rubbing; // where there is friction
 
   Index size() const { return static_cast<Index>(contacts.size()); }
   bool approaches(Index k) const { return gap_rate[k] < -slow; }
@@ -113,6 +115,8 @@ Collisions::Instant Collisions::look(double time, double time_tolerance, std::si
   instant.impulse = Vector::Zero(size);
   instant.after = instant.gap_rate;
   instant.chatter_durations = Vector::Zero(size);
+  if (Rubbing::holds(equations_, instant.contacts))
+    instant.rubbing.emplace(equations_, instant.contacts, time, state);
   for (Index k = 0; k < size; ++k) {
     const std::size_t c = instant.contacts[static_cast<std::size_t>(k)];
     if (instant.held[static_cast<std::size_t>(k)] || instant.gap_rate[k] <= instant.slow)
@@ -125,6 +129,12 @@ Collisions::Instant Collisions::look(double time, double time_tolerance, std::si
 }
 
 void Collisions::find_impulses(Instant &instant) const {
+  if (instant.rubbing) {
+    instant.rubbing->find(instant.taking_part, instant.restitution);
+    instant.impulse = instant.rubbing->normal_impulses();
+    instant.after = instant.rubbing->normal_rates_after();
+    return;
+  }
   const Vector wanted = instant.restitution.cwiseProduct((-instant.gap_rate).cwiseMax(0));
   const Vector found = contact::newton_impulses(part(instant.effect, instant.taking_part),
                                                 part(instant.gap_rate, instant.taking_part),
@@ -139,21 +149,24 @@ void Collisions::find_impulses(Instant &instant) const {
       instant.after[k] = wanted[k];
 }
 
-double Collisions::gap_acceleration(std::size_t contact, double time, const Vector &state) const {
+double Collisions::gap_acceleration(std::size_t contact, double time, const Vector &state,
+                                    int direction) const {
   const StateLayout &layout = equations_.layout();
   Vector rates(state.size());
   equations_.rates(time, ConstVectorView(state.data(), state.size()),
                    VectorView(rates.data(), rates.size()));
   return equations_.gap_acceleration(contact, time, ConstVectorView(state.data(), state.size()),
-                                     ConstVectorView(rates.data() + layout.velocity(), layout.n));
+                                     ConstVectorView(rates.data() + layout.velocity(), layout.n),
+                                     direction);
 }
 
 // The gap's acceleration, or what takes its place where that is zero to rounding: the acceleration
 // a little later of a motion from here in the present modes, by a step of the classical Runge-Kutta
 // method, whose error of order five leaves the signs of the next three derivatives.
-double Collisions::leaning(std::size_t contact, double time, const Vector &state) const {
-  const double now = gap_acceleration(contact, time, state);
-  if (std::abs(now) > equations_.acceleration_rounding(contact, time, state))
+double Collisions::leaning(std::size_t contact, double time, const Vector &state,
+                           int direction) const {
+  const double now = gap_acceleration(contact, time, state, direction);
+  if (std::abs(now) > equations_.acceleration_rounding(contact, time, state, direction))
     return now;
   constexpr double part_of_time_scale = 1e-3;
   // Where nothing oscillates, a second is as good as any scale.
@@ -170,8 +183,8 @@ double Collisions::leaning(std::size_t contact, double time, const Vector &state
   const Vector k3 = rates(step / 2, state + step / 2 * k2);
   const Vector k4 = rates(step, state + step * k3);
   const Vector later = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-  const double then = gap_acceleration(contact, time + step, later);
-  const double rounding = equations_.acceleration_rounding(contact, time + step, later);
+  const double then = gap_acceleration(contact, time + step, later, direction);
+  const double rounding = equations_.acceleration_rounding(contact, time + step, later, direction);
   return std::abs(then) > rounding ? then : 0;
 }
 
@@ -247,6 +260,8 @@ void Collisions::complete_chatter(Instant &instant, const Vector &state) {
 // Velocities, and the work integrals: the impulse p of a contact takes p (gap_rate- + gap_rate+) /
 // 2 from the energy of the bodies, and a moving base puts its share in.
 void Collisions::apply(const Instant &instant, Vector &state) const {
+  if (instant.rubbing)
+    return instant.rubbing->apply(state);
   const StateLayout &layout = equations_.layout();
   state.segment(layout.velocity(), layout.n) += instant.response * instant.impulse;
   const Vector after = instant.rows * state.segment(layout.velocity(), layout.n) + instant.carried;
@@ -271,6 +286,8 @@ void Collisions::choose_modes(const Instant &instant, const Vector &state,
     if (!bouncing[place] && instant.rests(k))
       resting.push_back(k);
   }
+  if (instant.rubbing)
+    return rest_rubbing(instant, state, resting);
   Vector accelerations(static_cast<Index>(resting.size()));
   for (std::size_t i = 0; i < resting.size(); ++i)
     accelerations[static_cast<Index>(i)] =
@@ -282,6 +299,45 @@ void Collisions::choose_modes(const Instant &instant, const Vector &state,
       const auto place = static_cast<std::size_t>(resting[i]);
       equations_.set_mode(instant.contacts[place], instant.held_mode[place]);
     }
+}
+
+void Collisions::rest_rubbing(const Instant &instant, const Vector &state,
+                              const std::vector<Index> &resting) {
+  Vector accelerations = Vector::Zero(2 * static_cast<Index>(resting.size()));
+  std::vector<int> modes;
+  std::vector<double> slow;
+  for (std::size_t i = 0; i < resting.size(); ++i) {
+    const auto place = static_cast<std::size_t>(resting[i]);
+    const std::size_t c = instant.contacts[place];
+    for (int d = 0; d < (instant.rubbing->has_friction(resting[i]) ? 2 : 1); ++d)
+      accelerations[2 * static_cast<Index>(i) + d] = leaning(c, instant.time, state, d);
+    modes.push_back(instant.held_mode[place]);
+    slow.push_back(scales_.speed(c));
+  }
+  const std::vector<int> chosen =
+      instant.rubbing->modes_at_rest(resting, accelerations, modes, slow, state);
+  for (std::size_t i = 0; i < resting.size(); ++i)
+    if (chosen[i] >= 0)
+      equations_.set_mode(instant.contacts[static_cast<std::size_t>(resting[i])], chosen[i]);
+}
+
+void Collisions::record_struck(const Instant &instant, const std::vector<Index> &struck,
+                               Collision &record) const {
+  if (instant.rubbing) {
+    instant.rubbing->record(struck, record);
+    return;
+  }
+  for (const Index k : struck)
+    record.contacts.push_back(instant.contacts[static_cast<std::size_t>(k)]);
+  record.directions.assign(struck.size(), 0);
+  record.rows = gap_rows(equations_.contacts(), record.contacts, equations_.layout().n);
+  record.response.resize(equations_.layout().n, static_cast<Index>(struck.size()));
+  for (std::size_t i = 0; i < struck.size(); ++i)
+    record.response.col(static_cast<Index>(i)) = instant.response.col(struck[i]);
+  const Vector factor = part(instant.restitution, struck).array() + 1;
+  if (!struck.empty())
+    record.impulse_by_rate =
+        -least_norm_solution(part(instant.effect, struck), Matrix(factor.asDiagonal()));
 }
 
 Collisions::Outcome Collisions::report(const Instant &instant, std::size_t first) const {
@@ -297,10 +353,8 @@ Collisions::Outcome Collisions::report(const Instant &instant, std::size_t first
     const bool was_held = instant.held[static_cast<std::size_t>(k)] != 0;
     const bool took = instant.impulse[k] > 0;
     approaching += instant.approaches(k) ? 1 : 0;
-    if (took) {
+    if (took)
       struck.push_back(k);
-      outcome.record.contacts.push_back(c);
-    }
     const Change change{.contact = c,
                         .from = instant.modes[c],
                         .to = equations_.modes()[c],
@@ -314,19 +368,13 @@ Collisions::Outcome Collisions::report(const Instant &instant, std::size_t first
   }
   for (std::size_t c = 0; c < instant.modes.size(); ++c)
     if (!equations_.contacts().pairs()[c].tangential.empty() &&
-        equations_.modes()[c] != instant.modes[c])
+        equations_.modes()[c] != instant.modes[c] &&
+        std::ranges::find(instant.contacts, c) == instant.contacts.end())
       outcome.changes.push_back(
           {.contact = c, .from = instant.modes[c], .to = equations_.modes()[c]});
-  Collision &record = outcome.record;
-  record.rows = gap_rows(equations_.contacts(), record.contacts, equations_.layout().n);
-  record.response.resize(equations_.layout().n, static_cast<Index>(struck.size()));
-  for (std::size_t i = 0; i < struck.size(); ++i)
-    record.response.col(static_cast<Index>(i)) = instant.response.col(struck[i]);
-  const Vector factor = part(instant.restitution, struck).array() + 1;
-  if (!struck.empty())
-    record.impulse_by_rate =
-        -least_norm_solution(part(instant.effect, struck), Matrix(factor.asDiagonal()));
-  record.unique = approaching <= 1;
+  record_struck(instant, struck, outcome.record);
+  outcome.record.unique = approaching <= 1;
+  outcome.reduced = instant.rubbing ? instant.rubbing->reduced() : 0;
   return outcome;
 }
 
@@ -340,13 +388,17 @@ Collisions::Outcome Collisions::resolve(double time, double time_tolerance, std:
   apply(instant, state);
   choose_modes(instant, state, std::vector<char>(instant.contacts.size(), 0));
   renew_friction(equations_, scales_, time, state);
+  if (instant.rubbing && !equations_.holding().empty())
+    equations_.stop_slip(time, state);
   return report(instant, first);
 }
 
-void Collisions::settle(double time, double time_tolerance, const Vector &state) {
+void Collisions::settle(double time, double time_tolerance, Vector &state) {
   const Instant instant =
       look(time, time_tolerance, std::numeric_limits<std::size_t>::max(), state);
   choose_modes(instant, state, std::vector<char>(instant.contacts.size(), 0));
+  if (instant.rubbing && !equations_.holding().empty())
+    equations_.stop_slip(time, state);
 }
 
 } // namespace vibroimpact::motion

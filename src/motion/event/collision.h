@@ -7,6 +7,11 @@
 // Where such an acceleration is zero to rounding, the first higher derivative of the gap that is
 // not decides in its place, by its sign a little later.
 //
+// Where one of them has friction, impulses, forces and modes of all come from the problems with
+// friction (event/rubbing.h). The impact at which a chatter begins is then plastic with friction:
+// all friction impulses up to the end of T add up to mu times those along the normal, and so does
+// the force of the slip that follows.
+//
 // Chatter. A contact with restitution e < 1 that parts with speed u under a constant gap
 // acceleration -a meets again infinitely often, and rests after T = 2 u / (a (1 - e)). Once the
 // flights are lower than eight times what counts as touching (ContactScales::length), u^2 / (2 a),
@@ -48,6 +53,7 @@ public:
     std::vector<std::size_t> touching;
     std::vector<double> gaps; ///< of those that touch [m]
     Collision record;
+    long reduced = 0; ///< restitutions that were reduced, so that the energy did not grow
   };
 
   /// Keeps references.
@@ -61,7 +67,8 @@ public:
   Outcome resolve(double time, double time_tolerance, std::size_t first, bool last, Vector &state);
 
   /// The modes of contacts that touch without speed when a motion begins.
-  void settle(double time, double time_tolerance, const Vector &state);
+  /// Takes what rounding has left of slip rates off the velocities.
+  void settle(double time, double time_tolerance, Vector &state);
 
 private:
   struct Instant; // what is known of the contacts that touch
@@ -76,8 +83,12 @@ private:
   double chatter_duration(const Instant &instant, std::size_t k, const Vector &after);
   void apply(const Instant &instant, Vector &state) const;
   void choose_modes(const Instant &instant, const Vector &state, const std::vector<char> &bouncing);
-  double gap_acceleration(std::size_t contact, double time, const Vector &state) const;
-  double leaning(std::size_t contact, double time, const Vector &state) const;
+  void rest_rubbing(const Instant &instant, const Vector &state, const std::vector<Index> &resting);
+  double gap_acceleration(std::size_t contact, double time, const Vector &state,
+                          int direction = 0) const;
+  double leaning(std::size_t contact, double time, const Vector &state, int direction = 0) const;
+  void record_struck(const Instant &instant, const std::vector<Index> &struck,
+                     Collision &record) const;
   Outcome report(const Instant &instant, std::size_t first) const;
 
   Equations &equations_;

@@ -17,12 +17,13 @@ namespace vibroimpact::motion {
 /// contact sees.
 struct Collision {
   std::vector<int> modes_before, modes_after; ///< of all contacts
-  /// The contacts that take an impulse.
+  /// The contacts that take an impulse, those with friction twice.
   std::vector<std::size_t> contacts;
-  Matrix rows;            ///< their gap rows, contacts x n
-  Matrix response;        ///< M^-1 rows^T, n x contacts
-  Matrix impulse_by_rate; ///< derivative of the impulses by the gap rates before it
-  bool unique = true;     ///< a single contact has set it off
+  std::vector<int> directions; ///< of each: 0 the normal, 1 the tangential one
+  Matrix rows;                 ///< their gap or slip rows, contacts x n
+  Matrix response;             ///< M^-1 rows^T, n x contacts
+  Matrix impulse_by_rate;      ///< derivative of the impulses by these rates before it
+  bool unique = true;          ///< a single contact has set it off
 };
 
 /// A contact that changed its mode, or had an impact and parts again at once.

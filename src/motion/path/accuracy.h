@@ -20,7 +20,10 @@ struct Accuracy {
   double event_residual = 0; ///< largest uncertainty of an event's instant [s]
   /// Touches so shallow that rounding decides whether they were contacts; not counted as events.
   long undecided_events = 0;
-  long chatters = 0;          ///< infinite sequences of impacts that were completed at once
+  long chatters = 0; ///< infinite sequences of impacts that were completed at once
+  /// Impacts of several contacts with friction whose restitution was reduced, so that the energy
+  /// did not grow.
+  long reduced_restitutions = 0;
   long contact_episodes = 0;  ///< nonlinear ones that were solved as a whole
   long moment_steps = 0;      ///< over contact changes of any number
   StepReasons step_reasons{}; ///< nonlinear ones that were integrated in steps

@@ -185,7 +185,7 @@ bool ExactPath::change_phase(double limit, long &most_events) {
   if (time - last_event_ <= time_tolerance(time) || progress_.slow() || exact_phases_.crowded())
     return false;
   const FrictionRoutes::Route *route = nullptr;
-  Transition *const next = has_friction(passed_guard().contact)
+  Transition *const next = has_friction(passed_guard().contact) && !is_rigid(passed_guard().contact)
                                ? phases_.friction_transition(*known_, passed, march_.turned,
                                                              guards_.rounding().data(), route)
                                : phases_.transition(*known_, passed);

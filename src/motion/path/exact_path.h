@@ -89,6 +89,9 @@ private:
   bool change_phase(double limit, long &most_events);
   bool enter_phase(const Transition &next, std::size_t contact, double time);
   void enter(double time, KnownPhase &target, const FrictionRoutes::Route *route);
+  bool is_rigid(std::size_t contact) const {
+    return equations_.contacts().pairs()[contact].law->rigid();
+  }
   bool has_friction(std::size_t contact) const {
     return !equations_.contacts().pairs()[contact].tangential.empty();
   }

@@ -41,6 +41,7 @@ void Trajectory::collide(std::size_t first, const Observers &observers) {
     if (change.gap_rate_after != change.gap_rate)
       last_.tried.clear();
   }
+  counts_.reduced_restitutions += outcome.reduced;
   ++counts_.events;
   begin_phase(time(), state);
   renew_zero_guards(state);

@@ -1,8 +1,11 @@
 #include "motion/system/active_constraints.h"
 
 #include "common/decompositions.h"
+#include "common/error.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace vibroimpact::motion {
 
@@ -14,13 +17,49 @@ Matrix gap_rows(const contact::ContactSet &contacts, const std::vector<std::size
   return rows;
 }
 
+RowVector holding_row(const contact::ContactPair &pair, const contact::Mode &mode) {
+  RowVector row = pair.gap.row;
+  for (std::size_t k = 0; mode.affine && k < pair.tangential.size(); ++k)
+    if (const double share = mode.affine->tangential_force[k].normal_force; share != 0)
+      row += share * pair.tangential[k].slip.row;
+  return row;
+}
+
+void refuse_jamming(const model::Model &model, const contact::ContactPair &pair,
+                    const contact::Mode &mode) {
+  if (!mode.holds_gap || mode.friction != contact::Friction::slip)
+    return;
+  constexpr double least = 1e-9;
+  const RowVector mobility = pair.gap.row.cwiseQuotient(model.mass().transpose());
+  const double alone = mobility.dot(pair.gap.row);
+  if (mobility.dot(holding_row(pair, mode)) > least * alone)
+    return;
+  const double coupling = mobility.dot(pair.tangential.front().slip.row);
+  std::ostringstream text;
+  text << "contact " << pair.name << " slides so that its friction presses the rigid sides "
+       << "together more than their normal force can part them: the friction coefficient "
+       << pair.law->impact_friction() << " is not below " << alone / std::abs(coupling)
+       << " (Painleve); the motion has no continuation or several. Use a law with a finite "
+       << "stiffness.";
+  throw NumericalError(text.str());
+}
+
+namespace {
+
+const contact::Mode &mode_of(const contact::ContactSet &contacts, std::size_t contact,
+                             const std::vector<int> &modes) {
+  return contacts.pairs()[contact].law->modes()[static_cast<std::size_t>(modes[contact])];
+}
+
+} // namespace
+
 // The two rates are of the size of the model's own, which any step resolves, and differ between the
 // contacts, so that none is repeated.
 ActiveConstraints::ActiveConstraints(const model::Model &model, const contact::ContactSet &contacts,
                                      const std::vector<int> &modes) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const contact::ContactPair &pair = contacts.pairs()[c];
-    const contact::Mode &mode = pair.law->modes()[static_cast<std::size_t>(modes[c])];
+    const contact::Mode &mode = mode_of(contacts, c, modes);
     for (int d = 0; d < pair.n_directions(); ++d)
       if (mode.holds(d))
         held_.push_back({.contact = c, .direction = d});
@@ -37,7 +76,12 @@ ActiveConstraints::ActiveConstraints(const model::Model &model, const contact::C
     if (held(k).direction > 0)
       rates_(k, 1) = 0;
   }
-  set_response(model.mass().cwiseInverse().asDiagonal() * rows_.transpose());
+  Matrix along = rows_;
+  for (Index k = 0; k < size(); ++k)
+    if (held(k).direction == 0)
+      along.row(k) =
+          holding_row(contacts.pairs()[held(k).contact], mode_of(contacts, held(k).contact, modes));
+  set_response(model.mass().cwiseInverse().asDiagonal() * along.transpose());
 }
 
 bool ActiveConstraints::holds(std::size_t contact) const {

@@ -7,6 +7,9 @@
 //   gap'' + (a + b) gap' + a b gap = 0        a, b > 0 two rates of the contact [1/s]
 //   slip'' + a slip' = 0                      sides that stick do so where they are
 //
+// Where a contact is held along its normal and slides, the friction -sigma mu F acts with F: its
+// column is that of n - sigma mu t in place of n, and W M^-1 W_F^T is not symmetric.
+//
 // A motion that starts with gap = gap' = 0 keeps both at zero, whatever a and b are; they make what
 // rounding leaves die out instead of grow, and the two being different keeps the equations
 // diagonalizable. Forces of contacts that hold the same direction twice are shared equally.
@@ -42,7 +45,7 @@ public:
   Index place(std::size_t contact, int direction) const;
 
   const Matrix &rows() const { return rows_; }         ///< W
-  const Matrix &response() const { return response_; } ///< M^-1 W^T
+  const Matrix &response() const { return response_; } ///< M^-1 W_F^T
   /// Where rotors change the mass matrix with the position.
   void set_response(const Matrix &response);
 
@@ -50,15 +53,24 @@ public:
   double by_position(Index k) const { return rates_(k, 0) * rates_(k, 1); } ///< a b [1/s^2]
 
   /// Forces for which the accelerations along what is held change by `missing`, column by column:
-  /// (W M^-1 W^T)^-1 missing.
+  /// (W M^-1 W_F^T)^-1 missing.
   Matrix forces(const Matrix &missing) const;
 
 private:
   std::vector<HeldDirection> held_;
   Matrix rows_, response_;
   Matrix rates_;                            ///< held directions x 2; b = 0: held where it is
-  std::shared_ptr<const LeastNorm> factor_; ///< of W M^-1 W^T
+  std::shared_ptr<const LeastNorm> factor_; ///< of W M^-1 W_F^T
 };
+
+/// Along what the force that holds the gap acts: the gap row, and the slip rows of a contact that
+/// slides by as much as the law has of that force.
+RowVector holding_row(const contact::ContactPair &pair, const contact::Mode &mode);
+
+/// NumericalError where that force could not push the sides apart, because the friction that goes
+/// with it presses them together (Painleve 1895): the motion has no continuation or several.
+void refuse_jamming(const model::Model &model, const contact::ContactPair &pair,
+                    const contact::Mode &mode);
 
 /// The gap rows of some contacts, one below the other.
 Matrix gap_rows(const contact::ContactSet &contacts, const std::vector<std::size_t> &list, Index n);

@@ -64,6 +64,8 @@ void Equations::set_mode(std::size_t contact, int mode) {
     throw NumericalError("contact " + pair.name +
                          " comes to stick in its circular gap, where laws of friction slip only; a "
                          "spring-slider sticks by a spring");
+  if (!pair.tangential.empty())
+    refuse_jamming(model_, pair, pair.law->modes()[static_cast<std::size_t>(mode)]);
   const bool held = this->mode(contact).holds();
   modes_[contact] = mode;
   list(contact);

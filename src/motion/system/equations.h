@@ -206,6 +206,8 @@ private:
   void add_friction(std::size_t contact, Matrix &jacobian) const;
   void write_internal_rates(std::size_t contact, Matrix &jacobian) const;
   double hold(double time, ConstVectorView x, VectorView dxdt) const;
+  double rub(std::size_t contact, double normal_force, double time, ConstVectorView x,
+             VectorView dxdt) const;
   void hold(Matrix &jacobian) const;
   double force_magnitude(std::size_t contact, int direction, double time, const Vector &x) const;
   double add_nonlinear_forces(double time, ConstVectorView x, VectorView dxdt) const;

@@ -300,7 +300,29 @@ double Equations::hold(double time, ConstVectorView x, VectorView dxdt) const {
     dxdt[layout_.contact_work(contact)] += -forces[k] * rate[k];
   }
   held_forces_ = forces;
-  return -forces.dot(carried);
+  double power = -forces.dot(carried);
+  for (Index k = 0; k < constraints_.size(); ++k)
+    if (const auto [contact, direction] = constraints_.held(k);
+        direction == 0 && mode(contact).friction == contact::Friction::slip)
+      power += rub(contact, forces[k], time, x, dxdt);
+  return power;
+}
+
+// What the friction of a contact takes that slides and is held along its normal. Returns the power
+// that moving bases and surfaces put into it.
+double Equations::rub(std::size_t contact, double normal_force, double time, ConstVectorView x,
+                      VectorView dxdt) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  LocalState state = local_motion(contact, time, x);
+  state.normal_force = normal_force;
+  pair.law->evaluate(modes_[contact], state, response_);
+  write_friction(pair, dxdt);
+  dxdt[layout_.contact_work(static_cast<Index>(contact))] += response_.friction_power;
+  double power = 0;
+  for (int d = 1; d < pair.n_directions(); ++d)
+    power -= response_.tangential[static_cast<std::size_t>(d - 1)].force *
+             base_rate(component(contact, d), time);
+  return power;
 }
 
 // Sum of the sizes of all that the force which holds a direction is made of.

@@ -266,6 +266,9 @@ Vector KeyTangent::jump(const Equations &equations, const Collision &collision, 
   Vector change = Vector::Zero(n);
   if (size == 0)
     return change;
+  if (std::ranges::any_of(collision.directions, [](int direction) { return direction > 0; }))
+    throw NumericalError("contact " + contacts_.pairs()[collision.contacts.front()].name +
+                         ": impacts of rigid sides with friction have no known derivative by keys");
   Vector gap_rates(size);
   Vector moved(size);
   for (Index k = 0; k < size; ++k) {

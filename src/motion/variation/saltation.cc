@@ -198,7 +198,8 @@ Saltations::Reset Saltations::impact(const ContactEvent &event, const Vector &be
     accelerations[k] =
         equations_.gap_acceleration(collision.contacts[static_cast<std::size_t>(k)], event.time,
                                     ConstVectorView(event.before->data(), event.before->size()),
-                                    ConstVectorView(before.data() + layout.velocity(), layout.n));
+                                    ConstVectorView(before.data() + layout.velocity(), layout.n),
+                                    collision.directions[static_cast<std::size_t>(k)]);
   reset.rates.segment(layout.velocity(), layout.n) += impulses * accelerations;
   for (std::size_t k = 0; k < keys_.size(); ++k)
     reset.by_key.col(static_cast<Index>(k)).segment(layout.velocity(), layout.n) =
@@ -285,7 +286,7 @@ std::optional<Saltation> Saltations::of(const ContactEvent &event, double start)
   }
   const ContactLaw &law = *equations_.contacts().pairs()[event.contact].law;
   if (law.modes()[static_cast<std::size_t>(event.from)].holds_gap &&
-      event.guard->indicator.normal_force != 0) { // let go without force
+      !law.modes()[static_cast<std::size_t>(event.to)].holds_gap) { // let go without force
     equations_.set_mode(event.contact, event.to);
     return std::nullopt;
   }
