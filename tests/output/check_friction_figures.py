@@ -106,6 +106,22 @@ class Figures(unittest.TestCase):
         self.assertNotIn("rub-cycle-floor", known)
         self.assertNotIn("rub-friction-classes-floor", known)
 
+    def test_sectors_are_bars_around_the_circle(self):
+        writer = Writer(self.folder)
+        writer.analysis("rub", "steady state", [])
+        rates = [0.001, 0.004, 0.0, 0.002]
+        writer.scale("friction_sector", np.arange(4) * np.pi / 2, "rad")
+        for name, values in [("work_rate", rates), ("work_rate_error", [1e-4, 0, 0, np.nan])]:
+            writer.field(f"contact/ring/friction/sector/{name}", np.array(values), "W", ["friction_sector"])
+        writer.file.close()
+        results = self.enterContext(Results(self.folder))
+        axes = dict(figures(results, results.analysis("rub")))["rub-sectors-ring"]().axes[0]
+        bars = axes.patches
+        np.testing.assert_allclose([bar.get_height() for bar in bars], [1, 4, 0, 2])  # mW
+        np.testing.assert_allclose([bar.get_x() + bar.get_width() / 2 for bar in bars], np.arange(4) * np.pi / 2)
+        ends = axes.collections[0].get_segments()[0]
+        np.testing.assert_allclose(sorted(ends[:, 1]), [0.8, 1.2])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -24,6 +24,7 @@ public:
     phase_ = &phase;
     amplitudes_ = &amplitudes;
     turned_.resize(amplitudes.size());
+    seen_.assign(static_cast<std::size_t>(forms_->rows.rows()), {});
   }
 
   Index size() const override { return forms_->constants.size(); }
@@ -46,15 +47,13 @@ public:
   double sixth_derivative(Index guard, double from, double to) const override {
     const GuardProduct *const product = product_of(guard);
     if (!product)
-      return derivative(guard, 6, from, to);
+      return derivatives(guard, from, to)[6];
     constexpr double binomials[] = {1, 6, 15, 20, 15, 6, 1};
     double bound = 0;
     for (const auto &[factor, sign] : squares(*product)) {
-      double f[7];
-      for (int k = 0; k <= 6; ++k)
-        f[k] = derivative(factor, k, from, to);
-      for (int k = 0; k <= 6; ++k)
-        bound += std::abs(sign) * binomials[k] * f[k] * f[6 - k];
+      const Derivatives f = derivatives(factor, from, to);
+      for (std::size_t k = 0; k < f.size(); ++k)
+        bound += std::abs(sign) * binomials[k] * f[k] * f[f.size() - 1 - k];
     }
     return bound;
   }
@@ -92,13 +91,22 @@ private:
     return {.value = f[0], .rate = f[1], .acceleration = f[2]};
   }
 
-  // Bound of the derivative of this order between two instants.
-  double derivative(Index form, int order, double from, double to) const {
-    double bound = order == 0 ? phase_->view().constant_sizes[form] : 0;
-    for (const PhaseGroup &group : phase_->groups())
-      bound += group.kind == BlockKind::dense ? of_dense(form, group, order, from, to)
-                                              : of_group(form, group, order, from, to);
-    return bound;
+  /// Bounds of the orders 0 to 6.
+  using Derivatives = std::array<double, 7>;
+
+  // Between two instants.
+  Derivatives derivatives(Index form, double from, double to) const {
+    Derivatives bounds{};
+    bounds[0] = phase_->view().constant_sizes[form];
+    const std::vector<RowVector> &rows = seen(form);
+    for (std::size_t g = 0; g < rows.size(); ++g) {
+      const PhaseGroup &group = phase_->groups()[g];
+      if (group.kind == BlockKind::dense)
+        add_dense(rows[g], group, from, to, bounds);
+      else
+        add_group(rows[g].norm(), group, from, to, bounds);
+    }
+    return bounds;
   }
 
   double rounding_of_form(Index guard) const {
@@ -119,34 +127,44 @@ private:
     return turned_.data();
   }
 
-  RowVector seen(Index guard, const PhaseGroup &group) const {
-    RowVector row(static_cast<Index>(group.coordinates.size()));
-    for (std::size_t c = 0; c < group.coordinates.size(); ++c)
-      row[static_cast<Index>(c)] =
-          forms_->rows.row(guard).dot(phase_->columns().col(group.coordinates[c]));
-    return row;
+  // What a form sees of each group.
+  const std::vector<RowVector> &seen(Index form) const {
+    std::vector<RowVector> &rows = seen_[static_cast<std::size_t>(form)];
+    for (std::size_t g = rows.size(); g < phase_->groups().size(); ++g) {
+      const std::vector<Index> &coordinates = phase_->groups()[g].coordinates;
+      rows.emplace_back(static_cast<Index>(coordinates.size()));
+      for (std::size_t c = 0; c < coordinates.size(); ++c)
+        rows[g][static_cast<Index>(c)] =
+            forms_->rows.row(form).dot(phase_->columns().col(coordinates[c]));
+    }
+    return rows;
   }
 
-  double of_group(Index guard, const PhaseGroup &group, int order, double from, double to) const {
+  void add_group(double seen, const PhaseGroup &group, double from, double to,
+                 Derivatives &bounds) const {
     const auto j = static_cast<std::size_t>(group.first);
     const double size = std::hypot((*amplitudes_)[j], (*amplitudes_)[j + amplitudes_->size() / 2]);
-    const double rate = group.exponent.real();
-    return seen(guard, group).norm() * size * std::pow(std::abs(group.exponent), order) *
-           std::exp(rate * (rate > 0 ? to : from));
+    const double rate = group.exponent.real(), speed = std::abs(group.exponent);
+    double bound = seen * size * std::exp(rate * (rate > 0 ? to : from));
+    for (double &sum : bounds) {
+      sum += bound;
+      bound *= speed;
+    }
   }
 
-  double of_dense(Index guard, const PhaseGroup &group, int order, double from, double to) const {
+  void add_dense(RowVector row, const PhaseGroup &group, double from, double to,
+                 Derivatives &bounds) const {
     const double *amplitudes = amplitudes_at(from);
-    RowVector row = seen(guard, group);
-    for (int k = 0; k < order; ++k)
-      row = (row * group.generator).eval();
-    Vector x(row.size());
-    for (Index c = 0; c < x.size(); ++c)
-      x[c] = std::abs(amplitudes[static_cast<std::size_t>(group.first + c)]);
+    double largest = 0;
+    for (Index c = 0; c < row.size(); ++c)
+      largest = std::max(largest, std::abs(amplitudes[static_cast<std::size_t>(group.first + c)]));
     const double growth = group.generator.cwiseAbs().rowwise().sum().maxCoeff();
     constexpr double beyond_any_use = 200;
-    return row.cwiseAbs().sum() * x.maxCoeff() *
-           std::exp(std::min(growth * (to - from), beyond_any_use));
+    largest *= std::exp(std::min(growth * (to - from), beyond_any_use));
+    for (double &sum : bounds) {
+      sum += row.cwiseAbs().sum() * largest;
+      row = (row * group.generator).eval();
+    }
   }
 
   std::vector<GuardProduct> products_;
@@ -154,6 +172,7 @@ private:
   const ExactPhase *phase_ = nullptr;
   const Amplitudes *amplitudes_ = nullptr;
   mutable Amplitudes turned_;
+  mutable std::vector<std::vector<RowVector>> seen_; ///< by forms and groups, where asked for
 };
 
 ExactStepper::ExactStepper(const Equations &equations, const Settings &settings)
