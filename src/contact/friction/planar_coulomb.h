@@ -12,7 +12,8 @@
 //
 // With a constant acceleration a and deceleration f of friction alone, psi the angle between v and
 // a where |v| = s, the stop comes s / (f - a cos psi) later instead of s (f + a cos psi) / (f^2 -
-// a^2): they differ by s a^2 sin^2 psi / f^3 at most, and psi goes with s^(a / (f - a)).
+// a^2): they differ by s a^2 sin^2 psi / ((f - a cos psi)(f^2 - a^2)), and psi goes with s^(a / (f
+// - a)).
 #pragma once
 
 #include "contact/friction/coulomb.h"
